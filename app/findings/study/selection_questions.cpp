@@ -10,6 +10,7 @@
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/test_sentences.h"
 
 namespace asperity {
 

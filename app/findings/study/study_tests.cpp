@@ -18,8 +18,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kAlpha = 0.05;
-
 Finding finding_of(const StudyTests::Test& test) {
   Finding finding{};
   finding.quantity = "p";
@@ -70,11 +68,6 @@ std::string reason_for(const std::string& name) {
   return std::string(known == kReasons.end() ? "no_responses" : known->second);
 }
 
-/// The smallest attainable p, where it exceeds 5 %.
-std::optional<double> too_large(std::optional<double> smallest) {
-  return smallest && *smallest > kAlpha ? smallest : std::nullopt;
-}
-
 Cell text_cell(std::string_view text) { return text.empty() ? Cell{} : Cell{std::string(text)}; }
 
 /// The row of a test, with the names of its columns. `family`: the family of the test; may be
@@ -109,7 +102,7 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
       {"left_out", static_cast<std::int64_t>(test.left_out)},
       {"p", cell_of(test.p)},
       {"p_holm", cell_of(test.adjusted)},
-      {"p_smallest", cell_of(too_large(test.smallest_p))},
+      {"p_smallest", cell_of(test.unattainable_p())},
       {"family", text_cell(family)},
       {"role", std::string(test.role == TestRole::confirmatory ? "confirmatory" : "exploratory")},
       {"status", test.p ? Cell{} : Cell{test.status}}};
@@ -448,25 +441,6 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
 Table reading_table(const NamedTable& table) {
   return reading_table(table.name == StudyTests::kTable ? with_joined_cells(table.table)
                                                         : table.table);
-}
-
-Phrase p_text(const StudyTests::Test& test) {
-  const double p = test.adjusted.value_or(test.p.value_or(1.0));
-  const Phrase how = test.adjusted && !test.is_alone_in_family
-                         ? phrase("Analysis", "%1, Holm-corrected")
-                     : test.adjusted && test.role == TestRole::confirmatory
-                         ? phrase("Analysis", "%1, the only confirmatory test")
-                         : phrase("Analysis", "%1, uncorrected");
-  const Phrase text = how.with(reading_p(p));
-  const std::optional<double> smallest = too_large(test.smallest_p);
-  if (!smallest) return text;
-  return phrase("Analysis", "%1; the smallest attainable p is %2")
-      .with(text, reading_p_cell(*smallest));
-}
-
-Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {
-  if (test.adjusted) return test.shows() ? sayings.claim : sayings.nothing;
-  return phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
 }
 
 }  // namespace asperity

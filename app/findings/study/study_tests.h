@@ -12,7 +12,7 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analysis_outcome.h"
-#include "app/findings/study/test_methods.h"
+#include "app/findings/study/study_test.h"
 
 namespace asperity {
 
@@ -27,47 +27,8 @@ class StudyTests final {
   /// The family that the protocol declares, or the first test of its kind.
   explicit StudyTests(const GatheredAnswers& gathered);
 
-  struct Test {
-    std::string name{};   ///< the name of a KindTest
-    std::string about{};  ///< which of several comparisons is tested; may be empty
-    const TestMethod* made_by = nullptr;
-    std::string method{};
-    std::size_t n = 0;  ///< of the units that contributed
-    std::string unit{kUnitOfParticipants};
-    /// Participants who responded and do not contribute, because they have nothing that can be
-    /// exchanged.
-    std::size_t left_out = 0;
-    std::optional<double> p{};
-    FindingName source{};  ///< the finding that has its p
-    /// The smallest attainable p, Holm-corrected for a test of the family: above 5 %, significance
-    /// is impossible.
-    std::optional<double> smallest_p{};
-    std::optional<double> statistic{};
-    std::vector<double> degrees{};    ///< of freedom: none, one, or two of an F; uncorrected
-    /// The ε that corrects them; nothing where they are not corrected.
-    std::optional<double> epsilon{};
-    std::optional<std::size_t>
-        random_permutations{};  ///< 0: all were counted; nothing: not permuted
-    struct Effect {
-      double value = 0.0;
-      std::optional<double> low{};
-      std::optional<double> high{};
-      bool takes_trials_as_independent = false;  ///< in a test of participants
-    };
-    std::optional<Effect> effect{};
-    std::optional<Effect> estimate{};   ///< the proportion that is tested
-    std::optional<double> chance{};     ///< the chance level of that proportion
-    std::optional<double> adjusted{};   ///< within the family
-    bool is_alone_in_family = false;    ///< the only test of its family, so that p is not corrected
-    TestRole role = TestRole::exploratory;
-    bool pools_participants = false;  ///< n counts responses of more than one participant
-    std::string status = "ok";
+  using Test = StudyTest;
 
-    /// Only a test of the family can be significant here; adjusted within it, at 5 %.
-    bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
-    /// Significant at 5 %, for tests outside the family without correction.
-    bool is_significant() const noexcept { return adjusted ? shows() : p && *p < 0.05; }
-  };
   /// Adds the test whose p is the quantity `p` with this key. A p that is not a number is the
   /// reason that there is no test; within the study's family such a test counts as p = 1.
   void add(const std::string& name, const std::string& about, const FoundNumbers& found,
@@ -109,18 +70,5 @@ class StudyTests final {
 /// degrees of freedom and its value in one cell, "t(19) = 12.25", an effect size with its interval
 /// in another, "d = 2.74 [1.75, 3.71]".
 Table reading_table(const NamedTable& table);
-
-/// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
-/// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one.
-/// Without a declaration no test is confirmatory.
-Phrase p_text(const StudyTests::Test& test);
-/// The sentences about a test that was made: `claim` if it is significant, `nothing` if it is not,
-/// and `told` for a test outside the family, with the sentence that it is exploratory.
-struct Sayings {
-  Phrase claim{};
-  Phrase nothing{};
-  Phrase told{};
-};
-Phrase said_of(const StudyTests::Test& test, const Sayings& sayings);
 
 }  // namespace asperity

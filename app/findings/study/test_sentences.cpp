@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
+std::string claim_of(const StudyTest& test, std::string_view kind) {
   const StudyAnalysis* const analysis = find_analysis(kind);
   if (analysis == nullptr) return {};
   const auto claim = std::find_if(
@@ -32,13 +32,13 @@ std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
   return Phrase(std::string(words)).with(first, second, chance).english();
 }
 
-std::string size_text(const StudyTests::Test& test) {
+std::string size_text(const StudyTest& test) {
   const std::string n = reading_count(test.n);
   if (test.unit == kUnitOfParticipants) return "N = " + n;
   return "n = " + words_of_cell("n", n + '|' + test.unit).english();
 }
 
-std::string estimate_text(const StudyTests::Test& test) {
+std::string estimate_text(const StudyTest& test) {
   if (!test.estimate) return {};
   std::string text(test.made_by->estimate_name);
   text += " = " + reading_percent(test.estimate->value);
@@ -49,7 +49,7 @@ std::string estimate_text(const StudyTests::Test& test) {
   return text + ", " + size_text(test) + "; ";
 }
 
-std::string method_text(const StudyTests::Test& test) {
+std::string method_text(const StudyTest& test) {
   std::string code(test.made_by->code);
   if (const std::string made = permutations_text(test); !made.empty()) code += '|' + made;
   return words_of_cell("method", code).english();
@@ -57,7 +57,7 @@ std::string method_text(const StudyTests::Test& test) {
 
 }  // namespace
 
-std::string permutations_text(const StudyTests::Test& test) {
+std::string permutations_text(const StudyTest& test) {
   if (!test.random_permutations) return {};
   return *test.random_permutations == 0 ? "exact" : std::to_string(*test.random_permutations);
 }
@@ -85,7 +85,7 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
          shown(*interval.high) + ']';
 }
 
-TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind) {
+TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
   TestSentence sentence{.test = test.name, .role = test.role};
   if (!test.p || test.made_by == nullptr) {
     sentence.is_untested = true;
@@ -132,6 +132,25 @@ void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
   for (TestSentence& sentence : outcome.test_sentences) {
     if (sentence.test == test) sentence.text.insert(sentence.text.size() - 1, clause);
   }
+}
+
+Phrase p_text(const StudyTest& test) {
+  const double p = test.adjusted.value_or(test.p.value_or(1.0));
+  const Phrase how = test.adjusted && !test.is_alone_in_family
+                         ? phrase("Analysis", "%1, Holm-corrected")
+                     : test.adjusted && test.role == TestRole::confirmatory
+                         ? phrase("Analysis", "%1, the only confirmatory test")
+                         : phrase("Analysis", "%1, uncorrected");
+  const Phrase text = how.with(reading_p(p));
+  const std::optional<double> smallest = test.unattainable_p();
+  if (!smallest) return text;
+  return phrase("Analysis", "%1; the smallest attainable p is %2")
+      .with(text, reading_p_cell(*smallest));
+}
+
+Phrase said_of(const StudyTest& test, const Sayings& sayings) {
+  if (test.adjusted) return test.shows() ? sayings.claim : sayings.nothing;
+  return phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
 }
 
 }  // namespace asperity

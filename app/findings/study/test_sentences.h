@@ -8,12 +8,12 @@
 #include <string_view>
 
 #include "app/findings/study/analysis_outcome.h"
-#include "app/findings/study/study_tests.h"
+#include "app/findings/study/study_test.h"
 
 namespace asperity {
 
 /// "exact", or how many permutations were drawn; empty for a test that permutes nothing.
-std::string permutations_text(const StudyTests::Test& test);
+std::string permutations_text(const StudyTest& test);
 
 /// "F(2, 38) = 5.17"; with an ε that corrects the degrees of freedom "F(1.54, 29.18) = 5.17, ε = .77".
 std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value,
@@ -31,7 +31,7 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
 /// was significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %],
 /// N = 6; one-sample t test, t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI
 /// [1.56, 6.83]." For a test that could not be made, that fact and the reason.
-TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind);
+TestSentence sentence_of_test(const StudyTest& test, std::string_view kind);
 
 /// For a mean proportion, whose CI comes from a different method than the test.
 inline constexpr std::string_view kChanceInInterval =
@@ -40,5 +40,18 @@ inline constexpr std::string_view kChanceInInterval =
 /// Adds a clause before the full stop of the sentences of a test.
 void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
                            std::string_view clause);
+
+/// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
+/// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one.
+/// Without a declaration no test is confirmatory.
+Phrase p_text(const StudyTest& test);
+/// The answers that a test that was made may give: `claim` if it is significant, `nothing` if it is not, and `told` for a
+/// test outside the family, to which the sentence that it is exploratory is added.
+struct Sayings {
+  Phrase claim{};
+  Phrase nothing{};
+  Phrase told{};
+};
+Phrase said_of(const StudyTest& test, const Sayings& sayings);
 
 }  // namespace asperity

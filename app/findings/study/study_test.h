@@ -1,0 +1,64 @@
+// One test of a study.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/test_methods.h"
+
+namespace asperity {
+
+/// A test with its numbers and, once StudyTests has finished, its correction.
+struct StudyTest {
+  /// The level of significance.
+  static constexpr double kLevel = 0.05;
+
+  std::string name{};   ///< the name of a KindTest
+  std::string about{};  ///< which of several comparisons is tested; may be empty
+  const TestMethod* made_by = nullptr;
+  std::string method{};
+  std::size_t n = 0;  ///< of the units that contributed
+  std::string unit{kUnitOfParticipants};
+  /// Participants who responded and do not contribute, because they have nothing that can be
+  /// exchanged.
+  std::size_t left_out = 0;
+  std::optional<double> p{};
+  FindingName source{};  ///< the finding that has its p
+  /// The smallest attainable p, Holm-corrected for a test of the family: above 5 %, significance
+  /// is impossible.
+  std::optional<double> smallest_p{};
+  std::optional<double> statistic{};
+  std::vector<double> degrees{};  ///< of freedom: none, one, or two of an F; uncorrected
+  /// The ε that corrects them; nothing where they are not corrected.
+  std::optional<double> epsilon{};
+  std::optional<std::size_t> random_permutations{};  ///< 0: all were counted; nothing: not permuted
+  struct Effect {
+    double value = 0.0;
+    std::optional<double> low{};
+    std::optional<double> high{};
+    bool takes_trials_as_independent = false;  ///< in a test of participants
+  };
+  std::optional<Effect> effect{};
+  std::optional<Effect> estimate{};  ///< the proportion that is tested
+  std::optional<double> chance{};    ///< the chance level of that proportion
+  std::optional<double> adjusted{};  ///< within the family
+  bool is_alone_in_family = false;   ///< the only test of its family, so that p is not corrected
+  TestRole role = TestRole::exploratory;
+  bool pools_participants = false;  ///< n counts responses of more than one participant
+  std::string status = "ok";
+
+  /// Only a test of the family can be significant here; adjusted within it.
+  bool shows() const noexcept { return adjusted && *adjusted < kLevel; }
+  /// For tests outside the family without correction.
+  bool is_significant() const noexcept { return adjusted ? shows() : p && *p < kLevel; }
+  /// The smallest attainable p, if it exceeds the level.
+  std::optional<double> unattainable_p() const noexcept {
+    return smallest_p && *smallest_p > kLevel ? smallest_p : std::nullopt;
+  }
+};
+
+}  // namespace asperity
