@@ -1,5 +1,8 @@
 #include "app/findings/found_numbers.h"
 
+#include <cmath>
+#include <cstdint>
+
 namespace asperity {
 
 Cell cell_of(const std::optional<double>& number) { return number ? Cell{*number} : Cell{}; }
@@ -31,6 +34,11 @@ std::vector<const Finding*> FoundNumbers::all(std::string_view quantity) const {
 
 Cell FoundNumbers::cell(std::string_view quantity, std::string_view key) const {
   return cell_of(value(quantity, key));
+}
+
+Cell FoundNumbers::count(std::string_view quantity, std::string_view key) const {
+  const std::optional<double> number = value(quantity, key);
+  return number ? Cell{static_cast<std::int64_t>(std::llround(*number))} : Cell{};
 }
 
 std::pair<Cell, Cell> FoundNumbers::interval(std::string_view quantity,

@@ -33,6 +33,8 @@ class FoundNumbers final {
   std::vector<const Finding*> all(std::string_view quantity) const;
   /// The number as a cell of a table.
   Cell cell(std::string_view quantity, std::string_view key = {}) const;
+  /// The number rounded to a whole one, as a cell that is displayed without decimals.
+  Cell count(std::string_view quantity, std::string_view key = {}) const;
   /// The ends of the interval of a number, as two cells.
   std::pair<Cell, Cell> interval(std::string_view quantity, std::string_view key = {}) const;
 

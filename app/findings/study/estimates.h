@@ -1,0 +1,45 @@
+// Represents the responses of a magnitude estimation as estimates by condition and spacing, and as the tables that
+// families of analyses read.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/gathered_answers.h"
+#include "app/findings/tidy/tidy_families.h"
+
+namespace asperity {
+
+/// One estimate with the names of its factors' levels as in the tables.
+struct Estimated {
+  std::uint32_t person = 0;
+  std::string condition{};  ///< "all" if the protocol has none
+  std::string spacing{};    ///< metres
+  int repetition = 1;
+  double estimate = 0.0;
+};
+
+/// The numbers above 0 whose spacing is known; remarks on the number of others and of anchors.
+std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+/// The levels of a factor in ascending numerical order, followed by levels that are not numbers.
+std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
+                                   std::string Estimated::*name);
+/// The conditions in the protocol's order; conditions that it does not list come last.
+std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
+                                       const std::vector<std::string>& declared);
+
+/// For the family `magnitude`.
+TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates);
+/// For the family `rmanova`: raw logarithms, because a participant's scale is a constant and part of no effect.
+TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
+                      const std::vector<std::string>& conditions,
+                      const std::vector<std::string>& spacings);
+
+/// "CONDITION|SPACING", the key of a cell in findings.
+std::string cell_key(const std::string& condition, const std::string& spacing);
+
+}  // namespace asperity

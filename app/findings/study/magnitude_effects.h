@@ -1,0 +1,39 @@
+// Reports the effects of spacing and condition on estimates: the analysis of variance and its questions.
+
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/study_findings.h"
+
+namespace asperity {
+
+/// The name of the analysis of variance among findings and tables.
+inline constexpr const char* kAnova = "anova";
+
+/// The effects: the name of a test, and the key of its findings.
+inline constexpr std::array<std::pair<const char*, const char*>, 3> kEffects{
+    {{"condition", "condition"}, {"spacing", "spacing"}, {"interaction", "condition:spacing"}}};
+
+/// The quantity that is an effect's p: Greenhouse–Geisser-corrected, if the correction applies.
+const char* p_of(const FoundNumbers& found, const std::string& effect);
+
+void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome);
+
+/// An effect and its question. `levels`: of the factor, whose order of roughness is reported; empty if it has none.
+struct EffectQuestion {
+  const char* name = "";
+  Phrase question{};
+  const char* table = "";
+  std::vector<std::string> levels{};
+};
+
+/// Whether roughness depends on a factor, or on both together.
+void ask_effect(const EffectQuestion& effect, const FoundNumbers& found, const StudyTests& tests,
+                AnalysisOutcome& outcome);
+
+}  // namespace asperity
