@@ -12,6 +12,7 @@
 #include "app/session/rehearsal/friction_rehearsal.h"
 #include "app/session/rig/recorded_hand.h"
 #include "app/words/device_remarks.h"
+#include "app/words/text_parts.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "device/virtual_hand.h"
@@ -26,12 +27,6 @@ constexpr const char* kReplay = "replay";
 constexpr std::array kComparedItems{
     "friction_N",        "force_resolution_N", "position_resolution_m", "damping_N_s_per_m",
     "stiffness_N_per_m", "latency_s",          "moving_mass_kg"};
-
-std::string comma_separated(const std::vector<std::string>& words) {
-  std::string all{};
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
 
 std::string in_quotation_marks(const std::string& word) { return '"' + word + '"'; }
 

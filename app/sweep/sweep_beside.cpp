@@ -13,6 +13,7 @@
 
 #include "analysis/number_text.h"
 #include "app/study_files/height_field_files.h"
+#include "app/words/text_parts.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -26,16 +27,6 @@ constexpr double kMillimetres_per_m = 1e3;
 
 bool is_alike(double one, double other, double tolerance) {
   return std::abs(one - other) <= tolerance * std::max(std::abs(one), std::abs(other));
-}
-
-/// "1", "1 and 2", "0.5, 1 and 2".
-std::string enumerated(const std::vector<std::string>& words) {
-  std::string text{};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
 }
 
 /// Without the rounding errors of a conversion.
@@ -60,7 +51,7 @@ std::string quantity_text(VariedQuantity quantity, double value) {
 std::string quantities_text(VariedQuantity quantity, const std::vector<double>& values) {
   std::vector<std::string> words{};
   for (const double value : values) words.push_back(quantity_text(quantity, value));
-  return enumerated(words);
+  return listed(words);
 }
 
 /// In the syntax of the option.
@@ -256,7 +247,7 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
                  (numbers ? " --values " + option_values(*numbers) : "");
     }
     refuse_beside(protocol,
-                  "has the conditions " + enumerated(conditions) + ", which do not differ in " +
+                  "has the conditions " + listed(conditions) + ", which do not differ in " +
                       words_of(order.varied) + ", the quantity that --vary " +
                       text_of(order.varied) + " varies; " +
                       (instead.empty() ? "a sweep cannot vary the quantity in which they differ: "
@@ -264,11 +255,10 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
                                        : "use" + instead));
   }
   const auto numbers = numbers_by_condition(conditions, varied);
-  const std::string theirs =
-      (conditions.size() == 1
-           ? std::string("one condition")
-           : std::to_string(conditions.size()) + " conditions, " + enumerated(conditions)) +
-      (numbers ? " (" + quantities_text(order.varied, *numbers) + ")" : "");
+  const std::string theirs = (conditions.size() == 1 ? std::string("one condition")
+                                                     : std::to_string(conditions.size()) +
+                                                           " conditions, " + listed(conditions)) +
+                             (numbers ? " (" + quantities_text(order.varied, *numbers) + ")" : "");
   if (order.values.size() != conditions.size()) {
     refuse_beside(protocol, "has " + theirs + ", and the sweep has " +
                                 std::to_string(order.values.size()) +
@@ -415,7 +405,7 @@ void compare_models(const SweepOrder& order, const Protocol& protocol,
   }
   if (felt.empty() || felt == std::set<std::string>{here}) return;
   remarks.push_back("the sweep predicts with the force model " + here + " (--model), and " +
-                    protocol.name + " presents " + enumerated({felt.begin(), felt.end()}));
+                    protocol.name + " presents " + listed({felt.begin(), felt.end()}));
 }
 
 /// Compares the quantities that neither of the two varies.

@@ -12,6 +12,7 @@
 
 #include "analysis/number_text.h"
 #include "app/study_files/height_field_files.h"
+#include "app/words/text_parts.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"
@@ -70,10 +71,10 @@ std::map<std::string, TextureUse> uses_of(const Protocol& protocol) {
   return uses;
 }
 
-std::string enumerated_in_quotes(const std::set<std::string>& names) {
-  std::string text{};
-  for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + '"';
-  return text;
+std::string in_quotes(const std::set<std::string>& names) {
+  std::vector<std::string> quoted{};
+  for (const std::string& name : names) quoted.push_back('"' + name + '"');
+  return comma_separated(quoted);
 }
 
 std::optional<double> spacing_among(const HeightFieldProvenance& made) {
@@ -101,7 +102,7 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
     const HeightFieldProvenance made = provenance_of(file);
     const std::string place = pointer_to("/textures", name);
     const std::string whose = "the texture \"" + name + "\" (" + use.height_field + "), used in " +
-                              enumerated_in_quotes(use.stimuli) + ": ";
+                              in_quotes(use.stimuli) + ": ";
     const auto texture = protocol.textures.find(name);
     const std::optional<double> spacing_m = spacing_among(made);
     if (texture != protocol.textures.end() && texture->second.spacing_m && spacing_m &&

@@ -4,6 +4,15 @@
 
 namespace asperity {
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string text{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
 std::size_t width_of(std::string_view utf8) {
   return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char byte) {
     // counts all bytes except continuation bytes

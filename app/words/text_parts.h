@@ -1,4 +1,4 @@
-// Splits a text into parts or lines.
+// Splits a text into parts or lines, and joins words to a list.
 
 #pragma once
 
@@ -22,6 +22,22 @@ inline std::vector<std::string> parts_of(const std::string& text, char between =
   }
   return parts;
 }
+
+/// "one", "one, two", "one, two, three"; of a range of strings. Empty for none.
+template <class Words>
+std::string comma_separated(const Words& words) {
+  std::string text{};
+  bool is_first = true;
+  for (const auto& word : words) {
+    if (!is_first) text += ", ";
+    text += word;
+    is_first = false;
+  }
+  return text;
+}
+
+/// "one", "one and two", "one, two and three"; empty for none.
+std::string listed(const std::vector<std::string>& words);
 
 /// In characters, each one terminal column wide.
 std::size_t width_of(std::string_view utf8);

@@ -2,6 +2,10 @@
 
 #include "app/words/text_parts.h"
 
+#include <set>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace asperity {
@@ -20,6 +24,16 @@ TEST(WrappedText, LeavesRoomBeforeTheFollowingLines) {
   EXPECT_EQ(wrapped_text("one two three", 9, "! "), "! one two\n  three");
   EXPECT_EQ(wrapped_text("größte Höhe", 13, "– "), "– größte Höhe") << "as wide as its letters";
   EXPECT_EQ(wrapped_text("one\n\ntwo", 80, "  "), "  one\n\n  two") << "no line ends in a blank";
+}
+
+TEST(TextParts, JoinWordsToALine) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"1"}), "1");
+  EXPECT_EQ(listed({"1", "2"}), "1 and 2");
+  EXPECT_EQ(listed({"0.5", "1", "2"}), "0.5, 1 and 2");
+  EXPECT_EQ(comma_separated(std::vector<std::string>{}), "");
+  EXPECT_EQ(comma_separated(std::set<std::string>{"sinusoid", "height_map"}),
+            "height_map, sinusoid");
 }
 
 }  // namespace

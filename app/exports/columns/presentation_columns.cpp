@@ -4,17 +4,12 @@
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
+#include "app/words/text_parts.h"
 
 namespace asperity::export_columns {
 namespace {
 
 using Place = ExportPlace;
-
-std::string names_of_models(const std::set<std::string>& models) {
-  std::string names{};
-  for (const std::string& model : models) names += (names.empty() ? "" : ", ") + model;
-  return names;
-}
 
 }  // namespace
 
@@ -53,7 +48,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   sha256("tool", "SHA-256 of the body that was held (docs/formats/study.md)",
          "the tool of the model is a point");
   for (const auto& [role, models] : vocabulary.assets) {
-    sha256(role, "SHA-256 of a file that the force model needs; models: " + names_of_models(models),
+    sha256(role, "SHA-256 of a file that the force model needs; models: " + comma_separated(models),
            "the model does not need this file");
   }
   text("seed", "seed of the renderer, a 64-bit integer", &PresentationRow::seed);
@@ -89,7 +84,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                 at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
                                    "ticks in which the force model exceeded this limit of valid "
                                    "rendering (docs/models.md); models: " +
-                                       names_of_models(models),
+                                       comma_separated(models),
                                    [kind = kind](const Place& at) -> Cell {
                                      for (const ModelLimitRow& limit : at.presentation->limits) {
                                        if (limit.kind == kind) return limit.ticks;
@@ -98,7 +93,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                    }))));
   }
   for (const auto& [name, parameter] : vocabulary.parameters) {
-    const std::string of = names_of_models(parameter.models);
+    const std::string of = comma_separated(parameter.models);
     const bool numeric = parameter.levels.empty();
     std::string meaning{};
     for (const std::string& each : parameter.meanings) meaning += each + "; ";

@@ -5,15 +5,6 @@
 
 namespace asperity {
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text{};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 std::string quoted(const std::string& text) { return "“" + text + "”"; }
 
 std::vector<std::string> main_questions(const Protocol& protocol) {

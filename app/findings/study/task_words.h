@@ -9,9 +9,6 @@
 
 namespace asperity {
 
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& words);
-
 /// In typographic quotation marks.
 std::string quoted(const std::string& text);
 

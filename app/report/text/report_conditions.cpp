@@ -4,6 +4,7 @@
 
 #include "app/findings/reading_number.h"
 #include "app/report/text/report_sections.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

@@ -7,6 +7,7 @@
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/task_words.h"
 #include "app/report/text/report_sections.h"
+#include "app/words/text_parts.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/plan.h"
 

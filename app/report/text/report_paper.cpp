@@ -11,6 +11,7 @@
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/test_methods.h"
 #include "app/study_files/program.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

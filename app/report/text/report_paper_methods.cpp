@@ -11,6 +11,7 @@
 #include "app/findings/study/task_words.h"
 #include "app/report/text/report_paper.h"
 #include "app/words/coded_phrases.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

@@ -5,6 +5,7 @@
 #include "analysis/summary.h"
 #include "app/findings/reading_number.h"
 #include "app/report/text/report_sections.h"
+#include "app/words/text_parts.h"
 #include "renderers/servo/servo_loop.h"
 
 namespace asperity {

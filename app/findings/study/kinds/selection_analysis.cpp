@@ -4,6 +4,7 @@
 
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/task_words.h"
+#include "app/words/text_parts.h"
 #include "protocols/file/stored_protocol.h"
 
 namespace asperity {
