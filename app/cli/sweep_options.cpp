@@ -1,0 +1,180 @@
+// Reads the options of asperity sweep.
+
+#include "app/cli/sweep_options.h"
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "analysis/number_text.h"
+#include "app/cli/command.h"
+#include "app/cli/model_option.h"
+#include "app/cli/parameter_option.h"
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/textured_mesh_files.h"
+#include "app/words/text_parts.h"
+#include "stimuli/heights/synthetic_surface.h"
+
+namespace asperity {
+
+namespace {
+
+/// `expected`: the correct form, for the error.
+std::vector<double> numbers_of(const std::string& option, const std::string& text, char separator,
+                               const std::string& expected) {
+  std::vector<double> numbers{};
+  for (const std::string& piece : parts_of(text, separator)) {
+    const std::optional<double> number = number_in(piece);
+    if (!number) {
+      throw WrongUsage(option + " " + text + ": \"" + piece + "\" is not a number; " + expected);
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+/// The unit of a quantity, and a value that no hand reaches: a greater number was meant in another unit.
+struct Given {
+  const char* name = "";
+  const char* unit = "";
+  double most = 0.0;
+  const char* like = "";
+};
+
+Given given_of(VariedQuantity quantity) {
+  switch (quantity) {
+    case VariedQuantity::probe_diameter:
+      return {"a probe diameter", "m", 0.1, "2 mm is 0.002"};
+    case VariedQuantity::applied_force:
+      return {"a force", "N", 100.0, "500 mN is 0.5"};
+    case VariedQuantity::exploratory_speed:
+      return {"a speed", "m/s", 10.0, "60 mm/s is 0.06"};
+  }
+  return {};
+}
+
+constexpr Given kGivenSpacing{"a spacing", "m", 0.1, "4 mm is 0.004"};
+
+void require_unit(const std::string& option, double number, const Given& given) {
+  if (!(number > given.most)) return;
+  throw WrongUsage(option + ": " + given.name + " is given in " + given.unit + " and is at most " +
+                   number_text(given.most) + ' ' + given.unit + ", not " + number_text(number) +
+                   "; " + given.like);
+}
+
+std::vector<double> values_of(VariedQuantity varied, const std::string& text) {
+  const Given given = given_of(varied);
+  std::vector<double> values =
+      numbers_of("--values", text, ',',
+                 std::string(given.name) + " is given in " + given.unit + ": " + given.like);
+  for (const double value : values) require_unit("--values " + text, value, given);
+  return values;
+}
+
+std::vector<double> spacings_of(const std::string& text) {
+  constexpr const char* kExpected = "write FROM:TO:COUNT, in metres, like 0.0005:0.008:40";
+  const std::vector<double> numbers = numbers_of("--spacings", text, ':', kExpected);
+  if (numbers.size() != 3 || numbers[2] != std::floor(numbers[2]) || numbers[2] > 10000.0) {
+    throw WrongUsage("--spacings " + text + ": " + kExpected);
+  }
+  for (const double spacing_m : {numbers[0], numbers[1]}) {
+    require_unit("--spacings " + text, spacing_m, kGivenSpacing);
+  }
+  try {
+    return logarithmic_spacings(numbers[0], numbers[1], static_cast<int>(numbers[2]));
+  } catch (const std::invalid_argument& error) {
+    throw WrongUsage("--spacings " + text + ": " + error.what());
+  }
+}
+
+HandModel hand_of(const std::string& text) {
+  constexpr const char* kExpected = "write M_kg,B_N_s_per_m,K_N_per_m, like 0.05,3,200";
+  const std::vector<double> numbers = numbers_of("--hand", text, ',', kExpected);
+  if (numbers.size() != 3) throw WrongUsage("--hand " + text + ": " + kExpected);
+  return {.mass_kg = numbers[0], .damping_N_s_per_m = numbers[1], .stiffness_N_per_m = numbers[2]};
+}
+
+void take_texture(SweepOrder& order, const std::string& text) {
+  std::vector<std::string> pieces = parts_of(text, ',');
+  if (std::filesystem::path(text).extension() == ".png") {
+    const LoadedHeightField loaded = load_height_field(text);
+    order.texture.relief = loaded.field;
+    order.relief_sha256 = loaded.sha256;
+    return;
+  }
+  order.texture.kind = pieces.front();
+  pieces.erase(pieces.begin());
+  for (const std::string& piece : pieces) {
+    if (piece.find('=') == std::string::npos) {
+      throw WrongUsage("--texture " + text + ": write KIND[,NAME=VALUE…] or FILE.png");
+    }
+  }
+  for (const SurfaceDeclaration& surface : synthetic_surfaces()) {
+    if (surface.kind != order.texture.kind) continue;
+    order.texture.values = parameters_from(pieces, surface.parameters, surface.kind);
+  }
+  if (order.texture.values.contains("spacing_m")) {
+    throw WrongUsage("--texture " + text +
+                     ": the spacing is set by --spacings; leave out spacing_m");
+  }
+}
+
+void take_tip(SweepOrder& order, const std::string& text) {
+  if (!order.stroke.model->declaration.needs_bodies) {
+    throw WrongUsage("the force model " + order.stroke.model->declaration.id +
+                     " computes the contact at a point, and --tool needs a model with two bodies; "
+                     "leave it out, or choose another model");
+  }
+  const std::map<std::string, TipForm> forms{
+      {"point", TipForm::point}, {"sphere", TipForm::sphere}, {"disc", TipForm::disc}};
+  const auto form = forms.find(text);
+  if (form != forms.end()) {
+    order.stroke.tip.form = form->second;
+    return;
+  }
+  if (!std::filesystem::exists(text)) {
+    throw std::runtime_error("--tool " + text +
+                             ": there is no such file; write sphere, disc, point, or the file of a "
+                             "textured mesh");
+  }
+  const LoadedTexturedMesh loaded = load_textured_mesh(text);
+  order.stroke.tool = {loaded.stored, &loaded.stored->mesh};
+  order.tool_sha256 = loaded.sha256;
+}
+
+/// A level that is constant in the sweep, which the varied quantity is not.
+void take_level(const SweepOrder& order, VariedQuantity quantity, const char* option,
+                std::optional<double> given, double& level) {
+  if (!given) return;
+  if (order.varied == quantity) {
+    throw WrongUsage(std::string(option) +
+                     " is the quantity that --vary varies; give its levels with --values");
+  }
+  require_unit(std::string(option) + ' ' + number_text(*given), *given, given_of(quantity));
+  level = *given;
+}
+
+}  // namespace
+
+void complete_order(SweepOptions& options, const ModelRegistry& models) {
+  const ForceModel& model = model_named(models, options.model);
+  SweepOrder& order = options.order;
+  order.stroke.model = &model;
+  order.stroke.parameters =
+      parameters_from(options.parameters, model.declaration.parameters, options.model);
+  order.stroke.hand = hand_of(options.hand);
+  order.values =
+      options.values.empty() ? usual_values(order.varied) : values_of(order.varied, options.values);
+  order.spacings_m = spacings_of(options.spacings);
+  take_texture(order, options.texture);
+  if (options.tool) take_tip(order, *options.tool);
+  take_level(order, VariedQuantity::probe_diameter, "--probe-diameter-m", options.probe_diameter_m,
+             order.stroke.tip.diameter_m);
+  take_level(order, VariedQuantity::applied_force, "--applied-force-n", options.applied_force_N,
+             order.stroke.force_N);
+  take_level(order, VariedQuantity::exploratory_speed, "--exploratory-speed-m-per-s",
+             options.exploratory_speed_m_per_s, order.stroke.speed_m_per_s);
+}
+
+}  // namespace asperity

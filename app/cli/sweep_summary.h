@@ -1,0 +1,19 @@
+// Prints the results of a sweep.
+
+#pragma once
+
+#include "app/sweep/sweep.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+/// The results, a row per level.
+Table summary_table(const Sweep& sweep, SweepMeasure measure);
+
+/// Prints that the model cannot depend on the varied quantity, if this is so.
+void say_without_effect(const Sweep& sweep);
+
+/// Prints a sentence for each reason for which a column of the summary has no number.
+void say_absent_numbers(const Sweep& sweep, SweepMeasure measure);
+
+}  // namespace asperity
