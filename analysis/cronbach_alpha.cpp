@@ -1,0 +1,61 @@
+#include "analysis/cronbach_alpha.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "analysis/intraclass.h"
+#include "analysis/tail_probabilities.h"
+
+namespace asperity {
+
+CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>> scores,
+                             double confidence) {
+  static_cast<void>(normal_limit(confidence));  // refuses a confidence that is not a probability
+  if (scores.empty())
+    throw std::invalid_argument("scores: number of respondents 0; it must be at least 1");
+  CronbachAlpha answer{.items = scores.front().size()};
+  if (answer.items < 2) {
+    throw std::invalid_argument("scores: number of items " + std::to_string(answer.items) +
+                                "; it must be at least 2");
+  }
+  std::vector<const std::vector<std::optional<double>>*> complete{};
+  for (const auto& row : scores) {
+    if (row.size() != answer.items) {
+      throw std::invalid_argument("scores: a respondent has " + std::to_string(row.size()) +
+                                  " items; it must have " + std::to_string(answer.items) +
+                                  " like the first one");
+    }
+    for (const std::optional<double>& score : row) {
+      if (score && !std::isfinite(*score)) {
+        throw std::invalid_argument("scores: a score is not finite; all must be finite");
+      }
+    }
+    if (std::all_of(row.begin(), row.end(), [](const auto& score) { return score.has_value(); })) {
+      complete.push_back(&row);
+    }
+  }
+  answer.respondents = complete.size();
+  answer.left_out = scores.size() - complete.size();
+  if (complete.size() < 2) return answer;
+  Eigen::MatrixXd ratings(static_cast<Eigen::Index>(answer.respondents),
+                          static_cast<Eigen::Index>(answer.items));
+  for (Eigen::Index row = 0; row < ratings.rows(); ++row) {
+    for (Eigen::Index item = 0; item < ratings.cols(); ++item) {
+      ratings(row, item) =
+          *(*complete[static_cast<std::size_t>(row)])[static_cast<std::size_t>(item)];
+    }
+  }
+  const std::optional<Reliability> reliability = reliability_of(ratings, confidence);
+  if (!reliability) return answer;
+  const IntraclassCorrelation& consistency_of_mean = reliability->correlations[5];
+  if (consistency_of_mean.F == 0.0) return answer;  // all sums are equal
+  answer.value = consistency_of_mean.value;
+  answer.interval = consistency_of_mean.interval;
+  return answer;
+}
+
+}  // namespace asperity
