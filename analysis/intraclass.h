@@ -26,6 +26,12 @@ namespace asperity {
 /// ICC2 and ICC2k, which rest on Satterthwaite's degrees of freedom. ICC2k and
 /// its lower limit are −∞ where the estimated variance of the mean of the ratings is not above 0.
 ///
+/// K. O. McGraw, S. P. Wong: Forming inferences about some intraclass correlation coefficients.
+/// Psychological Methods 1(1), 30–46, 1996, write ICC(1), ICC(A,1), ICC(C,1), ICC(k), ICC(A,k) and ICC(C,k)
+/// for ICC1, ICC2, ICC3, ICC1k, ICC2k and ICC3k. Their limits of ICC(A,1) are those of ICC2, and with
+/// ρ_k = k·ρ/(1 + (k − 1)·ρ) their limits of ICC(A,k) are those of ICC2k: both degrees of freedom
+/// depend on k·ρ/(1 − ρ) = ρ_k/(1 − ρ_k) alone.
+///
 /// [Shrout 1979] Shrout, Fleiss: Intraclass correlations: uses in assessing rater reliability.
 struct IntraclassCorrelation {
   std::string_view name{};  ///< "ICC1" … "ICC3k"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,35 @@ TEST(Reliability, IsThatOfThePublishedExample) {
   ASSERT_TRUE(consistency.interval);
   EXPECT_LT(consistency.interval->low, consistency.value);
   EXPECT_GT(consistency.interval->high, consistency.value);
+}
+
+// ICC() of R's package psych 2.2.9 (lmer = FALSE), whose limits are those of McGraw and Wong (1996),
+// to the digits that it was printed with.
+TEST(Reliability, HasTheLimitsOfR) {
+  const auto reliability = reliability_of(published());
+  ASSERT_TRUE(reliability);
+  struct Expected {
+    std::string_view name{};
+    double value = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+  };
+  constexpr std::array<Expected, 6> kOfR{{
+      {"ICC1", 0.165741768405, -0.132932324875, 0.722560062328},
+      {"ICC2", 0.289763779528, 0.018786513375, 0.761084369649},
+      {"ICC3", 0.714840714841, 0.342464765034, 0.945858259955},
+      {"ICC1k", 0.442797133679, -0.884442155238, 0.912415420341},
+      {"ICC2k", 0.620050547599, 0.071136815303, 0.927232040168},
+      {"ICC3k", 0.909315542377, 0.675674713816, 0.985891678169},
+  }};
+  for (std::size_t i = 0; i < kOfR.size(); ++i) {
+    const IntraclassCorrelation& one = reliability->correlations[i];
+    EXPECT_EQ(one.name, kOfR[i].name);
+    EXPECT_NEAR(one.value, kOfR[i].value, 1e-11) << one.name;
+    ASSERT_TRUE(one.interval);
+    EXPECT_NEAR(one.interval->low, kOfR[i].low, 1e-10) << one.name;
+    EXPECT_NEAR(one.interval->high, kOfR[i].high, 1e-10) << one.name;
+  }
 }
 
 TEST(Reliability, OfJudgesWhoDifferByAConstantIsConsistentAndNotInAgreement) {
