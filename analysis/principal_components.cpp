@@ -1,0 +1,144 @@
+#include "analysis/principal_components.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Eigenvalues>
+
+#include "analysis/number_text.h"
+#include "analysis/summary.h"
+
+namespace asperity {
+namespace {
+
+void refuse_impossible_table(const TableSize& size) {
+  if (size.rows < 3 || size.columns < 2) {
+    throw std::invalid_argument("values: number of rows " + std::to_string(size.rows) +
+                                ", of columns " + std::to_string(size.columns) +
+                                "; at least 3 rows and 2 columns are needed");
+  }
+}
+
+/// Mean 0 and variance 1 (divisor n − 1) in every column, none of which is constant.
+Eigen::MatrixXd standardised(const Eigen::MatrixXd& values) {
+  Eigen::MatrixXd z = values.rowwise() - values.colwise().mean();
+  const Eigen::RowVectorXd sd =
+      (z.colwise().squaredNorm() / static_cast<double>(values.rows() - 1)).cwiseSqrt();
+  for (Eigen::Index column = 0; column < z.cols(); ++column) z.col(column) /= sd(column);
+  return z;
+}
+
+Eigen::MatrixXd correlations(const Eigen::MatrixXd& z) {
+  Eigen::MatrixXd r = z.transpose() * z / static_cast<double>(z.rows() - 1);
+  r.diagonal().setOnes();
+  return r;
+}
+
+double sign_of_largest(const Eigen::VectorXd& loadings) {
+  constexpr double kEqual = 1e-9;
+  const double largest = loadings.cwiseAbs().maxCoeff();
+  for (const double loading : loadings) {
+    if (std::abs(loading) >= (1.0 - kEqual) * largest) return loading < 0.0 ? -1.0 : 1.0;
+  }
+  return 1.0;
+}
+
+}  // namespace
+
+std::optional<Eigen::Index> constant_column(const Eigen::MatrixXd& values) {
+  // Equal numbers that were computed in different ways differ by rounding.
+  constexpr double kRounding = 1e-13;
+  for (Eigen::Index column = 0; column < values.cols(); ++column) {
+    const auto of = values.col(column);
+    if (of.maxCoeff() - of.minCoeff() <= kRounding * of.cwiseAbs().maxCoeff()) return column;
+  }
+  return std::nullopt;
+}
+
+std::optional<PrincipalComponents> principal_components(const Eigen::MatrixXd& values) {
+  refuse_impossible_table({.rows = values.rows(), .columns = values.cols()});
+  if (!values.allFinite())
+    throw std::invalid_argument("values: a value is not finite; all must be finite");
+  if (constant_column(values)) return std::nullopt;
+  const Eigen::MatrixXd z = standardised(values);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlations(z));
+  const Eigen::Index p = values.cols();
+  const auto scales = static_cast<double>(p);
+  PrincipalComponents answer{.eigenvalues = solver.eigenvalues().reverse()};
+  Eigen::MatrixXd directions = solver.eigenvectors().rowwise().reverse();
+  constexpr double kOnlyRounding = 1e-12;
+  for (Eigen::Index component = 0; component < p; ++component) {
+    if (answer.eigenvalues(component) <= kOnlyRounding * scales) {
+      answer.eigenvalues(component) = 0.0;
+      directions.col(component).setZero();
+    }
+    directions.col(component) *= sign_of_largest(directions.col(component));
+  }
+  answer.proportion = answer.eigenvalues / scales;
+  answer.loadings = directions * answer.eigenvalues.cwiseSqrt().asDiagonal();
+  answer.scores = z * directions;
+  return answer;
+}
+
+Eigen::VectorXd eigenvalues_of_noise(const TableSize& size, Random random) {
+  refuse_impossible_table(size);
+  Eigen::MatrixXd noise(size.rows, size.columns);
+  for (Eigen::Index row = 0; row < size.rows; ++row) {
+    for (Eigen::Index column = 0; column < size.columns; ++column) {
+      noise(row, column) = random.normal();
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlations(standardised(noise)),
+                                                              Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().reverse();
+}
+
+ParallelAnalysis parallel_analysis(const Eigen::VectorXd& eigenvalues, Eigen::Index rows,
+                                   const ParallelQuestion& question, Random random) {
+  std::vector<Eigen::VectorXd> of_noise{};
+  of_noise.reserve(question.data_sets);
+  for (std::size_t i = 0; i < question.data_sets; ++i) {
+    of_noise.push_back(eigenvalues_of_noise({.rows = rows, .columns = eigenvalues.size()},
+                                            random.split(static_cast<std::uint64_t>(i))));
+  }
+  return compared_with_noise(eigenvalues, of_noise, question.percentile);
+}
+
+ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
+                                     std::span<const Eigen::VectorXd> of_noise, double percentile) {
+  if (of_noise.empty())
+    throw std::invalid_argument("of_noise: number of data sets 0; it must be at least 1");
+  if (!(percentile > 0.0 && percentile < 1.0)) {
+    throw std::invalid_argument("percentile: " + number_text(percentile) +
+                                "; it must lie between 0 and 1");
+  }
+  for (const Eigen::VectorXd& one : of_noise) {
+    if (one.size() != eigenvalues.size()) {
+      throw std::invalid_argument("of_noise: a data set has " + std::to_string(one.size()) +
+                                  " components; it must have " +
+                                  std::to_string(eigenvalues.size()));
+    }
+  }
+  ParallelAnalysis answer{.limits = Eigen::VectorXd::Zero(eigenvalues.size()),
+                          .means = Eigen::VectorXd::Zero(eigenvalues.size()),
+                          .data_sets = of_noise.size()};
+  std::vector<double> sorted(of_noise.size());
+  for (Eigen::Index component = 0; component < eigenvalues.size(); ++component) {
+    std::transform(of_noise.begin(), of_noise.end(), sorted.begin(),
+                   [component](const Eigen::VectorXd& one) { return one(component); });
+    std::sort(sorted.begin(), sorted.end());
+    double sum = 0.0;
+    for (const double one : sorted) sum += one;
+    answer.means(component) = sum / static_cast<double>(sorted.size());
+    answer.limits(component) = quantile(sorted, percentile);
+  }
+  for (Eigen::Index component = 0; component < eigenvalues.size(); ++component) {
+    if (!(eigenvalues(component) > answer.limits(component))) break;
+    ++answer.retained;
+  }
+  return answer;
+}
+
+}  // namespace asperity

@@ -1,0 +1,167 @@
+// Holds principal components to R, to their identities, and to cases that can be written down.
+
+#include "analysis/principal_components.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/analysis/computed_in_r/r_results.h"
+
+namespace asperity {
+namespace {
+
+Eigen::MatrixXd six_scales() {
+  const RTable table("scales.csv");
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(table.rows()), 6);
+  for (Eigen::Index row = 0; row < values.rows(); ++row) {
+    for (Eigen::Index scale = 0; scale < 6; ++scale) {
+      values(row, scale) =
+          table.number(static_cast<std::size_t>(row), static_cast<std::size_t>(scale));
+    }
+  }
+  return values;
+}
+
+// R's prcomp takes singular values of the table: another algorithm, which agrees to about 10⁻¹³ times
+// the ratio of the largest to the smallest eigenvalue.
+TEST(PrincipalComponents, AreThoseOfR) {
+  const auto components = principal_components(six_scales());
+  ASSERT_TRUE(components);
+  const RResults expected("scales_expected.csv");
+  for (Eigen::Index j = 0; j < 6; ++j) {
+    const std::string component = std::to_string(j + 1);
+    EXPECT_NEAR(components->eigenvalues(j), expected.at("eigenvalue", component), 1e-10);
+    EXPECT_NEAR(components->proportion(j), expected.at("eigenvalue", component) / 6.0, 1e-10);
+    for (Eigen::Index scale = 0; scale < 6; ++scale) {
+      EXPECT_NEAR(components->loadings(scale, j),
+                  expected.at("loading", std::to_string(scale + 1) + '|' + component), 1e-9);
+    }
+    for (const Eigen::Index item : {1, 17, 40}) {
+      EXPECT_NEAR(components->scores(item - 1, j),
+                  expected.at("score", std::to_string(item) + '|' + component), 1e-9);
+    }
+  }
+}
+
+// Correlation r: eigenvalues 1 ± r, and both scales load √((1 + r)/2) on the first component.
+TEST(PrincipalComponents, OfTwoScalesFollowFromTheirCorrelation) {
+  Eigen::MatrixXd values(4, 2);
+  values << 1, 10, 2, 30, 3, 20, 4, 40;  // ranks 1 to 4 and 1 3 2 4: r = 0.8
+  const auto components = principal_components(values);
+  ASSERT_TRUE(components);
+  EXPECT_NEAR(components->eigenvalues(0), 1.8, 1e-12);
+  EXPECT_NEAR(components->eigenvalues(1), 0.2, 1e-12);
+  EXPECT_NEAR(components->loadings(0, 0), std::sqrt(0.9), 1e-12);
+  EXPECT_NEAR(components->loadings(1, 0), std::sqrt(0.9), 1e-12);
+  EXPECT_NEAR(components->loadings(0, 1), std::sqrt(0.1),
+              1e-12);  // of equal ones the first is positive
+  EXPECT_NEAR(components->loadings(1, 1), -std::sqrt(0.1), 1e-12);
+}
+
+TEST(PrincipalComponents, HaveScoresWhoseVariancesAreTheEigenvalues) {
+  const auto components = principal_components(six_scales());
+  ASSERT_TRUE(components);
+  const Eigen::MatrixXd covariance =
+      components->scores.transpose() * components->scores / (40.0 - 1.0);
+  EXPECT_LT(
+      (covariance - Eigen::MatrixXd(components->eigenvalues.asDiagonal())).cwiseAbs().maxCoeff(),
+      1e-12);
+  EXPECT_LT(components->scores.colwise().sum().cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(PrincipalComponents, DoNotDependOnUnitsAndTurnWithTheDirectionOfAScale) {
+  const Eigen::MatrixXd values = six_scales();
+  Eigen::MatrixXd others = values;
+  others.col(3) = 1000.0 * values.col(3).array() + 7.0;
+  others.col(5) *= -1.0;
+  const auto before = principal_components(values);
+  const auto after = principal_components(others);
+  ASSERT_TRUE(before && after);
+  EXPECT_LT((before->eigenvalues - after->eigenvalues).cwiseAbs().maxCoeff(), 1e-11);
+  // Scale 6 has the largest loading on component 1, and stays positive: the others turn.
+  EXPECT_NEAR(after->loadings(5, 0), before->loadings(5, 0), 1e-10);
+  EXPECT_NEAR(after->loadings(4, 0), -before->loadings(4, 0), 1e-10);
+}
+
+// Scale 3 is the sum of the first two: the last eigenvalue is 0, and its component is empty.
+TEST(PrincipalComponents, OfDependentScalesEndWithEmptyComponents) {
+  Eigen::MatrixXd values = six_scales().leftCols(3);
+  values.col(2) = values.col(0) + values.col(1);
+  const auto components = principal_components(values);
+  ASSERT_TRUE(components);
+  EXPECT_EQ(components->eigenvalues(2), 0.0);
+  EXPECT_EQ(components->loadings.col(2).cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(components->scores.col(2).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(PrincipalComponents, DoNotExistWhereAScaleIsConstant) {
+  Eigen::MatrixXd values = six_scales();
+  EXPECT_FALSE(constant_column(values));
+  values.col(2).setConstant(0.1);
+  ASSERT_TRUE(constant_column(values));
+  EXPECT_EQ(*constant_column(values), 2);
+  EXPECT_FALSE(principal_components(values));
+}
+
+TEST(PrincipalComponents, RefuseImpossibleTables) {
+  EXPECT_THROW(principal_components(Eigen::MatrixXd::Random(2, 4)), std::invalid_argument);
+  EXPECT_THROW(principal_components(Eigen::MatrixXd::Random(5, 1)), std::invalid_argument);
+  Eigen::MatrixXd values = six_scales();
+  values(0, 0) = std::nan("");
+  EXPECT_THROW(principal_components(values), std::invalid_argument);
+}
+
+// 1000 data sets against 40 000 in R. The standard error of a percentile is √(p·q/n)/density, here at
+// most about 0.008; five of them.
+TEST(ParallelAnalysis, HasTheLimitsOfR) {
+  const auto components = principal_components(six_scales());
+  ASSERT_TRUE(components);
+  const ParallelAnalysis analysis = parallel_analysis(components->eigenvalues, 40);
+  const RResults expected("scales_expected.csv");
+  for (Eigen::Index j = 0; j < 6; ++j) {
+    const std::string component = std::to_string(j + 1);
+    EXPECT_NEAR(analysis.limits(j), expected.at("parallel.limit", component), 0.04);
+    EXPECT_NEAR(analysis.means(j), expected.at("parallel.mean", component), 0.02);
+  }
+  EXPECT_EQ(analysis.data_sets, 1000U);
+  EXPECT_EQ(analysis.retained, 2U);  // the scales were made of two common variables
+}
+
+TEST(ParallelAnalysis, HasTheSameBitsInWhateverOrderDataSetsAreComputed) {
+  const Eigen::VectorXd eigenvalues = Eigen::Vector3d(1.9, 0.7, 0.4);
+  const Random random(7);
+  const ParallelAnalysis in_order = parallel_analysis(eigenvalues, 12, {.data_sets = 50}, random);
+  std::vector<Eigen::VectorXd> backwards{};
+  for (std::uint64_t i = 50; i-- > 0;) {
+    backwards.push_back(eigenvalues_of_noise({.rows = 12, .columns = 3}, random.split(i)));
+  }
+  const ParallelAnalysis jobs = compared_with_noise(eigenvalues, backwards);
+  EXPECT_EQ(in_order.limits, jobs.limits);
+  EXPECT_EQ(in_order.means, jobs.means);
+  EXPECT_NE(in_order.limits,
+            parallel_analysis(eigenvalues, 12, {.data_sets = 50}, Random(8)).limits);
+}
+
+TEST(ParallelAnalysis, RetainsNoComponentAfterOneThatItRejects) {
+  const std::vector<Eigen::VectorXd> noise{Eigen::Vector3d(1.5, 1.0, 0.5)};
+  EXPECT_EQ(compared_with_noise(Eigen::Vector3d(1.4, 1.1, 0.5), noise).retained, 0U);
+  EXPECT_EQ(compared_with_noise(Eigen::Vector3d(1.6, 0.8, 0.6), noise).retained, 1U);
+}
+
+TEST(ParallelAnalysis, RefusesImpossibleQuestions) {
+  const Eigen::VectorXd eigenvalues = Eigen::Vector3d(1.9, 0.7, 0.4);
+  EXPECT_THROW(parallel_analysis(eigenvalues, 12, {.data_sets = 0}), std::invalid_argument);
+  EXPECT_THROW(parallel_analysis(eigenvalues, 2), std::invalid_argument);
+  EXPECT_THROW(parallel_analysis(eigenvalues, 12, {.data_sets = 5, .percentile = 1.0}),
+               std::invalid_argument);
+  const std::vector<Eigen::VectorXd> noise{Eigen::Vector2d(1.5, 0.5)};
+  EXPECT_THROW(compared_with_noise(eigenvalues, noise), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity
