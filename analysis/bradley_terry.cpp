@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "analysis/comparison_graph.h"
 
@@ -86,32 +89,111 @@ ByParticipant by_participant(std::span<const Comparison> comparisons, std::size_
   return made;
 }
 
-}  // namespace
+/// The outcomes of an ordered pair; of an unordered one, `first` is the lower number.
+struct PairCell {
+  double first_wins = 0.0;
+  double second_wins = 0.0;
+  double ties = 0.0;
 
-Comparisons count_comparisons(std::span<const Comparison> comparisons, std::size_t items) {
-  const auto size = static_cast<Eigen::Index>(items);
-  Comparisons counts{.wins = Eigen::MatrixXd::Zero(size, size),
-                     .ties = Eigen::MatrixXd::Zero(size, size)};
+  double all() const { return first_wins + second_wins + ties; }
+};
+using PairCells = std::map<std::pair<std::size_t, std::size_t>, PairCell>;
+
+PairCells cells_of(std::span<const Comparison> comparisons, const PairTerms& terms) {
+  PairCells cells{};
   for (const Comparison& one : comparisons) {
-    const bool judged = !one.winner || *one.winner == one.first || *one.winner == one.second;
-    if (one.first >= items || one.second >= items || one.first == one.second || !judged) {
-      throw std::invalid_argument("comparisons: each must be of two different items below " +
-                                  std::to_string(items) + ", and won by one of them or tied");
-    }
-    const auto a = static_cast<Eigen::Index>(one.first);
-    const auto b = static_cast<Eigen::Index>(one.second);
+    if (one.times == 0 || (!terms.ties && !one.winner)) continue;
+    const bool swapped = !terms.order && one.second < one.first;
+    PairCell& cell =
+        cells[swapped ? std::pair(one.second, one.first) : std::pair(one.first, one.second)];
     const auto times = static_cast<double>(one.times);
     if (!one.winner) {
-      counts.ties(a, b) += times;
-      counts.ties(b, a) += times;
-    } else if (*one.winner == one.first) {
-      counts.wins(a, b) += times;
+      cell.ties += times;
     } else {
-      counts.wins(b, a) += times;
+      ((*one.winner == one.first) != swapped ? cell.first_wins : cell.second_wins) += times;
     }
   }
-  return counts;
+  return cells;
 }
+
+/// The places of the parameters: abilities (of all items but the first) where they are free, α, ln ν.
+struct PairParameters {
+  std::size_t abilities = 0;
+  std::optional<std::size_t> order{};
+  std::optional<std::size_t> tie{};
+
+  std::size_t count() const { return abilities + (order ? 1 : 0) + (tie ? 1 : 0); }
+};
+
+PairParameters parameters_of(std::size_t free_abilities, const PairTerms& terms) {
+  PairParameters made{.abilities = free_abilities};
+  if (terms.order) made.order = made.count();
+  if (terms.ties) made.tie = made.count();
+  return made;
+}
+
+ChoiceData choices_of(const PairCells& cells, const PairParameters& parameters) {
+  ChoiceData data{};
+  for (const auto& [pair, cell] : cells) {
+    const auto terms = [&](double sign) {
+      std::vector<Term> made{};
+      if (parameters.abilities > 0) {
+        made = terms_of({{pair.first, 0.5 * sign}, {pair.second, -0.5 * sign}});
+      }
+      if (parameters.order) made.push_back({*parameters.order, 0.5 * sign});
+      return made;
+    };
+    data.begin_stratum();
+    data.add(cell.first_wins, terms(1.0));
+    data.add(cell.second_wins, terms(-1.0));
+    if (parameters.tie) data.add(cell.ties, {Term{*parameters.tie, 1.0}});
+  }
+  return data;
+}
+
+PairFit pair_fit(const PairCells& cells, const PairModel& model, std::size_t parameters) {
+  PairFit fit{.smallest_expected = std::numeric_limits<double>::infinity()};
+  const auto add = [&fit](double observed, double expected) {
+    fit.pearson += (observed - expected) * (observed - expected) / expected;
+    if (observed > 0.0) fit.deviance += 2.0 * observed * std::log(observed / expected);
+    fit.smallest_expected = std::min(fit.smallest_expected, expected);
+  };
+  for (const auto& [pair, cell] : cells) {
+    const double apart = model.abilities.value(static_cast<Eigen::Index>(pair.first)) -
+                         model.abilities.value(static_cast<Eigen::Index>(pair.second)) +
+                         (model.order ? model.order->value : 0.0);
+    const double first = std::exp(0.5 * apart);
+    const double second = std::exp(-0.5 * apart);
+    const double tie = model.tie ? std::exp(model.tie->value) : 0.0;
+    const double scale = cell.all() / (first + second + tie);
+    add(cell.first_wins, scale * first);
+    add(cell.second_wins, scale * second);
+    if (model.tie) add(cell.ties, scale * tie);
+  }
+  fit.deviance = std::max(0.0, fit.deviance);  // of a perfect fit, rounding may leave less
+  fit.df = cells.size() * (model.tie ? 2 : 1) - parameters;
+  return fit;
+}
+
+PairProblem problem_of(ScaleBlocker blocker) {
+  switch (blocker) {
+    case ScaleBlocker::never_compared:
+      return PairProblem::never_compared;
+    case ScaleBlocker::never_lose:
+      return PairProblem::never_lose;
+    case ScaleBlocker::never_win:
+      return PairProblem::never_win;
+  }
+  throw std::invalid_argument("blocker is not one of never_compared, never_lose and never_win");
+}
+
+LogParameter parameter_at(const ConditionalLogit& fit, std::size_t place) {
+  const auto index = static_cast<Eigen::Index>(place);
+  return {.value = fit.coefficients(index),
+          .standard_error = std::sqrt(fit.covariance(index, index))};
+}
+
+}  // namespace
 
 Eigen::VectorXd Abilities::standard_error() const {
   return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
@@ -225,18 +307,57 @@ std::optional<Davidson> davidson(const Comparisons& counts) {
                   .df = 2 * pairs.pairs - static_cast<std::size_t>(items)};
 }
 
-Consistency consistency(std::span<const std::size_t> wins) {
-  const auto k = static_cast<double>(wins.size());
-  if (wins.size() < 3) {
-    throw std::invalid_argument("wins: number of items " + std::to_string(wins.size()) +
-                                "; circular triads require at least 3");
+PairAnswer paired_model(std::span<const Comparison> comparisons, std::size_t items,
+                        const PairTerms& terms) {
+  if (items < 2) {
+    throw std::invalid_argument("items: " + std::to_string(items) + "; it must be at least 2");
   }
-  double squares = 0.0;
-  for (const std::size_t own : wins) squares += static_cast<double>(own * own);
-  Consistency result{.circular_triads = k * (k - 1.0) * (2.0 * k - 1.0) / 12.0 - 0.5 * squares};
-  const double most = (wins.size() % 2 == 1 ? k * k * k - k : k * k * k - 4.0 * k) / 24.0;
-  result.zeta = 1.0 - result.circular_triads / most;
-  return result;
+  const Comparisons counts = count_comparisons(comparisons, items);
+  // A tie is a draw: neither of both always wins.
+  const BlockedItems blocked =
+      blocked_items(terms.ties ? Eigen::MatrixXd(counts.wins + counts.ties) : counts.wins);
+  if (!blocked.items.empty()) {
+    return {.problem = problem_of(blocked.blocker), .items = blocked.items};
+  }
+  if (terms.ties && counts.ties.sum() == 0.0) return {.problem = PairProblem::no_ties};
+  const PairCells cells = cells_of(comparisons, terms);
+  const PairParameters places = parameters_of(items - 1, terms);
+  const ChoiceData data = choices_of(cells, places);
+  // Where all parameters are 0 every outcome is possible: only aliased terms have no information.
+  const auto size = static_cast<Eigen::Index>(places.count());
+  const Eigen::MatrixXd at_zero = data.slopes(Eigen::VectorXd::Zero(size)).information;
+  if (Eigen::FullPivLU<Eigen::MatrixXd>(at_zero).rank() < size) {
+    return {.problem = PairProblem::not_identified};
+  }
+  const std::optional<ConditionalLogit> fit = conditional_logit(data);
+  const PairParameters without_abilities = parameters_of(0, terms);
+  const ChoiceData equal = choices_of(cells, without_abilities);
+  const std::optional<ConditionalLogit> equal_fit = conditional_logit(equal);
+  if (!fit || (without_abilities.count() > 0 && !equal_fit)) return {};
+  PairModel model{.abilities = abilities_of(fit->coefficients, fit->covariance,
+                                            static_cast<Eigen::Index>(items))
+                                   .about_mean(),
+                  .log_likelihood = fit->log_likelihood};
+  if (places.order) model.order = parameter_at(*fit, *places.order);
+  if (places.tie) model.tie = parameter_at(*fit, *places.tie);
+  model.fit = pair_fit(cells, model, places.count());
+  const double equal_log_likelihood =
+      equal_fit ? equal_fit->log_likelihood : equal.log_likelihood(Eigen::VectorXd());
+  model.equal_abilities = std::max(0.0, 2.0 * (fit->log_likelihood - equal_log_likelihood));
+  return {.model = std::move(model)};
+}
+
+LogParameter difference_of(const Abilities& abilities, const AbilityPair& pair) {
+  const auto i = static_cast<Eigen::Index>(pair.first);
+  const auto j = static_cast<Eigen::Index>(pair.second);
+  if (i >= abilities.value.size() || j >= abilities.value.size()) {
+    throw std::invalid_argument("pair: items " + std::to_string(pair.first) + " and " +
+                                std::to_string(pair.second) + "; each must be below " +
+                                std::to_string(abilities.value.size()));
+  }
+  const Eigen::MatrixXd& v = abilities.covariance;
+  return {.value = abilities.value(i) - abilities.value(j),
+          .standard_error = std::sqrt(std::max(0.0, v(i, i) + v(j, j) - 2.0 * v(i, j)))};
 }
 
 }  // namespace asperity

@@ -9,28 +9,11 @@
 
 #include <Eigen/Core>
 
+#include "analysis/circular_triads.h"
+#include "analysis/comparisons.h"
 #include "analysis/conditional_logit.h"
 
 namespace asperity {
-
-/// One comparison, items by number.
-struct Comparison {
-  std::size_t participant = 0;
-  std::size_t first = 0;  ///< presented first
-  std::size_t second = 0;
-  std::optional<std::size_t> winner{};  ///< nothing for a tie
-  std::size_t times = 1;                ///< how often the participant judged so
-};
-
-/// How often each of K items won against each other one, and how often they tied.
-struct Comparisons {
-  Eigen::MatrixXd wins{};  ///< (winner, loser)
-  Eigen::MatrixXd ties{};  ///< symmetric: each tie stands in both places
-};
-
-/// Throws std::invalid_argument for an item beyond K, one compared with itself, and a winner that
-/// was not compared.
-Comparisons count_comparisons(std::span<const Comparison> comparisons, std::size_t items);
 
 /// Abilities λ with P(i before j) = 1/(1 + exp(λ_j − λ_i)) [Bradley 1952]. The first item has λ = 0;
 /// `covariance` is K × K with zeros for it. Differences do not depend on that choice.
@@ -95,15 +78,81 @@ struct Davidson {
 /// Nothing without ties, and where bradley_terry has nothing.
 std::optional<Davidson> davidson(const Comparisons& counts);
 
-/// How consistent one person is who judged every pair of K ≥ 3 items once without ties, from the
-/// wins of each item [Kendall 1940]: the number of circular triads (A before B before C before A)
-/// and ζ, 1 for none and 0 for as many as possible.
-///
-/// [Kendall 1940] Kendall, Babington Smith: On the method of paired comparisons.
-struct Consistency {
-  double circular_triads = 0.0;
-  double zeta = 1.0;
+/// The terms of a paired comparison model in addition to the abilities.
+struct PairTerms {
+  bool order = false;  ///< an advantage α of the item that is presented first
+  bool ties = false;   ///< ties as a third outcome; without it they are left out
 };
-Consistency consistency(std::span<const std::size_t> wins);
+
+/// A parameter on the log scale.
+struct LogParameter {
+  double value = 0.0;
+  double standard_error = 0.0;
+};
+
+/// Observed against expected counts, the latter from the model, with a cell for each outcome of each
+/// pair: of each ordered pair (first, second) with an order effect.
+struct PairFit {
+  double pearson = 0.0;  ///< X² = Σ (observed − expected)²/expected
+  double deviance = 0.0;  ///< G² = 2·Σ observed·ln(observed/expected): against the saturated model
+  std::size_t df = 0;     ///< pairs·(outcomes − 1) − parameters; of both
+  /// The smallest expected count: below about 5, X² and G² are only roughly distributed as χ².
+  double smallest_expected = 0.0;
+};
+
+/// The first item is preferred, the second is preferred, and they are tied with probabilities in the
+/// proportions
+///
+///   exp((λ_first − λ_second + α)/2) : exp((λ_second − λ_first − α)/2) : ν
+///
+/// all λ, α and ln ν being log odds. With α = 0 and without ties it is the Bradley–Terry model, with
+/// ties that of [Davidson 1970]. With both it is that of R. R. Davidson, R. J. Beaver: On extending the
+/// Bradley–Terry model to incorporate within-pair order effects. Biometrics 33(4), 693–702, 1977, who
+/// write π_1 : γ·π_2 : ν'·√(π_1·π_2): γ = exp(−α) and ν' = ν·√γ. Abilities are determined up to a
+/// constant; here their sum is 0.
+struct PairModel {
+  Abilities abilities{};                ///< with the sum 0; the covariance is that of these values
+  std::optional<LogParameter> order{};  ///< α
+  std::optional<LogParameter> tie{};    ///< ln ν
+  double log_likelihood = 0.0;          ///< without multinomial coefficients
+  PairFit fit{};
+  /// Likelihood-ratio statistic against equal abilities (with the same α and ν), K − 1 degrees of
+  /// freedom.
+  double equal_abilities = 0.0;
+};
+
+/// Why a paired comparison model has no finite maximum.
+enum class PairProblem {
+  never_compared,  ///< items that were compared at most among themselves
+  never_lose,      ///< items that win every comparison with one of the others
+  never_win,       ///< items that lose every comparison with one of the others
+  no_ties,         ///< ties are a term, and there is none: ν = 0
+  not_identified,  ///< the order effect cannot be separated from the abilities
+  no_maximum,      ///< the likelihood grows without bound for another reason
+};
+
+/// A fit, or the problem with the items that it concerns (`blocked_items`; empty for the last three
+/// problems).
+struct PairAnswer {
+  std::optional<PairModel> model{};
+  PairProblem problem = PairProblem::no_maximum;
+  std::vector<std::size_t> items{};
+};
+
+/// By maximum likelihood. A finite maximum requires that each set of items both wins and loses
+/// against the rest [Ford 1957]; a tie counts as both, where ties are a term. Comparisons count as
+/// independent, whoever makes them: `bradley_terry` has errors over participants. Throws
+/// std::invalid_argument for fewer than two items, and as `count_comparisons` does.
+///
+/// [Ford 1957] Ford: Solution of a ranking problem from binary comparisons.
+PairAnswer paired_model(std::span<const Comparison> comparisons, std::size_t items,
+                        const PairTerms& terms = {});
+
+/// λ_first − λ_second with its standard error, from the covariance of both.
+struct AbilityPair {
+  std::size_t first = 0;
+  std::size_t second = 1;
+};
+LogParameter difference_of(const Abilities& abilities, const AbilityPair& pair);
 
 }  // namespace asperity

@@ -208,16 +208,6 @@ TEST(BradleyTerry, HasTheErrorsOfEqualClusters) {
   EXPECT_NEAR(fit->centred_errors.at(1).df, 5.0, 1e-9);
 }
 
-// One triad A > B > C > A is as circular as three items can be.
-TEST(Consistency, CountsCircularTriads) {
-  const std::vector<std::size_t> circle{1, 1, 1};
-  EXPECT_EQ(consistency(circle).circular_triads, 1.0);
-  EXPECT_EQ(consistency(circle).zeta, 0.0);
-  const std::vector<std::size_t> order{3, 2, 1, 0};
-  EXPECT_EQ(consistency(order).circular_triads, 0.0);
-  EXPECT_EQ(consistency(order).zeta, 1.0);
-}
-
 // All three rows alike: W = 1, X² = 3·2, and F has nothing left to divide by.
 TEST(FriedmanTest, FindsFullAgreement) {
   Eigen::MatrixXd judgements(3, 3);

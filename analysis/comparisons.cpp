@@ -1,0 +1,33 @@
+#include "analysis/comparisons.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+
+Comparisons count_comparisons(std::span<const Comparison> comparisons, std::size_t items) {
+  const auto size = static_cast<Eigen::Index>(items);
+  Comparisons counts{.wins = Eigen::MatrixXd::Zero(size, size),
+                     .ties = Eigen::MatrixXd::Zero(size, size)};
+  for (const Comparison& one : comparisons) {
+    const bool judged = !one.winner || *one.winner == one.first || *one.winner == one.second;
+    if (one.first >= items || one.second >= items || one.first == one.second || !judged) {
+      throw std::invalid_argument("comparisons: each must be of two different items below " +
+                                  std::to_string(items) + ", and won by one of them or tied");
+    }
+    const auto a = static_cast<Eigen::Index>(one.first);
+    const auto b = static_cast<Eigen::Index>(one.second);
+    const auto times = static_cast<double>(one.times);
+    if (!one.winner) {
+      counts.ties(a, b) += times;
+      counts.ties(b, a) += times;
+    } else if (*one.winner == one.first) {
+      counts.wins(a, b) += times;
+    } else {
+      counts.wins(b, a) += times;
+    }
+  }
+  return counts;
+}
+
+}  // namespace asperity
