@@ -13,7 +13,8 @@
 
 namespace asperity {
 
-/// θ, with what the probability of a response between two of them has from their distance Δ alone.
+/// θ, with the terms of the probability of a category between two of them that depend only on their
+/// distance Δ.
 struct OrdinalThresholds {
   explicit OrdinalThresholds(Eigen::VectorXd increasing);
 

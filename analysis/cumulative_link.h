@@ -106,7 +106,7 @@ WaldTest wald_test(const CumulativeLinkFit& fit, std::size_t effect);
 /// `upper_tail` has its p. The models are nested and fitted to the same responses. Where they
 /// differ by a σ, the smaller one lies on the boundary of the larger one, and p is too large (twice
 /// the correct one for a single σ). Throws std::invalid_argument for different numbers of responses,
-/// and where the larger model has not more parameters, or a smaller likelihood.
+/// and where the larger model does not have more parameters or has a smaller likelihood.
 ChiSquaredStatistic likelihood_ratio(const CumulativeLinkFit& smaller,
                                      const CumulativeLinkFit& larger);
 
