@@ -64,6 +64,16 @@ const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept {
   return "";
 }
 
+const char* text_of(Protocol::Groups::Assignment assigned) noexcept {
+  switch (assigned) {
+    case Protocol::Groups::Assignment::balanced:
+      return "balanced";
+    case Protocol::Groups::Assignment::by_experimenter:
+      return "by_experimenter";
+  }
+  return "";
+}
+
 std::vector<std::string> speech_cues() {
   std::vector<std::string> cues{"next", "question", "accepted", "refused",  "right",   "wrong",
                                 "rest", "paused",   "mask_on",  "mask_off", "finished"};

@@ -318,6 +318,16 @@ struct Protocol {
   using Step = std::variant<Screen, Check, Break, Run, Ask>;
   enum class Counterbalance { none, latin, williams };
   Counterbalance counterbalance = Counterbalance::none;
+  /// A factor between participants: every trial of a participant has the level of the participant's group.
+  struct Groups {
+    enum class Assignment {
+      balanced,         ///< by the program: the group with the fewest participants
+      by_experimenter,  ///< stated when the participant's first session begins
+    };
+    std::string factor{};
+    Assignment assigned = Assignment::balanced;
+  };
+  std::optional<Groups> groups{};
   std::map<std::string, Block, std::less<>> blocks{};
   std::vector<Step> flow{};
   /// How an interrupted session is resumed.
@@ -334,5 +344,8 @@ struct Protocol {
 
   std::string source{};  ///< the file, byte for byte
 };
+
+/// The text in a protocol file.
+const char* text_of(Protocol::Groups::Assignment assigned) noexcept;
 
 }  // namespace asperity

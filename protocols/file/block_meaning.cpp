@@ -68,7 +68,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   for (const Run* const run : runs_of(protocol_, block)) {
     const std::string& factor = block.exploration.factor;
     if (factor.empty() || !protocol_.factors.contains(factor) ||
-        factors_set_by(block, run).contains(factor)) {
+        factors_of(block, run).contains(factor)) {
       continue;
     }
     report(pointer + "/exploration", "nothing sets the factor " + in_quotes(factor) +
@@ -134,7 +134,7 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
     for (const auto& [name, binding] : stimulus->second.parameters) needed.insert(binding.factor);
     needed.erase("");
     for (const Run* const run : runs_of(protocol_, block)) {
-      const std::set<std::string> given = factors_set_by(block, run);
+      const std::set<std::string> given = factors_of(block, run);
       for (const std::string& factor : needed) {
         if (given.contains(factor) || presented.with.contains(factor)) continue;
         report(place, "the stimulus " + in_quotes(presented.stimulus) + " needs the factor " +

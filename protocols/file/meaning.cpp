@@ -20,6 +20,7 @@ std::vector<Diagnostic> Meaning::check() {
   for (const auto& [name, stimulus] : protocol_.stimuli) {
     check_stimulus(stimulus, pointer_to("/stimuli", name));
   }
+  check_groups();
   check_flow();
   for (const auto& [name, block] : protocol_.blocks) {
     check_block(block, pointer_to("/blocks", name));

@@ -87,6 +87,9 @@ class Meaning final : private ProblemSink {
   void check_together(const ModelDeclaration& model, const ParameterValues& given,
                       const std::string& pointer);
   void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
+  void check_groups();
+  /// The factors that the trials of a block have: set by the block, by `run`, or by the participant's group.
+  std::set<std::string> factors_of(const Protocol::Block& block, const Protocol::Run* run) const;
   void check_flow();
   void check_block(const Protocol::Block& block, const std::string& pointer);
   void check_anchor(const Protocol::Block& block, const std::string& pointer);

@@ -491,6 +491,14 @@ Protocol protocol_from_json(const json& root) {
               {{"none", Protocol::Counterbalance::none},
                {"latin", Protocol::Counterbalance::latin},
                {"williams", Protocol::Counterbalance::williams}});
+  if (const auto found = root.find("groups"); found != root.end()) {
+    using Assignment = Protocol::Groups::Assignment;
+    protocol.groups.emplace();
+    read(*found, "factor", protocol.groups->factor);
+    read_choice(
+        *found, "assigned", protocol.groups->assigned,
+        {{"balanced", Assignment::balanced}, {"by_experimenter", Assignment::by_experimenter}});
+  }
   if (const auto found = root.find("participants"); found != root.end()) {
     read(*found, "planned", protocol.planned_participants);
     read(*found, "sessions", protocol.sessions);

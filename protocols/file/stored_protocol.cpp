@@ -225,6 +225,7 @@ std::string language_of(const std::string& source) {
 StoredProtocol stored_protocol(const std::string& source) {
   const Json root = Json::parse(source, nullptr, false);
   StoredProtocol read{.title = text_in(root, "title"),
+                      .group_factor = text_in(member_of(root, "groups"), "factor"),
                       .analysis = analysis_declared_in(root),
                       .estimation = estimation_declared_in(root),
                       .compared_parameter = parameter_compared_in(root)};

@@ -39,6 +39,7 @@ struct StoredProtocol {
   std::map<std::string, Factor> factors{};
   std::map<std::string, Question> questions{};
   std::map<std::string, TrialQuestion> trial_questions{};  ///< by block
+  std::string group_factor{};  ///< whose levels are the groups of participants; empty: no groups
   AnalysisDeclaration analysis{};
   std::optional<EstimationDeclaration> estimation{};
   /// Of matching and recognition: the pictures of the questions in their order, then the levels of the factors.

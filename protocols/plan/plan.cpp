@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "analysis/random.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_rows.h"
+#include "protocols/plan/groups.h"
 #include "protocols/plan/squares.h"
 #include "protocols/plan/trial_order.h"
 
@@ -181,6 +183,7 @@ class Planner {
   Planner(const Protocol& protocol, const Allocation& allocation)
       : protocol_(protocol),
         allocation_(allocation),
+        group_(group_factor(protocol, allocation.group)),
         random_(Random(allocation.seed).split("plan")) {}
 
   Plan make() {
@@ -204,7 +207,7 @@ class Planner {
   void add(const Run& run) {
     const Block& block = protocol_.blocks.at(run.block);
     if (run.for_each.empty()) {
-      add(run, block, {});
+      add(run, block, group_);
       return;
     }
     const std::vector<Level>& levels = protocol_.factors.at(run.for_each).levels;
@@ -212,7 +215,9 @@ class Planner {
     for (const std::size_t index : counterbalanced(run.for_each, levels.size())) {
       if (!is_first && run.pause) plan_.steps.emplace_back(*run.pause);
       is_first = false;
-      add(run, block, {{run.for_each, levels[index]}});
+      FactorLevels outer = group_;
+      outer[run.for_each] = levels[index];
+      add(run, block, outer);
     }
   }
 
@@ -326,6 +331,7 @@ class Planner {
 
   const Protocol& protocol_;
   Allocation allocation_{};
+  FactorLevels group_{};  // the factor of the participant's group
   Random random_;
   Plan plan_{};
   int block_ordinal_ = 0;
@@ -408,7 +414,15 @@ std::vector<Trial> possible_trials(const Protocol& protocol) {
     }
     block.drawn.clear();
   }
-  return make_plan(every, Allocation{}).trials;
+  std::vector<std::string> groups = groups_of(protocol);
+  if (groups.empty()) groups.emplace_back();
+  std::vector<Trial> trials{};
+  for (const std::string& group : groups) {
+    std::vector<Trial> own = make_plan(every, {.group = group}).trials;
+    trials.insert(trials.end(), std::make_move_iterator(own.begin()),
+                  std::make_move_iterator(own.end()));
+  }
+  return trials;
 }
 
 std::map<std::string, StimulusDescription, std::less<>> stimuli_on_bodies(

@@ -39,12 +39,14 @@ struct Plan {
 struct Allocation {
   std::uint64_t seed = 0;
   int counterbalance_row = 0;
+  std::string group{};  ///< of the participant (groups.h); empty: the first one, if there are any
 };
 
-/// Makes the plan of one session: the same for the same protocol, seed and row, on every platform.
+/// Makes the plan of one session: the same for the same protocol, seed, row and group, on every platform. Groups differ
+/// only in the level of their factor.
 ///
 /// Errors: std::runtime_error if a constraint on the order cannot be met. This does not occur for a protocol from
-/// `read_protocol`, which has tried it.
+/// `read_protocol`, which has tried it. Also for a group that the protocol does not have.
 Plan make_plan(const Protocol& protocol, const Allocation& allocation);
 
 /// All trials that can occur in a session for any seed: each combination once, in an arbitrary order.

@@ -1,0 +1,45 @@
+// Implements the checks that the factor of the groups is set by the groups alone.
+
+#include "protocols/file/meaning_checks.h"
+
+namespace asperity {
+
+std::set<std::string> Meaning::factors_of(const Protocol::Block& block,
+                                          const Protocol::Run* run) const {
+  std::set<std::string> names = factors_set_by(block, run);
+  if (protocol_.groups) names.insert(protocol_.groups->factor);
+  return names;
+}
+
+void Meaning::check_groups() {
+  if (!protocol_.groups) return;
+  const std::string& name = protocol_.groups->factor;
+  const auto factor = protocol_.factors.find(name);
+  if (factor == protocol_.factors.end()) {
+    report("/groups/factor", unknown_name("factor", name, protocol_.factors));
+    return;
+  }
+  constexpr std::size_t kMaximumGroups = 32;
+  const std::size_t levels = factor->second.levels.size();
+  if (levels < 2 || levels > kMaximumGroups) {
+    report(pointer_to("/factors", name) + "/levels", "the factor of the groups has 2 to " +
+                                                         std::to_string(kMaximumGroups) +
+                                                         " levels, one per group");
+  }
+  constexpr const char* kWhy =
+      " is the factor of the groups, and the group of the participant sets its level; use another "
+      "factor here, or remove the key groups";
+  for (const auto& [block_name, block] : protocol_.blocks) {
+    if (factors_set_by(block, nullptr).contains(name)) {
+      report_key(pointer_to("/blocks", block_name), in_quotes(name) + kWhy);
+    }
+  }
+  for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
+    const auto* const run = std::get_if<Protocol::Run>(&protocol_.flow[i]);
+    if (run != nullptr && run->for_each == name) {
+      report(pointer_to("/flow", i) + "/for_each", in_quotes(name) + kWhy);
+    }
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,187 @@
+// Groups of participants: their protocol, and the plans of their members.
+
+#include "protocols/plan/groups.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "tests/protocols/example.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("the example lacks " + from);
+  return text.replace(at, from.size(), to);
+}
+
+/// The example with a factor between participants, to which an exploration is bound.
+std::string grouped() {
+  std::string text = replaced(test::example_selection(), R"("factors": {)",
+                              R"("groups": {"factor": "training"},
+  "factors": {"training": {"levels": ["stroking", "pressing"], "meaning": "Practised way."},)");
+  text = replaced(text, R"("explorations": {)",
+                  R"("explorations": {"pressing": {"minimum_contact_s": 1},)");
+  return replaced(text, R"("exploration": "stroking")", R"("exploration": {"factor": "training"})");
+}
+
+Protocol read_grouped(const std::string& text) {
+  return read_protocol(text, "p.json", test::example_models());
+}
+
+std::string problems_in(const std::string& text) {
+  try {
+    (void)read_grouped(text);
+  } catch (const ProtocolError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Groups, SetTheLevelOfTheirFactorInEveryTrial) {
+  const Protocol protocol = read_grouped(grouped());
+  ASSERT_THAT(groups_of(protocol), ElementsAre("stroking", "pressing"));
+  for (const std::string& group : groups_of(protocol)) {
+    const Plan plan = make_plan(protocol, {.seed = 5, .group = group});
+    ASSERT_EQ(plan.trials.size(), 6U);
+    for (const Trial& trial : plan.trials) {
+      EXPECT_EQ(text_of(trial.factors.at("training")), group);
+      EXPECT_EQ(exploration_of(protocol, trial).name, group);
+      EXPECT_THAT(factors_json_of(trial), HasSubstr("\"training\":\"" + group + "\""));
+    }
+  }
+}
+
+TEST(Groups, DifferOnlyInTheLevelOfTheirFactor) {
+  const Protocol protocol = read_grouped(grouped());
+  const Plan one = make_plan(protocol, {.seed = 5, .group = "stroking"});
+  const Plan other = make_plan(protocol, {.seed = 5, .group = "pressing"});
+  for (std::size_t i = 0; i < one.trials.size(); ++i) {
+    EXPECT_EQ(
+        replaced(json_of(one.trials[i]), R"("training":"stroking")", R"("training":"pressing")"),
+        json_of(other.trials[i]));
+  }
+}
+
+TEST(Groups, AreAbsentFromThePlansOfOtherProtocols) {
+  const Protocol grouped_protocol = read_grouped(grouped());
+  const Protocol plain = read_grouped(test::example_selection());
+  const Plan with = make_plan(grouped_protocol, {.seed = 5, .group = "stroking"});
+  const Plan without = make_plan(plain, {.seed = 5});
+  EXPECT_TRUE(groups_of(plain).empty());
+  ASSERT_EQ(with.trials.size(), without.trials.size());
+  for (std::size_t i = 0; i < with.trials.size(); ++i) {
+    EXPECT_EQ(replaced(json_of(with.trials[i]), R"(,"training":"stroking")", ""),
+              replaced(json_of(without.trials[i]), "", ""))
+        << "the factor between participants draws nothing";
+  }
+}
+
+TEST(Groups, AreBoundLikeAnyFactorAlsoByForEach) {
+  std::string text =
+      replaced(grouped(), R"("model": {"levels")",
+               R"("posture": {"levels": ["sitting", "standing"]}, "model": {"levels")");
+  text = replaced(text, R"("run": "main",)", R"("run": "main", "for_each": "posture",)");
+  const Plan plan = make_plan(read_grouped(text), {.seed = 1, .group = "pressing"});
+  for (const Trial& trial : plan.trials) {
+    EXPECT_EQ(text_of(trial.factors.at("training")), "pressing");
+    EXPECT_TRUE(trial.factors.contains("posture"));
+  }
+}
+
+TEST(Groups, AllOccurAmongThePossibleTrials) {
+  std::map<std::string, int> trials{};
+  for (const Trial& trial : possible_trials(read_grouped(grouped()))) {
+    ++trials[text_of(trial.factors.at("training"))];
+  }
+  EXPECT_EQ(trials, (std::map<std::string, int>{{"stroking", 2}, {"pressing", 2}}));
+}
+
+TEST(Groups, MayBeNumbersToWhichAParameterIsBound) {
+  std::string text = replaced(test::example_selection(), R"("factors": {)",
+                              R"("groups": {"factor": "scale", "assigned": "by_experimenter"},
+  "factors": {"scale": {"levels": [0.5, 2]},)");
+  text = replaced(text, R"("equal_force": {"to_model": "height_map"})",
+                  R"("parameters": {"height_scale": {"factor": "scale"}})");
+  text = replaced(text, R"(["height_map", "sinusoid", "stochastic"])", R"(["height_map"])");
+  text =
+      replaced(text, R"(,
+        {"stimulus": "rendered", "with": {"model": "sinusoid"}},
+        {"stimulus": "rendered", "with": {"model": "stochastic"}})",
+               R"(, {"stimulus": "rendered", "with": {"model": "height_map"}, "item": "again"})");
+  const Protocol protocol = read_grouped(text);
+  EXPECT_EQ(protocol.groups->assigned, Protocol::Groups::Assignment::by_experimenter);
+  const Plan plan = make_plan(protocol, {.seed = 1, .group = "2"});
+  EXPECT_EQ(plan.trials.at(0).factors.at("scale"), Level(2.0));
+  EXPECT_EQ(plan.trials.at(0).presentations.at(0).stimulus.parameters.at("height_scale"),
+            ParameterValue(2.0));
+}
+
+TEST(Groups, ThatDoNotExistAreRefused) {
+  const Protocol protocol = read_grouped(grouped());
+  EXPECT_THAT([&] { (void)make_plan(protocol, {.seed = 1, .group = "reading"}); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  HasSubstr("has no group \"reading\"; its groups are \"stroking\" or")));
+  const Protocol plain = read_grouped(test::example_selection());
+  EXPECT_THAT([&] { (void)make_plan(plain, {.seed = 1, .group = "stroking"}); },
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no groups")));
+}
+
+TEST(Groups, AreTheOnlyOnesToSetTheirFactor) {
+  EXPECT_EQ(problems_in(grouped()), "");
+  EXPECT_THAT(
+      problems_in(replaced(grouped(), R"("factor": "training"})", R"("factor": "trainin"})")),
+      HasSubstr("did you mean \"training\"?"));
+  EXPECT_THAT(problems_in(replaced(grouped(), R"(["texture"],)", R"(["texture", "training"],)")),
+              HasSubstr("\"training\" is the factor of the groups"));
+  EXPECT_THAT(problems_in(replaced(grouped(), R"("run": "main",)",
+                                   R"("run": "main", "for_each": "training",)")),
+              HasSubstr("(/flow/2/for_each)"));
+  EXPECT_THAT(problems_in(replaced(grouped(), R"(["stroking", "pressing"])", R"(["stroking"])")),
+              HasSubstr("2 to 32 levels"));
+  EXPECT_THAT(problems_in(replaced(grouped(), R"({"factor": "training"},)",
+                                   R"({"factor": "training", "assigned": "by_age"},)")),
+              HasSubstr("\"balanced\" or \"by_experimenter\""));
+  EXPECT_THAT(problems_in(replaced(grouped(), R"({"factor": "training"},)", R"({},)")),
+              HasSubstr("\"factor\" is missing"));
+}
+
+// Attributes of simulated participants alternate, their sex for one: it must not tell the groups.
+TEST(Groups, OfSimulatedParticipantsAreEquallyOftenOfEitherSex) {
+  for (const int levels : {2, 3, 4}) {
+    std::string names{};
+    for (int i = 0; i < levels; ++i) names += (i > 0 ? ", \"g" : "\"g") + std::to_string(i) + '"';
+    std::string text = replaced(test::example_selection(), R"("factors": {)",
+                                R"("groups": {"factor": "group"},
+  "factors": {"group": {"levels": [)" +
+                                    names + "]},");
+    text = replaced(text, R"("model": {"levels")",
+                    R"("posture": {"levels": ["sitting", "standing"]}, "model": {"levels")");
+    text = replaced(text, R"("run": "main",)", R"("run": "main", "for_each": "posture",)");
+    text = replaced(text, R"("flow")", R"("counterbalance": "latin", "flow")");
+    const Protocol protocol = read_grouped(text);
+    std::map<std::pair<std::string, int>, int> by_sex{};
+    std::map<std::pair<std::string, int>, int> by_row{};
+    for (int n = 0; n < 4 * levels; ++n) {
+      const Allocation allocation = allocation_in_turn(protocol, n);
+      ++by_sex[{allocation.group, n % 2}];
+      ++by_row[{allocation.group, allocation.counterbalance_row}];
+    }
+    const auto is_two = [](const auto& cell) { return cell.second == 2; };
+    EXPECT_EQ(by_sex.size(), 2U * static_cast<std::size_t>(levels));
+    EXPECT_EQ(by_row.size(), 2U * static_cast<std::size_t>(levels));
+    EXPECT_TRUE(std::all_of(by_sex.begin(), by_sex.end(), is_two)) << levels;
+    EXPECT_TRUE(std::all_of(by_row.begin(), by_row.end(), is_two)) << levels;
+  }
+}
+
+}  // namespace
+}  // namespace asperity
