@@ -55,6 +55,7 @@ struct SessionRow {
   std::string seed{};  ///< decimal, 64-bit
   std::string generator{};
   int counterbalance_row = 0;
+  std::optional<std::string> group_level{};  ///< of the participant, where the protocol has groups
   std::string program_version{};
   std::string program_commit{};
   std::string program_build{};
@@ -77,6 +78,12 @@ struct SessionRow {
   std::optional<StoredWords> excluded{};  ///< why analyses leave the session out, if they do
   bool withdrawn = false;                 ///< as read: see ParticipantRow::withdrawn
   std::vector<StimulusFileRow> files{};
+};
+
+/// What a new session is assigned from, inside the transaction that stores it.
+struct SessionClaim {
+  int rows = 1;                       ///< of the counterbalancing, from 0
+  std::vector<std::string> groups{};  ///< levels to choose from where the session states none
 };
 
 struct PlannedTrialRow {

@@ -80,7 +80,7 @@ struct StudyWords {
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 8;
+  static constexpr int kSchemaVersion = 9;
 
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
@@ -143,19 +143,30 @@ class Study final {
   /// The session and its whole plan, in one transaction. Returns the session's id. The number
   /// `SessionRow::session` must be the participant's next one, or 0 to be given it.
   std::int64_t add_session(const SessionRow& session, const std::vector<PlannedTrialRow>& plan);
-  /// The same with the counterbalance row taken inside the transaction: the least used of `rows`
-  /// (first of equals) among the open and completed sessions of this protocol's name and this mode.
-  /// `plan_of` is called with the row. Two laboratories that start at once cannot both be given it.
+  /// The same with group and counterbalance row taken inside the transaction. The group, unless the session
+  /// states it: that of the participant's earlier sessions of this protocol's name and this mode, otherwise the one
+  /// with the fewest participants who have an open or completed session of that name and mode. The row: the least
+  /// used by such sessions of the group. The first of equals in both cases; who withdrew does not count. `plan_of` is
+  /// called with the session as it will be stored. Two laboratories that start at once cannot both be given the same.
   std::int64_t add_session(
-      const SessionRow& session, int rows,
-      const std::function<std::vector<PlannedTrialRow>(int counterbalance_row)>& plan_of);
+      const SessionRow& session, const SessionClaim& claim,
+      const std::function<std::vector<PlannedTrialRow>(const SessionRow&)>& plan_of);
   SessionRow session(std::int64_t id) const;
   std::vector<SessionRow> sessions() const;  ///< by participant, session
   std::vector<PlannedTrialRow> plan(std::int64_t session_id) const;
   /// How many sessions of this protocol (open or completed) have each counterbalance row.
   std::vector<int> counterbalance_counts(const std::string& protocol_name, int rows) const;
+  /// Of one mode and, where it is given, of one group.
   std::vector<int> counterbalance_counts(const std::string& protocol_name, int rows,
-                                         SessionMode mode) const;
+                                         SessionMode mode,
+                                         const std::optional<std::string>& group = {}) const;
+  /// How many participants with such a session each of these groups has.
+  std::vector<int> group_counts(const std::string& protocol_name,
+                                const std::vector<std::string>& groups, SessionMode mode) const;
+  /// The group of a participant who has a session of this protocol's name and mode in one.
+  std::optional<std::string> group_of_participant(const std::string& label,
+                                                  const std::string& protocol_name,
+                                                  SessionMode mode) const;
 
   /// What all plans and presentations together speak of.
   StudyWords words() const;

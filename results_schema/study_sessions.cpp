@@ -53,7 +53,8 @@ void refuse_network(const std::filesystem::path& folder) {
 }
 
 std::vector<int> counts_of(Database& database, const std::string& protocol_name, int rows,
-                           const std::optional<SessionMode>& mode) {
+                           const std::optional<SessionMode>& mode,
+                           const std::optional<std::string>& group) {
   if (rows < 1) throw std::invalid_argument("rows: there must be at least one");
   std::optional<std::string> mode_text;
   if (mode) mode_text = text_of(*mode);
@@ -61,9 +62,10 @@ std::vector<int> counts_of(Database& database, const std::string& protocol_name,
                       "SELECT counterbalance_row, count(*) FROM session "
                       "WHERE protocol_id IN (SELECT id FROM protocol WHERE name = ?1) "
                       "AND state IN ('open', 'completed') AND (?2 IS NULL OR mode = ?2) "
+                      "AND (?3 IS NULL OR group_level = ?3) "
                       "AND participant_id NOT IN (SELECT id FROM participant WHERE withdrawn) "
                       "GROUP BY counterbalance_row");
-  statement.bind(protocol_name, mode_text);
+  statement.bind(protocol_name, mode_text, group);
   std::vector<int> counts(static_cast<std::size_t>(rows), 0);
   while (statement.step()) {
     int row = 0;
@@ -74,6 +76,49 @@ std::vector<int> counts_of(Database& database, const std::string& protocol_name,
   return counts;
 }
 
+std::vector<int> participants_of_groups(Database& database, const std::string& protocol_name,
+                                        const std::vector<std::string>& groups, SessionMode mode) {
+  Statement statement(database,
+                      "SELECT count(DISTINCT participant_id) FROM session "
+                      "WHERE protocol_id IN (SELECT id FROM protocol WHERE name = ?1) "
+                      "AND state IN ('open', 'completed') AND mode = ?2 AND group_level = ?3 "
+                      "AND participant_id NOT IN (SELECT id FROM participant WHERE withdrawn)");
+  std::vector<int> counts;
+  for (const std::string& group : groups) {
+    if (statement.bind(protocol_name, text_of(mode), group).step()) {
+      statement.read(counts.emplace_back());
+    }
+    statement.run();
+  }
+  return counts;
+}
+
+std::optional<std::string> earlier_group(Database& database, const std::string& label,
+                                         const std::string& protocol_name, SessionMode mode) {
+  Statement statement(database,
+                      "SELECT group_level FROM session "
+                      "JOIN participant ON participant.id = participant_id "
+                      "WHERE label = ?1 AND protocol_id IN (SELECT id FROM protocol WHERE name = "
+                      "?2) AND mode = ?3 AND group_level NOT NULL ORDER BY session LIMIT 1");
+  std::optional<std::string> group;
+  if (statement.bind(label, protocol_name, text_of(mode)).step()) statement.read(group);
+  return group;
+}
+
+std::string claimed_group(Database& database, const std::string& protocol_name,
+                          const SessionRow& session, const std::vector<std::string>& groups) {
+  if (const auto own = earlier_group(database, session.participant, protocol_name, session.mode)) {
+    if (std::find(groups.begin(), groups.end(), *own) != groups.end()) return *own;
+    refuse(database.folder(), "cannot begin a session of participant " + session.participant +
+                                  ", who is in the group " + *own + " of the protocol " +
+                                  protocol_name + ", which this version of it does not have");
+  }
+  const std::vector<int> counts =
+      participants_of_groups(database, protocol_name, groups, session.mode);
+  return groups[static_cast<std::size_t>(std::min_element(counts.begin(), counts.end()) -
+                                         counts.begin())];
+}
+
 void insert_session(Database& database, const SessionRow& row, int ordinal,
                     std::int64_t participant_id) {
   Statement(
@@ -82,14 +127,14 @@ void insert_session(Database& database, const SessionRow& row, int ordinal,
       "generator, counterbalance_row, program_version, program_commit, program_build, "
       "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
       "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, "
-      "mirrored) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      "mirrored, group_level) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(participant_id, ordinal, row.protocol_id, text_of(row.mode), text_of(row.state),
             row.seed, row.generator, row.counterbalance_row, row.program_version,
             row.program_commit, row.program_build, row.program_sha256, row.instruction_set, row.os,
             row.device, row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
             row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
-            row.observer_json, row.mirrored)
+            row.observer_json, row.mirrored, row.group_level)
       .run();
 }
 
@@ -144,7 +189,7 @@ constexpr const char* kSelectSessions =
     "generator, counterbalance_row, program_version, program_commit, program_build, "
     "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
     "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, mirrored, "
-    "iif(latest.verdict = 'exclude', latest.reason, NULL), latest.reason_json, "
+    "group_level, iif(latest.verdict = 'exclude', latest.reason, NULL), latest.reason_json, "
     "participant.withdrawn "
     "FROM session JOIN participant ON participant.id = session.participant_id "
     "LEFT JOIN decision AS latest ON latest.id = (SELECT max(id) FROM decision WHERE session_id = "
@@ -158,7 +203,7 @@ void read_session(Statement& statement, SessionRow& row) {
                  row.program_build, row.program_sha256, row.instruction_set, row.os, row.device,
                  row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
                  row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
-                 row.observer_json, row.mirrored, row.excluded, row.withdrawn);
+                 row.observer_json, row.mirrored, row.group_level, row.excluded, row.withdrawn);
   row.mode = enum_of(mode, kModes, "session.mode");
   row.state = enum_of(state, kStates, "session.state");
 }
@@ -188,8 +233,8 @@ std::int64_t Study::add_session(const SessionRow& session,
 }
 
 std::int64_t Study::add_session(
-    const SessionRow& session, int rows,
-    const std::function<std::vector<PlannedTrialRow>(int counterbalance_row)>& plan_of) {
+    const SessionRow& session, const SessionClaim& claim,
+    const std::function<std::vector<PlannedTrialRow>(const SessionRow&)>& plan_of) {
   Database& database = store_->writable();
   refuse_network(store_->folder);
   Transaction transaction(database);
@@ -199,11 +244,15 @@ std::int64_t Study::add_session(
   }
   std::string name;
   protocol_name.read(name);
-  const std::vector<int> counts = counts_of(database, name, rows, session.mode);
   SessionRow row = session;
+  if (!row.group_level && !claim.groups.empty()) {
+    row.group_level = claimed_group(database, name, session, claim.groups);
+  }
+  const std::vector<int> counts =
+      counts_of(database, name, claim.rows, session.mode, row.group_level);
   row.counterbalance_row =
       static_cast<int>(std::min_element(counts.begin(), counts.end()) - counts.begin());
-  const std::int64_t id = insert_session_with_plan(database, row, plan_of(row.counterbalance_row));
+  const std::int64_t id = insert_session_with_plan(database, row, plan_of(row));
   transaction.commit();
   return id;
 }
@@ -251,13 +300,29 @@ std::vector<PlannedTrialRow> Study::plan(std::int64_t session_id) const {
 
 std::vector<int> Study::counterbalance_counts(const std::string& protocol_name, int rows) const {
   return store_->read(
-      [&](Database& database) { return counts_of(database, protocol_name, rows, std::nullopt); });
+      [&](Database& database) { return counts_of(database, protocol_name, rows, {}, {}); });
 }
 
 std::vector<int> Study::counterbalance_counts(const std::string& protocol_name, int rows,
-                                              SessionMode mode) const {
+                                              SessionMode mode,
+                                              const std::optional<std::string>& group) const {
   return store_->read(
-      [&](Database& database) { return counts_of(database, protocol_name, rows, mode); });
+      [&](Database& database) { return counts_of(database, protocol_name, rows, mode, group); });
+}
+
+std::vector<int> Study::group_counts(const std::string& protocol_name,
+                                     const std::vector<std::string>& groups,
+                                     SessionMode mode) const {
+  return store_->read([&](Database& database) {
+    return participants_of_groups(database, protocol_name, groups, mode);
+  });
+}
+
+std::optional<std::string> Study::group_of_participant(const std::string& label,
+                                                       const std::string& protocol_name,
+                                                       SessionMode mode) const {
+  return store_->read(
+      [&](Database& database) { return earlier_group(database, label, protocol_name, mode); });
 }
 
 int Study::begin_segment(std::int64_t session_id, std::int64_t time_ns) {

@@ -96,6 +96,12 @@ void check_rows(Database& database, Findings& findings) {
       "JOIN participant ON participant.id = participant_id "
       "GROUP BY session.id HAVING max(trial) <> count(*)",
 
+      "SELECT 'participant ' || label || ': the sessions of the protocol ' || protocol.name || "
+      "' are in different groups: ' || group_concat(DISTINCT group_level) "
+      "FROM session JOIN protocol ON protocol.id = protocol_id "
+      "JOIN participant ON participant.id = participant_id "
+      "GROUP BY participant.id, protocol.name, mode HAVING count(DISTINCT group_level) > 1",
+
       "SELECT 'session ' || label || '/' || session || ': its segments are not numbered 1 to ' "
       "|| count(*) FROM segment JOIN session ON session.id = session_id "
       "JOIN participant ON participant.id = participant_id "

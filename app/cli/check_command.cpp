@@ -25,6 +25,7 @@
 #include "device/drivers.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
+#include "protocols/plan/groups.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/study_sharing.h"
 
@@ -85,8 +86,25 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Dia
     json["contact_s"] = check.cost.contact_s;
     json["total_s"] = check.cost.total_s;
     json["longest_without_break_s"] = check.cost.longest_without_break_s;
+    if (check.protocol->groups) {
+      json["groups"] = {{"factor", check.protocol->groups->factor},
+                        {"levels", groups_of(*check.protocol)},
+                        {"assigned", text_of(check.protocol->groups->assigned)}};
+    }
   }
   return json;
+}
+
+/// "training (haptic, visual), balanced by the program"
+std::string groups_text(const Protocol& protocol) {
+  std::string levels{};
+  for (const std::string& group : groups_of(protocol)) {
+    levels += (levels.empty() ? "" : ", ") + group;
+  }
+  return protocol.groups->factor + " (" + levels + "), " +
+         (protocol.groups->assigned == Protocol::Groups::Assignment::balanced
+              ? "balanced by the program"
+              : "assigned by the experimenter");
 }
 
 std::string warning_of(const Diagnostic& doubt) {
@@ -205,6 +223,9 @@ void add_check(CLI::App& program, Job& job) {
                     << fixed(check.cost.total_s / 60.0, 0) << " min in all, at most "
                     << fixed(check.cost.longest_without_break_s / 60.0, 1)
                     << " min without a break\n";
+          if (check.protocol->groups) {
+            std::cout << check.file << ": groups: " << groups_text(*check.protocol) << '\n';
+          }
           if (!comparison.compared.empty()) {
             std::cout << check.file << ": " << comparison.compared << '\n';
           }

@@ -69,6 +69,10 @@ void add_run(CLI::App& program, Job& job) {
       ->capture_default_str();
   add_driver_options(*command, options->inputs.driver_options);
   command->add_option("--seed", options->seed, "Seed of the session; drawn at random by default");
+  CLI::Option* group =
+      command->add_option("--group", options->inputs.group,
+                          "Group of the participant, if the experimenter assigns the protocol's "
+                          "groups");
   const std::map<std::string, SessionMode> modes{{"run", SessionMode::run},
                                                  {"pilot", SessionMode::pilot}};
   command
@@ -84,6 +88,7 @@ void add_run(CLI::App& program, Job& job) {
           "--late-reason", options->inputs.late_reason,
           "Reason for resuming a session that is older than the protocol's maximum_age_hours")
       ->needs(resume);
+  resume->excludes(group);
   CLI::Option* stand_in =
       command->add_flag("--virtual", options->inputs.is_virtual,
                         "Simulate the participant with a virtual hand and a virtual observer");

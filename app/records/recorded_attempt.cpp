@@ -73,14 +73,16 @@ Plan PlansOfSessions::of(const SessionRow& session) {
     const ProtocolRow row = study_.protocol(session.protocol_id);
     known = protocols_.emplace(row.id, read_protocol(row.source, row.name, declarations_)).first;
   }
-  Plan plan = make_plan(known->second, {seed_of(session), session.counterbalance_row});
+  Plan plan = make_plan(known->second, {.seed = seed_of(session),
+                                        .counterbalance_row = session.counterbalance_row,
+                                        .group = session.group_level.value_or("")});
   const std::vector<PlannedTrialRow> stored = study_.plan(session.id);
   if (!std::equal(plan.trials.begin(), plan.trials.end(), stored.begin(), stored.end(),
                   is_as_stored)) {
     throw std::runtime_error(
         session_name(session) +
-        ": its stored plan differs from the one that its protocol, seed and row determine; use the "
-        "version of Asperity that ran the session, or restore the study from a copy");
+        ": its stored plan differs from the one that its protocol, seed, row and group determine; "
+        "use the version of Asperity that ran the session, or restore the study from a copy");
   }
   return plan;
 }

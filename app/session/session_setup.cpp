@@ -8,6 +8,7 @@
 #include "analysis/random.h"
 #include "app/words/phrase.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/plan/groups.h"
 #include "results_schema/sha256.h"
 
 namespace asperity {
@@ -23,6 +24,12 @@ ProtocolRow protocol_row(const Protocol& protocol) {
   row.source_sha256 = sha256_of(protocol.source);
   row.source = protocol.source;
   return row;
+}
+
+Allocation allocation_of(const SessionRow& row) {
+  return {.seed = std::stoull(row.seed),
+          .counterbalance_row = row.counterbalance_row,
+          .group = row.group_level.value_or("")};
 }
 
 std::vector<PlannedTrialRow> planned_rows(const Plan& plan) {
@@ -129,13 +136,15 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   row.observer_json = conditions.observer_json;
   row.mirrored = conditions.mirrored;
   row.files = hash_files(protocol, study.folder());
+  row.group_level = conditions.group;
   if (conditions.counterbalance_row) {
     row.counterbalance_row = *conditions.counterbalance_row;
-    session.plan = make_plan(protocol, {conditions.seed, row.counterbalance_row});
+    session.plan = make_plan(protocol, allocation_of(row));
     row.id = study.add_session(row, planned_rows(session.plan));
   } else {
-    row.id = study.add_session(row, counterbalance_rows(protocol), [&](int counterbalance_row) {
-      session.plan = make_plan(protocol, {conditions.seed, counterbalance_row});
+    const SessionClaim claim{.rows = counterbalance_rows(protocol), .groups = groups_of(protocol)};
+    row.id = study.add_session(row, claim, [&](const SessionRow& claimed) {
+      session.plan = make_plan(protocol, allocation_of(claimed));
       return planned_rows(session.plan);
     });
   }
@@ -147,7 +156,7 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   OpenSession session{};
   session.row = row;
   session.resumed = true;
-  session.plan = make_plan(protocol, {std::stoull(row.seed), row.counterbalance_row});
+  session.plan = make_plan(protocol, allocation_of(row));
   const std::vector<PlannedTrialRow> stored = study.plan(row.id);
   const std::vector<PlannedTrialRow> made = planned_rows(session.plan);
   bool same = stored.size() == made.size();

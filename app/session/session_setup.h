@@ -21,6 +21,9 @@ struct SessionConditions {
   SessionMode mode = SessionMode::run;
   std::uint64_t seed = 0;
   std::optional<int> counterbalance_row{};  ///< if absent, the least used one
+  /// Of a protocol with groups; if absent, that of the participant's earlier sessions, or the one
+  /// with the fewest participants.
+  std::optional<std::string> group{};
   std::string pacing{};
   std::string scheduling{};
   DeviceCapability device{};
@@ -80,7 +83,7 @@ SessionRow find_unfinished(const Study& study, const Protocol& protocol,
 
 /// A session of the store, ready to be resumed.
 ///
-/// The plan is made again from the stored seed and row, and has to equal the stored one; the files
+/// The plan is made again from the stored seed, row and group, and has to equal the stored one; the files
 /// have to be unchanged since the session began.
 ///
 /// Errors: std::runtime_error that states what has changed.

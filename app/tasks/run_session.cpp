@@ -14,6 +14,7 @@
 #include "app/records/participant_answers.h"
 #include "app/records/session_conditions.h"
 #include "app/session/respondents/virtual_participant.h"
+#include "app/tasks/group_choice.h"
 #include "app/tasks/label_notice.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
@@ -194,6 +195,16 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
   }
 }
 
+/// The group that the experimenter assigns; nothing where there are no groups, and where the store
+/// assigns it. Errors: PhrasedError for a group that is missing, unknown or not to be stated.
+std::optional<std::string> group_of_new_session(const Study& study, const Protocol& protocol,
+                                                const RunInputs& inputs, SessionMode mode) {
+  const std::optional<Phrase> complaint = complaint_about_group(
+      protocol, study.group_of_participant(inputs.participant, protocol.name, mode), inputs.group);
+  if (complaint) throw PhrasedError(*complaint);
+  return inputs.group;
+}
+
 }  // namespace
 
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
@@ -228,6 +239,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   sitting.mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
   sitting.seed = inputs.seed;
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
+  if (!inputs.resume) sitting.group = group_of_new_session(study, protocol, inputs, sitting.mode);
   if (inputs.resume) {
     sitting.unfinished = unfinished_session(study, inputs, protocol);
     sitting.late = late_resume(study, protocol, *sitting.unfinished);

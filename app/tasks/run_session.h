@@ -29,6 +29,9 @@ struct RunInputs {
   std::filesystem::path study{};
   std::string participant{};
   std::uint64_t seed = 0;
+  /// Of a new session, where the protocol has groups that the experimenter assigns; it may be left
+  /// out when the participant has a session of the protocol.
+  std::optional<std::string> group{};
   SessionMode mode = SessionMode::run;
   bool resume = false;  ///< resumes an unfinished session
   /// The session to resume, by its id in the store; otherwise the participant's latest.

@@ -17,6 +17,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
 #include "app/words/phrase.h"
+#include "protocols/plan/groups.h"
 
 namespace asperity {
 
@@ -376,7 +377,9 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
   sitting.participant = person;
   sitting.mode = SessionMode::simulate;
   sitting.seed = seed;
-  sitting.counterbalance_row = (number - 1) % counterbalance_rows(protocol);
+  const Allocation allocation = allocation_in_turn(protocol, number - 1);
+  sitting.counterbalance_row = allocation.counterbalance_row;
+  if (protocol.groups) sitting.group = allocation.group;
   sitting.record = inputs_.recordings == Recordings::all ||
                    (inputs_.recordings == Recordings::first && number == batch_.first);
   const StudyLock lock(study.folder(), Study::session_lock_name(person.label));

@@ -116,6 +116,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     conditions.mode = sitting.mode;
     conditions.seed = sitting.seed;
     conditions.counterbalance_row = sitting.counterbalance_row;
+    conditions.group = sitting.group;
     conditions.consent_utc = sitting.consent_utc;
     conditions.mirrored = sitting.mirrored;
     conditions.pacing = rig.pacing();

@@ -20,7 +20,7 @@ struct VerifyResult {
 };
 
 /// Checks the constraints and other rules of the schema, hashes, that every stored plan is the one
-/// that its protocol, seed and row give, and that surfaces, answers and the options stored with
+/// that its protocol, seed, row and group give, and that surfaces, answers and the options stored with
 /// them agree with the plan. With `replay_too`, the forces of every recorded hand are rendered
 /// again: bit for bit equal where the session was run by this build on this kind of machine, within
 /// each model's declared tolerance otherwise.

@@ -51,6 +51,7 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_EQ(session.state, SessionState::completed);
   EXPECT_EQ(session.seed, "18446744073709551615");
   EXPECT_EQ(session.mirrored, GetParam() >= 2);
+  EXPECT_EQ(session.group_level.value_or(""), GetParam() >= 9 ? "haptic" : "");
   EXPECT_EQ(study.protocol(session.protocol_id).source, R"({"name":"selection"})");
   EXPECT_EQ(study.plan(session.id).size(), 2U);
   EXPECT_EQ(study.session_answers(session.id).at(0).answer, "left");

@@ -37,6 +37,7 @@ inline SessionRow some_session(std::int64_t protocol_id, const std::string& part
           .seed = "18446744073709551615",
           .generator = "philox4x64/1",
           .counterbalance_row = 2,
+          .group_level = "haptic",
           .program_version = "0.1.0",
           .program_commit = "abc",
           .program_build = "release",

@@ -109,13 +109,14 @@ std::string attempt(const std::string& values) {
   return "INSERT INTO attempt SELECT *, NULL, NULL FROM (VALUES " + values + ")";
 }
 std::string session(const std::string& participant, const std::string& ordinal,
-                    const std::string& mode) {
+                    const std::string& mode, const std::string& group = "group_level") {
   return "INSERT INTO session SELECT NULL, " + participant + ", " + ordinal + ", protocol_id, " +
          mode +
          ", state, seed, generator, counterbalance_row, program_version, program_commit, "
          "program_build, program_sha256, instruction_set, os, device, device_json, pacing, "
          "scheduling, rate_Hz, started_utc, clock_zero_ns, ended_utc, consent_version, "
-         "consent_utc, observer_json, mirrored FROM session WHERE id = 1";
+         "consent_utc, observer_json, mirrored, " +
+         group + " FROM session WHERE id = 1";
 }
 
 std::string decision(const std::string& values) {
@@ -298,6 +299,9 @@ std::vector<Forbidden> forbidden_statements() {
       {"completed session reopened", "UPDATE session SET state = 'open' WHERE id = 3"},
       {"attempt in a completed session", attempt("(9,3,1,1,1,'answered',1,NULL,0,NULL,0,1)")},
       {"a person simulated", session("2", "1", "'simulate'")},
+      {"session in another group", session("1", "9", "mode", "'visual'")},
+      {"session in a group without a name", session("2", "9", "'run'", "''")},
+      {"group of a session", "UPDATE session SET group_level = 'visual' WHERE id = 1"},
       {"session of an unknown mode", session("1", "9", "'rehearse'")},
       {"another seed", "UPDATE session SET seed = '1' WHERE id = 1"},
       {"another observer", "UPDATE session SET observer_json = '{}' WHERE id = 1"},

@@ -217,8 +217,9 @@ TEST(Counterbalancing, GivesEveryRowEquallyOftenToProcessesThatAskAtOnce) {
       const std::string message = refusal_of<ResultsError>([&] {
         Study study = Study::open(folder / "s", Access::read_write);
         for (int session = 0; session < kSessions; ++session) {
-          study.add_session(some_session(1, "V" + std::to_string(i)), 4,
-                            [](int row) { return some_plan(row + 1); });
+          study.add_session(
+              some_session(1, "V" + std::to_string(i)), {.rows = 4},
+              [](const SessionRow& row) { return some_plan(row.counterbalance_row + 1); });
         }
       });
       ::_exit(message.empty() ? 0 : 1);
@@ -247,7 +248,8 @@ TEST(Counterbalancing, CountsOpenAndCompletedSessionsOfTheNameAndMode) {
   const auto add = [&study](std::int64_t protocol_id, SessionMode mode) {
     SessionRow session = some_session(protocol_id);
     session.mode = mode;
-    const std::int64_t id = study.add_session(session, 3, [](int) { return some_plan(1); });
+    const std::int64_t id =
+        study.add_session(session, {.rows = 3}, [](const SessionRow&) { return some_plan(1); });
     return study.session(id).counterbalance_row;
   };
   EXPECT_EQ(add(first, SessionMode::simulate), 0);

@@ -117,6 +117,7 @@ TEST(Study, GivesBackASessionWithItsFilesAndPlan) {
   EXPECT_EQ(row.seed, wanted.seed);
   EXPECT_EQ(row.generator, wanted.generator);
   EXPECT_EQ(row.counterbalance_row, 2);
+  EXPECT_EQ(row.group_level, "haptic");
   EXPECT_EQ(row.program_version, wanted.program_version);
   EXPECT_EQ(row.program_commit, wanted.program_commit);
   EXPECT_EQ(row.program_build, wanted.program_build);

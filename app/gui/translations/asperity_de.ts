@@ -3167,6 +3167,29 @@
     </message>
 </context>
 <context>
+    <name>GroupChoice</name>
+    <message>
+        <source>the protocol &quot;%1&quot; has no groups; leave out --group</source>
+        <translation>Das Protokoll „%1“ hat keine Gruppen; --group weglassen</translation>
+    </message>
+    <message>
+        <source>the protocol &quot;%1&quot; has no group &quot;%2&quot;; its groups are %3</source>
+        <translation>Das Protokoll „%1“ hat keine Gruppe „%2“; seine Gruppen sind %3</translation>
+    </message>
+    <message>
+        <source>the participant is in the group &quot;%1&quot; of the protocol &quot;%2&quot;, and stays in it in all sessions; leave out --group</source>
+        <translation>Die Versuchsperson gehört zur Gruppe „%1“ des Protokolls „%2“ und bleibt in allen Sitzungen darin; --group weglassen</translation>
+    </message>
+    <message>
+        <source>the program assigns the groups of the protocol &quot;%1&quot;; leave out --group</source>
+        <translation>Das Programm teilt die Gruppen des Protokolls „%1“ zu; --group weglassen</translation>
+    </message>
+    <message>
+        <source>the experimenter assigns the groups of the protocol &quot;%1&quot;; state the group of the participant with --group: %2</source>
+        <translation>Die Versuchsleitung teilt die Gruppen des Protokolls „%1“ zu; die Gruppe der Versuchsperson mit --group angeben: %2</translation>
+    </message>
+</context>
+<context>
     <name>LabelNotice</name>
     <message>
         <source>on a simulated clock</source>
