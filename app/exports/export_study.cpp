@@ -107,7 +107,14 @@ class StudyExport final {
       if (participant.withdrawn && options_.audience == ExportAudience::published) continue;
       const std::vector<const SessionRow*>& own = sessions_of[participant.label];
       std::string mode{};
+      std::string groups{};
+      std::set<std::pair<std::string, std::string>> groups_met{};
       for (const SessionRow* session : own) {
+        if (session->group_level &&
+            groups_met.insert({protocols_.at(session->protocol_id).name, *session->group_level})
+                .second) {
+          groups += (groups.empty() ? "" : "; ") + *session->group_level;
+        }
         const std::string word = text_of(session->mode);
         mode = mode.empty() || mode == word ? word : "mixed";
       }
@@ -115,6 +122,7 @@ class StudyExport final {
       ExportPlace at{};
       at.participant = &participant;
       at.participant_mode = &mode;
+      at.participant_groups = &groups;
       at.answers = &answers;
       add("participants", at);
       std::set<SessionGroup> begun{};

@@ -101,7 +101,10 @@ void WideTable::add_answer(const ExportPlace& at) {
   if (at.attempt->flagged) ++person.flagged;
   if (at.doubted_estimate) ++person.doubted;
   Condition condition{};
+  const auto group_factor = vocabulary_.group_factors.find(at.protocol->source_sha256);
   for (const auto& [name, level] : at.factors->items()) {
+    // It tells participants apart, not the responses of one: it is the column "group".
+    if (group_factor != vocabulary_.group_factors.end() && group_factor->second == name) continue;
     const bool is_number = level.is_number();
     const double value = is_number ? level.get<double>() : 0.0;
     condition.emplace_back(name, Level{value, is_number           ? text_of_number(value)

@@ -23,6 +23,7 @@ struct TimedEvent;
 struct ExportPlace {
   const ParticipantRow* participant = nullptr;
   const std::string* participant_mode = nullptr;  ///< of all sessions together
+  const std::string* participant_groups = nullptr;  ///< of all sessions; empty: none
   const SessionRow* session = nullptr;
   const ProtocolRow* protocol = nullptr;
   const PlannedTrialRow* trial = nullptr;

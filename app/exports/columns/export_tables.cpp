@@ -16,7 +16,7 @@ using namespace export_columns;
 
 std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
   return {{"participants", participant_columns(vocabulary)},
-          {"sessions", session_columns()},
+          {"sessions", session_columns(vocabulary)},
           {"trials", trial_columns(vocabulary)},
           {"attempts", attempt_columns()},
           {"presentations", presentation_columns(vocabulary)},

@@ -31,6 +31,14 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
                             with_levels(column("handedness", "text", "", "reported preferred hand",
                                                participant(&ParticipantRow::handedness)),
                                         {"left", "right", "ambidextrous"})));
+  if (!vocabulary.groups.empty()) {
+    // Of two protocols with groups a participant has two, which are no level.
+    columns.push_back(missing("no session of a protocol with groups",
+                              column("group", "text", "",
+                                     "group of the participant, in all sessions of a protocol; the "
+                                     "groups of several protocols are separated by \"; \"",
+                                     [](const Place& at) { return *at.participant_groups; })));
+  }
   columns.push_back(dropped(column("created_utc", "utc_time", "", "when the participant was added",
                                    [](const Place& at) { return at.participant->created_utc; })));
   columns.push_back(column("withdrawn", "boolean", "",

@@ -13,7 +13,7 @@ using Place = ExportPlace;
 
 }  // namespace
 
-Columns session_columns() {
+Columns session_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::session);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   const auto text = [&add](const char* name, const char* description, auto member) {
@@ -42,6 +42,15 @@ Columns session_columns() {
   add(at_least(
       0, column("counterbalance_row", "integer", "", "row of the counterbalancing square, from 0",
                 [](const Place& at) { return integer(at.session->counterbalance_row); })));
+  if (!vocabulary.groups.empty()) {
+    add(with_levels(
+        missing("the protocol has no groups",
+                column("group", "text", "",
+                       "group of the participant: the level of the protocol's factor between "
+                       "participants",
+                       [](const Place& at) { return optional_cell(at.session->group_level); })),
+        {vocabulary.groups.begin(), vocabulary.groups.end()}));
+  }
   add(column("mirrored", "boolean", "", "1: the workspace was laid out for a left hand",
              [](const Place& at) { return boolean(at.session->mirrored); }));
   text("program_version", "version of the program", &SessionRow::program_version);

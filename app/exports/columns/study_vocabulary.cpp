@@ -71,6 +71,9 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     }
   }
   learn_questions(protocol, specified, vocabulary);
+  if (!specified.group_factor.empty()) {
+    vocabulary.group_factors[protocol.source_sha256] = specified.group_factor;
+  }
   if (specified.estimation) {
     vocabulary.estimations.insert({protocol.source_sha256, *std::move(specified.estimation)});
   }
@@ -146,6 +149,9 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
   for (const ParticipantRow& participant : study.participants()) {
     const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
     for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);
+  }
+  for (const SessionRow& session : study.sessions()) {
+    if (session.group_level) vocabulary.groups.insert(*session.group_level);
   }
   // Translations of one protocol. Two files in the same language may ask different questions.
   struct Wordings {

@@ -52,6 +52,9 @@ struct StudyVocabulary {
   std::map<std::string, std::set<std::string>> assets{};  ///< declared role → models that used one
   /// The spacings of textures that protocol files for magnitude estimation declare, by the file's SHA-256.
   std::map<std::string, EstimationDeclaration> estimations{};
+  /// The factor of the groups of participants, by the SHA-256 of a protocol file that has groups.
+  std::map<std::string, std::string> group_factors{};
+  std::set<std::string> groups{};  ///< of participants, as sessions store them
   std::set<std::string> participant_answers{};
   std::map<std::string, AnswerMeaning> questions{};  ///< by name, of all protocols
   /// The questions of questionnaires in each protocol file, by the SHA-256 of the file and the name.

@@ -15,7 +15,7 @@ inline constexpr const char* kNotCountedApart =
     "the attempt was made by version 0.1, which did not count them separately";
 
 Columns participant_columns(const StudyVocabulary& vocabulary);
-Columns session_columns();
+Columns session_columns(const StudyVocabulary& vocabulary);
 Columns trial_columns(const StudyVocabulary& vocabulary);
 Columns attempt_columns();
 Columns presentation_columns(const StudyVocabulary& vocabulary);
