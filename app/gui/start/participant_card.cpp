@@ -15,6 +15,7 @@
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/start/group_chooser.h"
 #include "app/records/participant_answers.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/study_overview.h"
@@ -97,6 +98,8 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
   virtual_text_ = make_text({}, this, true);
   virtual_text_->setObjectName("virtual_labels");
   layout->addWidget(virtual_text_);
+  group_ = new GroupChooser(this);
+  layout->addWidget(group_);
   unfinished_ = new QWidget(this);
   auto* offer = new QHBoxLayout(unfinished_);
   offer->setContentsMargins(0, 0, 0, 0);
@@ -134,6 +137,7 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
     emit changed();
   });
   connect(form_, &QuestionForm::answered, this, &ParticipantCard::changed);
+  connect(group_, &GroupChooser::changed, this, &ParticipantCard::changed);
   connect(late_reason_, &QLineEdit::textChanged, this, &ParticipantCard::late_reason_changed);
   connect(go_on_, &QPushButton::clicked, this, &ParticipantCard::go_on_wanted);
   set_unfinished({}, false);
@@ -254,7 +258,8 @@ StartDraft::Person ParticipantCard::draft() const {
           .label = !is_new()      ? label()
                    : is_suggested ? ""
                                   : typed,
-          .answers = form_->answers()};
+          .answers = form_->answers(),
+          .group = group_->group()};
 }
 
 void ParticipantCard::fill_in(const StartDraft::Person& draft) {
@@ -270,6 +275,7 @@ void ParticipantCard::fill_in(const StartDraft::Person& draft) {
   }
   show_kind();
   emit person_changed();
+  group_->choose(draft.group);
   emit changed();
 }
 
@@ -295,12 +301,13 @@ ParticipantRow ParticipantCard::new_person(const Protocol& protocol) const {
 }
 
 std::vector<QString> ParticipantCard::complaints() const {
-  if (!is_new()) {
-    if (!label().empty()) return {};
-    return {tr("No participant is chosen.")};
-  }
-  if (is_virtual_) return {};
   std::vector<QString> complaints{};
+  if (group_->is_missing()) complaints.push_back(tr("No group is chosen."));
+  if (!is_new()) {
+    if (label().empty()) return {tr("No participant is chosen.")};
+    return complaints;
+  }
+  if (is_virtual_) return complaints;
   if (label().empty()) {
     complaints.push_back(tr("The new participant has no label."));
   } else if (const auto complaint = complaint_about_label(label(), false)) {

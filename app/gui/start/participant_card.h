@@ -21,6 +21,7 @@ class QPushButton;
 
 namespace asperity {
 
+class GroupChooser;
 class QuestionForm;
 class StateLabel;
 
@@ -42,6 +43,8 @@ class ParticipantCard final : public QWidget {
   void ask_late_reason(bool asked);
   /// Empty where none is asked for.
   std::string late_reason() const;
+  GroupChooser& group() noexcept { return *group_; }
+  const GroupChooser& group() const noexcept { return *group_; }
   /// "Session 2 of P012 …", below everything.
   void set_session_text(const QString& text);
 
@@ -82,6 +85,7 @@ class ParticipantCard final : public QWidget {
   QComboBox* list_ = nullptr;
   QLabel* known_text_ = nullptr;
   QLabel* virtual_text_ = nullptr;
+  GroupChooser* group_ = nullptr;
   QWidget* unfinished_ = nullptr;
   StateLabel* unfinished_text_ = nullptr;
   QPushButton* go_on_ = nullptr;

@@ -18,6 +18,7 @@ struct StartDraft {
     bool is_new = true;
     std::string label{};           ///< empty: as suggested
     ParticipantAnswers answers{};  ///< of somebody new
+    std::optional<std::string> group{};  ///< where the experimenter assigns it
   };
 
   Person person{};

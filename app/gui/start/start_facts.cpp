@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <set>
 #include <system_error>
 
 #include "app/study_files/study_protocols.h"
@@ -55,11 +56,18 @@ ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesys
 void read_sessions(StartFacts& facts, const Study& study) {
   const Protocol& protocol = *facts.chosen.protocol;
   std::map<std::int64_t, bool> is_this{};
+  std::set<std::int64_t> of_this_name{};
   for (const ProtocolRow& row : study.protocols()) {
     is_this[row.id] = row.source_sha256 == facts.chosen.sha256;
+    if (row.name == protocol.name) of_this_name.insert(row.id);
   }
   for (const SessionRow& row : study.sessions()) {
-    facts.sessions.push_back({row.participant, row.mode, row.state, is_this[row.protocol_id]});
+    facts.sessions.push_back(
+        {.participant = row.participant,
+         .mode = row.mode,
+         .state = row.state,
+         .of_this_protocol = is_this[row.protocol_id],
+         .group = of_this_name.contains(row.protocol_id) ? row.group_level : std::nullopt});
   }
   facts.unfinished = unfinished_sessions(study, protocol);
   const int rows = counterbalance_rows(protocol);

@@ -38,6 +38,7 @@ struct StartFacts {
     SessionMode mode = SessionMode::run;
     SessionState state = SessionState::open;
     bool of_this_protocol = false;
+    std::optional<std::string> group{};  ///< of a session of this protocol, whatever its version
   };
 
   /// A file of the study's `protocols/`, and what it states of itself, as far as it can be read.

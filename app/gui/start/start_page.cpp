@@ -16,6 +16,7 @@
 #include "app/gui/start/check_list.h"
 #include "app/gui/start/consent_card.h"
 #include "app/gui/start/device_chooser.h"
+#include "app/gui/start/group_chooser.h"
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/records/participant_answers.h"
@@ -248,6 +249,7 @@ void StartPage::connect_parts() {
   connect(participant_, &ParticipantCard::person_changed, this, [this] {
     consent_->forget();
     setup_->forget_hand();
+    participant_->group().choose({});
     resume_ = false;
     going_on_.reset();
     show_mode();

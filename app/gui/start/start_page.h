@@ -124,6 +124,10 @@ class StartPage final : public QWidget {
   void show_start();
   void go_on(bool wanted);
   QString session_text() const;
+  /// The group of the participant's earlier sessions of this protocol and mode.
+  std::optional<std::string> group_before() const;
+  /// Those among which the experimenter has to choose.
+  std::vector<std::string> groups_to_choose() const;
 
   /// Null while there is none, or it is not valid.
   const Protocol* chosen() const noexcept { return facts_.chosen.protocol.get(); }

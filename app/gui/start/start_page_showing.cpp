@@ -13,12 +13,14 @@
 #include "app/gui/sound/noise_check.h"
 #include "app/gui/start/consent_card.h"
 #include "app/gui/start/device_chooser.h"
+#include "app/gui/start/group_chooser.h"
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
 #include "app/records/participant_answers.h"
 #include "app/tasks/checks/noise_check.h"
 #include "app/tasks/checks/protocol_check.h"
+#include "protocols/plan/groups.h"
 
 namespace asperity {
 
@@ -185,6 +187,7 @@ void StartPage::show_person() {
   if (unfinished_ && !resume_ && going_on_) return go_on(true);
   participant_->set_unfinished(unfinished_, resume_);
   participant_->ask_late_reason(resume_ && unfinished_->late.has_value());
+  participant_->group().set_groups(groups_to_choose());
   participant_->set_session_text(session_text());
   if (resume_) {
     setup_->fix_hand(unfinished_->row.mirrored);
@@ -217,6 +220,15 @@ QString StartPage::session_text() const {
           .arg(sessions + 1)
           .arg(of_this)
           .arg(protocol->sessions);
+  if (protocol->groups) {
+    if (const std::optional<std::string> group = group_before()) {
+      return tr("%1 Group %2, as before.").arg(number, QString::fromStdString(*group));
+    }
+    if (protocol->groups->assigned == Protocol::Groups::Assignment::balanced) {
+      return tr("%1 The program assigns the group.").arg(number);
+    }
+    return number;
+  }
   const std::vector<int>& used = facts_.rows_used.at(mode_);
   const auto rows = static_cast<int>(used.size());
   if (rows <= 1) return tr("%1 No counterbalancing.").arg(number);
@@ -225,6 +237,24 @@ QString StartPage::session_text() const {
       .arg(number)
       .arg(least + 1)
       .arg(rows);
+}
+
+std::optional<std::string> StartPage::group_before() const {
+  const std::string label = participant_->label();
+  for (const StartFacts::SessionBefore& session : facts_.sessions) {
+    if (participant_->is_new() || session.participant != label || session.mode != mode_) continue;
+    if (session.group) return session.group;
+  }
+  return {};
+}
+
+std::vector<std::string> StartPage::groups_to_choose() const {
+  const Protocol* protocol = chosen();
+  if (protocol == nullptr || !protocol->groups || is_batch() || resume_ || group_before() ||
+      protocol->groups->assigned == Protocol::Groups::Assignment::balanced) {
+    return {};
+  }
+  return groups_of(*protocol);
 }
 
 void StartPage::show_start() {

@@ -18,6 +18,7 @@
 #include "app/gui/start/check_list.h"
 #include "app/gui/start/consent_card.h"
 #include "app/gui/start/device_chooser.h"
+#include "app/gui/start/group_chooser.h"
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
@@ -143,6 +144,7 @@ SessionOrder StartPage::order() const {
   inputs.resume = resume_;
   inputs.resumed_session = resumed_session();
   inputs.late_reason = participant_->late_reason();
+  inputs.group = participant_->group().group();
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
   inputs.standstill_to_fault_s = study_.standstill_to_fault_s();

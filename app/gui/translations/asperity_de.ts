@@ -6588,6 +6588,17 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::GroupChooser</name>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Group *</source>
+        <translation>Gruppe *</translation>
+    </message>
+</context>
+<context>
     <name>asperity::HealthLine</name>
     <message>
         <source>study.sqlite · attempts stored: %1</source>
@@ -7435,6 +7446,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Resume session %1 (%2 of %3 trials completed)</source>
         <translation>Sitzung %1 fortsetzen (%2 von %3 Durchgängen abgeschlossen)</translation>
+    </message>
+    <message>
+        <source>No group is chosen.</source>
+        <translation>Es ist keine Gruppe gewählt.</translation>
     </message>
 </context>
 <context>
@@ -9498,6 +9513,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Resume session %1</source>
         <translation>Sitzung %1 fortsetzen</translation>
+    </message>
+    <message>
+        <source>%1 Group %2, as before.</source>
+        <translation>%1 Gruppe %2, wie bisher.</translation>
+    </message>
+    <message>
+        <source>%1 The program assigns the group.</source>
+        <translation>%1 Das Programm teilt die Gruppe zu.</translation>
     </message>
 </context>
 <context>

@@ -792,6 +792,61 @@ TEST_F(TheStartPage, HasTheModeInSightAndMovesNothingWhenItIsChosen) {
   }
 }
 
+/// The protocol with two groups.
+std::string protocol_with_groups(const std::string& assigned) {
+  std::string text = protocol_with_questions();
+  insert_before(text, "\"factors\"",
+                R"("groups": {"factor": "training", "assigned": ")" + assigned + R"("}, )");
+  text.insert(text.find("\"factors\": {") + 12,
+              R"("training": {"levels": ["haptic", "visual"]}, )");
+  return text;
+}
+
+TEST_F(TheStartPage, LetsTheExperimenterChooseTheGroupWhereTheProtocolSaysSo) {
+  write_protocol(protocol_with_groups("by_experimenter"));
+  page->show();
+  choose(protocol);
+  fill_in();
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(is_shown("group"));
+  EXPECT_TRUE(has_reason("No group is chosen."));
+  EXPECT_FALSE(can_start());
+  EXPECT_EQ(page->order().inputs.group, std::nullopt);
+  pick("group", "visual");
+  EXPECT_FALSE(has_reason("No group is chosen."));
+  EXPECT_TRUE(can_start()) << shown_reason();
+  EXPECT_EQ(page->order().inputs.group, "visual");
+  type("participant_label", "sub777");
+  EXPECT_TRUE(has_reason("No group is chosen.")) << "it was another participant's";
+  page->set_mode(SessionMode::simulate);
+  EXPECT_TRUE(is_shown("group")) << "of one virtual participant";
+  find<QSpinBox>("virtual_participants").setValue(4);
+  EXPECT_FALSE(is_shown("group")) << "of several the program assigns the groups in turn";
+}
+
+TEST_F(TheStartPage, KeepsTheGroupOfAParticipantAndTellsNoneThatTheProgramAssigns) {
+  write_protocol(protocol_with_groups("balanced"));
+  page->show();
+  choose(protocol);
+  EXPECT_FALSE(is_shown("group"));
+  const auto session_text = [this] { return find<QLabel>("session_text").text().toStdString(); };
+  EXPECT_NE(session_text().find("The program assigns the group."), std::string::npos)
+      << session_text();
+  const RunInputs inputs{.protocol = protocol,
+                         .study = folder,
+                         .participant = "virtual0001",
+                         .seed = 3,
+                         .mode = SessionMode::simulate,
+                         .is_virtual = true,
+                         .pacing = RunPacing::stepped};
+  ASSERT_EQ(run_session(inputs, built_in_models(), nullptr, {}, {}).state, SessionState::completed);
+  announce_change();
+  page->set_mode(SessionMode::simulate);
+  choose(protocol, "virtual0001");
+  EXPECT_NE(session_text().find("Group haptic, as before."), std::string::npos) << session_text();
+  EXPECT_EQ(page->order().inputs.group, std::nullopt);
+}
+
 /// Pictures of the demonstration study, as an experimenter sees them.
 TEST(StartPagePictures, ShowEveryMode) {
   if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "no folder for pictures";
