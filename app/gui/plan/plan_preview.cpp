@@ -5,6 +5,7 @@
 
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QSpinBox>
@@ -14,6 +15,7 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "protocols/plan/groups.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -238,10 +240,19 @@ void PlanPreview::add_choice(QHBoxLayout& row) {
   rows_ = make_text({}, this, true);
   rows_->setWordWrap(false);
   row.addWidget(rows_);
+  group_ = new ChoiceBox(this);
+  group_->setObjectName("plan_group");
+  group_->setAccessibleName(tr("Group"));
+  group_->setToolTip(tr("Group of the participant"));
+  group_->hide();
+  row.addWidget(group_);
+  connect(group_, &QComboBox::currentIndexChanged, this, &PlanPreview::make_plan_anew);
 }
 
 Allocation PlanPreview::allocation() const {
-  return {static_cast<std::uint64_t>(seed_->value()), row_->value() - 1};
+  return {.seed = static_cast<std::uint64_t>(seed_->value()),
+          .counterbalance_row = row_->value() - 1,
+          .group = group_->currentText().toStdString()};
 }
 
 void PlanPreview::show_protocol(const Protocol& protocol) {
@@ -254,6 +265,15 @@ void PlanPreview::show_protocol(const Protocol& protocol) {
   row_->setVisible(rows > 1);  // else nothing is counterbalanced
   rows_->setVisible(rows > 1);
   rows_->setText(tr("of %1").arg(rows));
+  const std::vector<std::string> groups = groups_of(protocol);
+  {
+    const QSignalBlocker quiet(group_);
+    const QString before = group_->currentText();
+    group_->clear();
+    for (const std::string& group : groups) group_->addItem(QString::fromStdString(group));
+    group_->setCurrentIndex(std::max(group_->findText(before), groups.empty() ? -1 : 0));
+  }
+  group_->setVisible(!groups.empty());
   make_plan_anew();
 }
 

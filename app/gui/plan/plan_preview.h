@@ -1,4 +1,4 @@
-// The steps of a session as a protocol would lay them out: for one seed and row of everything random.
+// The steps of a session as a protocol would lay them out: for one seed, row and group of participants.
 
 #pragma once
 
@@ -9,6 +9,7 @@
 #include "app/gui/look/newest_work.h"
 #include "protocols/plan/plan.h"
 
+class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QSpinBox;
@@ -27,7 +28,7 @@ class PlanPreview final : public QWidget {
 
   /// A protocol without problems.
   void show_protocol(const Protocol& protocol);
-  /// Of the seed and row that are set.
+  /// Of the seed, row and group that are set.
   Allocation allocation() const;
 
  private:
@@ -41,6 +42,7 @@ class PlanPreview final : public QWidget {
   QSpinBox* seed_ = nullptr;
   QSpinBox* row_ = nullptr;
   QLabel* rows_ = nullptr;
+  QComboBox* group_ = nullptr;
   QLabel* words_ = nullptr;
   StudyTable* table_ = nullptr;
   QLabel* detail_ = nullptr;  ///< null in the wide shape

@@ -7765,6 +7765,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Generated trial list</source>
         <translation>Erzeugte Durchgangsliste</translation>
     </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Group of the participant</source>
+        <translation>Gruppe der Versuchsperson</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PlanTable</name>

@@ -11,6 +11,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
@@ -284,6 +285,24 @@ TEST_F(ProtocolEditor, LaysOutThePlanThatMakePlanMakes) {
   for (const Option& option : plan.trials[0].questions.front().options) {
     EXPECT_TRUE(detail.contains(QString::fromStdString(option.value)));
   }
+}
+
+TEST_F(ProtocolEditor, LaysOutThePlanOfTheChosenGroup) {
+  open();
+  EXPECT_FALSE(child<QComboBox>(*page_, "plan_group").isVisible());
+  QString text = edit().text();
+  text.replace("\"factors\": {",
+               "\"groups\": {\"factor\": \"ground\"}, "
+               "\"factors\": {\"ground\": {\"levels\": [\"dawn\", \"dusk\"]}, ");
+  edit().replace_text(text);
+  ASSERT_TRUE(checked());
+  ASSERT_TRUE(page_->result()->diagnostics.empty()) << page_->result()->diagnostics[0].message;
+  auto& group = child<QComboBox>(*page_, "plan_group");
+  EXPECT_TRUE(group.isVisible());
+  EXPECT_EQ(group.currentText(), "dawn");
+  EXPECT_TRUE(eventually([&] { return label("plan_detail").contains("dawn"); }));
+  group.setCurrentIndex(1);
+  EXPECT_TRUE(eventually([&] { return label("plan_detail").contains("dusk"); }));
 }
 
 TEST_F(ProtocolEditor, LaysOutTheChosenRowOfTheCounterbalancing) {
