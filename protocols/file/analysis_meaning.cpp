@@ -78,6 +78,10 @@ void Meaning::check_analysis() {
                           "; it has " + one_of(tests));
     } else if (std::find(declared.family.begin(), here, name) != here) {
       report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
+    } else if (name == "groups" && !protocol_.groups) {
+      report(pointer,
+             "the test \"groups\" compares the groups of the protocol, which has none: add "
+             "the key groups");
     } else if (!declared.target && needs_target(name)) {
       report(pointer,
              "the test " + in_quotes(name) + " requires a target: name it with \"target\"");

@@ -225,7 +225,6 @@ std::string language_of(const std::string& source) {
 StoredProtocol stored_protocol(const std::string& source) {
   const Json root = Json::parse(source, nullptr, false);
   StoredProtocol read{.title = text_in(root, "title"),
-                      .group_factor = text_in(member_of(root, "groups"), "factor"),
                       .analysis = analysis_declared_in(root),
                       .estimation = estimation_declared_in(root),
                       .compared_parameter = parameter_compared_in(root)};
@@ -238,6 +237,10 @@ StoredProtocol stored_protocol(const std::string& source) {
       if (tags.is_string()) declared.hed[level] = tags.get<std::string>();
     }
   });
+  read.group_factor = text_in(member_of(root, "groups"), "factor");
+  for (const auto& [level, number] : levels_in(root, read.group_factor)) {
+    read.groups.push_back(level);
+  }
   for_each_object(member_of(root, "questions"), [&](const std::string& name, const Json& asked) {
     StoredProtocol::Question& question = read.questions[name];
     question = {.prompt = text_in(asked, "prompt"),

@@ -39,13 +39,14 @@ struct StoredProtocol {
   std::map<std::string, Factor> factors{};
   std::map<std::string, Question> questions{};
   std::map<std::string, TrialQuestion> trial_questions{};  ///< by block
-  std::string group_factor{};  ///< whose levels are the groups of participants; empty: no groups
   AnalysisDeclaration analysis{};
   std::optional<EstimationDeclaration> estimation{};
   /// Of matching and recognition: the pictures of the questions in their order, then the levels of the factors.
   std::vector<std::string> pictures{};
   /// Of a selection whose alternatives differ only in the level of one parameter: the parameter's name.
   std::optional<std::string> compared_parameter{};
+  std::string group_factor{};  ///< whose levels are the groups of participants; empty: no groups
+  std::vector<std::string> groups{};  ///< those levels, as text
 };
 
 /// Accepts any text; for one that is not JSON, all parts are absent.

@@ -17,7 +17,8 @@ constexpr std::array kMatchingTests{
     KindTest{"whole", "are more trials completely correct than under guessing"},
     KindTest{"textures",
              "for every texture: is it matched correctly more often than under guessing"},
-    KindTest{"sexes", "do women and men differ"}};
+    KindTest{"sexes", "do women and men differ"},
+    KindTest{"groups", "for every pair of groups: do they differ"}};
 
 std::string item_of_matching(const StimulusDescription& stimulus) { return stimulus.texture; }
 

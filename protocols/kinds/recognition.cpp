@@ -17,7 +17,8 @@ constexpr std::array kRecognitionTests{
     KindTest{"right", "is the proportion correct above the chance level"},
     KindTest{"textures", "for every texture: is it recognised more often than under guessing"},
     KindTest{"information", "do the responses depend on the stimulus"},
-    KindTest{"sexes", "do women and men differ"}};
+    KindTest{"sexes", "do women and men differ"},
+    KindTest{"groups", "for every pair of groups: do they differ"}};
 
 std::string item_of_recognition(const StimulusDescription& stimulus) { return stimulus.texture; }
 

@@ -20,7 +20,8 @@ constexpr std::array kSelectionTests{
     KindTest{"target_pairs", "only the pairs of the target with each other item", true},
     KindTest{"preference", "are all items chosen equally often"},
     KindTest{"position", "are all positions chosen equally often"},
-    KindTest{"textures", "is the target chosen equally often with every texture", true}};
+    KindTest{"textures", "is the target chosen equally often with every texture", true},
+    KindTest{"groups", "for every pair of groups: is the target chosen equally often", true}};
 
 constexpr std::array kSelectionKeys{
     KindKey{"realism_standard",

@@ -117,6 +117,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
   session.clock_zero_ns = kClockZero_ns;
   session.observer_json = observer_json_;
   session.files = files_;
+  session.group_level = group_;
   std::vector<PlannedTrialRow> plan{};
   for (const MadeUpTrial& trial : trials) {
     PlannedTrialRow row{};

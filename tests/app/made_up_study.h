@@ -55,6 +55,7 @@ class MadeUpStudy final {
   void set_device(const std::string& device_json) { device_json_ = device_json; }
   void set_files(const std::vector<StimulusFileRow>& files) { files_ = files; }
   void set_state(SessionState state) { state_ = state; }
+  void set_group(const std::optional<std::string>& group) { group_ = group; }
 
   /// One session, completed unless another state was set, with one attempt per trial. Returns its id.
   std::int64_t add_session(const std::string& participant, std::int64_t protocol,
@@ -68,6 +69,7 @@ class MadeUpStudy final {
   std::string device_json_ = "{}";
   std::vector<StimulusFileRow> files_{};
   SessionState state_ = SessionState::completed;
+  std::optional<std::string> group_{};
 };
 
 }  // namespace asperity

@@ -154,6 +154,14 @@ TEST(Groups, AreTheOnlyOnesToSetTheirFactor) {
               HasSubstr("\"factor\" is missing"));
 }
 
+TEST(Groups, AreWhatATestOfThemNeeds) {
+  const std::string declared =
+      R"("analysis": {"target": "sinusoid", "family": ["groups"]}, "flow")";
+  EXPECT_EQ(problems_in(replaced(grouped(), "\"flow\"", declared)), "");
+  EXPECT_THAT(problems_in(replaced(test::example_selection(), "\"flow\"", declared)),
+              HasSubstr("add the key groups"));
+}
+
 // Attributes of simulated participants alternate, their sex for one: it must not tell the groups.
 TEST(Groups, OfSimulatedParticipantsAreEquallyOftenOfEitherSex) {
   for (const int levels : {2, 3, 4}) {

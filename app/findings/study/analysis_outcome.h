@@ -47,6 +47,8 @@ struct TestMethod;
 
 /// The comparison of women and men; see KindTest.
 inline constexpr const char* kSexesTest = "sexes";
+/// The comparison of the groups to which the protocol assigns participants; see KindTest.
+inline constexpr const char* kGroupsTest = "groups";
 
 /// The role of a test as specified in advance.
 enum class TestRole {
@@ -58,7 +60,8 @@ enum class TestRole {
 
 /// The result of a test in English, as printed in a paper.
 struct TestSentence {
-  std::string test{};  ///< the name of a KindTest
+  std::string test{};   ///< the name of a KindTest
+  std::string about{};  ///< which of several comparisons; may be empty
   TestRole role = TestRole::exploratory;
   bool is_untested = false;
   bool has_mean_interval = false;  ///< the 95 % CI is that of a mean proportion

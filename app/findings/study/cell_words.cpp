@@ -46,6 +46,7 @@ const CellWords& words_of_measures() {
 
 const CellWords& words_of_tests() {
   static const CellWords kWords{{"condition", phrase("CellWords", "condition")},
+                                {"groups", phrase("CellWords", "groups")},
                                 {"information", phrase("CellWords", "information")},
                                 {"interaction", phrase("CellWords", "spacing by condition")},
                                 {"items", phrase("CellWords", "matched items")},
@@ -106,6 +107,7 @@ const CellWords& words_of_reasons() {
        phrase("CellWords", "the protocol declares no target, or there is only one texture")},
       {"no_two_peaks", phrase("CellWords", "fewer than two conditions have a peak")},
       {"one_condition", phrase("CellWords", "there is only one condition")},
+      {"one_group", phrase("CellWords", "the participants are not in two groups of the protocol")},
       {"one_sex", phrase("CellWords", "the participants do not include both women and men")},
       {"pictures_differ", phrase("CellWords", "the pictures differ between trials")},
       {"target_never_chosen", phrase("CellWords", "no participant ever chose the target")},

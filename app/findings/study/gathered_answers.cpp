@@ -80,6 +80,10 @@ class Gathering {
           break;
       }
     }
+    if (session.group_level && !gathered.people.empty() &&
+        gathered.people.back().label == session.participant) {
+      gathered.people.back().group = session.group_level;
+    }
   }
 
   void declare(const ProtocolRow& protocol) {
@@ -95,6 +99,12 @@ class Gathering {
         if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
           conditions.push_back(condition);
         }
+      }
+    }
+    for (const std::string& group : specified.groups) {
+      if (std::find(gathered.groups.begin(), gathered.groups.end(), group) ==
+          gathered.groups.end()) {
+        gathered.groups.push_back(group);
       }
     }
     for (std::string& picture : specified.pictures) {
@@ -115,6 +125,10 @@ class Gathering {
   }
 
   GatheredAnswers finish() && {
+    std::erase_if(gathered.groups, [this](const std::string& group) {
+      return std::none_of(gathered.people.begin(), gathered.people.end(),
+                          [&group](const auto& person) { return person.group == group; });
+    });
     gathered.count.participants = participants_.size();
     gathered.sources = count_protocols(texts_of_sources_);
     if (!gathered.declared_alike) gathered.declared = {};

@@ -78,6 +78,7 @@ struct GatheredAnswer {
 struct AnsweringPerson {
   std::string label{};
   std::optional<std::string> sex{};
+  std::optional<std::string> group{};  ///< to which the protocol assigns the participant
 };
 
 /// Texture force of the surfaces that one force model rendered.
@@ -113,6 +114,8 @@ struct GatheredAnswers {
   std::size_t sources = 0;  ///< files of this name and version that differ in more than texts
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude
+  /// To which the protocol assigns participants, in its order, as far as they have responses.
+  std::vector<std::string> groups{};
   std::vector<std::string> pictures{};  ///< of matching and recognition, in the protocol's order
   /// Of a selection: the only parameter in which its alternatives differ, in all of those files.
   std::optional<std::string> compared_parameter{};

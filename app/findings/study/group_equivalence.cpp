@@ -15,27 +15,27 @@ namespace {
 
 /// The table for the family `equivalence`, with the declared bounds; nothing where a group is
 /// empty.
-std::optional<TidyInput> sexes_table(const GatheredAnswers& gathered,
-                                     std::span<const std::optional<double>> proportions) {
+std::optional<TidyInput> table_of_proportions(const ParticipantPair& pair,
+                                              const GatheredAnswers& gathered,
+                                              std::span<const std::optional<double>> proportions) {
   LabelRows subjects{};
   LabelRows groups{};
   NumberColumn values{};
-  std::set<std::string> sexes{};
+  std::set<std::string> present{};
   for (std::size_t i = 0; i < gathered.people.size(); ++i) {
-    const std::string sex = gathered.people[i].sex.value_or("");
-    if ((sex != "F" && sex != "M") || !proportions[i]) continue;
-    sexes.insert(sex);
+    if (pair.levels[i].empty() || !proportions[i]) continue;
+    present.insert(pair.levels[i]);
     subjects.add(gathered.people[i].label);
-    groups.add(sex);
+    groups.add(pair.levels[i]);
     values.push_back(*proportions[i]);
   }
-  if (sexes.size() < 2) return std::nullopt;
+  if (present.size() < 2) return std::nullopt;
   TidyInput input{};
   input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
                                                            {"group", std::move(groups).take()},
                                                            {"value", std::move(values)}},
                             "the participants");
-  input.options.set("groups", std::vector<std::string>{"F", "M"});
+  input.options.set("groups", std::vector<std::string>{pair.first, pair.second});
   if (const std::optional<double> margin = gathered.declared.equivalence_margin) {
     input.options.set("lower", -*margin);
     input.options.set("upper", *margin);
@@ -67,7 +67,8 @@ Phrase equivalence_method(const FoundNumbers& found) {
       .with(bayes);
 }
 
-Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>& margin) {
+Phrase equivalence_answer(const ParticipantPair& pair, const FoundNumbers& found,
+                          const std::optional<double>& margin) {
   const std::optional<double> supported = found.value("equivalence.margin");
   if (!supported) {
     return phrase("Analysis",
@@ -77,11 +78,12 @@ Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>
   const Finding& difference = *found.find("diff");
   const Phrase numbers =
       phrase("Analysis",
-             "difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 "
+             "difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], n = %4 "
              "participants; JZS Bayes factor for a difference BF₁₀ = %5")
           .with(reading_points(*difference.value), reading_points(*difference.low),
                 reading_points(*difference.high), std::to_string(difference.n),
-                reading_number(*found.value("jzs.bf10", "0.7071")));
+                reading_number(*found.value("jzs.bf10", "0.7071")), pair.first_name,
+                pair.second_name);
   if (!margin && *supported >= 1.0) {  // Welch's interval is not bounded, but the difference is
     return phrase("Analysis",
                   "The protocol declares no equivalence margin, so equivalence is not assessed: "
@@ -109,17 +111,16 @@ Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>
 
 }  // namespace
 
-void ask_equivalence_of_sexes(const GatheredAnswers& gathered,
-                              std::span<const std::optional<double>> proportions,
-                              AnalysisOutcome& outcome) {
-  std::optional<TidyInput> table = sexes_table(gathered, proportions);
+void ask_equivalence(const ParticipantPair& pair, const GatheredAnswers& gathered,
+                     std::span<const std::optional<double>> proportions, AnalysisOutcome& outcome) {
+  std::optional<TidyInput> table = table_of_proportions(pair, gathered, proportions);
   if (!table) return;
   const std::vector<Finding> findings =
-      analysis_of(kSexesEquivalence, "equivalence", std::move(*table));
+      analysis_of(pair.equivalence.c_str(), "equivalence", std::move(*table));
   keep_findings(findings, outcome);
   const FoundNumbers found(findings);
-  add_question(outcome, kSexesEquivalence, phrase("Analysis", "Are women and men equivalent?"),
-               equivalence_answer(found, gathered.declared.equivalence_margin),
+  add_question(outcome, pair.equivalence.c_str(), pair.equivalence_question,
+               equivalence_answer(pair, found, gathered.declared.equivalence_margin),
                equivalence_method(found), "", found.find("diff"));
 }
 

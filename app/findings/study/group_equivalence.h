@@ -1,4 +1,4 @@
-// Tests whether women and men are equivalent, in addition to whether they differ.
+// Tests whether two groups of participants are equivalent, in addition to whether they differ.
 
 #pragma once
 
@@ -7,18 +7,19 @@
 
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/gathered_answers.h"
+#include "app/findings/study/participant_pairs.h"
 
 namespace asperity {
 
-/// The name of the analysis in its findings.
+/// The names of the analysis in its findings, of women and men and of the protocol's groups.
 inline constexpr const char* kSexesEquivalence = "sexes_equivalence";
+inline constexpr const char* kGroupsEquivalence = "groups_equivalence";
 
 /// Two one-sided tests with the margin that the protocol declares; without a margin no verdict, but
 /// the smallest margin that the data would support. A Bayes factor in every case. `proportions`:
 /// one for each of the gathered people, in their order; nothing for those without. Adds no question
-/// where there are not both women and men.
-void ask_equivalence_of_sexes(const GatheredAnswers& gathered,
-                              std::span<const std::optional<double>> proportions,
-                              AnalysisOutcome& outcome);
+/// where there are no participants of both levels.
+void ask_equivalence(const ParticipantPair& pair, const GatheredAnswers& gathered,
+                     std::span<const std::optional<double>> proportions, AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -59,18 +59,14 @@ RecognitionPictures pictures_in(const GatheredAnswers& gathered,
   return pictures;
 }
 
-std::vector<std::optional<double>> proportions_correct(const GatheredAnswers& gathered,
-                                                       const std::vector<JudgedAnswer>& judged) {
+std::vector<HitCount> responses_of_people(const GatheredAnswers& gathered,
+                                          const std::vector<JudgedAnswer>& judged) {
   std::vector<HitCount> own(gathered.people.size());
   for (const JudgedAnswer& one : judged) {
     ++own[one.answer->person].trials;
     own[one.answer->person].hits += one.right ? 1 : 0;
   }
-  std::vector<std::optional<double>> proportions(own.size());
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    if (own[i].trials > 0) proportions[i] = proportion(own[i]);
-  }
-  return proportions;
+  return own;
 }
 
 TidyInput judged_trials_table(const GatheredAnswers& gathered,
@@ -98,38 +94,6 @@ TidyInput judged_trials_table(const GatheredAnswers& gathered,
                                                            {"response", std::move(chosen)}},
                             "the answers");
   input.options.set("labels", labels);
-  return input;
-}
-
-std::optional<TidyInput> judged_groups_table(const GatheredAnswers& gathered,
-                                             const std::vector<JudgedAnswer>& judged) {
-  std::vector<HitCount> own(gathered.people.size());
-  for (const JudgedAnswer& one : judged) {
-    ++own[one.answer->person].trials;
-    own[one.answer->person].hits += one.right ? 1 : 0;
-  }
-  LabelRows subjects{};
-  LabelRows groups{};
-  NumberColumn correct{};
-  NumberColumn trials{};
-  std::set<std::string> sexes{};
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const std::string sex = gathered.people[i].sex.value_or("");
-    if ((sex != "F" && sex != "M") || own[i].trials == 0) continue;
-    sexes.insert(sex);
-    subjects.add(gathered.people[i].label);
-    groups.add(sex);
-    correct.push_back(static_cast<double>(own[i].hits));
-    trials.push_back(static_cast<double>(own[i].trials));
-  }
-  if (sexes.size() < 2) return std::nullopt;
-  TidyInput input{};
-  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
-                                                           {"group", std::move(groups).take()},
-                                                           {"correct", std::move(correct)},
-                                                           {"trials", std::move(trials)}},
-                            "the participants");
-  input.options.set("groups", std::vector<std::string>{"F", "M"});
   return input;
 }
 

@@ -12,6 +12,7 @@
 
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/gathered_answers.h"
+#include "app/findings/study/tally.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -39,17 +40,14 @@ struct RecognitionPictures {
 RecognitionPictures pictures_in(const GatheredAnswers& gathered,
                                 const std::vector<JudgedAnswer>& judged);
 
-/// For each participant; nullopt without a response that can be classified.
-std::vector<std::optional<double>> proportions_correct(const GatheredAnswers& gathered,
-                                                       const std::vector<JudgedAnswer>& judged);
+/// Correct responses and all classified responses of each of the gathered people, in their order.
+std::vector<HitCount> responses_of_people(const GatheredAnswers& gathered,
+                                          const std::vector<JudgedAnswer>& judged);
 
 /// For the family `recognition`; a response that is not among the labels counts as missing.
 TidyInput judged_trials_table(const GatheredAnswers& gathered,
                               const std::vector<JudgedAnswer>& judged,
                               const std::vector<std::string>& labels);
-/// For the family `group`: a row per woman and man; nullopt unless there are both.
-std::optional<TidyInput> judged_groups_table(const GatheredAnswers& gathered,
-                                             const std::vector<JudgedAnswer>& judged);
 /// For the family `proportion`: a row per felt texture.
 TidyInput judged_textures_table(const GatheredAnswers& gathered,
                                 const std::vector<JudgedAnswer>& judged, std::size_t pictures);

@@ -15,6 +15,7 @@
 #include "app/findings/study/matched_trials.h"
 #include "app/findings/study/matching_questions.h"
 #include "app/findings/study/matching_tables.h"
+#include "app/findings/study/participant_pairs.h"
 #include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/tally.h"
@@ -32,6 +33,17 @@ std::optional<Finding> in_units(const Finding* finding, double unit) {
     if (*number) **number /= unit;
   }
   return scaled;
+}
+
+/// Correctly matched items and all items of each of the gathered people, in their order.
+std::vector<HitCount> items_of_people(const GatheredAnswers& gathered,
+                                      const std::vector<MatchedTrial>& assignments) {
+  std::vector<HitCount> own(gathered.people.size());
+  for (const MatchedTrial& assignment : assignments) {
+    own[assignment.person].trials += assignment.times * assignment.items();
+    own[assignment.person].hits += assignment.times * assignment.right;
+  }
+  return own;
 }
 
 }  // namespace
@@ -91,6 +103,9 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
   }
+  const PairComparisons groups(gathered, pairs_of_groups(gathered),
+                               items_of_people(gathered, assignments));
+  groups.add_tests(tests, outcome);
   tests.finish(outcome);
   ask_items(fewest, equal_size, found, tests, outcome);
   ask_whole(found, tests, outcome);
@@ -98,16 +113,16 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   const auto in_shares = [&](const char* quantity, const char* key) {
     return in_units(found.find(quantity, key), equal_size ? static_cast<double>(items) : 1.0);
   };
-  const SexesComparison sexes{
-      .women = in_shares("group.mean", "F"),
-      .men = in_shares("group.mean", "M"),
-      .difference = in_shares("group.diff", "F-M"),
-      .scale = equal_size ? SexesScale::shares_of_items : SexesScale::items};
-  if (equal_size && sexes.women && sexes.men && sexes.difference) {
+  const ParticipantPair sexes = women_and_men(gathered);
+  const PairMeans means{.first = in_shares("group.mean", "F"),
+                        .second = in_shares("group.mean", "M"),
+                        .difference = in_shares("group.diff", "F-M"),
+                        .scale = equal_size ? PairScale::shares_of_items : PairScale::items};
+  if (equal_size && means.first && means.second && means.difference) {
     // Under the names of the family `group`.
     for (const auto& [finding, quantity, key] :
-         {std::tuple(&sexes.women, "subj.mean", "F"), std::tuple(&sexes.men, "subj.mean", "M"),
-          std::tuple(&sexes.difference, "subj.diff", "")}) {
+         {std::tuple(&means.first, "subj.mean", "F"), std::tuple(&means.second, "subj.mean", "M"),
+          std::tuple(&means.difference, "subj.diff", "")}) {
       Finding share = **finding;
       share.quantity = quantity;
       share.key = key;
@@ -123,15 +138,16 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
       outcome.findings.push_back(std::move(share));
     }
   }
-  ask_sexes(sexes, tests, outcome);
+  ask_pair(sexes, means, tests, outcome);
   if (equal_size) {
     std::vector<std::optional<double>> proportions{};
     for (const AnsweringPerson& person : gathered.people) {
       const std::optional<double> mean = found.value("subject.mean", person.label);
       proportions.push_back(mean ? std::optional(*mean / static_cast<double>(items)) : mean);
     }
-    ask_equivalence_of_sexes(gathered, proportions, outcome);
+    ask_equivalence(sexes, gathered, proportions, outcome);
   }
+  groups.ask(PairScale::shares_of_items, "", tests, outcome);
   if (equal_size) {
     const std::vector<TextureResponse> responses = responses_to_textures(gathered);
     ask_other_textures(

@@ -12,9 +12,9 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/study/crossed_textures.h"
-#include "app/findings/study/group_equivalence.h"
 #include "app/findings/study/judged_answers.h"
 #include "app/findings/study/kinds/recognition_analysis.h"
+#include "app/findings/study/participant_pairs.h"
 #include "app/findings/study/recognition_confusions.h"
 #include "app/findings/study/recognition_similarity.h"
 #include "app/findings/study/repetition_reliability.h"
@@ -241,27 +241,15 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
     tests.add("textures", texture, found_textures, "p.greater", texture);
     if (pictures.always_the_same) tests.state_chance(chance);
   }
-  std::vector<Finding> sexes{};
-  if (std::optional<TidyInput> groups = judged_groups_table(gathered, judged)) {
-    sexes = analysis_of("sexes", "group", std::move(*groups));
-  }
-  keep_findings(sexes, outcome);
-  const FoundNumbers found_sexes(sexes);
-  if (!sexes.empty()) tests.add("sexes", "F|M", found_sexes, "perm.p.two");
+  std::vector<ParticipantPair> pairs = pairs_of_groups(gathered);
+  pairs.insert(pairs.begin(), women_and_men(gathered));
+  const PairComparisons compared(gathered, pairs, responses_of_people(gathered, judged));
+  compared.add_tests(tests, outcome);
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
   ask_information(found, outcome);
   if (!findings.empty()) ask_confusions(gathered, judged, pictures, outcome);
-  const auto of_sexes = [&](const char* quantity, const char* key) {
-    const Finding* finding = found_sexes.find(quantity, key);
-    return finding == nullptr ? std::nullopt : std::optional(*finding);
-  };
-  ask_sexes({.women = of_sexes("subj.mean", "F"),
-             .men = of_sexes("subj.mean", "M"),
-             .difference = of_sexes("subj.diff", ""),
-             .scale = SexesScale::shares_of_answers},
-            tests, outcome);
-  ask_equivalence_of_sexes(gathered, proportions_correct(gathered, judged), outcome);
+  compared.ask(PairScale::shares_of_answers, "", tests, outcome);
   std::vector<RepeatedScore> scores{};
   std::vector<TextureResponse> responses{};
   for (const JudgedAnswer& one : judged) {

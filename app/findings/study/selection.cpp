@@ -5,6 +5,7 @@
 #include "analysis/conditional_logit.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/kinds/selection_analysis.h"
+#include "app/findings/study/participant_pairs.h"
 #include "app/findings/study/selection_choices.h"
 #include "app/findings/study/selection_questions.h"
 #include "app/findings/study/study_findings.h"
@@ -355,6 +356,10 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const FoundNumbers found_position(position);
   if (same_size) tests.add("position", "", found_position, "relabel.exact.p");
   test_textures(selection, tests, outcome);
+  const PairComparisons groups(
+      gathered, selection.has_target() ? pairs_of_groups(gathered) : std::vector<ParticipantPair>{},
+      target_choices_of_people(selection));
+  groups.add_tests(tests, outcome);
 
   add_positions(counts, outcome);
   if (same_size) {
@@ -381,6 +386,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   ask_position(selection.positions, found_position, tests, outcome);
   ask_textures(selection, tests, outcome);
   ask_target_choices(selection, outcome);
+  groups.ask(PairScale::shares_of_target, selection.target(), tests, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(gathered.answers.size(), people, outcome);
 }

@@ -8,10 +8,8 @@
 
 #include "analysis/multiplicity.h"
 #include "analysis/number_text.h"
-#include "analysis/two_samples.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
-#include "app/findings/study/test_sentences.h"
 
 namespace asperity {
 
@@ -32,24 +30,6 @@ Phrase counted_units(std::size_t n, CountedUnit unit) {
                     : phrase("Analysis", "%1 trials").with(number);
   }
   return {};
-}
-
-/// "95 % CI [2.10, 2.90]" for an estimate other than a proportion.
-Phrase plain_interval(const Finding& finding, int digits) {
-  if (finding.low && finding.high) {
-    return phrase("Analysis", "95 % CI [%1, %2]")
-        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
-  }
-  return phrase("Analysis", "without a CI");
-}
-
-/// The same for a difference, whose p comes from a different method than its interval.
-Phrase interval_of_difference(const Finding& finding, int digits) {
-  if (finding.low && finding.high) {
-    return phrase("Analysis", "Welch 95 % CI [%1, %2]")
-        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
-  }
-  return phrase("Analysis", "without a CI");
 }
 
 }  // namespace
@@ -111,84 +91,6 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
   }
   added.finding = *finding;
   added.counted = counted_units(finding->n, unit);
-}
-
-Phrase method_of_sexes(const SexesComparison& sexes) {
-  const Phrase means = phrase("Analysis", "Means of the participants' own results.");
-  const Phrase intervals =
-      sexes.difference->low
-          ? phrase(
-                "Analysis",
-                "%1 The CIs of the means are t-based, for proportions on the logit scale; that "
-                "of the difference is Welch's CI. p is computed by a different method: in "
-                "borderline cases p may be below .05 although the CI contains 0, or the reverse.")
-                .with(means)
-          : means;
-  return sexes.women->n + sexes.men->n <= kMostPermuted
-             ? phrase("Analysis",
-                      "%1 The permutation test uses all permutations of the group labels.")
-                   .with(intervals)
-             : phrase("Analysis",
-                      "%1 The permutation test uses %2 permutations of the group labels drawn at "
-                      "random, because there are too many to enumerate.")
-                   .with(intervals, std::to_string(kRandomSplits));
-}
-
-void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome) {
-  const StudyTests::Test* test = tests.find("sexes", "F|M");
-  const auto has_value = [](const std::optional<Finding>& one) { return one && one->value; };
-  if (!has_value(sexes.women) || !has_value(sexes.men) || !has_value(sexes.difference) ||
-      test == nullptr) {
-    return;
-  }
-  const bool are_shares = sexes.scale != SexesScale::items;
-  const auto mean = [are_shares](const Finding& of) {
-    return phrase("Analysis", "%1 (%2, n = %3)")
-        .with(are_shares ? percent(*of.value) : Phrase(reading_signed(*of.value, 2)),
-              are_shares ? interval_text(of) : plain_interval(of, 2), std::to_string(of.n));
-  };
-  const Phrase means =
-      (sexes.scale == SexesScale::shares_of_answers
-           ? phrase("Analysis", "the mean proportion correct is %1 for women and %2 for men")
-       : sexes.scale == SexesScale::shares_of_items
-           ? phrase("Analysis",
-                    "the mean proportion of correctly matched items is %1 for women and %2 for men")
-           : phrase("Analysis",
-                    "the mean number of correctly matched items per trial is %1 for women and %2 "
-                    "for men"))
-          .with(mean(*sexes.women), mean(*sexes.men));
-  Finding shown = *sexes.difference;
-  for (std::optional<double>* number : {&shown.value, &shown.low, &shown.high}) {
-    if (*number && are_shares) **number *= 100.0;
-  }
-  const int digits = are_shares ? 1 : 2;
-  const Phrase difference =
-      (are_shares ? phrase("Analysis", "%1 percentage points (%2)")
-                  : phrase("Analysis", "%1 items (%2)"))
-          .with(reading_signed(*shown.value, digits), interval_of_difference(shown, digits));
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(means, difference, p_text(*test));
-  };
-  if (test->is_significant() && holds_in_interval(*sexes.difference, 0.0)) {
-    qualify_test_sentence(outcome, test->name, "; the 95 % CI of the difference contains 0");
-  }
-  const Sayings sayings{
-      holds_in_interval(*sexes.difference, 0.0)
-          ? with_numbers(phrase("Analysis",
-                                "Not established: %1; difference (women − men) %2. Permutation "
-                                "test of group labels: %3. The test is significant, but the CI of "
-                                "the difference contains 0; more participants are needed."))
-          : with_numbers(phrase("Analysis",
-                                "Yes: %1; difference (women − men) %2. Permutation test of group "
-                                "labels: %3.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: %1; difference (women − men) %2. Permutation test of "
-                          "group labels: %3. This does not show that they are equal.")),
-      with_numbers(phrase("Analysis",
-                          "For these participants, %1; difference (women − men) %2. Permutation "
-                          "test of group labels: %3."))};
-  add_question(outcome, "sexes", phrase("Analysis", "Do women and men differ?"),
-               said_of(*test, sayings), method_of_sexes(sexes), "tests", &*sexes.difference);
 }
 
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,

@@ -50,19 +50,6 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
                   Phrase method, const char* table, const Finding* finding,
                   CountedUnit unit = CountedUnit::participants);
 
-/// The scale on which women and men are compared.
-enum class SexesScale { shares_of_answers, shares_of_items, items };
-/// The means of the participants of each sex with their intervals, and the difference (first −
-/// second).
-struct SexesComparison {
-  std::optional<Finding> women{};
-  std::optional<Finding> men{};
-  std::optional<Finding> difference{};
-  SexesScale scale = SexesScale::shares_of_answers;
-};
-/// Whether women and men differ; nothing where there are not both.
-void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome);
-
 /// Appends the table `name` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of
 /// these keys, and the same numbers as findings `mean_of_persons_QUANTITY`.
 struct PersonsRow {

@@ -54,6 +54,7 @@ void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::T
 std::string reason_for(const std::string& name) {
   using WhyNot = std::pair<std::string_view, std::string_view>;
   constexpr std::array kReasons{WhyNot{"condition", "one_condition"},
+                                WhyNot{"groups", "one_group"},
                                 WhyNot{"information", "pictures_differ"},
                                 WhyNot{"interaction", "one_condition"},
                                 WhyNot{"pairs", "no_pair_offered"},

@@ -7,6 +7,17 @@
 
 namespace asperity {
 
+std::vector<HitCount> target_choices_of_people(const Selection& selection) {
+  std::vector<HitCount> own(selection.gathered.people.size());
+  for (const GatheredAnswer& answer : selection.gathered.answers) {
+    const std::size_t chosen = selection.chosen(answer);
+    if (chosen == kNoChoice) continue;
+    ++own[answer.person].trials;
+    if (selection.items[chosen] == selection.target()) ++own[answer.person].hits;
+  }
+  return own;
+}
+
 void ask_target_choices(const Selection& selection, AnalysisOutcome& outcome) {
   const bool is_repeated = has_repetitions(selection.gathered);
   if (!selection.has_target()) {

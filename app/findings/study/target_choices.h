@@ -2,6 +2,9 @@
 
 #pragma once
 
+#include <vector>
+
+#include "analysis/proportion.h"
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/selection_choices.h"
 
@@ -12,5 +15,8 @@ namespace asperity {
 /// presents every model there is no such proportion, and the findings state that in their status;
 /// the same applies to the reliability without a declared target.
 void ask_target_choices(const Selection& selection, AnalysisOutcome& outcome);
+
+/// Choices of the target and all choices of each of the gathered people, in their order.
+std::vector<HitCount> target_choices_of_people(const Selection& selection);
 
 }  // namespace asperity

@@ -86,7 +86,7 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
 }
 
 TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
-  TestSentence sentence{.test = test.name, .role = test.role};
+  TestSentence sentence{.test = test.name, .about = test.about, .role = test.role};
   if (!test.p || test.made_by == nullptr) {
     sentence.is_untested = true;
     const std::string about =
@@ -127,10 +127,11 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
   return sentence;
 }
 
-void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
-                           std::string_view clause) {
+void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test, std::string_view clause,
+                           std::string_view about) {
   for (TestSentence& sentence : outcome.test_sentences) {
-    if (sentence.test == test) sentence.text.insert(sentence.text.size() - 1, clause);
+    if (sentence.test == test && (about.empty() || sentence.about == about))
+      sentence.text.insert(sentence.text.size() - 1, clause);
   }
 }
 

@@ -37,9 +37,10 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind);
 inline constexpr std::string_view kChanceInInterval =
     "; the 95 % CI of the mean contains the chance level";
 
-/// Adds a clause before the full stop of the sentences of a test.
-void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
-                           std::string_view clause);
+/// Adds a clause before the full stop of the sentences of a test; with `about`, only of that
+/// comparison.
+void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test, std::string_view clause,
+                           std::string_view about = {});
 
 /// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
 /// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one.

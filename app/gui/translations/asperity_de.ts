@@ -840,30 +840,6 @@
         <translation>ohne KI</translation>
     </message>
     <message>
-        <source>the mean proportion correct is %1 for women and %2 for men</source>
-        <translation>der mittlere Anteil richtiger Antworten ist bei Frauen %1, bei Männern %2</translation>
-    </message>
-    <message>
-        <source>the mean proportion of correctly matched items is %1 for women and %2 for men</source>
-        <translation>der mittlere Anteil richtiger Zuordnungen ist bei Frauen %1, bei Männern %2</translation>
-    </message>
-    <message>
-        <source>the mean number of correctly matched items per trial is %1 for women and %2 for men</source>
-        <translation>die mittlere Anzahl richtiger Zuordnungen je Durchgang ist bei Frauen %1, bei Männern %2</translation>
-    </message>
-    <message>
-        <source>Yes: %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
-        <translation>Ja: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
-        <source>Not significantly: %1; difference (women − men) %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
-        <translation>Nicht signifikant: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass beide Gruppen gleich sind.</translation>
-    </message>
-    <message>
-        <source>For these participants, %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
-        <translation>Bei diesen Versuchspersonen: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
         <source>Participant-level proportions, summarised over the participants</source>
         <translation>Anteile je Versuchsperson, über die Versuchspersonen zusammengefasst</translation>
     </message>
@@ -894,10 +870,6 @@
     <message>
         <source>Log-worths, in decreasing order: %1.</source>
         <translation>Log-Nutzwerte, in absteigender Reihenfolge: %1.</translation>
-    </message>
-    <message>
-        <source>difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
-        <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2; %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
     </message>
     <message>
         <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest possible difference.</source>
@@ -1284,10 +1256,6 @@
         <translation>Nicht gesichert: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
-        <source>Not established: %1; difference (women − men) %2. Permutation test of group labels: %3. The test is significant, but the CI of the difference contains 0; more participants are needed.</source>
-        <translation>Nicht gesichert: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, doch das Konfidenzintervall der Differenz enthält 0; es werden mehr Versuchspersonen benötigt.</translation>
-    </message>
-    <message>
         <source>Geometric means of the estimates. normalised: each participant&apos;s scale removed (the mean of the logarithms of all cells). raw: not normalised. left out: number of participants without an estimate in some cell; only raw includes them.</source>
         <translation>Geometrische Mittel der Schätzungen. normiert: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). roh: nicht normiert. weggelassen: Anzahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur „roh“ enthält sie.</translation>
     </message>
@@ -1314,6 +1282,58 @@
     <message>
         <source>selection</source>
         <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
+        <translation>Differenz (%6 − %7) = %1 Prozentpunkte, 90-%-KI [%2; %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
+    </message>
+    <message>
+        <source>the mean proportion correct is %1 for %3 and %2 for %4</source>
+        <translation>mittlerer Anteil richtiger Antworten – %3 %1, %4 %2</translation>
+    </message>
+    <message>
+        <source>the mean proportion of correctly matched items is %1 for %3 and %2 for %4</source>
+        <translation>mittlerer Anteil richtiger Zuordnungen – %3 %1, %4 %2</translation>
+    </message>
+    <message>
+        <source>the mean number of correctly matched items per trial is %1 for %3 and %2 for %4</source>
+        <translation>mittlere Anzahl richtiger Zuordnungen je Durchgang – %3 %1, %4 %2</translation>
+    </message>
+    <message>
+        <source>the mean proportion of choices of %5 is %1 for %3 and %2 for %4</source>
+        <translation>mittlerer Anteil der Wahlen von %5 – %3 %1, %4 %2</translation>
+    </message>
+    <message>
+        <source>women</source>
+        <translation>Frauen</translation>
+    </message>
+    <message>
+        <source>men</source>
+        <translation>Männer</translation>
+    </message>
+    <message>
+        <source>Do the groups %1 and %2 differ?</source>
+        <translation>Unterscheiden sich die Gruppen %1 und %2?</translation>
+    </message>
+    <message>
+        <source>Are the groups %1 and %2 equivalent?</source>
+        <translation>Sind die Gruppen %1 und %2 äquivalent?</translation>
+    </message>
+    <message>
+        <source>Not established: %1; difference (%4 − %5) %2. Permutation test of group labels: %3. The test is significant, but the CI of the difference contains 0; more participants are needed.</source>
+        <translation>Nicht gesichert: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, doch das Konfidenzintervall der Differenz enthält 0; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>Yes: %1; difference (%4 − %5) %2. Permutation test of group labels: %3.</source>
+        <translation>Ja: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>Not significantly: %1; difference (%4 − %5) %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
+        <translation>Nicht signifikant: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass beide Gruppen gleich sind.</translation>
+    </message>
+    <message>
+        <source>For these participants, %1; difference (%4 − %5) %2. Permutation test of group labels: %3.</source>
+        <translation>Bei diesen Versuchspersonen: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
     </message>
 </context>
 <context>
@@ -2146,6 +2166,14 @@
     <message>
         <source>proportion of correctly matched items; change: second − first half</source>
         <translation>Anteil richtiger Zuordnungen; Änderung: zweite − erste Hälfte</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>the participants are not in two groups of the protocol</source>
+        <translation>die Versuchspersonen gehören nicht zu zwei Gruppen des Protokolls</translation>
     </message>
 </context>
 <context>

@@ -160,6 +160,10 @@ ReportSection sessions_section(const ReportFacts& facts) {
   table.columns = {{"participant", false}, {"session", true},     {"began (UTC)", false},
                    {"state", false},       {"trials done", true}, {"counterbalancing row", true},
                    {"seed", true}};
+  const bool has_groups =
+      std::any_of(facts.sessions.begin(), facts.sessions.end(),
+                  [](const ReportedSession& session) { return session.row.group_level; });
+  if (has_groups) table.columns.push_back({"group", false});
   for (const ReportedSession& session : facts.sessions) {
     const SessionRow& row = session.row;
     std::string state = session.is_running ? "running" : text_of(row.state);
@@ -168,6 +172,7 @@ ReportSection sessions_section(const ReportFacts& facts) {
         {row.participant, std::to_string(row.session), began_text(row), state,
          std::to_string(session.done_trials) + " of " + std::to_string(session.planned_trials),
          std::to_string(row.counterbalance_row), seed_text(row)});
+    if (has_groups) table.rows.back().push_back(row.group_level.value_or("–"));
   }
   const bool ended_early =
       std::any_of(facts.sessions.begin(), facts.sessions.end(), [](const ReportedSession& session) {

@@ -106,17 +106,19 @@ bool is_another_form(const std::string& quantity) {
 
 /// The subject of a part of the analysis; its name where there is no text for it.
 std::string words_of_analysis(const std::string& analysis) {
-  static const std::map<std::string, std::string> kWords{{"anova", "analysis of variance"},
-                                                         {"choice", "models"},
-                                                         {"glmm", "mixed model"},
-                                                         {"position", "positions"},
-                                                         {"sexes", "women, men"},
-                                                         {"sexes_equivalence", "women, men"},
-                                                         {"similarity", "similarity"},
-                                                         {"texture", "textures"},
-                                                         {"textures", "textures"}};
-  const auto found = kWords.find(analysis);
-  return found == kWords.end() ? analysis : found->second;
+  static const std::map<std::string, std::string> kWords{
+      {"anova", "analysis of variance"}, {"choice", "models"},
+      {"glmm", "mixed model"},           {"groups", "groups"},
+      {"groups_equivalence", "groups"},  {"position", "positions"},
+      {"sexes", "women, men"},           {"sexes_equivalence", "women, men"},
+      {"similarity", "similarity"},      {"texture", "textures"},
+      {"textures", "textures"}};
+  const std::string name = analysis.substr(0, analysis.find(':'));  // before a pair of groups
+  const auto found = kWords.find(name);
+  const std::string words = found == kWords.end() ? name : found->second;
+  return words + (name.size() < analysis.size()
+                      ? ": " + words_of_key(analysis.substr(name.size() + 1))
+                      : "");
 }
 
 std::string subject_of_row(const std::string& key) {
@@ -223,7 +225,9 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   for (const Finding& finding : findings) {
     const auto known = known_numbers().find(finding.quantity);
     if (known == known_numbers().end() || !finding.value) continue;
-    if (finding.analysis == kSexesEquivalence) continue;  // reported in its answer
+    if (finding.analysis == kSexesEquivalence || finding.analysis.starts_with(kGroupsEquivalence)) {
+      continue;  // reported in its answer
+    }
     const auto& [words, form] = known->second;
     std::string value = number_in_form(*finding.value, form);
     if (!finding.unit.empty() && finding.unit != "1") value += ' ' + finding.unit;

@@ -81,8 +81,8 @@ std::string paper_participants(const ReportFacts& facts, const StudyMetadata& me
   std::string text = capitalised(participants_text(facts.group, facts.participants.size()));
   if (!brackets.empty()) text += " (" + brackets + ')';
   const std::string sessions =
-      with_sentences({sessions_of_participants(facts) + '.', unfinished_sessions(facts),
-                      excluded_sessions(facts)});
+      with_sentences({sessions_of_participants(facts) + '.', groups_text(facts),
+                      unfinished_sessions(facts), excluded_sessions(facts)});
   switch (facts.group) {
     case AnswerGroup::people:
       text += " took part" + sessions;

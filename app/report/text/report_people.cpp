@@ -282,6 +282,9 @@ ReportSection participants_section(const ReportFacts& facts) {
   text +=
       sample.hands.empty() ? " Handedness is not stored." : " Handedness: " + sample.hands + '.';
   section.parts.emplace_back(ReportText{text});
+  if (const std::string groups = groups_text(facts); !groups.empty()) {
+    section.parts.emplace_back(ReportText{groups});
+  }
 
   if (facts.group != AnswerGroup::virtual_participants) {
     std::set<std::string> versions{};

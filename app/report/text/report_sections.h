@@ -62,6 +62,9 @@ struct SampleTexts {
   std::string hands{};
 };
 SampleTexts sample_texts(const ReportFacts& facts);
+/// "Participants were assigned to two groups of the factor training (haptic, n = 10; visual, n = 9), by the
+/// experimenter."; empty without groups.
+std::string groups_text(const ReportFacts& facts);
 /// "falcon Novint Falcon (in 2 of 3 sessions); mouse pointer of a window (in 1 of 3 sessions)"; empty where none is
 /// recorded.
 std::string devices_in(const ReportFacts& facts);

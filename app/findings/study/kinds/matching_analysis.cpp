@@ -25,7 +25,14 @@ constexpr std::array kMatchingClaims{
     TestClaim{"sexes", "", "Women matched significantly more items correctly than men",
               "Women matched significantly fewer items correctly than men",
               "The numbers of correctly matched items of women and men were not significantly "
-              "different"}};
+              "different"},
+    TestClaim{"groups", "",
+              "The group %1 matched a significantly higher proportion of items correctly than the "
+              "group %2",
+              "The group %1 matched a significantly lower proportion of items correctly than the "
+              "group %2",
+              "The proportions of correctly matched items of the groups %1 and %2 were not "
+              "significantly different"}};
 
 std::string task_of_matching(const Protocol&) {
   return "Task: in each trial, several textures are presented, and each is to be assigned to one "

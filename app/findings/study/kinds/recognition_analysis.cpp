@@ -26,7 +26,14 @@ constexpr std::array kRecognitionClaims{
     TestClaim{"sexes", "",
               "The mean proportion correct of women was significantly higher than that of men",
               "The mean proportion correct of women was significantly lower than that of men",
-              "The mean proportions correct of women and men were not significantly different"}};
+              "The mean proportions correct of women and men were not significantly different"},
+    TestClaim{"groups", "",
+              "The mean proportion correct was significantly higher in the group %1 than in the "
+              "group %2",
+              "The mean proportion correct was significantly lower in the group %1 than in the "
+              "group %2",
+              "The mean proportions correct of the groups %1 and %2 were not significantly "
+              "different"}};
 
 std::string among_pictures(const Protocol& protocol) {
   std::set<std::size_t> numbers{};

@@ -28,7 +28,14 @@ constexpr std::array kSelectionClaims{
               "The proportion of choices of the target differed significantly between the textures",
               "",
               "The proportion of choices of the target did not differ significantly between the "
-              "textures"}};
+              "textures"},
+    TestClaim{"groups", "",
+              "The mean proportion of choices of the target was significantly higher in the group "
+              "%1 than in the group %2",
+              "The mean proportion of choices of the target was significantly lower in the group "
+              "%1 than in the group %2",
+              "The mean proportions of choices of the target of the groups %1 and %2 were not "
+              "significantly different"}};
 
 std::string task_of_selection(const Protocol& protocol) {
   if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
