@@ -1,6 +1,7 @@
 #include "app/figures/figures_of.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <utility>
 
@@ -59,6 +60,29 @@ void add_sexes(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   for (Figure& figure : of_sexes) {
     figure.table = "tests";
     figures.push_back(std::move(figure));
+  }
+}
+
+/// The groups to which the protocol assigns participants, pair by pair.
+void add_groups(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
+  const std::string test = kGroupsTest;
+  for (const AnsweredQuestion& asked : outcome.questions) {
+    if (asked.name != test && !asked.name.starts_with(test + ':')) continue;
+    GroupChoice choice = shares_of_groups();
+    if (outcome.kind == "selection") {
+      choice.axis = phrase("Figures", "proportion of choices of the target, mean with its %1 % CI");
+    }
+    const std::vector<Finding> compared = part_of(outcome.findings, asked.name);
+    for (Figure& figure : group_figures(choice, FoundNumbers(compared))) {
+      // "groups_means", "groups_haptic_visual_means": a file has this name.
+      figure.name = asked.name + figure.name.substr(std::string("group").size());
+      std::replace_if(
+          figure.name.begin(), figure.name.end(),
+          [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+      figure.table = "tests";
+      figure.question = asked.name;
+      figures.push_back(std::move(figure));
+    }
   }
 }
 
@@ -148,6 +172,7 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
     figures.back().table = "map";
   }
   add_sexes(outcome, figures);
+  add_groups(outcome, figures);
   add_times(outcome, figures);
   name_questions(outcome, figures);
   return figures;

@@ -3099,6 +3099,10 @@
         <source>proportion correct</source>
         <translation>Anteil richtiger Antworten</translation>
     </message>
+    <message>
+        <source>proportion of choices of the target, mean with its %1 % CI</source>
+        <translation>Anteil der Wahlen des Ziels, Mittelwert mit %1-%-KI</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>

@@ -472,6 +472,28 @@ TEST(FiguresOf, ShowBothGroupsAndTheirDifference) {
             std::string::npos);
 }
 
+TEST(FiguresOf, ShowEveryPairOfGroupsUnderItsName) {
+  const Analysed all = analysed("group_01");
+  AnalysisOutcome outcome{.kind = "recognition"};
+  for (const char* pair : {"groups:haptic|visual", "groups:haptic|not trained"}) {
+    outcome.questions.push_back({.name = pair});
+    for (Finding finding : all.findings) {
+      finding.analysis = pair;
+      outcome.findings.push_back(std::move(finding));
+    }
+  }
+  std::vector<std::string> names{};
+  for (const Figure& figure : figures_of(outcome)) {
+    names.push_back(figure.name);
+    EXPECT_TRUE(figure.is_drawn());
+    EXPECT_EQ(figure.table, "tests");
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "groups_haptic_visual_means", "groups_haptic_visual_difference",
+                       "groups_haptic_not_trained_means", "groups_haptic_not_trained_difference"}));
+  EXPECT_EQ(figures_of(outcome).front().question, "groups:haptic|visual");
+}
+
 // Items of one go depend on each other, so that they are not pooled, and nothing says that they are.
 TEST(FiguresOf, SayNothingOfAPooledDifferenceWhereThereIsNone) {
   AnalysisOutcome outcome{};
