@@ -127,7 +127,7 @@ OrdinalLikelihood::OrdinalLikelihood(std::span<const OrdinalResponse> responses,
   items_ = *std::max_element(item_.begin(), item_.end()) + 1;
   if ((model.participants_vary && participants_ < 2) || (model.items_vary && items_ < 2)) {
     throw std::invalid_argument(
-        "model: a factor that varies has a single level; it must have at least 2");
+        "model: a factor with random intercepts has only one level; it must have at least 2");
   }
 }
 

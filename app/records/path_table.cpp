@@ -95,9 +95,9 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
   known.insert(kVelocity.begin(), kVelocity.end());
   for (const std::string& column : table.columns) {
     if (!known.contains(column)) {
-      throw std::runtime_error(file_name + ":1: a path has no column \"" + column +
-                               "\"; it has time_s x_m y_m z_m, and may have qw qx qy qz and "
-                               "vx_m_per_s … wz_rad_per_s");
+      throw std::runtime_error(file_name + ":1: unknown column \"" + column +
+                               "\"; rename or remove it. A path has the columns time_s x_m y_m "
+                               "z_m, and may have qw qx qy qz and vx_m_per_s … wz_rad_per_s");
     }
   }
   const auto needed = numbers.group(kNeeded);

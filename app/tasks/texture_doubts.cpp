@@ -71,7 +71,7 @@ std::map<std::string, TextureUse> uses_of(const Protocol& protocol) {
   return uses;
 }
 
-std::string in_quotes(const std::set<std::string>& names) {
+std::string each_in_quotes(const std::set<std::string>& names) {
   std::vector<std::string> quoted{};
   for (const std::string& name : names) quoted.push_back('"' + name + '"');
   return comma_separated(quoted);
@@ -102,7 +102,7 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
     const HeightFieldProvenance made = provenance_of(file);
     const std::string place = pointer_to("/textures", name);
     const std::string whose = "the texture \"" + name + "\" (" + use.height_field + "), used in " +
-                              in_quotes(use.stimuli) + ": ";
+                              each_in_quotes(use.stimuli) + ": ";
     const auto texture = protocol.textures.find(name);
     const std::optional<double> spacing_m = spacing_among(made);
     if (texture != protocol.textures.end() && texture->second.spacing_m && spacing_m &&

@@ -17,11 +17,11 @@ std::vector<std::string> sentences_of(const MeshFindings& found) {
   };
   state("Vertices joined with another one in the same place", found.vertices_welded);
   state("Faces left out because two corners lay in one place", found.degenerate_faces);
-  state("Faces left out because another one has the same corners", found.duplicate_faces);
+  state("Duplicate faces left out (with the same vertices as another face)", found.duplicate_faces);
   state("Faces reversed because their orientation differed from that of their neighbours",
         found.faces_turned);
-  state("Edges of more than two faces, separated", found.non_manifold_edges);
-  state("Vertices added where surfaces met only in a point or at such an edge",
+  state("Non-manifold edges (of more than two faces), separated", found.non_manifold_edges);
+  state("Vertices added at non-manifold vertices or edges",
         found.vertices_split);
   state("Edges divided because others had the same two ends", found.edges_divided);
   state("Holes closed, up to " + millimetres(found.widest_hole_m) + " wide", found.holes_filled);

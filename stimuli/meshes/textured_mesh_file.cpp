@@ -75,7 +75,7 @@ std::string packed(const std::vector<Item>& items) {
   const std::size_t written =
       ZSTD_compress(bytes.data(), bytes.size(), items.data(), size, kCompressionLevel);
   if (ZSTD_isError(written) != 0) {
-    throw std::runtime_error(std::string("zstd cannot pack a mesh: ") + ZSTD_getErrorName(written));
+    throw std::runtime_error(std::string("zstd could not compress the mesh: ") + ZSTD_getErrorName(written));
   }
   bytes.resize(written);
   return bytes;

@@ -136,7 +136,7 @@ TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
             "undefined_zero_variance");
   EXPECT_EQ(word_of(findings_of("equivalence", "subject,a,b\nA,1,\n", "{}"), "diff"), "no_data");
   EXPECT_EQ(family_refusal("icc", "target,rater,score\nx,A,1\nx,A,2\n", "{}"),
-            "t.csv:3:3: x has a score of A already; remove one of the rows: a target is rated once "
+            "t.csv:3:3: x has already been rated by the rater A; remove one of the rows: a target is rated once "
             "by each rater");
   EXPECT_EQ(word_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,1\ny,A,1\n", "{}"), "icc"),
             "too_few");

@@ -464,7 +464,7 @@ void expect_table_refused(const std::string& kind, const std::string& table,
 
 TEST(BadTable, IsRefusedWithItsPlaceAndWhatWouldBeRight) {
   const std::string head = "id,k,n,p0,conf\n";
-  expect_table_refused("proportion", "", {}, {"table.csv:1", "column names"});
+  expect_table_refused("proportion", "", {}, {"table.csv:1", "names of the columns"});
   expect_table_refused("proportion", head, {}, {"table.csv", "the table has no rows"});
   expect_table_refused("proportion", "name,hits\na,1\n", {}, {"no column \"id\"", "name, hits"});
   expect_table_refused("proportion", "id;k;n;p0\na;1;2;0,5\n", {}, {"semicolons", "commas"});

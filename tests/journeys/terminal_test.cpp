@@ -174,7 +174,7 @@ TEST(Terminal, AsksAgainForWhatIsNoOption) {
   program.type("\n");
   ASSERT_TRUE(shows("Which was most like the picture?"));
   program.type("7\n");
-  EXPECT_TRUE(shows("Please type a number from 1 to 2."));
+  EXPECT_TRUE(shows("Please enter a number from 1 to 2."));
   program.type("2\n");
   EXPECT_TRUE(program.read_until(
       [](const std::string&, const std::string& err) { return !done_lines(err).empty(); }));

@@ -78,7 +78,7 @@ TEST(TidyTable, KnowsThreeWaysToWriteNothing) {
 }
 
 TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
-  EXPECT_EQ(table_refusal(""), "file.csv:1:0: the line of column names is missing; add it");
+  EXPECT_EQ(table_refusal(""), "file.csv:1:0: the header line is missing; add a line with the names of the columns");
   EXPECT_EQ(table_refusal("a,b,a\n"),
             "file.csv:1:3: the column name \"a\" occurs twice; rename one of the columns");
   EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name; give it one");

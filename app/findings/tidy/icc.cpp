@@ -28,9 +28,9 @@ RatedTargets rated_targets(const TidyTable& table) {
     std::optional<double>& score = all[targets.codes[row]][raters.codes[row]];
     if (score) {
       table.refuse(row, "score",
-                   targets.names[targets.codes[row]] + " has a score of " +
+                   targets.names[targets.codes[row]] + " has already been rated by the rater " +
                        raters.names[raters.codes[row]] +
-                       " already; remove one of the rows: a target is rated once by each rater");
+                       "; remove one of the rows: a target is rated once by each rater");
     }
     score = scores[row];
   }

@@ -391,7 +391,7 @@ class MagnitudeList final {
     } else {
       list_.word("quad.c.t", probe, "undefined_zero_variance",
                  "all participants have the same curvature, so that t is undefined",
-                 basis("t of c over participants"));
+                 basis("curvature of the parabola against 0, t over participants"));
     }
     for (const auto& [name, end] : {std::pair{std::string("low"), fit.ends[0]},
                                     std::pair{std::string("high"), fit.ends[1]}}) {

@@ -75,7 +75,7 @@ TimePlots::TimePlots(QWidget* parent) : QFrame(parent) {
   rows->setSpacing(0);
   using C = RecordingCurves;
   // What was sent lies on what was meant; where they differ, both are seen.
-  add_strip("force_over_time", tr("FORCE N, normal"),
+  add_strip("force_over_time", tr("NORMAL FORCE N"),
             {{&C::rendered_N, 1.0, 1, 3.0, tr("rendered")}, {&C::sent_N, 1.0, 0, 1.0, tr("sent")}});
   add_strip("penetration_over_time", tr("PENETRATION mm"),
             {{&C::penetration_m, kMillimetres, 0, 1.0, {}}});

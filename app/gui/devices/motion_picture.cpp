@@ -158,8 +158,8 @@ MotionPicture::MotionPicture(QWidget* parent)
     column->addWidget(view.plot, 1);
     columns->addLayout(column, 1);
   };
-  add_view(d.borders[0], tr("FROM ABOVE mm"), 1, "border_plot_above");
-  add_view(d.borders[1], tr("FROM THE FRONT mm"), 2, "border_plot_front");
+  add_view(d.borders[0], tr("TOP VIEW mm"), 1, "border_plot_above");
+  add_view(d.borders[1], tr("FRONT VIEW mm"), 2, "border_plot_front");
   d.stack->addWidget(in_space);
 }
 

@@ -95,7 +95,7 @@ StudyTable::Row protocol_row(const ProtocolOverview& overview) {
 ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Protocols"), parent) {
   setObjectName("protocols_page");
-  QPushButton* add = make_button(tr("New from template"), ButtonRole::plain, this);
+  QPushButton* add = make_button(tr("Create from template"), ButtonRole::plain, this);
   add->setObjectName("protocols_new");
   add_templates(add);
   if (!study.can_be_written()) head().addWidget(make_text(tr("Read-only"), this, true));
@@ -105,7 +105,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
       tr("A protocol defines stimuli, tasks and trial order. Begin with one from the library, or "
          "copy a protocol file into the study's folder “protocols”: it appears here at once."),
       this);
-  auto* first = empty->add_action(tr("New from template"), ButtonRole::primary, [] {});
+  auto* first = empty->add_action(tr("Create from template"), ButtonRole::primary, [] {});
   add_templates(first);
   set_empty_state(empty);
   for (QPushButton* button : {add, first}) button->setEnabled(study.can_be_written());

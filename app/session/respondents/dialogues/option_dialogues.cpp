@@ -16,7 +16,7 @@ std::optional<std::size_t> option_typed(const std::string& typed, std::size_t op
 }
 
 NextLine number_needed(std::size_t options) {
-  return {"Please type a number from 1 to " + std::to_string(options) + "."};
+  return {"Please enter a number from 1 to " + std::to_string(options) + "."};
 }
 
 }  // namespace
