@@ -20,6 +20,7 @@ struct SessionAnswers {
   struct Trial {
     int trial = 0;
     AnalysisUse use = AnalysisUse::counted;
+    std::uint32_t block = 0;
     std::uint32_t factors_json = 0;
     int repetition = 1;  ///< as PlannedTrialRow::repetition
   };

@@ -40,17 +40,19 @@ void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answ
   // Not those equal to ?: to see where these end SQLite would read every row whole, whose plan is
   // most of a study.
   Statement statement(database,
-                      "SELECT session_id, trial, phase, factors_json, repetition FROM trial "
+                      "SELECT session_id, trial, block, phase, factors_json, repetition FROM trial "
                       "WHERE session_id >= ? ORDER BY session_id, trial");
   statement.bind(session_id);
   std::int64_t session = 0;
+  std::string block;
   std::string phase;
   std::string factors_json;
   while (statement.step()) {
     SessionAnswers::Trial trial{};
-    statement.read(session, trial.trial, phase, factors_json, trial.repetition);
+    statement.read(session, trial.trial, block, phase, factors_json, trial.repetition);
     if (session != session_id) break;
     trial.use = use_in_analyses(phase, trial.repetition);
+    trial.block = words.place(block);
     trial.factors_json = words.place(factors_json);
     answers.trials.push_back(trial);
   }

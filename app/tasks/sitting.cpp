@@ -34,7 +34,11 @@ std::string observer_json(const Protocol& protocol) {
   json["feature_noise"] = observer.feature_noise;
   json["position_bias"] = observer.position_bias;
   json["lapse"] = observer.lapse;
-  if (std::holds_alternative<NumberForm>(kind_of(protocol).form)) {
+  const std::vector<const ExperimentKind*> kinds = kinds_of(protocol);
+  const bool asks_for_numbers = std::any_of(
+      kinds.begin(), kinds.end(),
+      [](const ExperimentKind* kind) { return std::holds_alternative<NumberForm>(kind->form); });
+  if (asks_for_numbers) {
     json["magnitude_of"] = text_of(observer.magnitude_of);
     json["exponent"] = observer.exponent;
   }

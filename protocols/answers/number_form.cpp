@@ -1,26 +1,12 @@
 #include "protocols/answers/number_form.h"
 
-#include <charconv>
 #include <optional>
-#include <system_error>
 
 #include "analysis/number_text.h"
+#include "protocols/answers/stored_number.h"
 #include "protocols/answers/trial_question.h"
 
 namespace asperity {
-
-namespace {
-
-/// The number that a whole text is; nothing where it is not one.
-std::optional<double> stored_number(const std::string& text) {
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [read, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || read != end) return {};
-  return number;
-}
-
-}  // namespace
 
 std::vector<AnsweredItem> items_of(const TrialQuestion&, const NumberForm&,
                                    const GivenNumber& answer) {

@@ -35,6 +35,10 @@ std::string_view name_of(const AnswerForm& form) {
   return std::visit([](const auto& each) { return each.kName; }, form);
 }
 
+bool has_options(const AnswerForm& form) noexcept {
+  return std::holds_alternative<ChoiceForm>(form) || std::holds_alternative<AssignmentForm>(form);
+}
+
 int items_of(const AnswerForm& form, int surfaces) {
   return std::visit([surfaces](const auto& each) { return items_of(each, surfaces); }, form);
 }

@@ -11,21 +11,23 @@
 #include "protocols/answers/assignment_form.h"
 #include "protocols/answers/choice_form.h"
 #include "protocols/answers/number_form.h"
+#include "protocols/answers/scale_form.h"
 
 namespace asperity {
 
 /// How a question is answered. A form is a type with its parameters, in a file with its answer.
-using AnswerForm = std::variant<ChoiceForm, AssignmentForm, NumberForm>;
+using AnswerForm = std::variant<ChoiceForm, AssignmentForm, NumberForm, ScaleForm>;
 
 /// What was answered: the alternative that belongs to the question's form.
-using Answer = std::variant<ChosenOption, AssignedOptions, GivenNumber>;
+using Answer = std::variant<ChosenOption, AssignedOptions, GivenNumber, ScalePoint>;
 
 /// One option of a question, in the order in which it is shown.
 struct Option {
   std::string value{};  ///< stored as the response: an item, a texture, "cannot_tell"
   std::string
-      label{};  ///< shown, never a name: a presentation's code, or a picture's place from "1"
+      label{};  ///< shown, never a name: a presentation's code, or the place of a picture or word from "1"
   std::optional<std::string> picture{};  ///< study-relative
+  std::string text{};                    ///< of an option in words: what is shown
 };
 
 /// A question of a trial.
@@ -33,8 +35,7 @@ struct TrialQuestion {
   std::string name{};  ///< stored with every response to it
   std::string prompt{};
   AnswerForm form{};
-  std::vector<Option>
-      options{};  ///< what the form lets a participant choose from; a number has none
+  std::vector<Option> options{};  ///< what a choice or an assignment offers; other forms have none
   /// The correct responses, one per item of the answer; empty where no response is correct or incorrect.
   std::vector<std::string> correct{};
 };
@@ -47,8 +48,11 @@ struct AnsweredItem {
   std::optional<bool> correct{};
 };
 
-/// "choice", "assignment", "number": as it is stored in the plan of a session.
+/// "choice", "assignment", "number", "scale": as it is stored in the plan of a session.
 std::string_view name_of(const AnswerForm& form);
+
+/// Whether a participant chooses from TrialQuestion::options.
+bool has_options(const AnswerForm& form) noexcept;
 
 /// How many responses an answer to this form has when `surfaces` were felt.
 int items_of(const AnswerForm& form, int surfaces);
@@ -59,7 +63,7 @@ int items_of(const AnswerForm& form, int surfaces);
 /// question does not have.
 std::vector<AnsweredItem> items_of(const TrialQuestion& question, const Answer& answer);
 
-/// A stored answer in short, without names: the label of the option, or the number.
+/// A stored answer in short, without names: the label of the option, the number, or the point.
 std::string label_of(const TrialQuestion& question, const std::string& stored);
 
 /// What contradicts the question in one stored item, as clauses of English for `verify`; empty when

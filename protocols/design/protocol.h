@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/force_features.h"
+#include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "stimuli/meshes/solid_body.h"
 #include "stimuli/properties/material.h"
@@ -187,8 +188,9 @@ const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept;
 
 /// Stores the contents of a protocol file. Always valid: only `read_protocol` makes one.
 struct Protocol {
-  std::string kind =
-      "selection";  ///< the id of an ExperimentKind (protocols/kinds/experiment_kind.h)
+  int format = 1;  ///< 1 or 2
+  /// The id of an ExperimentKind (protocols/kinds/experiment_kind.h): that of every block without its own.
+  std::string kind = "selection";
   ProtocolDesign design = ProtocolDesign::chapter;
   std::string name{};
   std::string version{};
@@ -251,10 +253,17 @@ struct Protocol {
     std::string item{};
   };
   struct TrialQuestionTemplate {
+    /// An option in words.
+    struct Word {
+      std::string value{};  ///< stored
+      std::string text{};   ///< shown
+    };
     std::string name{};
     std::string prompt{};
-    /// The options are the felt alternatives or pictures of these textures.
-    std::vector<std::string> pictures{};  ///< empty: the felt alternatives
+    AnswerForm form{};  ///< that of the kind of its block, unless the file states a scale
+    std::vector<Word> words{};
+    /// The options are words, pictures of these textures, or otherwise the felt alternatives.
+    std::vector<std::string> pictures{};
     bool reshuffle_pictures = false;      ///< for every trial; otherwise once per session
     bool allow_cannot_tell = false;
     std::string correct_factor{};  ///< recognition: the factor with the correct picture
@@ -271,6 +280,7 @@ struct Protocol {
     enum class Order { fixed, shuffle, shuffle_within_repetition };
     enum class Positions { as_listed, shuffle, balanced };
     std::string name{};
+    std::string kind{};  ///< the id of an ExperimentKind: its own, or that of the protocol
     Phase phase = Phase::main;
     std::vector<std::string> crossed{};                               ///< factors, or
     std::vector<std::map<std::string, Level, std::less<>>> listed{};  ///< rows
@@ -285,6 +295,10 @@ struct Protocol {
     std::vector<Presented> presented{};
     Positions positions = Positions::as_listed;
     std::vector<TrialQuestionTemplate> questions{};  ///< of every trial; at least one
+    bool has_question_list = false;   ///< the file has the key "questions" instead of "question"
+    bool shuffles_questions = false;  ///< for every trial
+    bool on_one_page = false;         ///< all questions are shown together
+    std::string page_prompt{};        ///< shown above them
     std::string experimenter_prompt{};    ///< "{code}" stands for the code of the trial's texture
     bool pictures_after_feeling = false;  ///< hidden until all surfaces were felt (an eye mask)
     bool allow_revisit = true;  ///< free switching between the surfaces before the response

@@ -28,6 +28,7 @@ struct PlannedPresentation {
 struct Trial {
   int ordinal = 0;  ///< 1-based within the session
   std::string block{};
+  std::string kind{};     ///< that of its block
   int block_ordinal = 0;  ///< 1-based within the session; every run of a block counts
   Phase phase = Phase::main;
   int repetition = 1;  ///< 0 of an anchor

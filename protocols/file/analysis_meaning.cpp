@@ -45,7 +45,11 @@ void Meaning::check_analysis() {
     }
   }
   const AnalysisDeclaration& declared = protocol_.analysis;
-  if (declared.target && !kind_.has_target) {
+  const auto has_kind = [this](bool ExperimentKind::*trait) {
+    return std::any_of(kinds_.begin(), kinds_.end(),
+                       [trait](const ExperimentKind* kind) { return kind->*trait; });
+  };
+  if (declared.target && !has_kind(&ExperimentKind::has_target)) {
     report("/analysis/target",
            "only a selection has a target that is chosen among others; remove this key");
   } else if (declared.target) {
@@ -57,16 +61,26 @@ void Meaning::check_analysis() {
                                      (names.empty() ? "" : "; use " + one_of(names)));
     }
   }
-  if (declared.equivalence_margin && !kind_.has_correct_responses) {
+  if (declared.equivalence_margin && !has_kind(&ExperimentKind::has_correct_responses)) {
     report(
         "/analysis/equivalence_margin",
         "only a matching and a recognition have proportions correct to compare; remove this key");
   }
   std::vector<std::string> tests{};
-  for (const KindTest& test : kind_.tests) tests.emplace_back(test.name);
+  std::string kinds{};
+  for (const ExperimentKind* const kind : kinds_) {
+    kinds += (kinds.empty() ? "" : " or a ") + std::string(kind->id);
+    for (const KindTest& test : kind->tests) {
+      if (std::find(tests.begin(), tests.end(), test.name) == tests.end()) {
+        tests.emplace_back(test.name);
+      }
+    }
+  }
   const auto needs_target = [this](const std::string& name) {
-    return std::any_of(kind_.tests.begin(), kind_.tests.end(), [&name](const KindTest& test) {
-      return test.needs_target && test.name == name;
+    return std::any_of(kinds_.begin(), kinds_.end(), [&name](const ExperimentKind* kind) {
+      return std::any_of(kind->tests.begin(), kind->tests.end(), [&name](const KindTest& test) {
+        return test.needs_target && test.name == name;
+      });
     });
   };
   for (std::size_t i = 0; i < declared.family.size(); ++i) {
@@ -74,8 +88,8 @@ void Meaning::check_analysis() {
     const std::string pointer = pointer_to("/analysis/family", i);
     const auto here = declared.family.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(tests.begin(), tests.end(), name) == tests.end()) {
-      report(pointer, "a " + std::string(kind_.id) + " has no test " + in_quotes(name) +
-                          "; it has " + one_of(tests));
+      report(pointer,
+             "a " + kinds + " has no test " + in_quotes(name) + "; it has " + one_of(tests));
     } else if (std::find(declared.family.begin(), here, name) != here) {
       report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
     } else if (name == "groups" && !protocol_.groups) {

@@ -84,7 +84,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
 void Meaning::check_anchor(const Block& block, const std::string& pointer) {
   if (block.anchor.empty()) return;
   const std::string place = pointer + "/anchor";
-  if (!kind_.has_anchors) {
+  if (!kind_of(block).has_anchors) {
     report_key(place,
                "only a magnitude has an anchor with which others are compared; remove this key");
     return;
@@ -113,7 +113,7 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
 }
 
 void Meaning::check_presented(const Block& block, const std::string& pointer) {
-  const std::string expected(kind_.role);
+  const std::string expected(kind_of(block).role);
   for (std::size_t i = 0; i < block.presented.size(); ++i) {
     const Protocol::Presented& presented = block.presented[i];
     const std::string place = pointer_to(pointer + "/presented", i);
@@ -157,9 +157,9 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
   if (!block.until) return;
   const Protocol::Criterion& criterion = *block.until;
   const std::string place = pointer + "/until";
-  if (!kind_.has_correct_responses) {
-    report(place, "a criterion needs correct responses, and no response of a " +
-                      std::string(kind_.id) + " is correct or incorrect; remove this key");
+  if (!kind_of(block).has_correct_responses) {
+    report(place, "a criterion needs correct responses, and no response of a " + block.kind +
+                      " is correct or incorrect; remove this key");
   }
   if (criterion.correct > criterion.of_last) {
     report(place + "/correct", "the criterion cannot be met: it requires " +

@@ -25,7 +25,9 @@ std::vector<Diagnostic> Meaning::check() {
   for (const auto& [name, block] : protocol_.blocks) {
     check_block(block, pointer_to("/blocks", name));
   }
-  if (kind_.check != nullptr) kind_.check(protocol_, *this);
+  for (const ExperimentKind* const kind : kinds_) {
+    if (kind->check != nullptr) kind->check(protocol_, *this);
+  }
   check_analysis();
   // Trials can be checked only if all references are valid.
   if (found_.empty()) check_size();

@@ -36,12 +36,15 @@ std::vector<std::string> names_of(const Map& map) {
   return names;
 }
 
+/// "/blocks/NAME/question", or "/blocks/NAME/questions/1".
+std::string place_of_question(const Protocol::Block& block, std::size_t question);
+
 /// Checks the complete protocol and collects the problems by location.
 class Meaning final : private ProblemSink {
  public:
   Meaning(const Protocol& protocol, const JsonDocument& document,
           const std::vector<ModelDeclaration>& models)
-      : protocol_(protocol), kind_(kind_of(protocol)), document_(document) {
+      : protocol_(protocol), kinds_(kinds_of(protocol)), document_(document) {
     for (const ModelDeclaration& model : models) models_.emplace(model.id, &model);
   }
 
@@ -95,6 +98,10 @@ class Meaning final : private ProblemSink {
   void check_anchor(const Protocol::Block& block, const std::string& pointer);
   void check_presented(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
+  bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
+  void check_pictures(const Protocol::Block& block, const Protocol::TrialQuestionTemplate& question,
+                      const std::string& place);
+  void check_scale(const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_order(const Protocol::Block& block, const std::string& pointer);
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
   void check_analysis();
@@ -110,7 +117,7 @@ class Meaning final : private ProblemSink {
                                                             const std::string& pointer);
   bool check_level(const std::string& factor, const Level& level, const std::string& pointer);
   const Protocol& protocol_;
-  const ExperimentKind& kind_;
+  std::vector<const ExperimentKind*> kinds_{};  ///< of the blocks
   const JsonDocument& document_;
   std::map<std::string, const ModelDeclaration*, std::less<>> models_{};
   std::vector<Diagnostic> found_{};

@@ -227,8 +227,26 @@ Question question_of(const std::string& name, const json& object) {
   return question;
 }
 
-Protocol::TrialQuestionTemplate trial_question_of(const json& object) {
+ScaleForm scale_of(const json& object) {
+  ScaleForm scale{};
+  read(object, "minimum", scale.minimum);
+  read(object, "maximum", scale.maximum);
+  read(object, "points", scale.points);
+  read(object, "labels", scale.labels);
+  return scale;
+}
+
+Protocol::TrialQuestionTemplate trial_question_of(const json& object, const ExperimentKind& kind) {
   Protocol::TrialQuestionTemplate question{};
+  question.form = kind.form;
+  if (const auto found = object.find("scale"); found != object.end()) {
+    question.form = scale_of(*found);
+  }
+  if (const auto found = object.find("options"); found != object.end()) {
+    for (const json& option : *found) {
+      question.words.push_back({option.at("value"), option.at("text")});
+    }
+  }
   read(object, "name", question.name);
   read(object, "prompt", question.prompt);
   read(object, "pictures", question.pictures);
@@ -250,9 +268,34 @@ Protocol::Criterion criterion_of(const json& object) {
   return criterion;
 }
 
-Block block_of(const std::string& name, const json& object, const ExperimentKind& kind) {
+/// The question or the questions of a block, and what is stated once for all of them.
+void read_questions(const json& object, const ExperimentKind& kind, Block& block) {
+  const json* of_trial = &object;
+  if (const auto list = object.find("questions"); list != object.end()) {
+    block.has_question_list = true;
+    for (const json& question : *list) {
+      block.questions.push_back(trial_question_of(question, kind));
+    }
+  } else if (const auto only = object.find("question"); only != object.end()) {
+    block.questions.push_back(trial_question_of(*only, kind));
+    of_trial = &*only;
+  }
+  read(*of_trial, "experimenter_prompt", block.experimenter_prompt);
+  read(*of_trial, "pictures_after_feeling", block.pictures_after_feeling);
+  read(*of_trial, "allow_revisit", block.allow_revisit);
+  read_choice(object, "question_order", block.shuffles_questions,
+              {{"fixed", false}, {"shuffle", true}});
+  read_choice(object, "question_layout", block.on_one_page,
+              {{"one_after_another", false}, {"one_page", true}});
+  read(object, "page_prompt", block.page_prompt);
+}
+
+Block block_of(const std::string& name, const json& object, const std::string& kind_of_protocol) {
   Block block{};
   block.name = name;
+  block.kind = kind_of_protocol;
+  read(object, "kind", block.kind);
+  const ExperimentKind& kind = kind_of(block);
   read_choice(object, "phase", block.phase,
               {{"familiarisation", Phase::familiarisation},
                {"practice", Phase::practice},
@@ -288,11 +331,7 @@ Block block_of(const std::string& name, const json& object, const ExperimentKind
               {{"as_listed", Block::Positions::as_listed},
                {"shuffle", Block::Positions::shuffle},
                {"balanced", Block::Positions::balanced}});
-  const json& asked = object.at("question");
-  block.questions = {trial_question_of(asked)};
-  read(asked, "experimenter_prompt", block.experimenter_prompt);
-  read(asked, "pictures_after_feeling", block.pictures_after_feeling);
-  read(asked, "allow_revisit", block.allow_revisit);
+  read_questions(object, kind, block);
   read(object, "exploration", block.exploration);
   read(object, "pause_before_trial_s", block.pause_before_trial_s);
   read(object, "pause_between_surfaces_s", block.pause_between_surfaces_s);
@@ -333,6 +372,8 @@ Protocol::Step step_of(const json& object) {
 }
 
 void read_head(const json& root, Protocol& protocol) {
+  read_choice(root, "format", protocol.format,
+              {{"asperity.protocol/1", 1}, {"asperity.protocol/2", 2}});
   read(root, "kind", protocol.kind);
   read_choice(root, "design", protocol.design,
               {{"chapter", ProtocolDesign::chapter}, {"improved", ProtocolDesign::improved}});
@@ -478,7 +519,7 @@ Protocol protocol_from_json(const json& root) {
     protocol.questions[name] = question_of(name, member);
   });
   for_each_named(root, "blocks", [&](const std::string& name, const json& member) {
-    protocol.blocks[name] = block_of(name, member, kind_of(protocol));
+    protocol.blocks[name] = block_of(name, member, protocol.kind);
   });
   for (const json& step : root.at("flow")) protocol.flow.push_back(step_of(step));
   if (const auto found = root.find("resume"); found != root.end()) {

@@ -1,16 +1,109 @@
-// Implements the checks that the question of a block can be asked and answered.
+// Implements the checks that the questions of a block can be asked and answered.
 
 #include <algorithm>
+#include <cstddef>
 
 #include "protocols/file/meaning_checks.h"
 
 namespace asperity {
 
 using Block = Protocol::Block;
+using TrialQuestionTemplate = Protocol::TrialQuestionTemplate;
+
+namespace {
+
+/// "one question answered by a choice"
+std::string needed_question(const ExperimentKind& kind) {
+  return "one question answered by " +
+         std::string(name_of(kind.form) == "assignment" ? "an " : "a ") +
+         std::string(name_of(kind.form));
+}
+
+}  // namespace
+
+std::string place_of_question(const Block& block, std::size_t question) {
+  const std::string pointer = pointer_to("/blocks", block.name);
+  return block.has_question_list ? pointer_to(pointer + "/questions", question)
+                                 : pointer + "/question";
+}
 
 void Meaning::check_question(const Block& block, const std::string& pointer) {
-  const Protocol::TrialQuestionTemplate& question = block.questions.front();
-  const std::string place = pointer + "/question";
+  if (!check_question_keys(block, pointer)) return;
+  const ExperimentKind& kind = kind_of(block);
+  std::size_t own = 0;
+  std::set<std::string> names{};
+  for (std::size_t i = 0; i < block.questions.size(); ++i) {
+    const TrialQuestionTemplate& question = block.questions[i];
+    const std::string place = place_of_question(block, i);
+    if (!names.insert(question.name).second) {
+      report(place + "/name", "two questions of a trial have the name " + in_quotes(question.name) +
+                                  "; every response is stored under the name of its question");
+    }
+    check_pictures(block, question, place);
+    check_scale(question, place);
+    const ExperimentKind* const of_question = kind_of_question(kind, question.form);
+    if (of_question == &kind) ++own;
+    if (of_question == nullptr) {
+      report(place + "/scale",
+             "a " + block.kind + " needs " + needed_question(kind) + "; remove this key");
+    } else if (!question.words.empty() && !of_question->takes_words) {
+      report_key(place + "/options", "the options of a " + std::string(of_question->id) +
+                                         " are not words; remove this key");
+    } else if (of_question == &kind && kind.check_block != nullptr) {
+      kind.check_block({protocol_, block, question, pointer, place}, *this);
+    }
+  }
+  if (own == 0 || (own > 1 && !kind.asks_several)) {
+    report(block.has_question_list ? pointer + "/questions" : pointer + "/question",
+           "a " + block.kind + " needs " + needed_question(kind) +
+               " in every trial; number given: " + std::to_string(own));
+  }
+  if (block.feedback != Block::Feedback::none && !kind.has_correct_responses) {
+    report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
+                                      block.kind + " is correct or incorrect");
+  }
+  check_criterion(block, pointer);
+}
+
+/// Whether there are questions, and the keys of the block fit them.
+bool Meaning::check_question_keys(const Block& block, const std::string& pointer) {
+  const auto& object = document_.root().at("blocks").at(block.name);
+  if (block.has_question_list && object.contains("question")) {
+    report_key(pointer + "/question",
+               "\"question\" and \"questions\" exclude each other; keep one of the two");
+  }
+  if (block.questions.empty()) {
+    report(pointer,
+           "a block needs the key \"question\", or \"questions\" for several questions in a trial");
+    return false;
+  }
+  for (const char* const key : {"question_order", "question_layout", "page_prompt",
+                                "experimenter_prompt", "pictures_after_feeling", "allow_revisit"}) {
+    if (block.has_question_list || !object.contains(key)) continue;
+    report_key(pointer + "/" + key,
+               "this key belongs to a block with \"questions\"; remove it, or write it inside "
+               "\"question\" where that has it");
+  }
+  if (!block.on_one_page) {
+    if (!block.page_prompt.empty()) {
+      report_key(pointer + "/page_prompt",
+                 "only questions on one page have a text above them; remove this key, or set "
+                 "question_layout to \"one_page\"");
+    }
+    return true;
+  }
+  for (std::size_t i = 0; i < block.questions.size(); ++i) {
+    const auto* const scale = std::get_if<ScaleForm>(&block.questions[i].form);
+    if (scale != nullptr && !scale->labels_every_point()) continue;
+    report(place_of_question(block, i),
+           "only scales with labels at the ends only share a page; set question_layout to "
+           "\"one_after_another\"");
+  }
+  return true;
+}
+
+void Meaning::check_pictures(const Block& block, const TrialQuestionTemplate& question,
+                             const std::string& place) {
   for (std::size_t i = 0; i < question.pictures.size(); ++i) {
     const std::string& name = question.pictures[i];
     const std::string at = pointer_to(place + "/pictures", i);
@@ -25,28 +118,41 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
       report(at, "the picture of " + in_quotes(name) + " is listed twice; list it once");
     }
   }
+  if (!question.pictures.empty() && !question.words.empty()) {
+    report_key(place + "/options",
+               "options are either pictures or words; keep one of the two keys");
+  }
+  const nlohmann::json::json_pointer at_question(place);
+  const std::string of_trial = block.has_question_list ? pointer_to("/blocks", block.name) : place;
   if (question.pictures.empty()) {
     for (const char* const key : {"reshuffle_pictures", "pictures_after_feeling"}) {
-      if (question.reshuffle_pictures || block.pictures_after_feeling) {
-        if (document_.root().at("blocks").at(block.name).at("question").contains(key)) {
-          report_key(place + "/" + key,
-                     "this question shows no pictures to choose from; remove this key");
-        }
-      }
+      if (!question.reshuffle_pictures && !block.pictures_after_feeling) continue;
+      if (!document_.root().at(at_question).contains(key)) continue;
+      report_key(place + "/" + key,
+                 "this question shows no pictures to choose from; remove this key");
     }
   } else if (block.pictures_after_feeling && block.allow_revisit) {
-    report(place + "/pictures_after_feeling",
+    report(of_trial + "/pictures_after_feeling",
            "a participant who may return to a surface feels it with the pictures in view; set "
            "allow_revisit to false");
   }
-  if (kind_.check_block != nullptr)
-    kind_.check_block({protocol_, block, question, pointer, place}, *this);
-  if (block.feedback != Block::Feedback::none && !kind_.has_correct_responses) {
-    report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
-                                      std::string(kind_.id) +
-                                      " is correct or incorrect; remove this key");
+}
+
+void Meaning::check_scale(const TrialQuestionTemplate& question, const std::string& place) {
+  const auto* const scale = std::get_if<ScaleForm>(&question.form);
+  if (scale == nullptr) return;
+  const std::string at = place + "/scale";
+  if (scale->minimum >= scale->maximum) {
+    report(at, "the scale ends at " + digits(scale->maximum) +
+                   ", which is not above its beginning, " + digits(scale->minimum) +
+                   "; raise \"maximum\"");
   }
-  check_criterion(block, pointer);
+  const std::size_t labels = scale->labels.size();
+  if (labels == 0 || labels == 2 || labels == static_cast<std::size_t>(scale->points)) return;
+  report(at + "/labels",
+         "a scale has labels for its two ends or for all of its points; labels given: " +
+             std::to_string(labels) + ", points: " +
+             (scale->points == 0 ? std::string("none") : std::to_string(scale->points)));
 }
 
 }  // namespace asperity

@@ -42,10 +42,12 @@ void Meaning::check_blindfold() {
            "\"physical_sample\" or \"memory\", or choose another \"vision\"");
   }
   for (const auto& [name, block] : protocol_.blocks) {
-    if (block.questions.front().pictures.empty() || block.pictures_after_feeling) continue;
-    report(pointer_to("/blocks", name) + "/question/pictures",
-           "a blindfolded participant sees no pictures while feeling; set pictures_after_feeling "
-           "to true (the mask comes off for the question), or choose another \"vision\"");
+    for (std::size_t i = 0; i < block.questions.size(); ++i) {
+      if (block.questions[i].pictures.empty() || block.pictures_after_feeling) continue;
+      report(place_of_question(block, i) + "/pictures",
+             "a blindfolded participant sees no pictures while feeling; set pictures_after_feeling "
+             "to true (the mask comes off for the question), or choose another \"vision\"");
+    }
   }
 }
 

@@ -11,12 +11,21 @@
 namespace asperity {
 
 void Meaning::check_head() {
+  for (const auto& [name, block] : protocol_.blocks) {
+    const auto& object = document_.root().at("blocks").at(name);
+    for (const char* const key : {"questions", "kind"}) {
+      if (protocol_.format >= 2 || !object.contains(key)) continue;
+      report("/format", "the block " + in_quotes(name) + " has the key " + in_quotes(key) +
+                            ", which requires the format \"asperity.protocol/2\"; write that here");
+    }
+  }
   for (const ExperimentKind* const kind : experiment_kinds()) {
     for (const KindKey& key : kind->keys) {
       const std::string name(key.name);
       const bool is_there = document_.root().contains(name);
-      if (kind == &kind_ && !is_there) report("/kind", std::string(key.if_missing));
-      if (kind != &kind_ && is_there) report_key("/" + name, std::string(key.if_foreign));
+      const bool is_used = std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end();
+      if (is_used && !is_there) report("/kind", std::string(key.if_missing));
+      if (!is_used && is_there) report_key("/" + name, std::string(key.if_foreign));
     }
   }
   const auto& patch = protocol_.patch;

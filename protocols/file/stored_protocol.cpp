@@ -145,6 +145,12 @@ constexpr std::array kTextPlaces{
     "/questions/*/prompt",
     "/questions/*/options/*/text",
     "/blocks/*/question/prompt",
+    "/blocks/*/question/options/*/text",
+    "/blocks/*/question/scale/labels",
+    "/blocks/*/questions/*/prompt",
+    "/blocks/*/questions/*/options/*/text",
+    "/blocks/*/questions/*/scale/labels",
+    "/blocks/*/page_prompt",
     "/flow/*/screen",
     "/flow/*/break/text",
     "/flow/*/pause/text",
@@ -179,7 +185,30 @@ void write_options_alike(Json& protocol) {
   }
 }
 
+StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
+  const Json& scale = member_of(asked, "scale");
+  const std::vector<std::string> labels = texts_in(scale, "labels");
+  return {.name = text_in(asked, "name"),
+          .prompt = text_in(asked, "prompt"),
+          .has_scale = scale.is_object(),
+          .low_label = labels.empty() ? std::string() : labels.front(),
+          .high_label = labels.empty() ? std::string() : labels.back(),
+          .minimum = number_at(scale, "minimum"),
+          .maximum = number_at(scale, "maximum"),
+          .points = number_at(scale, "points")};
+}
+
 }  // namespace
+
+std::vector<std::string> StoredProtocol::kinds() const {
+  std::vector<std::string> kinds{};
+  for (const auto& [name, block] : blocks) {
+    if (std::find(kinds.begin(), kinds.end(), block.kind) == kinds.end()) {
+      kinds.push_back(block.kind);
+    }
+  }
+  return kinds;
+}
 
 AnalysisDeclaration analysis_declared_in(const Json& protocol) {
   const Json& analysis = member_of(protocol, "analysis");
@@ -259,13 +288,21 @@ StoredProtocol stored_protocol(const std::string& source) {
     }
   });
   for_each_object(member_of(root, "blocks"), [&](const std::string& name, const Json& block) {
-    const Json& asked = member_of(block, "question");
-    if (asked.is_object()) {
-      read.trial_questions[name] = {.name = text_in(asked, "name"),
-                                    .prompt = text_in(asked, "prompt")};
+    StoredProtocol::Block made{};
+    made.kind = text_in(block, "kind").empty() ? text_in(root, "kind") : text_in(block, "kind");
+    made.phase = text_in(block, "phase").empty() ? "main" : text_in(block, "phase");
+    const auto add = [&](const Json& asked) {
+      if (!asked.is_object()) return;
+      made.questions.push_back(trial_question_in(asked));
+      const std::vector<std::string> own = texts_in(asked, "pictures");
+      read.pictures.insert(read.pictures.end(), own.begin(), own.end());
+    };
+    add(member_of(block, "question"));
+    const Json& several = member_of(block, "questions");
+    if (several.is_array()) {
+      for (const Json& asked : several) add(asked);
     }
-    const std::vector<std::string> own = texts_in(asked, "pictures");
-    read.pictures.insert(read.pictures.end(), own.begin(), own.end());
+    if (!made.questions.empty()) read.blocks[name] = std::move(made);
   });
   for (const auto& [name, factor] : read.factors) {
     for (auto& [level, number] : levels_in(root, name)) read.pictures.push_back(std::move(level));

@@ -33,16 +33,31 @@ struct StoredProtocol {
   struct TrialQuestion {
     std::string name{};
     std::string prompt{};
+    bool has_scale = false;  ///< it states a scale
+    /// Of a scale: the labels of its ends; empty without labels.
+    std::string low_label{};
+    std::string high_label{};
+    std::optional<double> minimum{};  ///< of a scale
+    std::optional<double> maximum{};
+    std::optional<double> points{};  ///< of a scale that has points
+  };
+  struct Block {
+    std::string kind{};  ///< its own, or that of the protocol; empty where neither is stated
+    std::string phase{};
+    std::vector<TrialQuestion> questions{};
   };
 
   std::string title{};
   std::map<std::string, Factor> factors{};
   std::map<std::string, Question> questions{};
-  std::map<std::string, TrialQuestion> trial_questions{};  ///< by block
+  std::map<std::string, Block> blocks{};  ///< those with a question
   AnalysisDeclaration analysis{};
   std::optional<EstimationDeclaration> estimation{};
   /// Of matching and recognition: the pictures of the questions in their order, then the levels of the factors.
   std::vector<std::string> pictures{};
+  /// The kinds of the blocks, each once.
+  std::vector<std::string> kinds() const;
+
   /// Of a selection whose alternatives differ only in the level of one parameter: the parameter's name.
   std::optional<std::string> compared_parameter{};
   std::string group_factor{};  ///< whose levels are the groups of participants; empty: no groups

@@ -13,7 +13,7 @@ void Meaning::check_expectation(const Trial& trial,
                                 const std::set<std::string, std::less<>>& on_bodies) {
   using Expectation = ObserverDeclaration::Expectation;
   if (protocol_.observer.expectation == Expectation::none) return;
-  if (!kind_.has_expectations) return;
+  if (!kind_named(trial.kind).has_expectations) return;
   std::set<std::string> expected{};
   for (const PlannedPresentation& planned : trial.presentations) {
     expected.insert(planned.stimulus.texture);
@@ -81,18 +81,27 @@ void Meaning::check_trials() {
                        pointer_to("/stimuli", planned.stimulus_template));
       }
     }
-    const std::string at_question = pointer + "/question";
-    const TrialQuestion& question = trial.questions.front();
-    std::set<std::string> pictures(question.correct.begin(), question.correct.end());
-    for (const Option& option : question.options) pictures.erase(option.value);
-    if (!pictures.empty()) {
-      report(at_question + "/pictures", "the correct response " + in_quotes(*pictures.begin()) +
-                                            " is not among the pictures; add its picture");
+    const Block& block = protocol_.blocks.at(trial.block);
+    const ExperimentKind& kind = kind_of(block);
+    for (std::size_t i = 0; i < block.questions.size(); ++i) {
+      // In the order of the file, whatever the order in which they are asked.
+      const TrialQuestion& question = *find_question(trial, block.questions[i].name);
+      std::set<std::string> missing(question.correct.begin(), question.correct.end());
+      for (const Option& option : question.options) missing.erase(option.value);
+      if (missing.empty()) continue;
+      const std::string at_question = place_of_question(block, i);
+      if (block.questions[i].words.empty()) {
+        report(at_question + "/pictures", "the correct response " + in_quotes(*missing.begin()) +
+                                              " is not among the pictures; add its picture");
+      } else {
+        report(at_question + "/options", "the correct response " + in_quotes(*missing.begin()) +
+                                             " is not among the options; add it");
+      }
     }
-    if (kind_.check_trial != nullptr) {
-      const Block& block = protocol_.blocks.at(trial.block);
-      kind_.check_trial({protocol_, block, block.questions.front(), pointer, at_question}, trial,
-                        *this);
+    for (std::size_t i = 0; kind.check_trial != nullptr && i < block.questions.size(); ++i) {
+      if (kind_of_question(kind, block.questions[i].form) != &kind) continue;
+      kind.check_trial({protocol_, block, block.questions[i], pointer, place_of_question(block, i)},
+                       trial, *this);
     }
     check_expectation(trial, on_bodies);
   }

@@ -67,6 +67,9 @@ struct ExperimentKind {
   std::string_view id{};    ///< as in protocols and in the store; also its name in messages
   std::string_view role{};  ///< of every surface of a trial: "target"
   AnswerForm form{};        ///< how its question is answered
+  /// A trial may have several questions of this kind, also next to the question of another kind.
+  bool asks_several = false;
+  bool takes_words = false;  ///< its options can be words
   bool has_correct_responses = false;
   bool has_anchors = false;  ///< a block may begin with a trial that the others are compared with
   bool has_target = false;   ///< one item may be declared whose superiority is in question
@@ -101,7 +104,12 @@ const ExperimentKind* find_kind(std::string_view id) noexcept;
 /// Errors: std::logic_error where there is no such kind; a protocol that was read has one.
 const ExperimentKind& kind_named(std::string_view id);
 
-/// The kind of a protocol.
-const ExperimentKind& kind_of(const Protocol& protocol);
+const ExperimentKind& kind_of(const Protocol::Block& block);
+/// The kind of a question in a block of kind `of_block`: that kind where its form is answered there, or
+/// otherwise the kind with this form that can accompany others. Null where there is none.
+const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
+                                       const AnswerForm& form) noexcept;
+/// The kinds of the blocks of a protocol, in the order of the registry.
+std::vector<const ExperimentKind*> kinds_of(const Protocol& protocol);
 
 }  // namespace asperity

@@ -30,6 +30,26 @@ const ExperimentKind& kind_named(std::string_view id) {
   throw std::logic_error("there is no kind of experiment \"" + std::string(id) + "\"");
 }
 
-const ExperimentKind& kind_of(const Protocol& protocol) { return kind_named(protocol.kind); }
+const ExperimentKind& kind_of(const Protocol::Block& block) { return kind_named(block.kind); }
+
+const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
+                                       const AnswerForm& form) noexcept {
+  if (of_block.form.index() == form.index()) return &of_block;
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    if (kind->asks_several && kind->form.index() == form.index()) return kind;
+  }
+  return nullptr;
+}
+
+std::vector<const ExperimentKind*> kinds_of(const Protocol& protocol) {
+  std::vector<const ExperimentKind*> kinds{};
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    const bool is_used =
+        std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                    [kind](const auto& each) { return each.second.kind == kind->id; });
+    if (is_used) kinds.push_back(kind);
+  }
+  return kinds;
+}
 
 }  // namespace asperity

@@ -60,7 +60,7 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
 void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
                                 ProblemSink& problems) {
   const std::string& texture = trial.presentations.front().stimulus.texture;
-  const std::string& correct = trial.questions.front().correct.front();
+  const std::string& correct = find_question(trial, checked.question.name)->correct.front();
   if (texture.empty() || correct == texture) return;
   problems.report(checked.at_question + "/correct_factor",
                   "the correct response would be " + in_quotes(correct) +

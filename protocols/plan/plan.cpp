@@ -46,7 +46,8 @@ std::optional<BodyDescription> planned_body(const Protocol& protocol, const std:
   return body;
 }
 
-PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Presented& presented,
+PlannedPresentation presentation_of(const Protocol& protocol, const ExperimentKind& kind,
+                                    const Protocol::Presented& presented,
                                     const FactorLevels& factors) {
   const StimulusTemplate& source = protocol.stimuli.at(presented.stimulus);
   PlannedPresentation planned{};
@@ -80,8 +81,7 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Pr
   planned.stimulus.material = protocol.material;
   planned.stimulus.patch = protocol.patch;
   planned.equal_force = source.equal_force;
-  planned.item =
-      presented.item.empty() ? kind_of(protocol).item_of(planned.stimulus) : presented.item;
+  planned.item = presented.item.empty() ? kind.item_of(planned.stimulus) : presented.item;
   return planned;
 }
 
@@ -155,25 +155,30 @@ const Texture* texture_of(const Protocol& protocol, const Trial& trial) {
 TrialQuestion planned_question(const Protocol& protocol,
                                const Protocol::TrialQuestionTemplate& source, const Trial& trial,
                                const std::vector<std::string>& pictures) {
-  const ExperimentKind& kind = kind_of(protocol);
   TrialQuestion question{};
   question.name = source.name;
   question.prompt = source.prompt;
-  question.form = kind.form;
-  if (std::holds_alternative<NumberForm>(question.form)) return question;
-  if (pictures.empty()) {
+  question.form = source.form;
+  if (!has_options(question.form)) return question;
+  if (!source.words.empty()) {
+    for (const Protocol::TrialQuestionTemplate::Word& word : source.words) {
+      const std::string label = std::to_string(question.options.size() + 1);
+      question.options.push_back({word.value, label, std::nullopt, word.text});
+    }
+  } else if (pictures.empty()) {
     for (const PlannedPresentation& planned : trial.presentations) {
-      question.options.push_back({planned.item, planned.code, std::nullopt});
+      question.options.push_back({planned.item, planned.code, std::nullopt, {}});
     }
   } else {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       question.options.push_back(
-          {pictures[i], std::to_string(i + 1), protocol.textures.at(pictures[i]).picture});
+          {pictures[i], std::to_string(i + 1), protocol.textures.at(pictures[i]).picture, {}});
     }
   }
   if (source.allow_cannot_tell) {
-    question.options.push_back({"cannot_tell", "I cannot tell", std::nullopt});
+    question.options.push_back({"cannot_tell", "I cannot tell", std::nullopt, {}});
   }
+  const ExperimentKind& kind = kind_named(trial.kind);
   if (kind.correct_of != nullptr) question.correct = kind.correct_of(source, trial);
   return question;
 }
@@ -269,11 +274,12 @@ class Planner {
            const Random& pictures) {
     trial.ordinal = static_cast<int>(plan_.trials.size()) + 1;
     trial.block = block.name;
+    trial.kind = block.kind;
     trial.block_ordinal = block_ordinal_;
     trial.phase = block.phase;
     for (const std::size_t index : surfaces) {
       trial.presentations.push_back(
-          presentation_of(protocol_, block.presented[index], trial.factors));
+          presentation_of(protocol_, kind_of(block), block.presented[index], trial.factors));
       trial.presentations.back().position = static_cast<int>(trial.presentations.size());
       trial.presentations.back().code = place_code(trial.presentations.size() - 1);
     }
@@ -291,6 +297,12 @@ class Planner {
       const Random of_question = trial.questions.empty() ? pictures : pictures.split(question.name);
       trial.questions.push_back(
           planned_question(protocol_, question, trial, pictures_of(question, of_question)));
+    }
+    trial.on_one_page = block.on_one_page;
+    trial.page_prompt = block.page_prompt;
+    if (block.shuffles_questions) {
+      Random order = pictures.split("question order");
+      order.shuffle(std::span<TrialQuestion>(trial.questions));
     }
     plan_.steps.emplace_back(TrialStep{plan_.trials.size()});
     plan_.trials.push_back(std::move(trial));

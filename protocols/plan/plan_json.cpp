@@ -138,6 +138,16 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   line.close('}');
 }
 
+/// Nothing for a form without parameters: plans are compared with those that older programs stored. Labels are
+/// texts, and a plan is the same in all languages.
+void add_parameters(JsonLine& line, const AnswerForm& form) {
+  const auto* const scale = std::get_if<ScaleForm>(&form);
+  if (scale == nullptr) return;
+  line.field("minimum", scale->minimum);
+  line.field("maximum", scale->maximum);
+  line.field("points", scale->points);
+}
+
 void add_options_and_correct(JsonLine& line, const TrialQuestion& question) {
   line.key("options");
   line.open('[');
@@ -163,6 +173,7 @@ void add_only_question(JsonLine& line, const Trial& trial) {
   line.field("name", question.name);
   line.field("form", name_of(question.form));
   line.field("standard_picture", trial.standard_picture);
+  add_parameters(line, question.form);
   add_options_and_correct(line, question);
   line.close('}');
 }
@@ -176,6 +187,7 @@ void add_questions(JsonLine& line, const Trial& trial) {
     line.open('{');
     line.field("name", question.name);
     line.field("form", name_of(question.form));
+    add_parameters(line, question.form);
     add_options_and_correct(line, question);
     line.close('}');
   }

@@ -31,10 +31,10 @@ AttemptRow attempt_of(const MadeUpTrial& made, int trial, int segment) {
   for (PresentationRow& surface : attempt.presentations) surface.position = ++position;
   for (std::size_t i = 0; i < made.answers.size(); ++i) {
     ResponseRow response{};
-    response.question = "which";
-    response.item = static_cast<int>(i) + 1;
+    response.question = made.questions.empty() ? "which" : made.questions[i];
+    response.item = made.questions.empty() ? static_cast<int>(i) + 1 : 1;
     response.answer = made.answers[i];
-    response.answer_number = made.number;
+    response.answer_number = made.questions.empty() ? made.number : std::stod(made.answers[i]);
     if (i < made.right.size()) response.correct = made.answers[i] == made.right[i];
     response.options_json = nlohmann::json(made.options).dump();
     response.time_ns = attempt.offset_ns;
@@ -122,7 +122,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
   for (const MadeUpTrial& trial : trials) {
     PlannedTrialRow row{};
     row.trial = static_cast<int>(plan.size()) + 1;
-    row.block = "only";
+    row.block = trial.block;
     row.block_ordinal = 1;
     row.phase = trial.phase;
     row.factors_json = trial.factors_json;

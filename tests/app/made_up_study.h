@@ -19,11 +19,13 @@ struct MadeUpTrial {
   std::string factors_json = "{}";
   std::vector<PresentationRow> surfaces{};
   std::vector<std::string> answers{};
+  std::vector<std::string> questions{};  ///< as many as answers, which are then numbers; or none
   std::optional<double> number{};    ///< that the answer is, of a magnitude
   std::vector<std::string> right{};  ///< as many as answers, or none
   std::vector<std::string> options{};
   std::optional<double> from_cue_s = 1.5;
   std::string phase = "main";
+  std::string block = "only";
   int repetition = 1;  ///< 0 of an anchor
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;

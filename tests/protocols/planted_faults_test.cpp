@@ -189,8 +189,8 @@ const Fault kSyntax[] = {
 };
 
 const Fault kForm[] = {
-    {"other_format", "asperity.protocol/1", "asperity.protocol/2", R"("asperity.protocol/2")",
-     "/format", R"(write "asperity.protocol/1")"},
+    {"other_format", "asperity.protocol/1", "asperity.protocol/9", R"("asperity.protocol/9")",
+     "/format", R"("asperity.protocol/1" or "asperity.protocol/2")"},
     {"misspelt_key", R"("repetitions": 3)", R"("repetitons": 3)", R"("repetitons")",
      "/blocks/main/repetitons", R"(did you mean "repetitions"?)"},
     {"unknown_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "zebra": 1,)", R"("zebra")",
@@ -232,7 +232,7 @@ const Fault kForm[] = {
      "exactly one of the keys"},
     {"pause_without_run", R"({"screen": "Welcome."})",
      R"({"screen": "Welcome.", "break_every_trials": 3})", R"({"screen": "Welcome.")", "/flow/0",
-     R"("run" is missing)"},
+     R"("run", which is missing)"},
     {"two_targets", R"("equal_force": {)", R"("equal_force": {"rms_N": 1, )", R"({"rms_N")",
      "/stimuli/rendered/equal_force", R"(exactly one of the keys "rms_N" or "to_model")"},
     {"binding", R"({"factor": "model"})", R"({"facto": "model"})", R"({"facto")",
@@ -242,6 +242,11 @@ const Fault kForm[] = {
 };
 
 const Fault kMeaning[] = {
+    {"own_kind_in_format_1", R"("repetitions": 3)", R"("repetitions": 3, "kind": "selection")",
+     R"("asperity.protocol/1")", "/format", "requires the format"},
+    {"question_order_without_questions", R"("repetitions": 3)",
+     R"("repetitions": 3, "question_order": "shuffle")", R"("question_order")",
+     "/blocks/main/question_order", "belongs to a block with"},
     {"unknown_model", R"(["height_map", "sinusoid")", R"(["height_mapp", "sinusoid")",
      R"("height_mapp")", "/factors/model/levels/0", R"(did you mean "height_map"?)"},
     {"unknown_texture", R"("levels": ["metal", "stone"])", R"("levels": ["metal", "stome"])",

@@ -33,9 +33,9 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
   EXPECT_EQ(hand.minimum, 1.0);
   EXPECT_FALSE(hand.maximum);
   EXPECT_THAT(hand.options, ElementsAre("left", "right"));
-  ASSERT_EQ(read.trial_questions.size(), 1U);
-  EXPECT_EQ(read.trial_questions.at("main").name, "rough");
-  EXPECT_EQ(read.trial_questions.at("main").prompt, "How rough?");
+  ASSERT_EQ(read.blocks.at("main").questions.size(), 1U);
+  EXPECT_EQ(read.blocks.at("main").questions.front().name, "rough");
+  EXPECT_EQ(read.blocks.at("main").questions.front().prompt, "How rough?");
   EXPECT_EQ(read.analysis.target, "new");
   EXPECT_EQ(read.analysis.equivalence_margin, 0.1);
   EXPECT_THAT(read.analysis.family, ElementsAre("spacing"));
@@ -109,7 +109,7 @@ TEST(StoredProtocol, ReadsNothingOfWhatHasAnotherForm) {
     EXPECT_EQ(read.title, "") << source;
     EXPECT_THAT(read.factors, IsEmpty()) << source;
     EXPECT_THAT(read.questions, IsEmpty()) << source;
-    EXPECT_THAT(read.trial_questions, IsEmpty()) << source;
+    EXPECT_THAT(read.blocks, IsEmpty()) << source;
     EXPECT_EQ(read.analysis, AnalysisDeclaration{}) << source;
     EXPECT_FALSE(read.estimation) << source;
   }

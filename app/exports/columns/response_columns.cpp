@@ -22,8 +22,7 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   add(column("question", "text", "", "name of the question",
              [](const Place& at) { return at.response->question; }));
   add(at_least(1,
-               column("item", "integer", "",
-                      "1 for a choice or a number; the position of the surface for an assignment",
+               column("item", "integer", "", "1, or the position of the surface for an assignment",
                       [](const Place& at) { return integer(at.response->item); })));
   std::string questions{};
   for (const auto& [name, question] : vocabulary.questions) {
@@ -38,10 +37,10 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_questionnaires;
   columns.back().missing = "never, except for answers to questionnaires in a public export";
-  add(missing(
-      "the response is not a number, or is an answer to a questionnaire in a public export",
-      column("answer_number", "number", "", "the response as a number: the estimate of a magnitude",
-             [](const Place& at) { return optional_cell(at.response->answer_number); })));
+  add(missing("the response is not a number, or is an answer to a questionnaire in a public export",
+              column("answer_number", "number", "",
+                     "the response as a number: an estimate, or a point of a scale",
+                     [](const Place& at) { return optional_cell(at.response->answer_number); })));
   columns.back().publication = Publication::without_questionnaires;
   add(missing("no response is correct or incorrect",
               column("correct", "boolean", "", "1: correct response",

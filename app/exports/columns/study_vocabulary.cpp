@@ -37,14 +37,24 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
         true;  // even if a trial of another protocol asks the same question
     if (!is_new && free_text) question->second.free_text = true;
   }
-  for (const auto& [block, asked] : specified.trial_questions) {
-    if (asked.name.empty()) continue;
-    StudyVocabulary::AnswerMeaning meaning{};
-    meaning.prompt = asked.prompt;
-    meaning.free_text = false;
-    meaning.questionnaire = false;
-    meaning.source = place_in(protocol, "/blocks/" + block + "/question");
-    vocabulary.questions.insert({asked.name, std::move(meaning)});
+  for (const auto& [name, block] : specified.blocks) {
+    vocabulary.kinds_of_blocks[{protocol.source_sha256, name}] =
+        block.kind.empty() ? protocol.kind : block.kind;
+    for (const StoredProtocol::TrialQuestion& asked : block.questions) {
+      if (asked.name.empty()) continue;
+      StudyVocabulary::AnswerMeaning meaning{};
+      meaning.prompt = asked.prompt;
+      if (!asked.low_label.empty()) {
+        meaning.prompt += " [" + asked.low_label + " … " + asked.high_label + "]";
+      }
+      meaning.free_text = false;
+      meaning.questionnaire = false;
+      meaning.minimum = asked.minimum;
+      meaning.maximum = asked.maximum;
+      meaning.source = place_in(protocol, "/blocks/" + name);
+      if (block.questions.size() == 1) meaning.source += "/question";
+      vocabulary.questions.insert({asked.name, std::move(meaning)});
+    }
   }
 }
 

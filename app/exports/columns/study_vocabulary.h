@@ -47,6 +47,8 @@ struct StudyVocabulary {
     std::string source{};
   };
   std::map<std::string, FactorMeaning> factors{};
+  /// The kinds of experiment of the blocks, by the SHA-256 of the protocol file and the block.
+  std::map<std::pair<std::string, std::string>, std::string> kinds_of_blocks{};
   std::map<std::string, ParameterMeaning> parameters{};
   std::map<std::string, std::set<std::string>> limits{};  ///< kind → models that monitor it
   std::map<std::string, std::set<std::string>> assets{};  ///< declared role → models that used one

@@ -4,6 +4,7 @@
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity::export_columns {
 namespace {
@@ -40,6 +41,17 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.protocol->name; }));
   add(column("block", "text", "", "block of the protocol",
              [](const Place& at) { return at.trial->block; }));
+  std::vector<std::string> kinds{};
+  for (const ExperimentKind* const kind : experiment_kinds()) kinds.emplace_back(kind->id);
+  add(with_levels(
+      column(
+          "kind", "text", "", "kind of experiment of the block",
+          [kinds_of_blocks = vocabulary.kinds_of_blocks](const Place& at) -> Cell {
+            const auto found = kinds_of_blocks.find({at.protocol->source_sha256, at.trial->block});
+            if (found == kinds_of_blocks.end()) return at.protocol->kind;
+            return found->second;
+          }),
+      kinds));
   add(at_least(
       1, column("block_ordinal", "integer", "",
                 "number of the block within the session; each run of a block has its own number",

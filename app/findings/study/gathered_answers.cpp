@@ -1,5 +1,7 @@
 #include "app/findings/study/gathered_answers.h"
 
+#include <algorithm>
+#include <functional>
 #include <future>
 #include <optional>
 #include <set>
@@ -42,27 +44,83 @@ bool is_unfelt(const SessionRow& session) {
   return device.has_motors == false || !device.hand_of_program().empty();
 }
 
-/// Collects the responses of a group from its sessions.
+/// The questions of one kind in a protocol.
+struct QuestionsOfKind {
+  /// The names of the questions, by block; nothing where the block has only one, whatever its name.
+  std::map<std::string, std::optional<std::set<std::string>>, std::less<>> by_block{};
+  /// The blocks that belong to other kinds only, or nothing: a block that the stored protocol lacks is of
+  /// the protocol's kind.
+  std::optional<std::set<std::string, std::less<>>> others{};
+
+  bool has_block(const std::string& block) const {
+    return by_block.contains(block) || (others && !others->contains(block));
+  }
+  bool has(const std::string& block, const std::string& question) const {
+    const auto names = by_block.find(block);
+    if (names == by_block.end()) return has_block(block);
+    return !names->second || names->second->contains(question);
+  }
+};
+
+/// The id of the kind that analyses a question of a block.
+std::string kind_of_stored(const std::string& kind_of_protocol, const StoredProtocol::Block& block,
+                           const StoredProtocol::TrialQuestion& question) {
+  const std::string& of_block = block.kind.empty() ? kind_of_protocol : block.kind;
+  const ExperimentKind* const known = find_kind(of_block);
+  if (!question.has_scale || known == nullptr) return of_block;
+  const ExperimentKind* const kind = kind_of_question(*known, ScaleForm{});
+  return std::string(kind == nullptr ? of_block : kind->id);
+}
+
+/// What the stored protocol of sessions asks, by kind.
+std::map<std::string, QuestionsOfKind> questions_by_kind(const StoredProtocol& protocol,
+                                                         const std::string& kind_of_protocol) {
+  std::map<std::string, QuestionsOfKind> kinds{};
+  for (const auto& [name, block] : protocol.blocks) {
+    for (const StoredProtocol::TrialQuestion& question : block.questions) {
+      auto& names = kinds[kind_of_stored(kind_of_protocol, block, question)].by_block[name];
+      if (block.questions.size() == 1) continue;
+      if (!names) names.emplace();
+      names->insert(question.name);
+    }
+  }
+  // Only where no block is of that kind is there nothing of the protocol's kind.
+  if (!kinds.empty() && !kinds.contains(kind_of_protocol)) return kinds;
+  auto& others = kinds[kind_of_protocol].others.emplace();
+  for (const auto& [name, block] : protocol.blocks) {
+    if (!block.questions.empty() && !kinds[kind_of_protocol].by_block.contains(name)) {
+      others.insert(name);
+    }
+  }
+  return kinds;
+}
+
+/// Collects the responses of a group to questions of one kind from its sessions.
 class Gathering {
  public:
   GatheredAnswers gathered{};
 
+  /// `questions`: those of this kind, by block.
   void add_session(const SessionRow& session, const ParticipantRow& participant,
-                   const SessionAnswers& answers) {
+                   const SessionAnswers& answers, const QuestionsOfKind& questions) {
     ++gathered.count.sessions;
     if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
     if (is_guessing(session, gathered.kind)) ++gathered.count.guessing_sessions;
     if (!participant.is_virtual && is_unfelt(session)) ++gathered.count.unfelt_sessions;
     participants_.insert(session.participant);
     Session reading{.answers = answers,
+                    .questions = questions,
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
     reading.options = reading.factors = reading.words;
     std::map<int, const SessionAnswers::Trial*> planned{};
     for (const SessionAnswers::Trial& trial : answers.trials) {
+      if (!reading.asks(trial)) continue;
       planned[trial.trial] = &trial;
       if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
     }
     for (const SessionAnswers::Attempt& attempt : answers.attempts) {
+      const auto trial = planned.find(attempt.trial);
+      if (trial == planned.end()) continue;
       switch (attempt.use) {
         case AnalysisUse::practice:
           break;
@@ -76,7 +134,7 @@ class Gathering {
           break;
         case AnalysisUse::counted:
           if (attempt.flagged) ++gathered.count.flagged;
-          add_answer(reading, attempt, person(participant), *planned.at(attempt.trial));
+          add_answers(reading, attempt, person(participant), *trial->second);
           break;
       }
     }
@@ -90,6 +148,17 @@ class Gathering {
     if (!sources_.insert(protocol.source_sha256).second) return;
     texts_of_sources_.push_back(protocol.source);
     StoredProtocol specified = stored_protocol(protocol.source);
+    for (const auto& [name, block] : specified.blocks) {
+      if (block.phase != "main") continue;
+      for (const StoredProtocol::TrialQuestion& question : block.questions) {
+        const bool is_known =
+            std::any_of(gathered.questions.begin(), gathered.questions.end(),
+                        [&question](const auto& known) { return known.name == question.name; });
+        if (!is_known && kind_of_stored(protocol.kind, block, question) == gathered.kind) {
+          gathered.questions.push_back(question);
+        }
+      }
+    }
     if (auto& estimation = specified.estimation) {
       gathered.estimation.spacing = estimation->spacing;
       gathered.estimation.condition = estimation->condition;
@@ -139,11 +208,16 @@ class Gathering {
   /// A session's indices of words, as far as the group has them.
   struct Session {
     const SessionAnswers& answers;
+    const QuestionsOfKind& questions;
     std::vector<std::optional<std::uint32_t>> words{};
     /// Indices of option lists, by the word of their JSON.
     std::vector<std::optional<std::uint32_t>> options{};
     /// Indices of levels, by the word of their JSON.
     std::vector<std::optional<std::uint32_t>> factors{};
+
+    bool asks(const SessionAnswers::Trial& trial) const {
+      return questions.has_block(answers.words[trial.block]);
+    }
   };
 
   struct Levels {
@@ -194,35 +268,65 @@ class Gathering {
     return static_cast<std::uint32_t>(gathered.people.size() - 1);
   }
 
-  void add_answer(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
-                  const SessionAnswers::Trial& planned) {
-    const Levels level = levels(session, planned.factors_json);
-    const auto surfaces = session.answers.surfaces_of(attempt);
-    const auto replies = session.answers.replies_of(attempt);
-    const std::optional<double>& time_s = replies.back().from_cue_s;
-    gathered.answers.push_back({.person = person,
-                                .column = level.column,
-                                .spacing = level.spacing,
-                                .options = options(session, replies.back().options_json),
-                                .repetition = planned.repetition,
-                                .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
-                                .surface_count = static_cast<std::uint16_t>(surfaces.size()),
-                                .reply_count = static_cast<std::uint16_t>(replies.size()),
-                                .first_surface = gathered.surfaces.size(),
-                                .first_reply = gathered.replies.size()});
-    for (const SessionAnswers::Surface& surface : surfaces) {
-      gathered.surfaces.push_back({word(session, surface.item), word(session, surface.texture)});
-      TextureForces& forces = gathered.forces[session.answers.words[surface.model]];
-      ++forces.surfaces;
-      if (surface.matched_texture_force_N) {
-        forces.matched_N.push_back(*surface.matched_texture_force_N);
+  /// The replies to one question, which stand together.
+  struct RepliesToQuestion {
+    std::uint32_t question = 0;
+    std::span<const SessionAnswers::Reply> replies{};
+  };
+  std::vector<RepliesToQuestion> replies_by_question(const Session& session,
+                                                     const SessionAnswers::Attempt& attempt,
+                                                     const std::string& block) const {
+    const auto all = session.answers.replies_of(attempt);
+    std::vector<RepliesToQuestion> found{};
+    for (std::size_t from = 0; from < all.size();) {
+      std::size_t to = from + 1;
+      while (to < all.size() && all[to].question == all[from].question) ++to;
+      if (session.questions.has(block, session.answers.words[all[from].question])) {
+        found.push_back({all[from].question, all.subspan(from, to - from)});
       }
-      if (surface.achieved_texture_force_N) {
-        forces.achieved_N.push_back(*surface.achieved_texture_force_N);
+      from = to;
+    }
+    return found;
+  }
+
+  void add_answers(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
+                   const SessionAnswers::Trial& planned) {
+    const auto by_question =
+        replies_by_question(session, attempt, session.answers.words[planned.block]);
+    if (by_question.empty()) return;
+    const std::size_t first_surface = gathered.surfaces.size();
+    const auto surfaces = session.answers.surfaces_of(attempt);
+    for (const SessionAnswers::Surface& surface : surfaces) add_surface(session, surface);
+    const Levels level = levels(session, planned.factors_json);
+    for (const RepliesToQuestion& to : by_question) {
+      const std::optional<double>& time_s = to.replies.back().from_cue_s;
+      gathered.answers.push_back({.person = person,
+                                  .question = word(session, to.question),
+                                  .column = level.column,
+                                  .spacing = level.spacing,
+                                  .options = options(session, to.replies.back().options_json),
+                                  .repetition = planned.repetition,
+                                  .continues_trial = &to != by_question.data(),
+                                  .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
+                                  .surface_count = static_cast<std::uint16_t>(surfaces.size()),
+                                  .reply_count = static_cast<std::uint16_t>(to.replies.size()),
+                                  .first_surface = first_surface,
+                                  .first_reply = gathered.replies.size()});
+      for (const SessionAnswers::Reply& reply : to.replies) {
+        gathered.replies.push_back({word(session, reply.answer), reply.correct, reply.number});
       }
     }
-    for (const SessionAnswers::Reply& reply : replies) {
-      gathered.replies.push_back({word(session, reply.answer), reply.correct});
+  }
+
+  void add_surface(Session& session, const SessionAnswers::Surface& surface) {
+    gathered.surfaces.push_back({word(session, surface.item), word(session, surface.texture)});
+    TextureForces& forces = gathered.forces[session.answers.words[surface.model]];
+    ++forces.surfaces;
+    if (surface.matched_texture_force_N) {
+      forces.matched_N.push_back(*surface.matched_texture_force_N);
+    }
+    if (surface.achieved_texture_force_N) {
+      forces.achieved_N.push_back(*surface.achieved_texture_force_N);
     }
   }
 
@@ -316,9 +420,13 @@ std::optional<double> GatheredAnswers::spacing_m(const GatheredAnswer& answer) c
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop) {
-  std::map<std::tuple<std::string, std::string, AnswerGroup>, Gathering> groups{};
+  std::map<std::tuple<std::string, std::string, AnswerGroup, std::string>, Gathering> groups{};
   std::map<std::int64_t, ProtocolRow> protocols{};
-  for (ProtocolRow& row : study.protocols()) protocols.emplace(row.id, std::move(row));
+  std::map<std::int64_t, std::map<std::string, QuestionsOfKind>> asked{};
+  for (ProtocolRow& row : study.protocols()) {
+    asked.emplace(row.id, questions_by_kind(stored_protocol(row.source), row.kind));
+    protocols.emplace(row.id, std::move(row));
+  }
   std::map<std::string, ParticipantRow> participants{};
   for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
   std::vector<SessionRow> sessions = study.sessions();
@@ -334,14 +442,17 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
     const ProtocolRow& of = protocols.at(session.protocol_id);
     const ParticipantRow& participant = participants.at(session.participant);
     const AnswerGroup group = group_of(participant, session);
-    Gathering& gathering = groups[std::tuple(of.name, of.version, group)];
-    gathering.gathered.protocol = of.name;
-    gathering.gathered.version = of.version;
-    gathering.gathered.kind = of.kind;
-    gathering.gathered.design = of.design;
-    gathering.gathered.group = group;
-    gathering.declare(of);
-    gathering.add_session(session, participant, answers.next());
+    const SessionAnswers given = answers.next();
+    for (const auto& [kind, questions] : asked.at(of.id)) {
+      Gathering& gathering = groups[std::tuple(of.name, of.version, group, kind)];
+      gathering.gathered.protocol = of.name;
+      gathering.gathered.version = of.version;
+      gathering.gathered.kind = kind;
+      gathering.gathered.design = of.design;
+      gathering.gathered.group = group;
+      gathering.declare(of);
+      gathering.add_session(session, participant, given, questions);
+    }
   }
   std::vector<GatheredAnswers> all{};
   for (auto& [key, gathering] : groups) all.push_back(std::move(gathering).finish());

@@ -1,4 +1,4 @@
-// Stores the responses of a study that an analysis may count, by protocol and group.
+// Stores the responses of a study that an analysis may count, by protocol, group and kind of experiment.
 
 #pragma once
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "protocols/design/analysis_declaration.h"
+#include "protocols/file/stored_protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -55,17 +56,21 @@ struct FeltSurface {
 struct GatheredReply {
   std::uint32_t answer = 0;  ///< index of a word
   std::optional<bool> correct{};
+  std::optional<double> number{};  ///< where the response is one
 };
 
-/// One valid, answered attempt at a trial of the main phase.
+/// The answer to one question in a valid attempt at a trial of the main phase.
 struct GatheredAnswer {
   std::uint32_t person = 0;  ///< index in `people`
+  std::uint32_t question = 0;  ///< word of its name
   /// Word of the level of the factor `column`, or of the condition of a magnitude; the empty word
   /// without either.
   std::uint32_t column = 0;
   std::uint32_t spacing = 0;  ///< of a magnitude: word of the level of its spacing
   std::uint32_t options = 0;  ///< index in `option_lists`
   int repetition = 1;         ///< of the block, as planned
+  /// Not the first answer of its trial: the trial asks several questions.
+  bool continues_trial = false;
   /// From the cue, when the question was asked first, to the response; an assignment has one
   /// response time. Nothing where none is stored, or where it is not above 0.
   std::optional<double> response_time_s{};
@@ -109,8 +114,10 @@ struct AnswerCount {
 struct GatheredAnswers {
   std::string protocol{};
   std::string version{};
-  std::string kind{};
+  std::string kind{};  ///< of the questions that are answered
   std::string design{};
+  /// The questions of this kind in main blocks, each name once, in the order of the protocol.
+  std::vector<StoredProtocol::TrialQuestion> questions{};
   std::size_t sources = 0;  ///< files of this name and version that differ in more than texts
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude
@@ -148,7 +155,7 @@ struct GatheredAnswers {
   std::optional<double> spacing_m(const GatheredAnswer& answer) const;
 };
 
-/// By protocol, version and group; empty groups are absent. With a `protocol`, only those of that
+/// By protocol, version, group and kind; empty ones are absent. With a `protocol`, only those of that
 /// name. When `stop` is requested, only the sessions that were read until then.
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,

@@ -28,7 +28,10 @@ constexpr const char* kLearningFamily = "learning";
 std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
   std::vector<std::size_t> last(gathered.people.size());
   std::vector<std::size_t> numbers{};
-  for (const GatheredAnswer& answer : gathered.answers) numbers.push_back(++last[answer.person]);
+  for (const GatheredAnswer& answer : gathered.answers) {
+    if (!answer.continues_trial) ++last[answer.person];
+    numbers.push_back(last[answer.person]);
+  }
   return numbers;
 }
 

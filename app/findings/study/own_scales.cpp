@@ -1,10 +1,12 @@
 #include "app/findings/study/own_scales.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <variant>
 
 #include "app/findings/study/analyze_study.h"
+#include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
@@ -14,8 +16,12 @@ OwnScales::OwnScales(const Study& study, const std::stop_token& stop) {
   for (const SessionRow& session : study.sessions()) with_sessions.insert(session.protocol_id);
   std::set<std::string> names{};
   for (const ProtocolRow& protocol : study.protocols()) {
-    const ExperimentKind* const kind = find_kind(protocol.kind);
-    const bool has_estimates = kind != nullptr && std::holds_alternative<NumberForm>(kind->form);
+    std::vector<std::string> kinds = stored_protocol(protocol.source).kinds();
+    kinds.push_back(protocol.kind);
+    const bool has_estimates = std::any_of(kinds.begin(), kinds.end(), [&](const std::string& id) {
+      const ExperimentKind* const kind = find_kind(id);
+      return kind != nullptr && std::holds_alternative<NumberForm>(kind->form);
+    });
     if (has_estimates && with_sessions.contains(protocol.id)) names.insert(protocol.name);
   }
   for (const std::string& name : names) {

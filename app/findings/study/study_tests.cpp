@@ -202,8 +202,15 @@ void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
 
 StudyTests::StudyTests(const GatheredAnswers& gathered)
     : kind_(gathered.kind), people_(gathered.people.size()), family_(gathered.declared.family) {
-  is_declared_ = !family_.empty();
   const ExperimentKind* const kind = find_kind(gathered.kind);
+  // The family names the tests of all kinds of the protocol.
+  if (kind != nullptr) {
+    std::erase_if(family_, [kind](const std::string& name) {
+      return std::none_of(kind->tests.begin(), kind->tests.end(),
+                          [&name](const KindTest& test) { return test.name == name; });
+    });
+  }
+  is_declared_ = !family_.empty();
   if (family_.empty() && kind != nullptr) family_.emplace_back(kind->tests.front().name);
   for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
 }

@@ -39,14 +39,14 @@ ParticipantPage::OptionRows ParticipantPage::option_rows(const Question& questio
   return best;
 }
 
-void ParticipantPage::form_choice(const Question& question) {
+void ParticipantPage::form_choice(const Question& question, std::optional<int> chosen) {
   const int count = static_cast<int>(question.options.size());
   const double gap = px(0.75 * kGap);
   const OptionRows rows = option_rows(question, body_.height());
   const int on_a_page = rows.columns * rows.rows;
   answer_page_ = 0;
-  if (inputs_.draft.option && question_pages_ + 1 < pages_) {
-    answer_page_ = question_pages_ + 1 + (*inputs_.draft.option - 1) / on_a_page;
+  if (chosen && question_pages_ + 1 < pages_) {
+    answer_page_ = question_pages_ + 1 + (*chosen - 1) / on_a_page;
   }
   const int first = (page_ - question_pages_ - 1) * on_a_page;
   const double total = rows.columns * rows.width + (rows.columns - 1) * px(2 * kGap);
@@ -61,7 +61,7 @@ void ParticipantPage::form_choice(const Question& question) {
          .text = text_of(question, i),
          .key = key_of_form_option(i + 1),
          .size_px = letters(kText),
-         .chosen = inputs_.draft.option == i + 1,
+         .chosen = chosen == i + 1,
          .action = Action{.what = Action::What::choose, .number = i + 1}});
   }
 }
@@ -210,7 +210,7 @@ void ParticipantPage::form() {
   if (!answers) return;
   switch (question.form) {
     case Question::Form::choice:
-      form_choice(question);
+      form_choice(question, inputs_.draft.option);
       break;
     case Question::Form::number:
       form_number(question);

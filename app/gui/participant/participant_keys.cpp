@@ -23,6 +23,23 @@ std::optional<Action> typed_into_number(int key, const QString& typed, const QSt
   return {};
 }
 
+std::optional<Action> action_on_scale(int key) {
+  switch (key) {
+    case Qt::Key_Left:
+      return Action{.what = Action::What::step, .number = -1};
+    case Qt::Key_Right:
+      return Action{.what = Action::What::step, .number = 1};
+    case Qt::Key_Up:
+    case Qt::Key_Backtab:
+      return Action{.what = Action::What::select, .number = -1};
+    case Qt::Key_Down:
+    case Qt::Key_Tab:
+      return Action{.what = Action::What::select, .number = 1};
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 bool takes_typed_number(const ParticipantScene& scene) {
@@ -75,6 +92,9 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
         return Action{.what = Action::What::confirm};
       }
       if (key == Qt::Key_Space) return Action{.what = Action::What::next};
+      if (scene.is_answered_by<ScaleForm>() && scene.kind == Scene::Kind::question) {
+        if (auto action = action_on_scale(key)) return action;
+      }
       if (scene.is_answered_by<NumberForm>()) {
         if (auto action = typed_into_number(key, typed, "0123456789.")) return action;
       }

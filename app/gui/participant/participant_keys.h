@@ -17,6 +17,9 @@ struct ParticipantAction {
     surface,  ///< surface `number` (from 1): to be felt, or the one that a picture is given to
     next,     ///< enough of this surface; feel again
     confirm,
+    mark,     ///< scale `number` (from 1), where it is pressed
+    step,     ///< the mark of the current scale, `number` steps to the right
+    select,   ///< the scale `number` places further on
     write,    ///< `text` into the number
     erase,    ///< the last digit of it
     turn_to,  ///< page `number` (from 1) of the words: of the picture, the session hears nothing

@@ -33,6 +33,7 @@ struct ParticipantItem {
     option,     ///< a large button: a letter, or words with their key
     chip,       ///< a surface
     control,    ///< goes on, feels again, confirms
+    scale,      ///< a line with a mark; its ends are `side` inside of `rect`
     pad,        ///< a key of the number pad
     number,     ///< what was typed
     field,      ///< where text is typed
@@ -59,6 +60,7 @@ struct ParticipantItem {
   bool ready = false;  ///< a control that would be accepted now
   QString given_to{};  ///< of a picture: the surface's letter
   QString given{};     ///< of a chip: the picture's key
+  std::optional<ParticipantScene::Scale> scale{};
   std::optional<ParticipantAction> action{};
 };
 

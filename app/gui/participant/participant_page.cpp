@@ -129,9 +129,13 @@ void ParticipantPage::turning_controls() {
     // In a field for text the arrow moves among the letters.
     const bool is_text = scene_.kind == Scene::Kind::form && scene_.question &&
                          scene_.question->form == Question::Form::text && page_ == pages_;
-    add_control(said(phrase("ParticipantLayout", "Back")),
-                is_text ? said(phrase("ParticipantLayout", "Page up")) : QStringLiteral("←"),
-                Action{.what = Action::What::turn_to, .number = page_ - 1}, false);
+    // On a scale it moves the mark.
+    const bool is_scale =
+        scene_.kind == Scene::Kind::question && scene_.is_answered_by<ScaleForm>();
+    add_control(
+        said(phrase("ParticipantLayout", "Back")),
+        is_text || is_scale ? said(phrase("ParticipantLayout", "Page up")) : QStringLiteral("←"),
+        Action{.what = Action::What::turn_to, .number = page_ - 1}, false);
   }
   if (pages_ > 1) {
     const QString text = said(phrase("ParticipantLayout", "Page %1 of %2")

@@ -180,7 +180,8 @@ class ParticipantPage final {
     bool fits = false;
   };
   OptionRows option_rows(const Question& question, double height) const;
-  void form_choice(const Question& question);
+  /// `chosen`: counted from 1.
+  void form_choice(const Question& question, std::optional<int> chosen);
   void form_number(const Question& question);
   enum class Sign { none, minus };
   /// What was typed, and the keys that type it; `range` says what may be.
@@ -190,6 +191,26 @@ class ParticipantPage final {
   bool is_enough_for_number(double height) const;
   QString range_text(const Question& question) const;
   Item answer_in_words(std::size_t index) const;
+
+  // --- scales ---
+  struct ScaleRows {
+    double width = 0.0;
+    double prompt_width = 0.0;  ///< 0: the prompts stand above the lines
+    double label_width = 0.0;   ///< beside the ends of the lines; 0: above them, or no labels
+    double label_height = 0.0;  ///< of labels above the lines
+    double prompt_height = 0.0;  ///< of prompts above the lines
+    double above() const { return prompt_height + label_height; }
+    double line = 0.0;          ///< height of a line with its labels
+    int on_a_page = 1;
+    int pages = 1;
+  };
+  void scales();
+  bool is_list_of_points() const;
+  Question points_as_options() const;
+  ScaleRows scale_rows(double height) const;
+  /// For each of two labels above a line of this width.
+  double label_room(double width) const;
+  void scale_row(const Scene::Scale& scale, int number, const ScaleRows& rows, QRectF room);
 
   Item& add(Item item) {
     items_.push_back(std::move(item));

@@ -56,6 +56,7 @@ class Brush final {
   void draw_chip(const Item& item);
   void draw_control(const Item& item);
   void draw_written(const Item& item);
+  void draw_scale(const Item& item);
 
   QPainter& painter_;
   const ParticipantColors& colors_;
@@ -189,6 +190,41 @@ void Brush::draw_written(const Item& item) {
             (height > inner.height() ? Qt::AlignBottom : Qt::AlignTop));
 }
 
+/// A mark that is no answer yet is hollow. The current scale has a heavier line and a frame.
+void Brush::draw_scale(const Item& item) {
+  const ParticipantScene::Scale& scale = *item.scale;
+  const double unit = item.size_px / 32.0;
+  const double left = item.rect.left() + item.side;
+  const double length = item.rect.width() - 2.0 * item.side;
+  const double y = item.rect.center().y();
+  if (scale.current) box(item.rect, 8.0 * unit, colors_.panel, colors_.press, 2.0 * unit);
+  painter_.setPen(QPen(colors_.text, (scale.current ? 4.0 : 3.0) * unit));
+  painter_.drawLine(QPointF(left, y), QPointF(left + length, y));
+  const int steps = scale.form.steps();
+  const auto x_of = [&](int step) { return left + length * step / steps; };
+  const double half = 16.0 * unit;
+  if (scale.form.points == 0) {
+    for (const double x : {left, left + length}) {
+      painter_.drawLine(QPointF(x, y - half), QPointF(x, y + half));
+    }
+  } else {
+    painter_.setBrush(colors_.panel);
+    for (int step = 0; step <= steps; ++step) {
+      painter_.drawEllipse(QPointF(x_of(step), y), 0.75 * half, 0.75 * half);
+    }
+  }
+  if (!scale.step) return;
+  painter_.setPen(QPen(colors_.press, 4.0 * unit));
+  painter_.setBrush(scale.counts ? colors_.press : colors_.panel);
+  const QPointF at(x_of(*scale.step), y);
+  if (scale.form.points == 0) {
+    painter_.drawRoundedRect(QRectF(at.x() - 5.0 * unit, y - 1.25 * half, 10.0 * unit, 2.5 * half),
+                             4.0 * unit, 4.0 * unit);
+  } else {
+    painter_.drawEllipse(at, half, half);
+  }
+}
+
 void Brush::draw(const Item& item) {
   const double unit = item.size_px / 32.0;
   switch (item.kind) {
@@ -212,6 +248,9 @@ void Brush::draw(const Item& item) {
       break;
     case Item::Kind::control:
       draw_control(item);
+      break;
+    case Item::Kind::scale:
+      draw_scale(item);
       break;
     case Item::Kind::pad:
       box(item.rect, 8.0, colors_.panel, colors_.muted, 2.0);

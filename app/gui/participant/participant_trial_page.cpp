@@ -453,6 +453,10 @@ bool ParticipantPage::is_enough_for_question(double height) const {
 }
 
 void ParticipantPage::question() {
+  if (scene_.is_answered_by<ScaleForm>()) {
+    scales();
+    return;
+  }
   if (scene_.is_answered_by<NumberForm>()) {
     const bool is_answered_here =
         question_over(scene_text(), [this](double height) { return is_enough_for_number(height); });

@@ -44,7 +44,8 @@ bool same_question(const Scene& one, const Scene& other) {
 }
 
 bool same_answer(const Scene& one, const Scene& other) {
-  return std::equal(one.choices.begin(), one.choices.end(), other.choices.begin(),
+  return one.scales == other.scales &&
+         std::equal(one.choices.begin(), one.choices.end(), other.choices.begin(),
                     other.choices.end(), [](const Scene::Choice& left, const Scene::Choice& right) {
                       return left.chosen == right.chosen && left.assigned_to == right.assigned_to;
                     });
@@ -241,7 +242,7 @@ void ParticipantView::keep_page(const Scene& before, bool same) {
   if (!same_answer(before, *scene_)) page_ = 0;
   if (before.pages_turned == scene_->pages_turned) return;
   // A button of the device was pressed where there is more to read.
-  if (const Item* next = turned_by(Qt::Key_Right)) page_ = next->action->number;
+  if (const Item* next = turned_by(Qt::Key_PageDown)) page_ = next->action->number;
 }
 
 QSizeF ParticipantView::page_size() const {
@@ -272,6 +273,10 @@ const ParticipantItem* ParticipantView::turned_by(int key) const {
                   key == Qt::Key_PageDown;
   const bool back = key == Qt::Key_Left || key == Qt::Key_PageUp;
   if (!on && !back) return nullptr;
+  const bool is_arrow = key == Qt::Key_Right || key == Qt::Key_Left;
+  if (is_arrow && scene_->kind == Scene::Kind::question && scene_->is_answered_by<ScaleForm>()) {
+    return nullptr;  // it moves the mark
+  }
   for (const Item& item : items_) {
     // The way on is filled, the way back is not.
     if (item.action && item.action->what == Action::What::turn_to && item.ready == on) return &item;
@@ -305,7 +310,7 @@ int ParticipantView::side_px(double side) const {
 void ParticipantView::arrange() {
   letters_shown_px_ = letters_px();
   items_ = lay_out(*scene_, layout_inputs());
-  if (const bool more = turned_by(Qt::Key_Right) != nullptr; more != told_more_) {
+  if (const bool more = turned_by(Qt::Key_PageDown) != nullptr; more != told_more_) {
     told_more_ = more;
     emit more_to_read(more);
   }
@@ -434,6 +439,10 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
   if (const std::optional<std::size_t> item = item_at(at)) {
     const Item& pressed = items_[*item];
     press_ = Press{.item = pressed, .at = at, .time_ns = time_ns};
+    if (pressed.kind == Item::Kind::scale) {
+      mark_scale(at, time_ns);
+      return;
+    }
     if (!scene_->is_answered_by<AssignmentForm>() || scene_->kind != Scene::Kind::question) return;
     press_->letter = pressed.kind == Item::Kind::chip ? pressed.text : pressed.given_to;
   }
@@ -442,6 +451,10 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
 void ParticipantView::mouseMoveEvent(QMouseEvent* event) {
   event_clock_.happened_ns(event->timestamp(), monotonic_now_ns());
   pointer_ = to_page(event->position());
+  if (press_ && press_->item.kind == Item::Kind::scale) {
+    mark_scale(pointer_, time_of_ns(event->timestamp()));
+    return;
+  }
   if (!press_) {
     setCursor(item_at(pointer_) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     return;
@@ -464,6 +477,8 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
   const std::optional<std::size_t> item = item_at(to_page(event->position()));
   if (press.dragging) {
     drop(press, item, released_ns);
+  } else if (press.item.kind == Item::Kind::scale) {
+    // Its marks have been told.
   } else if (item && items_[*item].action == press.item.action) {
     act(Action(*press.item.action), press.time_ns, "mouse");
   } else {
@@ -474,6 +489,19 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
         .text = "mouse button",
         .held_s = static_cast<double>(released_ns - press.time_ns) * 1e-9},
        press.time_ns, "mouse");
+}
+
+void ParticipantView::mark_scale(QPointF at, std::int64_t time_ns) {
+  const Item& item = press_->item;
+  const double length = item.rect.width() - 2.0 * item.side;
+  const double position = std::clamp((at.x() - item.rect.left() - item.side) / length, 0.0, 1.0);
+  const int step = static_cast<int>(std::lround(position * item.scale->form.steps()));
+  if (press_->step == step) return;
+  press_->step = step;
+  tell({.kind = ParticipantInput::Kind::mark,
+        .number = item.action->number,
+        .position = static_cast<double>(step) / item.scale->form.steps()},
+       time_ns, "mouse");
 }
 
 /// A surface's letter let go over a picture is given to it; drawn off its picture, it is taken back.
@@ -518,6 +546,12 @@ bool ParticipantView::has_use_for(const QKeyEvent& event) const {
   const QString text = event.text();
   return (!text.isEmpty() && text.front().isPrint()) || event.key() == Qt::Key_Backspace ||
          event.key() == Qt::Key_Delete;
+}
+
+bool ParticipantView::repeats(const QKeyEvent& event) const {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  const std::optional<Action> action = action_of_key(*scene_, event.key(), {});
+  return action && action->what == Action::What::step;
 }
 
 bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
@@ -620,6 +654,14 @@ void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
         tell({.kind = Kind::confirm}, time_ns, source);
       }
       return;
+    case Action::What::mark:  // told where it was pressed
+      return;
+    case Action::What::step:
+      tell({.kind = Kind::step, .number = action.number}, time_ns, source);
+      return;
+    case Action::What::select:
+      tell({.kind = Kind::select, .number = action.number}, time_ns, source);
+      return;
     case Action::What::write:
     case Action::What::erase:
       write_number(action);
@@ -682,6 +724,9 @@ void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t 
     }
     case Action::What::surface:
     case Action::What::next:
+    case Action::What::mark:
+    case Action::What::step:
+    case Action::What::select:
     case Action::What::turn_to:
       return;
   }

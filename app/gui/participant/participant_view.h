@@ -71,6 +71,8 @@ class ParticipantView final : public QWidget {
   bool would_leave_out() const;
   /// Whether this key means something to the scene.
   bool has_use_for(const QKeyEvent& event) const;
+  /// A key that is held acts again and again: an arrow on a scale.
+  bool repeats(const QKeyEvent& event) const;
   /// Acts on it; `pressed_ns` is on the session's clock. False where the scene has no use for it.
   bool press(QKeyEvent& event, std::int64_t pressed_ns);
   /// The key of this name was let go.
@@ -113,6 +115,7 @@ class ParticipantView final : public QWidget {
     std::int64_t time_ns = 0;
     QString letter{};  ///< of the surface that a drag from here carries; empty: none
     bool dragging = false;
+    std::optional<int> step{};  ///< of a scale: the one that was told last
   };
 
   void look();
@@ -132,6 +135,8 @@ class ParticipantView final : public QWidget {
   QPointF page_offset() const;
   std::int64_t session_now_ns() const;
   int rest_left_s() const;
+  /// Of the pressed scale, where the pointer is; told where its mark would stand elsewhere.
+  void mark_scale(QPointF at, std::int64_t time_ns);
   void drop(const Press& press, std::optional<std::size_t> item, std::int64_t time_ns);
   std::optional<std::size_t> item_at(QPointF page_point) const;
   QPointF to_page(QPointF point) const;

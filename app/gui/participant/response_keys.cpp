@@ -125,14 +125,14 @@ bool ResponseKeys::is_kept_from(const QWidget& receiver, const QKeyEvent& event)
 }
 
 bool ResponseKeys::pressed(QKeyEvent& event) {
-  if (event.isAutoRepeat()) return true;
+  if (event.isAutoRepeat() && !view_.repeats(event)) return true;
   const std::int64_t pressed_ns = view_.time_of_ns(event.timestamp());
   const QString typed = event.text();
   const QString name = typed.isEmpty() || !typed.front().isPrint() || typed == " "
                            ? QKeySequence(event.key()).toString(QKeySequence::PortableText)
                            : typed;
   if (!view_.press(event, pressed_ns)) return false;
-  held_[event.key()] = {.name = name, .pressed_ns = pressed_ns};
+  if (!event.isAutoRepeat()) held_[event.key()] = {.name = name, .pressed_ns = pressed_ns};
   return true;
 }
 

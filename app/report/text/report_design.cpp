@@ -9,6 +9,7 @@
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/stored_protocol.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -75,6 +76,21 @@ std::string unmet_text(const std::string& block, const ReportFacts& facts) {
   if (unmet == 0) return {};
   return " The criterion was not met " +
          SessionShare{.whole = unmet, .all = facts.sessions.size()}.text_after_not() + '.';
+}
+
+/// The task of every kind of the protocol's blocks, the kind named where there are several.
+std::string tasks_text(const Protocol& protocol) {
+  const std::vector<const ExperimentKind*> kinds = kinds_of(protocol);
+  std::string text{};
+  for (const ExperimentKind* const kind : kinds) {
+    std::string task = find_analysis(kind->id)->task(protocol);
+    constexpr std::string_view kHead = "Task: ";
+    if (kinds.size() > 1 && task.starts_with(kHead)) {
+      task.replace(0, kHead.size(), "Task of the " + std::string(kind->id) + ": ");
+    }
+    text += (text.empty() ? "" : " ") + task;
+  }
+  return text;
 }
 
 ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
@@ -414,8 +430,8 @@ ReportSection design_section(const ReportFacts& facts) {
   if (!protocol.description.empty())
     section.parts.emplace_back(
         ReportText{"The protocol’s own description: " + protocol.description});
-  section.parts.emplace_back(ReportText{find_analysis(protocol.kind)->task(protocol) + ' ' +
-                                        planned_trials_text(facts) + surfaces_text(facts) +
+  section.parts.emplace_back(ReportText{tasks_text(protocol) + ' ' + planned_trials_text(facts) +
+                                        surfaces_text(facts) +
                                         counterbalance_text(protocol, facts)});
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});

@@ -12,6 +12,7 @@
 #include "app/report/text/report_paper.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/text_parts.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -211,7 +212,18 @@ std::string presented_text(const ReportFacts& facts) {
 
 std::string paper_task(const ReportFacts& facts) {
   const Protocol& protocol = *facts.file.protocol;
-  return presented_text(facts) + find_analysis(protocol.kind)->task_for_paper(protocol);
+  std::string text = presented_text(facts) + find_analysis(protocol.kind)->task_for_paper(protocol);
+  for (const ExperimentKind* const kind : kinds_of(protocol)) {
+    if (kind->id == protocol.kind) continue;
+    const bool is_one =
+        std::all_of(protocol.blocks.begin(), protocol.blocks.end(), [kind](const auto& each) {
+          return each.second.kind != kind->id || each.second.presented.size() == 1;
+        });
+    text += " In further trials (" + std::string(kind->id) + "), " +
+            (is_one ? "one stimulus was" : "several stimuli were") + " presented" +
+            find_analysis(kind->id)->task_for_paper(protocol);
+  }
+  return text;
 }
 
 std::string paper_questions(const Protocol& protocol) {

@@ -1,5 +1,7 @@
 #include "app/session/respondents/participant_input.h"
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 namespace {
@@ -23,6 +25,12 @@ std::string description_of(const ParticipantInput& input) {
       return "next";
     case Kind::confirm:
       return "confirm";
+    case Kind::mark:
+      return "mark " + fixed(input.position, 3) + " on scale " + std::to_string(input.number);
+    case Kind::step:
+      return "step " + std::to_string(input.number);
+    case Kind::select:
+      return "scale " + std::string(input.number < 0 ? "before" : "after");
     case Kind::click:
       return "click";
     case Kind::text:

@@ -23,6 +23,9 @@ struct ParticipantInput {
     surface,
     next,     ///< ends feeling this surface; on the question: the next surface to feel again
     confirm,  ///< continues, or confirms an answer that is complete
+    mark,     ///< `position` on scale `number` (from 1) of the page
+    step,     ///< `number` steps to the right on the current scale; below 0 to the left
+    select,   ///< the scale `number` places further on the page; below 0 before
     click,    ///< of the mouse, on the blank screen between two surfaces
     text,     ///< the answer to a form, or a number, as text; empty where optional and omitted
     /// A button of the device, `number` from 1, pressed for `held_s`.
@@ -34,6 +37,7 @@ struct ParticipantInput {
   Kind kind = Kind::confirm;
   int number = 0;
   int surface = 0;
+  double position = 0.0;  ///< of a mark, from 0 at the left end of the scale to 1 at the right
   std::string text{};
   std::int64_t time_ns = 0;  ///< on the session's clock: when it was pressed, not when it was read
   double held_s = 0.0;

@@ -33,6 +33,9 @@ std::vector<ParticipantScene::Choice> choices_of(const Trial& trial,
         [&option](const PlannedPresentation& planned) { return planned.code == option.label; });
     if (option.picture || is_surface) {
       choice.key = option.label;
+    } else if (!option.text.empty()) {
+      choice.key = option.label;
+      choice.text = option.text;
     } else {
       choice.key = "0";
       choice.saying.what = Saying::What::cannot_tell;
@@ -87,6 +90,10 @@ Phrase phrase_of(const Saying& saying) {
           .with(std::to_string(saying.number));
     case Saying::What::choose_first:
       return phrase("ParticipantWords", "Please choose first.");
+    case Saying::What::mark_first:
+      return saying.number == 1
+                 ? phrase("ParticipantWords", "Please mark a point on the scale first.")
+                 : phrase("ParticipantWords", "Please mark a point on every scale first.");
     case Saying::What::assign_first:
       return phrase("ParticipantWords", "Please assign a picture to surface %1 first.")
           .with(saying.code);
@@ -222,6 +229,12 @@ ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQues
   if (all_felt || !trial.pictures_after_feeling) scene.choices = choices_of(trial, question);
   scene.form = question.form;
   if (scene.is_answered_by<AssignmentForm>()) scene.assigning = 0;
+  for (const TrialQuestion& each : page) {
+    const auto* const scale = std::get_if<ScaleForm>(&each.form);
+    if (scale == nullptr) continue;
+    scene.scales.push_back({.prompt = page.size() == 1 ? "" : each.prompt, .form = *scale});
+  }
+  if (page.size() > 1) scene.text = trial.page_prompt;
   scene.standard_picture = trial.standard_picture;
   scene.response_open = true;
   return scene;

@@ -31,6 +31,7 @@ struct Saying {
     not_asked_yet,     ///< refused: all surfaces were felt, and the question is about to be asked
     wait,              ///< refused: not before `number` seconds have passed
     choose_first,      ///< refused: no option is chosen yet
+    mark_first,        ///< refused: a scale of the page has no mark yet; `number` scales in all
     assign_first,      ///< refused: surface `code` has no picture yet
     feel_again,        ///< a confirmation now requests surface `code` again
     no_going_back,     ///< refused: surfaces cannot be felt again in this trial
@@ -106,6 +107,17 @@ struct ParticipantScene {
     std::string assigned_to{};
   };
 
+  /// A scale of the page.
+  struct Scale {
+    std::string prompt{};  ///< empty where it is the only one: the prompt is `text`
+    ScaleForm form{};
+    std::optional<int> step{};  ///< where its mark is, as ScalePoint::step; nothing: no mark yet
+    /// The mark is an answer: it was put there, and is not only where a key began.
+    bool counts = false;
+    bool current = false;  ///< keys and buttons move its mark
+    bool operator==(const Scale&) const = default;
+  };
+
   Kind kind = Kind::blank;
   /// The language of the program's own texts, as `Protocol::language`; the texts of a protocol are
   /// shown unchanged.
@@ -124,6 +136,7 @@ struct ParticipantScene {
 
   std::vector<Surface> surfaces{};
   std::vector<Choice> choices{};
+  std::vector<Scale> scales{};
   AnswerForm form{};  ///< of the question
   /// Of an assignment: the surface (index in `surfaces`) that receives the next picture.
   std::optional<std::size_t> assigning{};

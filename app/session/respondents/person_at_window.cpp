@@ -364,9 +364,12 @@ bool PersonAtWindow::wants_next(bool may_go) {
         [[fallthrough]];
       case Kind::option:
       case Kind::assign:
+      case Kind::mark:
       case Kind::confirm:
         desk_->refuse_answer(*input, to_feel);
         continue;
+      case Kind::step:
+      case Kind::select:
       case Kind::click:
       case Kind::text:
       case Kind::released:
@@ -391,9 +394,12 @@ void PersonAtWindow::refuse_answers() {
         break;
       case Kind::option:
       case Kind::assign:
+      case Kind::mark:
       case Kind::confirm:
       case Kind::click:
         break;
+      case Kind::step:
+      case Kind::select:
       case Kind::next:  // the participant already continues
       case Kind::text:
       case Kind::released:

@@ -169,7 +169,8 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     const Option& option = question.options[i];
     if (option.picture) pictures.push_back(*option.picture);
-    output_ << "  " << i + 1 << "  " << (option.picture ? "picture " : "") << option.label << '\n';
+    output_ << "  " << i + 1 << "  " << (option.picture ? "picture " : "")
+            << (option.text.empty() ? option.label : option.text) << '\n';
   }
   if (!pictures.empty()) {
     output_ << std::flush;
@@ -181,6 +182,7 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
     output_ << "To feel a surface again, type feel and its letter, for example: feel A\n";
   }
   const std::unique_ptr<AnswerDialogue> dialogue = dialogue_for(trial, question);
+  output_ << dialogue->introduction();
   for (;;) {
     output_ << dialogue->prompt() << std::flush;
     const std::optional<std::string> typed = line(timed, left_s);
@@ -235,7 +237,7 @@ std::string TerminalRespondent::answer(const Question& question, const Wait& wai
     const std::optional<Saying> refusal = refusal_of(question, typed);
     if (!refusal) return typed;
     if (refusal->what == Saying::What::option_needed) {
-      output_ << "Please type a number from 1 to " << question.options.size() << ".\n";
+      output_ << "Please enter a number from 1 to " << question.options.size() << ".\n";
     } else {
       output_ << text_of(*refusal) << '\n';
     }

@@ -159,14 +159,15 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion>
     }
     wait(thinking_s);
     if (left_s) left_s = *left_s - thinking_s;
-    VirtualResponse judged = kind_of(protocol_).judge({.protocol = protocol_,
-                                                       .trial = trial,
-                                                       .question = question,
-                                                       .felt = felt,
-                                                       .expectations = expectations_,
-                                                       .observer = observer,
-                                                       .of_attempt = random,
-                                                       .of_participant = random_});
+    const ExperimentKind& kind = *kind_of_question(kind_named(trial.kind), question.form);
+    VirtualResponse judged = kind.judge({.protocol = protocol_,
+                                         .trial = trial,
+                                         .question = question,
+                                         .felt = felt,
+                                         .expectations = expectations_,
+                                         .observer = observer,
+                                         .of_attempt = random,
+                                         .of_participant = random_});
     is_guess = is_guess || judged.is_guess;
     given.push_back({std::move(judged.answer), {}});
   }

@@ -115,6 +115,53 @@ TEST(ParticipantView, AnswersASelectionByLetter) {
   EXPECT_EQ(seat.last().number, 4);
 }
 
+TEST(ParticipantView, MarksAScaleWhereItIsPressedAndWhileItIsDragged) {
+  Seat seat{};
+  seat.show(scenes::scales(5));
+  const std::vector<Item> items = seat.view.items();
+  const auto scale = std::find_if(items.begin(), items.end(), [](const Item& item) {
+    return item.kind == Item::Kind::scale && item.action->number == 4;
+  });
+  ASSERT_NE(scale, items.end());
+  const QPoint middle = scale->rect.center().toPoint();
+  QTest::mousePress(&seat.view, Qt::LeftButton, {}, middle);
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().kind, Kind::mark);
+  EXPECT_EQ(seat.last().number, 4);
+  EXPECT_DOUBLE_EQ(seat.last().position, 0.5);
+  QTest::mouseMove(&seat.view, middle + QPoint(1, 0));  // the same point
+  EXPECT_EQ(seat.inputs.size(), 1U);
+  const QPoint beyond(static_cast<int>(scale->rect.right()) + 40, middle.y());
+  QTest::mouseMove(&seat.view, beyond);
+  EXPECT_DOUBLE_EQ(seat.last().position, 1.0);
+  QTest::mouseRelease(&seat.view, Qt::LeftButton, {}, beyond);
+  EXPECT_EQ(seat.inputs.size(), 2U) << "its marks have been told";
+}
+
+TEST(ParticipantView, MovesTheMarkOfAScaleByArrows) {
+  Seat seat{};
+  seat.show(scenes::scales(5));
+  seat.key(Qt::Key_Right);
+  EXPECT_EQ(seat.last().kind, Kind::step);
+  EXPECT_EQ(seat.last().number, 1);
+  seat.key(Qt::Key_Left);
+  EXPECT_EQ(seat.last().number, -1);
+  seat.key(Qt::Key_Down);
+  EXPECT_EQ(seat.last().kind, Kind::select);
+  EXPECT_EQ(seat.last().number, 1);
+  seat.key(Qt::Key_6);
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 6);
+}
+
+TEST(ParticipantView, ListsTheLabelledPointsOfAScale) {
+  Seat seat{};
+  seat.show(scenes::scale_with_labels());
+  seat.click(Item::Kind::option, "agree");
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 4);
+}
+
 TEST(ParticipantView, AssignsByClickOnASurfaceAndThenAPicture) {
   Seat seat{};
   seat.show(scenes::matching(4));

@@ -101,6 +101,62 @@ ParticipantScene selection(int count) {
   return scene;
 }
 
+ParticipantScene scales(int count) {
+  static const std::vector<std::vector<std::string>> kEnds = {
+      {"smooth", "rough"},      {"soft", "hard"},           {"sticky", "slippery"},
+      {"fine", "coarse"},       {"unpleasant", "pleasant"}, {"flat", "bumpy"},
+      {"regular", "irregular"}, {"dull", "sharp"},          {"cold", "warm"},
+      {"dry", "wet"},           {"elastic", "rigid"},       {"artificial", "natural"}};
+  ParticipantScene scene = in_block(ParticipantScene::Kind::question, "How did the surface feel?");
+  scene.form = ScaleForm{.minimum = -3.0, .maximum = 3.0, .points = 7};
+  scene.surfaces = surfaces(1);
+  scene.can_switch = true;
+  scene.response_open = true;
+  for (int i = 0; i < count; ++i) {
+    const std::vector<std::string>& ends = kEnds[static_cast<std::size_t>(i) % kEnds.size()];
+    scene.scales.push_back(
+        {.prompt = "How " + ends[1] + " did it feel?",
+         .form = {.minimum = -3.0, .maximum = 3.0, .points = 7, .labels = ends}});
+  }
+  scene.scales[0].step = 5;
+  scene.scales[0].counts = true;
+  if (count > 2) {
+    scene.scales[1].step = 1;
+    scene.scales[1].counts = true;
+    scene.scales[2].step = 3;
+    scene.scales[2].current = true;
+  }
+  return scene;
+}
+
+ParticipantScene scale_line() {
+  ParticipantScene scene = scales(1);
+  scene.text = "How rough did the surface feel?";
+  scene.scales = {{.form = {.labels = {"extremely smooth", "extremely rough"}},
+                   .step = 413,
+                   .counts = true,
+                   .current = true}};
+  scene.form = scene.scales.front().form;
+  scene.can_confirm = true;
+  return scene;
+}
+
+ParticipantScene scale_with_labels() {
+  ParticipantScene scene = scales(1);
+  scene.text = "The surface felt like wood.";
+  scene.scales = {{.form = {.minimum = 1.0,
+                            .maximum = 5.0,
+                            .points = 5,
+                            .labels = {"strongly disagree", "disagree",
+                                       "neither agree nor disagree", "agree", "strongly agree"}},
+                   .step = 3,
+                   .counts = true,
+                   .current = true}};
+  scene.form = scene.scales.front().form;
+  scene.can_confirm = true;
+  return scene;
+}
+
 ParticipantScene magnitude() {
   ParticipantScene scene =
       in_block(ParticipantScene::Kind::question, "How rough did this surface feel?");
@@ -214,6 +270,9 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   from_memory.standard_picture.reset();
   scenes.emplace_back("selection-memory", from_memory);
   scenes.emplace_back("magnitude", magnitude());
+  scenes.emplace_back("scale-line", scale_line());
+  scenes.emplace_back("scale-labels", scale_with_labels());
+  scenes.emplace_back("scales", scales(5));
   ParticipantScene doubted = magnitude();
   doubted.text_saying = {.what = Saying::What::check_estimate, .code = "500"};
   doubted.text = text_of(doubted.text_saying);
@@ -271,6 +330,7 @@ std::vector<std::pair<std::string, ParticipantScene>> demanding() {
   matched.can_switch = true;
   matched.choices.push_back({.key = "0", .text = "I cannot tell"});
   scenes.emplace_back("matching-12", matched);
+  scenes.emplace_back("scales-12", scales(12));
   ParticipantScene selected = selection(9);
   selected.standard_picture.reset();
   scenes.emplace_back("selection-9", selected);

@@ -25,6 +25,12 @@ ParticipantScene matching(int count);
 ParticipantScene selection(int count);
 /// One surface, answered by a number.
 ParticipantScene magnitude();
+/// Bipolar scales on one page: with marks, one of them where a key began; the third is current.
+ParticipantScene scales(int count);
+/// A visual analogue scale with a mark.
+ParticipantScene scale_line();
+/// A scale with a label for every point.
+ParticipantScene scale_with_labels();
 ParticipantScene form_choice();
 ParticipantScene form_number();
 ParticipantScene form_text();

@@ -2,6 +2,7 @@
 
 #include "app/session/respondents/dialogues/number_dialogue.h"
 #include "app/session/respondents/dialogues/option_dialogues.h"
+#include "app/session/respondents/dialogues/scale_dialogue.h"
 
 namespace asperity {
 
@@ -17,6 +18,10 @@ std::unique_ptr<AnswerDialogue> dialogue_of(const AssignmentForm&, const Trial& 
 }
 std::unique_ptr<AnswerDialogue> dialogue_of(const NumberForm&, const Trial&, const TrialQuestion&) {
   return std::make_unique<NumberDialogue>();
+}
+std::unique_ptr<AnswerDialogue> dialogue_of(const ScaleForm& form, const Trial&,
+                                            const TrialQuestion&) {
+  return std::make_unique<ScaleDialogue>(form);
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ class AnswerDialogue {
   AnswerDialogue(const AnswerDialogue&) = delete;
   AnswerDialogue& operator=(const AnswerDialogue&) = delete;
 
+  /// Lines shown once below the question, each with its end of line: the meaning of what can be
+  /// typed; or empty.
+  virtual std::string introduction() const { return {}; }
   /// The prompt of the next line: "Your answer: ".
   virtual std::string prompt() const = 0;
   virtual std::variant<NextLine, Answer> take(const std::string& typed) = 0;

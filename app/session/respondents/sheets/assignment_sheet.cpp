@@ -34,6 +34,9 @@ SheetResult AssignmentSheet::take(const ParticipantInput& input) {
       return confirm();
     case ParticipantInput::Kind::device_button:
       return confirms_by_button(input) ? confirm() : point();
+    case ParticipantInput::Kind::mark:
+    case ParticipantInput::Kind::step:
+    case ParticipantInput::Kind::select:
     case ParticipantInput::Kind::click:
     case ParticipantInput::Kind::text:
     case ParticipantInput::Kind::released:

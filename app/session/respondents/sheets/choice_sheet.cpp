@@ -26,6 +26,9 @@ SheetResult ChoiceSheet::take(const ParticipantInput& input) {
     case ParticipantInput::Kind::device_button:
       return confirms_by_button(input) ? confirm() : point();
     case ParticipantInput::Kind::assign:
+    case ParticipantInput::Kind::mark:
+    case ParticipantInput::Kind::step:
+    case ParticipantInput::Kind::select:
     case ParticipantInput::Kind::click:
     case ParticipantInput::Kind::text:
     case ParticipantInput::Kind::released:

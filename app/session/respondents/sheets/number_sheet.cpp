@@ -24,6 +24,9 @@ SheetResult NumberSheet::take(const ParticipantInput& input) {
       break;
     case ParticipantInput::Kind::option:
     case ParticipantInput::Kind::assign:
+    case ParticipantInput::Kind::mark:
+    case ParticipantInput::Kind::step:
+    case ParticipantInput::Kind::select:
     case ParticipantInput::Kind::click:
     case ParticipantInput::Kind::released:
       return SheetUnchanged{};

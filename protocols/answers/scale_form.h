@@ -1,0 +1,54 @@
+// A point on a scale: labelled points, a semantic differential, or a visual analogue scale.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+struct AnsweredItem;
+struct TrialQuestion;
+
+/// The answer is a position on a line from `minimum` to `maximum`.
+///
+/// With `points`, the positions are that many equally spaced points, both ends included: a Likert
+/// scale where every point has a label, a semantic differential where only the ends have one.
+/// Without, every position can be given, in thousandths of the line: a visual analogue scale.
+struct ScaleForm {
+  static constexpr std::string_view kName = "scale";
+  /// Positions of a line without points, less one.
+  static constexpr int kFineSteps = 1000;
+
+  double minimum = 0.0;               ///< the value of the left end
+  double maximum = 100.0;             ///< the value of the right end; above `minimum`
+  int points = 0;                     ///< 0, or at least 2
+  std::vector<std::string> labels{};  ///< none, of the two ends, or one for every point
+
+  int steps() const noexcept { return points > 0 ? points - 1 : kFineSteps; }
+  bool labels_every_point() const noexcept {
+    return points > 2 && labels.size() == static_cast<std::size_t>(points);
+  }
+  /// The value that is stored for a step from 0 to steps().
+  double value_at(int step) const noexcept {
+    // The division comes last: whole values stay whole.
+    return minimum + (maximum - minimum) * step / steps();
+  }
+  bool operator==(const ScaleForm&) const = default;
+};
+
+struct ScalePoint {
+  int step = 0;  ///< from 0 at the left end to ScaleForm::steps()
+};
+
+constexpr int items_of(const ScaleForm&, int) noexcept { return 1; }
+std::vector<AnsweredItem> items_of(const TrialQuestion& question, const ScaleForm& form,
+                                   const ScalePoint& answer);
+std::vector<std::string> problems_with(const TrialQuestion& question, const ScaleForm& form,
+                                       const AnsweredItem& stored);
+/// The stored number, followed by the label of its point where every point has one.
+std::string label_of(const TrialQuestion& question, const ScaleForm& form,
+                     const std::string& stored);
+
+}  // namespace asperity
