@@ -305,15 +305,11 @@ TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPoints) {
     }
     return names;
   };
-  const std::set<std::string> of_points{"chapter_matching",
-                                        "chapter_recognition",
-                                        "chapter_selection",
-                                        "improved_matching",
-                                        "improved_recognition",
-                                        "improved_selection",
-                                        "improved_selection_blindfold",
-                                        "photo_matching",
-                                        "photo_recognition"};
+  const std::set<std::string> of_points{"attributes_of_textures", "chapter_matching",
+                                        "chapter_recognition",    "chapter_selection",
+                                        "improved_matching",      "improved_recognition",
+                                        "improved_selection",     "improved_selection_blindfold",
+                                        "photo_matching",         "photo_recognition"};
   EXPECT_EQ(warned_on("simulated"), std::set<std::string>{});
   EXPECT_EQ(warned_on("simulated:falcon"), of_points);
   EXPECT_EQ(warned_on("simulated:delta.3"), of_points);

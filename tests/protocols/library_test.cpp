@@ -92,15 +92,16 @@ INSTANTIATE_TEST_SUITE_P(All, Library,
                          testing::ValuesIn(library_protocols().begin(), library_protocols().end()),
                          [](const auto& each) { return std::string(each.param.name); });
 
-TEST(LibraryProtocols, CoverTheThreeExperimentsTwiceThePhotographsABlindfoldOneToolsAndRoughness) {
+TEST(LibraryProtocols,
+     CoverAttributesTheThreeExperimentsTwicePhotographsABlindfoldToolsAndRoughness) {
   std::vector<std::string> names{};
   for (const LibraryProtocol& each : library_protocols()) names.emplace_back(each.name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{
-                "chapter_matching", "chapter_recognition", "chapter_selection", "improved_matching",
-                "improved_recognition", "improved_selection", "improved_selection_blindfold",
-                "photo_matching", "photo_recognition", "roughness_diameter", "roughness_force",
-                "roughness_speed", "tools_matching"}));
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "attributes_of_textures", "chapter_matching", "chapter_recognition",
+                       "chapter_selection", "improved_matching", "improved_recognition",
+                       "improved_selection", "improved_selection_blindfold", "photo_matching",
+                       "photo_recognition", "roughness_diameter", "roughness_force",
+                       "roughness_speed", "tools_matching"}));
 }
 
 /// A protocol in German and in English, without what its language decides.

@@ -196,7 +196,7 @@ const Fault kForm[] = {
     {"unknown_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "zebra": 1,)", R"("zebra")",
      "/zebra", "there is no key"},
     {"unknown_kind", R"("kind": "selection")", R"("kind": "ranking")", R"("ranking")", "/kind",
-     R"("selection", "matching", "recognition" or "magnitude")"},
+     R"("selection", "matching", "recognition", "magnitude" or "rating")"},
     {"near_choice", R"("order": "shuffle")", R"("order": "shufle")", R"("shufle")",
      "/blocks/main/order", R"(did you mean "shuffle"?)"},
     {"version", R"("version": "1.0.0")", R"("version": "1.0")", R"("1.0")", "/version",

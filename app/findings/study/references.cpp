@@ -21,6 +21,10 @@ constexpr std::array kReferences{
     Reference{"Fligner 1986", "Fligner & Verducci, 1986",
               "Fligner, M. A., & Verducci, J. S. (1986). Distance based ranking models. Journal of "
               "the Royal Statistical Society: Series B, 48(3), 359–369."},
+    Reference{"Friedman 1937", "Friedman, 1937",
+              "Friedman, M. (1937). The use of ranks to avoid the assumption of normality implicit "
+              "in the analysis of variance. Journal of the American Statistical Association, "
+              "32(200), 675–701."},
     Reference{"Greenhouse 1959", "Greenhouse & Geisser, 1959",
               "Greenhouse, S. W., & Geisser, S. (1959). On methods in the analysis of profile "
               "data. Psychometrika, 24(2), 95–112."},
@@ -33,9 +37,16 @@ constexpr std::array kReferences{
     Reference{"Kendall 1939", "Kendall & Babington Smith, 1939",
               "Kendall, M. G., & Babington Smith, B. (1939). The problem of m rankings. The Annals "
               "of Mathematical Statistics, 10(3), 275–287."},
+    Reference{"McCullagh 1980", "McCullagh, 1980",
+              "McCullagh, P. (1980). Regression models for ordinal data. Journal of the Royal "
+              "Statistical Society: Series B, 42(2), 109–142."},
     Reference{"Miller 1955", "Miller, 1955",
               "Miller, G. A. (1955). Note on the bias of information estimates. In H. Quastler "
               "(Ed.), Information theory in psychology (pp. 95–100). Free Press."},
+    Reference{
+        "Wilcoxon 1945", "Wilcoxon, 1945",
+        "Wilcoxon, F. (1945). Individual comparisons by ranking methods. Biometrics Bulletin, "
+        "1(6), 80–83."},
     Reference{"Williams 1949", "Williams, 1949",
               "Williams, E. J. (1949). Experimental designs balanced for the estimation of "
               "residual effects of treatments. Australian Journal of Scientific Research, Series "

@@ -13,6 +13,8 @@ namespace asperity {
 namespace {
 
 constexpr std::array kFamilies{
+    TidyFamily{"components", "item,scale,score: one score per item and scale", "",
+               components_findings, ""},
     TidyFamily{"equivalence",
                "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
                "subject,group,value: two samples; one row per participant",
@@ -52,6 +54,9 @@ constexpr std::array kFamilies{
         "place of a trial, response empty where it was left blank; and, where a trial stands "
         "for several, times",
         "conf; parts: all, summary, totals", matching_findings, "conf,parts"},
+    TidyFamily{"ordinal", "subject,item,score: one response per row, on ordered categories",
+               "items (all that were scored; effects refer to the first), conf", ordinal_findings,
+               "items,conf"},
     TidyFamily{
         "paired",
         "subject,first,second,winner: the item that was preferred to the other, or tie, empty "

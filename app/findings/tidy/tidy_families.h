@@ -64,6 +64,7 @@ std::string family_names();
 /// Throws std::runtime_error with the list of families for an unknown name.
 const TidyFamily& tidy_family(const std::string& name);
 
+std::vector<Finding> components_findings(const TidyInput& input);
 std::vector<Finding> equivalence_findings(const TidyInput& input);
 std::vector<Finding> glmm_findings(const TidyInput& input);
 std::vector<Finding> group_findings(const TidyInput& input);
@@ -71,6 +72,7 @@ std::vector<Finding> icc_findings(const TidyInput& input);
 std::vector<Finding> learning_findings(const TidyInput& input);
 std::vector<Finding> magnitude_findings(const TidyInput& input);
 std::vector<Finding> matching_findings(const TidyInput& input);
+std::vector<Finding> ordinal_findings(const TidyInput& input);
 std::vector<Finding> paired_findings(const TidyInput& input);
 std::vector<Finding> power_findings(const TidyInput& input);
 std::vector<Finding> proportion_findings(const TidyInput& input);

@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>The shape is determined by the slopes of each participant&apos;s own parabola at the smallest and the largest spacing; there is no test.</source>
-        <translation>Bestimmt nach den Steigungen der individuellen Parabel jeder Versuchsperson beim kleinsten und beim größten Abstand, ohne Test.</translation>
+        <translation>Die Form wird nach den Steigungen der individuellen Parabel jeder Versuchsperson beim kleinsten und beim größten Abstand bestimmt; es gibt keinen Test.</translation>
     </message>
     <message>
         <source>Participants with an empty cell, who are left out of curves and tests: %1.</source>
@@ -1334,6 +1334,78 @@
     <message>
         <source>For these participants, %1; difference (%4 − %5) %2. Permutation test of group labels: %3.</source>
         <translation>Bei diesen Versuchspersonen: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>rating</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>Principal components of the scales</source>
+        <translation>Hauptkomponenten der Skalen</translation>
+    </message>
+    <message>
+        <source>Of the correlations of the scales over the items&apos; mean ratings. A component is retained if its eigenvalue, and those of all before it, exceed the limit: the 95th percentile of tables of random numbers of the same size (parallel analysis).</source>
+        <translation>Hauptkomponenten der Korrelationen der Skalen über die mittleren Urteile der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller vorhergehenden über der Grenze liegen: dem 95. Perzentil gleich großer Tabellen aus Zufallszahlen (Parallelanalyse).</translation>
+    </message>
+    <message>
+        <source>Loadings of the scales and scores of the items</source>
+        <translation>Ladungen der Skalen und Komponentenwerte der Items</translation>
+    </message>
+    <message>
+        <source>A loading is the correlation of a scale with a component; a score is the position of an item on it.</source>
+        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente, ein Komponentenwert die Position eines Items auf ihr.</translation>
+    </message>
+    <message>
+        <source>%1 (95 % CI [%2, %3])</source>
+        <translation>%1 (95-%-KI [%2, %3])</translation>
+    </message>
+    <message>
+        <source>Do the ratings on the scale “%1” differ between the items?</source>
+        <translation>Unterscheiden sich die Urteile auf der Skala „%1“ zwischen den Items?</translation>
+    </message>
+    <message>
+        <source>Friedman test of the participants&apos; mean ratings of the items; CIs of the means are t-based.</source>
+        <translation>Friedman-Test der mittleren Urteile der Versuchspersonen über die Items; die Konfidenzintervalle der Mittelwerte beruhen auf der t-Verteilung.</translation>
+    </message>
+    <message>
+        <source>Not tested: too few participants rated every item.</source>
+        <translation>Nicht getestet: Zu wenige Versuchspersonen haben alle Items beurteilt.</translation>
+    </message>
+    <message>
+        <source>Yes: the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
+        <translation>Ja: Das mittlere Urteil ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
+    </message>
+    <message>
+        <source>Not significantly: the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5. This does not show that they are equal.</source>
+        <translation>Nicht signifikant: Das mittlere Urteil ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5. Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>For these participants, the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
+        <translation>Bei diesen Versuchspersonen ist das mittlere Urteil für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
+    </message>
+    <message>
+        <source>Mean ratings of the items on each scale</source>
+        <translation>Mittlere Urteile der Items auf jeder Skala</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own means, with t-based 95 % CIs, of the participants who rated every item; mean rank: 1 for the lowest rating of a participant.</source>
+        <translation>Mittelwerte der Mittelwerte der einzelnen Versuchspersonen, die alle Items beurteilt haben, mit 95-%-Konfidenzintervallen nach der t-Verteilung; mittlerer Rang: 1 für das niedrigste Urteil einer Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>Agreement of the participants on each scale</source>
+        <translation>Übereinstimmung der Versuchspersonen auf jeder Skala</translation>
+    </message>
+    <message>
+        <source>Intraclass correlations with the items as targets and the participants as raters: ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants. Cronbach&apos;s α with the participants as parts.</source>
+        <translation>Intraklassen-Korrelationen mit den Items als beurteilten Objekten und den Versuchspersonen als Urteilern: ICC2 misst die Übereinstimmung, ICC3 die Konsistenz; k: des Mittelwerts aller Versuchspersonen. Cronbachs α mit den Versuchspersonen als Teilen.</translation>
+    </message>
+    <message>
+        <source>Cumulative link model of the ratings on each scale</source>
+        <translation>Kumulatives Link-Modell der Urteile auf jeder Skala</translation>
+    </message>
+    <message>
+        <source>Log odds ratio of a higher rating than that of the reference, with Wald 95 % CIs: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. The p values are not corrected.</source>
+        <translation>Logarithmiertes Chancenverhältnis eines höheren Urteils gegenüber der Referenz, mit 95-%-Konfidenzintervallen nach Wald: proportionale Chancen, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind nicht korrigiert.</translation>
     </message>
 </context>
 <context>
@@ -2174,6 +2246,18 @@
     <message>
         <source>the participants are not in two groups of the protocol</source>
         <translation>die Versuchspersonen gehören nicht zu zwei Gruppen des Protokolls</translation>
+    </message>
+    <message>
+        <source>pairs of items</source>
+        <translation>Paare von Items</translation>
+    </message>
+    <message>
+        <source>cumulative link model</source>
+        <translation>kumulatives Link-Modell</translation>
+    </message>
+    <message>
+        <source>ratings of the items</source>
+        <translation>Urteile über die Items</translation>
     </message>
 </context>
 <context>
@@ -3741,6 +3825,14 @@
         <source>Please wait for the experimenter.</source>
         <translation>Bitte warten Sie auf die Versuchsleitung.</translation>
     </message>
+    <message>
+        <source>Please mark a point on the scale first.</source>
+        <translation>Bitte markieren Sie zuerst einen Punkt auf der Skala.</translation>
+    </message>
+    <message>
+        <source>Please mark a point on every scale first.</source>
+        <translation>Bitte markieren Sie zuerst auf jeder Skala einen Punkt.</translation>
+    </message>
 </context>
 <context>
     <name>ProfileWords</name>
@@ -5159,6 +5251,34 @@
     <message>
         <source>bias-corrected transmitted information in bits</source>
         <translation>bias-korrigierte übertragene Information in Bit</translation>
+    </message>
+    <message>
+        <source>Friedman test</source>
+        <translation>Friedman-Test</translation>
+    </message>
+    <message>
+        <source>Kendall’s coefficient of concordance</source>
+        <translation>Kendalls Konkordanzkoeffizient</translation>
+    </message>
+    <message>
+        <source>likelihood-ratio test of a cumulative link mixed model</source>
+        <translation>Likelihood-Quotienten-Test eines kumulativen gemischten Link-Modells</translation>
+    </message>
+    <message>
+        <source>Wilcoxon signed-rank test</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test</translation>
+    </message>
+    <message>
+        <source>sum of the ranks of positive differences</source>
+        <translation>Summe der Ränge positiver Differenzen</translation>
+    </message>
+    <message>
+        <source>rank-biserial correlation</source>
+        <translation>rangbiseriale Korrelation</translation>
+    </message>
+    <message>
+        <source>McFadden’s R²</source>
+        <translation>McFaddens R²</translation>
     </message>
 </context>
 <context>
@@ -7166,12 +7286,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Zeit, s</translation>
     </message>
     <message>
-        <source>FROM ABOVE mm</source>
-        <translation>VON OBEN mm</translation>
+        <source>TOP VIEW mm</source>
+        <translation>DRAUFSICHT mm</translation>
     </message>
     <message>
-        <source>FROM THE FRONT mm</source>
-        <translation>VON VORN mm</translation>
+        <source>FRONT VIEW mm</source>
+        <translation>VORDERANSICHT mm</translation>
     </message>
 </context>
 <context>
@@ -8147,7 +8267,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Protokolle</translation>
     </message>
     <message>
-        <source>New from template</source>
+        <source>Create from template</source>
         <translation>Neu aus Vorlage</translation>
     </message>
     <message>
@@ -9866,8 +9986,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Kraft, Eindringtiefe, Geschwindigkeit und Position über der Zeit</translation>
     </message>
     <message>
-        <source>FORCE N, normal</source>
-        <translation>KRAFT N, normal</translation>
+        <source>NORMAL FORCE N</source>
+        <translation>NORMALKRAFT N</translation>
     </message>
     <message>
         <source>rendered</source>

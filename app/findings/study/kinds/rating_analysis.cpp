@@ -1,0 +1,67 @@
+#include "app/findings/study/kinds/rating_analysis.h"
+
+#include <array>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <variant>
+
+#include "protocols/kinds/experiment_kind.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kRatingClaims{
+    TestClaim{"ratings", "", "The ratings on the scale %1 differed significantly between the items",
+              "", "The ratings on the scale %1 did not differ significantly between the items"},
+    TestClaim{"rated_pairs", "", "%1 was rated significantly higher than %2",
+              "%1 was rated significantly lower than %2",
+              "The ratings of %1 and %2 were not significantly different"},
+    TestClaim{
+        "rating_model", "",
+        "The odds of a higher rating on the scale %1 differed significantly between the items", "",
+        "The odds of a higher rating on the scale %1 did not differ significantly between the "
+        "items"}};
+
+std::size_t scales_of(const Protocol& protocol) {
+  std::set<std::string> names{};
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.phase != Phase::main) continue;
+    for (const auto& question : block.questions) {
+      if (std::holds_alternative<ScaleForm>(question.form)) names.insert(question.name);
+    }
+  }
+  return names.size();
+}
+
+std::string on_scales(const Protocol& protocol) {
+  const std::size_t scales = scales_of(protocol);
+  return scales == 1 ? "on one scale" : "on " + std::to_string(scales) + " scales";
+}
+
+std::string task_of_rating(const Protocol& protocol) {
+  return "Task: in each trial, one surface is presented, and it is rated " + on_scales(protocol) +
+         ".";
+}
+
+std::string paper_task_of_rating(const Protocol& protocol) {
+  return ", and it was rated " + on_scales(protocol) + ".";
+}
+
+}  // namespace
+
+const StudyAnalysis& rating_analysis() {
+  static const StudyAnalysis kAnalysis{
+      .kind = "rating",
+      .name = phrase("Analysis", "rating"),
+      .claims = kRatingClaims,
+      .task = task_of_rating,
+      .task_for_paper = paper_task_of_rating,
+      .transformation =
+          "Each participant's ratings of an item were averaged before they were analysed.",
+      .analyze = analyze_rating};
+  return kAnalysis;
+}
+
+}  // namespace asperity

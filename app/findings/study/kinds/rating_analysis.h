@@ -1,0 +1,16 @@
+// Analyses the kind "rating".
+
+#pragma once
+
+#include "app/findings/study/study_analysis.h"
+
+namespace asperity {
+
+/// Ratings on one or more scales, each on its own: mean ratings of the items, tests between them, and
+/// the agreement of the participants. A participant's ratings of an item are averaged over its trials
+/// first.
+void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+const StudyAnalysis& rating_analysis();
+
+}  // namespace asperity

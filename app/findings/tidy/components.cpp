@@ -1,0 +1,75 @@
+// Scales on which the same items have values: principal components of their correlations.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/principal_components.h"
+#include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+std::string component_name(Eigen::Index component) { return "C" + std::to_string(component + 1); }
+
+}  // namespace
+
+std::vector<Finding> components_findings(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  const LabelColumn items = table.all_labels("item");
+  const LabelColumn scales = table.all_labels("scale");
+  const std::vector<std::optional<double>> scores = table.numbers("score");
+  const auto rows = static_cast<Eigen::Index>(items.names.size());
+  const auto columns = static_cast<Eigen::Index>(scales.names.size());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Constant(rows, columns, kUndefined);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (!scores[row]) continue;
+    double& value = values(static_cast<Eigen::Index>(items.codes[row]),
+                           static_cast<Eigen::Index>(scales.codes[row]));
+    if (value == value) {
+      table.refuse(row, "scale",
+                   items.names[items.codes[row]] + " has a score on \"" +
+                       scales.names[scales.codes[row]] +
+                       "\" already; remove one of the rows: an item has one score per scale");
+    }
+    value = *scores[row];
+  }
+  FindingList findings{};
+  const auto n = static_cast<std::size_t>(rows);
+  const Basis basis{.n = n,
+                    .method = "principal components of the correlations of the scales over the items"};
+  const auto refuse = [&](const char* word, const char* status) {
+    findings.word("eigenvalue", "", word, status, basis);
+    return findings.take();
+  };
+  if (rows < 3 || columns < 2) {
+    return refuse("too_few", "components require at least three items and two scales");
+  }
+  if (values.hasNaN()) return refuse("incomplete", "an item has no score on a scale");
+  const std::optional<PrincipalComponents> found = principal_components(values);
+  if (!found) return refuse("no_variance", "all items have the same score on a scale");
+  const ParallelAnalysis noise = parallel_analysis(found->eigenvalues, rows);
+  const Basis limit{.n = n,
+                    .method = "parallel analysis: 95th percentile of " +
+                              std::to_string(noise.data_sets) + " tables of random numbers"};
+  findings.count("retained", "", noise.retained, limit);
+  for (Eigen::Index component = 0; component < columns; ++component) {
+    const std::string name = component_name(component);
+    findings.number("eigenvalue", name, found->eigenvalues(component), basis);
+    findings.number("proportion", name, found->proportion(component), basis);
+    findings.number("parallel.limit", name, noise.limits(component), limit);
+    for (Eigen::Index scale = 0; scale < columns; ++scale) {
+      findings.number("loading", both(scales.names[static_cast<std::size_t>(scale)], name),
+                      found->loadings(scale, component), basis);
+    }
+    for (Eigen::Index item = 0; item < rows; ++item) {
+      findings.number("score", both(items.names[static_cast<std::size_t>(item)], name),
+                      found->scores(item, component), basis);
+    }
+  }
+  return findings.take();
+}
+
+}  // namespace asperity

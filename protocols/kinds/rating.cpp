@@ -1,0 +1,82 @@
+// The tests, checks and judgement of a rating.
+
+#include "protocols/kinds/rating.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kRatingTests{
+    KindTest{"ratings", "do the ratings differ between the items"},
+    KindTest{"rated_pairs", "for every pair of items: do the ratings differ"},
+    KindTest{"rating_model",
+             "for scales with points: do the odds of a higher rating depend on the item"}};
+
+std::string item_of_rating(const StimulusDescription& stimulus) {
+  return stimulus.texture.empty() ? stimulus.model : stimulus.texture;
+}
+
+void check_block_of_rating(const BlockOfKind& checked, ProblemSink& problems) {
+  if (checked.block.presented.size() != 1) {
+    problems.report(checked.pointer + "/presented",
+                    "a rating presents exactly one surface per trial");
+  }
+  const auto remove = [&](const char* key, const std::string& why) {
+    problems.report(checked.at_question + "/" + key, why + "; remove this key");
+  };
+  if (!checked.question.pictures.empty()) {
+    remove("pictures", "a rating is answered on a scale, not by a picture");
+  }
+  if (checked.question.allow_cannot_tell) {
+    remove("allow_cannot_tell",
+           "on a scale every surface gets a point, and there is no \"cannot tell\"");
+  }
+  if (!checked.question.correct_factor.empty()) {
+    remove("correct_factor", "no rating is correct or incorrect");
+  }
+}
+
+/// A point on the scale: the standard logistic function of 3·l·(r + ε + 4.3) + b + η.
+///
+/// r + ε is what the observer perceives of the first surface (VirtualObserver::estimate), about −4.3 for
+/// the lateral force of a stone surface. l is the loading of the question, between 0.5 and 1 with either sign, which
+/// its name determines: scales correlate positively or negatively, and for all participants alike.
+/// b ~ N(0, 0.3²) is the participant's bias on this scale, and η ~ N(0, 0.4²) varies over responses.
+VirtualResponse judge_rating(const Judgement& judgement) {
+  constexpr double kMedium = -4.3;
+  constexpr double kSlope = 3.0;
+  const auto& form = std::get<ScaleForm>(judgement.question.form);
+  const std::string& name = judgement.question.name;
+  Random of_question = Random(0).split("loading of a scale").split(name);
+  const double sign = of_question.uniform() < 0.5 ? -1.0 : 1.0;
+  const double loading = sign * (0.5 + 0.5 * of_question.uniform());
+  Random of_participant = judgement.of_participant.split("bias on a scale").split(name);
+  Random of_response = judgement.of_attempt.split("response on a scale").split(name);
+  constexpr NumberHabit kExact{.modulus = 1.0, .digits = 6};
+  const double perceived = std::log(judgement.observer.estimate(judgement.felt.front(), kExact));
+  const double position = kSlope * loading * (perceived - kMedium) + 0.3 * of_participant.normal() +
+                          0.4 * of_response.normal();
+  const double share = 1.0 / (1.0 + std::exp(-position));
+  return {ScalePoint{static_cast<int>(std::lround(share * form.steps()))}, false};
+}
+
+}  // namespace
+
+const ExperimentKind& rating_kind() {
+  static const ExperimentKind kKind{.id = "rating",
+                                    .role = "target",
+                                    .form = ScaleForm{},
+                                    .asks_several = true,
+                                    .tests = kRatingTests,
+                                    .item_of = item_of_rating,
+                                    .check_block = check_block_of_rating,
+                                    .judge = judge_rating};
+  return kKind;
+}
+
+}  // namespace asperity
