@@ -1,0 +1,128 @@
+// Three tasks in one session, two groups of participants, and five scales in a trial: from check to report.
+
+#include <csignal>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// Ratings on five scales, then a recognition, then a selection with a rating of confidence; 10 trials.
+nlohmann::ordered_json three_tasks() {
+  nlohmann::ordered_json protocol = small_selection(2);
+  protocol["format"] = "asperity.protocol/2";
+  protocol["kind"] = "rating";
+  protocol["name"] = "three_tasks";
+  protocol["factors"]["training"] = {{"levels", {"haptic", "visual"}}};
+  protocol["groups"] = {{"factor", "training"}, {"assigned", "balanced"}};
+  protocol["stimuli"]["plain"] =
+      nlohmann::ordered_json::parse(R"({"model": "height_map", "texture": {"factor": "texture"}})");
+  nlohmann::ordered_json selection = protocol["blocks"]["main"];
+  selection["kind"] = "selection";
+  const nlohmann::ordered_json asked = selection["question"];
+  selection.erase("question");
+  selection["questions"] = {
+      asked,
+      {{"name", "sure"}, {"prompt", "How sure?"}, {"scale", nlohmann::ordered_json::object()}}};
+  nlohmann::ordered_json recognition = small_recognition(2)["blocks"]["main"];
+  recognition["kind"] = "recognition";
+  recognition["presented"] = {{{"stimulus", "plain"}}};
+  nlohmann::ordered_json ratings = recognition;
+  ratings.erase("kind");
+  ratings.erase("question");
+  ratings["repetitions"] = 1;
+  ratings["question_layout"] = "one_page";
+  ratings["question_order"] = "shuffle";
+  for (const char* const name : {"rough", "hard", "slippery", "coarse", "pleasant"}) {
+    ratings["questions"].push_back({{"name", name},
+                                    {"prompt", std::string("How ") + name + "?"},
+                                    {"scale", {{"minimum", 1}, {"maximum", 7}, {"points", 7}}}});
+  }
+  protocol["blocks"] = {
+      {"ratings", ratings}, {"recognition", recognition}, {"selection", selection}};
+  protocol["flow"] = nlohmann::ordered_json::parse(
+      R"([{"run": "ratings"}, {"run": "recognition"}, {"run": "selection"}])");
+  return protocol;
+}
+
+class ThreeTasks : public testing::Test {
+ protected:
+  ThreeTasks() { write_text(file_, three_tasks().dump(2)); }
+
+  std::vector<std::string> run_of(const fs::path& study, bool resumes) const {
+    std::vector<std::string> words{"run",      file_,       "--study", study, "--participant",
+                                   "standin1", "--virtual", "--seed",  "9"};
+    if (resumes) words.emplace_back("--resume");
+    return words;
+  }
+
+  SmallStudy small_{1};
+  fs::path file_ = small_.study() / "protocols" / "three_tasks.json";
+};
+
+TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
+  ASSERT_EQ(asperity({"check", file_, "--study", small_.study()}).status, 0);
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "4", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  EXPECT_EQ(asperity({"verify", small_.study()}).status, 0);
+
+  const std::string analysed = asperity({"analyze", small_.study()}).out;
+  EXPECT_THAT(analysed, HasSubstr("three_tasks 1.0.0 (rating, improved)"));
+  EXPECT_THAT(analysed, HasSubstr("three_tasks 1.0.0 (recognition, improved)"));
+  EXPECT_THAT(analysed, HasSubstr("three_tasks 1.0.0 (selection, improved)"));
+
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  const std::vector<std::string> kinds = tsv(tables.at("trials.tsv")).column("kind");
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), "rating"), 8);
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), "recognition"), 16);
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), "selection"), 16);
+  // 2 × 5 ratings, 4 recognitions, and 4 selections with a confidence, of each participant.
+  EXPECT_EQ(tsv(tables.at("responses.tsv")).rows.size(), 4U * (10U + 4U + 8U));
+  const std::vector<std::string> groups = tsv(tables.at("participants.tsv")).column("group");
+  EXPECT_EQ(std::count(groups.begin(), groups.end(), "haptic"), 2);
+
+  const fs::path report = small_.place() / "report.html";
+  EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("Task of the rating: in each trial"));
+  EXPECT_THAT(text, HasSubstr("Task of the recognition: in each trial"));
+}
+
+// Killed after every trial, it goes on with the next one, to the same answers.
+TEST_F(ThreeTasks, ResumeAfterAKillAtEveryTrial) {
+  const fs::path never_killed = small_.place() / "never_killed";
+  copy_stimuli(small_, never_killed);
+  ASSERT_EQ(asperity(run_of(never_killed, false)).status, 0);
+  const auto expected = exported(never_killed, small_.place() / "expected");
+
+  constexpr int kTrials = 10;
+  for (int trial = 0; trial + 1 < kTrials; ++trial) {
+    Invocation invocation{};
+    invocation.arguments = run_of(small_.study(), trial > 0);
+    Program program(invocation);
+    program.read_until(
+        [](const std::string&, const std::string& err) { return !done_lines(err).empty(); });
+    program.send(SIGKILL);
+    program.finish();
+  }
+  const Outcome finished = asperity(run_of(small_.study(), true));
+  // A program that was killed late may have ended the session.
+  EXPECT_TRUE(finished.status == 0 || finished.status == 1) << finished.err;
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  for (const char* const column : {"question", "answer"}) {
+    EXPECT_EQ(tsv(tables.at("responses.tsv")).column(column),
+              tsv(expected.at("responses.tsv")).column(column));
+  }
+  EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"completed"});
+}
+
+}  // namespace
+}  // namespace asperity::test
