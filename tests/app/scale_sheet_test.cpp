@@ -117,6 +117,14 @@ TEST_F(ScalePage, StaysWithinItsEnds) {
   EXPECT_EQ(scene().scales[0].step, 0);
 }
 
+TEST_F(ScalePage, MovesAMarkOnALineByHundredths) {
+  take(Kind::mark, 3, 0.5);
+  take(Kind::step, 1);
+  EXPECT_EQ(scene().scales[2].step, 510);
+  take(Kind::step, -2);
+  EXPECT_EQ(scene().scales[2].step, 490);
+}
+
 TEST_F(ScalePage, GoesFromScaleToScaleByDigits) {
   take(Kind::option, 7);
   EXPECT_EQ(scene().scales[0].step, 6);

@@ -4,7 +4,7 @@
 
 namespace asperity {
 
-/// Two columns are read as one list; with more, points next to each other would not be neighbours.
+/// A label for every point needs the room of a list.
 bool ParticipantPage::is_list_of_points() const {
   return scene_.scales.size() == 1 && scene_.scales.front().form.labels_every_point();
 }

@@ -66,7 +66,8 @@ SheetResult ScaleSheet::choose_point(const ParticipantInput& input) {
 
 SheetResult ScaleSheet::move(const ParticipantInput& input) {
   Mark& mark = marks_[current_];
-  if (mark.step) return set(current_, *mark.step + input.number, input);
+  const int stride = mark.form.points > 0 ? 1 : mark.form.steps() / 100;
+  if (mark.step) return set(current_, *mark.step + stride * input.number, input);
   mark.step = mark.form.steps() / 2;
   return SheetChanged{};
 }

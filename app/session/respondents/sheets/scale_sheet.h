@@ -16,9 +16,9 @@ namespace asperity {
 ///
 /// A scale has no mark before it is first touched, so that no position suggests an answer. A pointer
 /// sets the mark where it presses. A key or button has to begin somewhere: the first step shows a
-/// mark in the middle that is not an answer, and later steps move it; what they reach is one. A digit sets
-/// the mark at that point. One scale is always current: keys and buttons refer to it, and after a digit
-/// the next scale without a mark becomes current.
+/// mark in the middle that is not an answer, and later steps move it, by a point or by a hundredth of
+/// the line; what they reach is one. A digit sets the mark at that point. One scale is always current:
+/// keys and buttons refer to it, and after a digit the next scale without a mark becomes current.
 ///
 /// The device's first button steps to the right, and from the right end to the left one, in tenths
 /// where the scale has no points; a confirmation by button goes on to the next scale without a mark,
