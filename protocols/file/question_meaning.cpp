@@ -41,6 +41,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     }
     check_pictures(block, question, place);
     check_scale(question, place);
+    check_same_scale(block, question, place);
     const ExperimentKind* const of_question = kind_of_question(kind, question.form);
     if (of_question == &kind) ++own;
     if (of_question == nullptr) {
@@ -138,9 +139,37 @@ void Meaning::check_pictures(const Block& block, const TrialQuestionTemplate& qu
   }
 }
 
+/// Ratings of several blocks are analysed together where their question has one name.
+void Meaning::check_same_scale(const Block& block, const TrialQuestionTemplate& question,
+                               const std::string& place) {
+  const auto* const scale = std::get_if<ScaleForm>(&question.form);
+  if (scale == nullptr || block.phase != Phase::main) return;
+  for (const auto& [name, other] : protocol_.blocks) {
+    if (other.phase != Phase::main || name >= block.name) continue;
+    for (const TrialQuestionTemplate& earlier : other.questions) {
+      const auto* const its = std::get_if<ScaleForm>(&earlier.form);
+      if (earlier.name != question.name || its == nullptr || *its == *scale) continue;
+      report(place + "/name",
+             "the block " + in_quotes(name) + " asks " + in_quotes(question.name) +
+                 " on another scale, and the two are analysed together; give one of "
+                 "the questions another name, or both the same scale");
+    }
+  }
+}
+
 void Meaning::check_scale(const TrialQuestionTemplate& question, const std::string& place) {
   const auto* const scale = std::get_if<ScaleForm>(&question.form);
   if (scale == nullptr) return;
+  const auto remove = [&](const char* key, const std::string& why) {
+    report(place + "/" + key, why + "; remove this key");
+  };
+  if (!question.pictures.empty()) remove("pictures", "a scale is not answered by a picture");
+  if (question.allow_cannot_tell) {
+    remove("allow_cannot_tell", "a scale always has an answer, and there is no \"cannot tell\"");
+  }
+  if (!question.correct_factor.empty()) {
+    remove("correct_factor", "no point of a scale is correct or incorrect");
+  }
   const std::string at = place + "/scale";
   if (scale->minimum >= scale->maximum) {
     report(at, "the scale ends at " + digits(scale->maximum) +

@@ -137,7 +137,7 @@ void check_magnitude(const Protocol& protocol, ProblemSink& problems) {
     return;
   }
   for (const auto& [name, block] : protocol.blocks) {
-    if (block.phase != Phase::main) continue;
+    if (block.phase != Phase::main || block.kind != "magnitude") continue;
     check_design_of(protocol, block, has_spacing, has_condition, problems);
   }
 }

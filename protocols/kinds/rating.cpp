@@ -26,19 +26,6 @@ void check_block_of_rating(const BlockOfKind& checked, ProblemSink& problems) {
     problems.report(checked.pointer + "/presented",
                     "a rating presents exactly one surface per trial");
   }
-  const auto remove = [&](const char* key, const std::string& why) {
-    problems.report(checked.at_question + "/" + key, why + "; remove this key");
-  };
-  if (!checked.question.pictures.empty()) {
-    remove("pictures", "a rating is answered on a scale, not by a picture");
-  }
-  if (checked.question.allow_cannot_tell) {
-    remove("allow_cannot_tell",
-           "on a scale every surface gets a point, and there is no \"cannot tell\"");
-  }
-  if (!checked.question.correct_factor.empty()) {
-    remove("correct_factor", "no rating is correct or incorrect");
-  }
 }
 
 /// A point on the scale: the standard logistic function of 3·l·(r + ε + 4.3) + b + η.

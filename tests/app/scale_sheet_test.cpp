@@ -173,6 +173,16 @@ TEST(Scale, StoresItsPointsAndNothingBetween) {
   EXPECT_EQ(label_of(scale("agree", likert), "2"), "2 (partly)");
 }
 
+TEST(Scale, EndsAtItsMaximumWhateverRoundingDoes) {
+  for (const double maximum : {0.4, 0.8, 1.0}) {
+    const ScaleForm form{.minimum = maximum == 1.0 ? 0.2 : 0.0, .maximum = maximum, .points = 7};
+    const TrialQuestion question = scale("rough", form);
+    const AnsweredItem item = items_of(question, Answer(ScalePoint{6})).front();
+    EXPECT_EQ(item.number, maximum);
+    EXPECT_TRUE(problems_with(question, item).empty());
+  }
+}
+
 TEST(Scale, IsTypedAtATerminalAsItsNumber) {
   ScaleDialogue points(kSevenPoints);
   EXPECT_EQ(points.introduction(), "  -3  low\n  …\n  3  high\n");

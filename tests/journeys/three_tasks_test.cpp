@@ -94,6 +94,9 @@ TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
   const std::string text = text_of(report);
   EXPECT_THAT(text, HasSubstr("Task of the rating: in each trial"));
   EXPECT_THAT(text, HasSubstr("Task of the recognition: in each trial"));
+  for (const char* const kind : {"rating", "recognition", "selection"}) {
+    EXPECT_THAT(text, HasSubstr("Results (" + std::string(kind) + ")"));
+  }
 }
 
 // Killed after every trial, it goes on with the next one, to the same answers.

@@ -130,7 +130,7 @@ TEST(Questions, AreRefusedAtTheirPlace) {
               HasSubstr("one_after_another"));
   EXPECT_THAT(refused("/blocks/ratings/questions/0/pictures", {"metal", "wood"},
                       block + "/questions/0/pictures"),
-              HasSubstr("not by a picture"));
+              HasSubstr("not answered by a picture"));
   EXPECT_THAT(
       refused("/blocks/recognition/question/scale", json::object(), "/blocks/recognition/question"),
       HasSubstr("needs one question answered by a choice"));

@@ -159,7 +159,9 @@ class Gathering {
         }
       }
     }
-    if (auto& estimation = specified.estimation) {
+    const ExperimentKind* const kind = find_kind(gathered.kind);
+    const bool has_numbers = kind == nullptr || std::holds_alternative<NumberForm>(kind->form);
+    if (auto& estimation = specified.estimation; estimation && has_numbers) {
       gathered.estimation.spacing = estimation->spacing;
       gathered.estimation.condition = estimation->condition;
       gathered.estimation.spacing_m.merge(estimation->spacing_m);

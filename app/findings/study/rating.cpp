@@ -38,12 +38,15 @@ struct RatedScale {
   std::vector<Response> responses{};  ///< all of them, not averaged
 };
 
-/// What is rated in a trial: its surface. Where a scale accompanies several surfaces, all of them.
+/// What is rated in a trial: its surface. Where a scale accompanies several surfaces, all of them, in
+/// whatever order they were felt.
 std::string rated_item(const GatheredAnswers& gathered, const GatheredAnswer& answer) {
-  std::string item{};
+  std::multiset<std::string> names{};
   for (const FeltSurface& surface : gathered.surfaces_of(answer)) {
-    item += (item.empty() ? "" : "+") + gathered.word(surface.item);
+    names.insert(gathered.word(surface.item));
   }
+  std::string item{};
+  for (const std::string& name : names) item += (item.empty() ? "" : "+") + name;
   return item;
 }
 

@@ -252,6 +252,7 @@ std::span<const TestMethod> test_methods() {
                  .effect_name = phrase("TestMethods", "rank-biserial correlation"),
                  .effect = "wilcoxon.rankbiserial",
                  .effect_is_bounded = true,
+                 .direction_is_of_effect = true,
                  .sources = {"Wilcoxon 1945", ""}}};
   return kMethods;
 }

@@ -36,6 +36,8 @@ struct TestMethod {
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   std::string_view effect{};         ///< the effect size, whose finding has its interval
   bool effect_is_bounded = false;    ///< cannot exceed 1: printed by `reading_bounded`
+  /// Its sign, and not that of the statistic, is the direction of a difference.
+  bool direction_is_of_effect = false;
   std::string_view estimate{};       ///< the proportion that is tested; empty where there is none
   std::string_view estimate_name{};  ///< "mean proportion correct"
   std::array<std::string_view, 2>

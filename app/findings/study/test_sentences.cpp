@@ -20,7 +20,12 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
         return each.test == test.name && (each.method.empty() || each.method == test.made_by->code);
       });
   if (claim == analysis->claims.end()) return {};
-  const bool is_negative = test.statistic.value_or(0.0) < 0.0 && !claim->lower.empty();
+  // A sum of ranks has no sign; its effect size has.
+  const double direction =
+      test.made_by != nullptr && test.made_by->direction_is_of_effect && test.effect
+          ? test.effect->value
+          : test.statistic.value_or(0.0);
+  const bool is_negative = direction < 0.0 && !claim->lower.empty();
   const std::string_view words = !test.is_significant() ? claim->nothing
                                  : is_negative          ? claim->lower
                                                         : claim->higher;

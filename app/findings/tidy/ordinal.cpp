@@ -107,6 +107,7 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
                               "effects, participants as random intercepts, Laplace approximation"};
   const auto refuse = [&](const char* word, const char* status) {
     findings.word("lr.chisq", "", word, status, basis);
+    findings.word("lr.p", "", word, status, basis);
     return findings.take();
   };
   if (table.categories.size() < 2) {
@@ -136,7 +137,12 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
     const Problem problem = problem_in_words(full.problem);
     return refuse(problem.word, problem.status);
   }
-  const CumulativeLinkAnswer none = fitted(Eigen::MatrixXd(design.rows(), 0), vary);
+  CumulativeLinkAnswer none = fitted(Eigen::MatrixXd(design.rows(), 0), vary);
+  if (vary && !none.fit && none.problem == CumulativeLinkProblem::no_participant_variance) {
+    // Without the items the maximum lies at σ = 0, which is a point of the same model.
+    none = fitted(Eigen::MatrixXd(design.rows(), 0), false);
+    if (none.fit) ++none.fit->parameters;
+  }
   const double z = upper_normal_quantile(0.5 - confidence / 2.0);
   const Eigen::VectorXd error = full.fit->standard_error();
   for (std::size_t item = 1; item < items.size(); ++item) {

@@ -94,6 +94,13 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
       if (key == Qt::Key_Space) return Action{.what = Action::What::next};
       if (scene.is_answered_by<ScaleForm>() && scene.kind == Scene::Kind::question) {
         if (auto action = action_on_scale(key)) return action;
+        const bool is_list =
+            scene.scales.size() == 1 && scene.scales.front().form.labels_every_point();
+        for (int point = 1; is_list && point <= scene.scales.front().form.points; ++point) {
+          if (typed == key_of_form_option(point)) {
+            return Action{.what = Action::What::choose, .number = point};
+          }
+        }
       }
       if (scene.is_answered_by<NumberForm>()) {
         if (auto action = typed_into_number(key, typed, "0123456789.")) return action;

@@ -127,14 +127,35 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
   return chapter;
 }
 
-const AnalysisOutcome* outcome_of(const std::vector<AnalysisOutcome>& outcomes,
-                                  const ReportFacts& facts) {
-  const auto found =
-      std::find_if(outcomes.begin(), outcomes.end(), [&facts](const AnalysisOutcome& outcome) {
-        return outcome.protocol == facts.protocol.name &&
-               outcome.version == facts.protocol.version && outcome.group == facts.group;
-      });
-  return found == outcomes.end() ? nullptr : &*found;
+/// The results of one kind of experiment.
+struct ReportedOutcome {
+  const AnalysisOutcome* outcome = nullptr;
+  std::vector<Figure> figures{};
+};
+
+/// Those of a chapter, that of the protocol's own kind first.
+std::vector<ReportedOutcome> outcomes_of(const std::vector<AnalysisOutcome>& outcomes,
+                                         const ReportFacts& facts,
+                                         const FiguresOfOutcome& figures_of) {
+  std::vector<ReportedOutcome> reported{};
+  for (const AnalysisOutcome& outcome : outcomes) {
+    if (outcome.protocol != facts.protocol.name || outcome.version != facts.protocol.version ||
+        outcome.group != facts.group) {
+      continue;
+    }
+    reported.push_back({&outcome, figures_of ? figures_of(outcome) : std::vector<Figure>{}});
+  }
+  std::stable_partition(reported.begin(), reported.end(), [&facts](const ReportedOutcome& each) {
+    return each.outcome->kind == facts.protocol.kind;
+  });
+  return reported;
+}
+
+/// A section about one kind names it where the chapter has several.
+ReportSection of_kind(ReportSection section, const ReportedOutcome& of,
+                      const std::vector<ReportedOutcome>& all) {
+  if (all.size() > 1) section.heading += " (" + of.outcome->kind + ")";
+  return section;
 }
 
 /// The experimenter who runs a session is blind.
@@ -142,14 +163,16 @@ bool is_held_back(const ReportFacts& facts) {
   return facts.group == AnswerGroup::people && facts.is_running();
 }
 
-ReportChapter appendix_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
-                          std::span<const Figure> figures) {
+ReportChapter appendix_of(const ReportFacts& facts, const std::vector<ReportedOutcome>& outcomes) {
   ReportChapter chapter{
       "Appendix to " + chapter_heading(facts), mark_of(facts.group), facts.group, {}};
-  if (outcome != nullptr && !is_held_back(facts)) {
-    ReportSection tables = tables_section(*outcome, figures);
-    if (!tables.parts.empty()) chapter.sections.push_back(std::move(tables));
-    chapter.sections.push_back(numbers_section(*outcome));
+  for (const ReportedOutcome& each : outcomes) {
+    if (is_held_back(facts)) break;
+    ReportSection tables = tables_section(*each.outcome, each.figures);
+    if (!tables.parts.empty()) {
+      chapter.sections.push_back(of_kind(std::move(tables), each, outcomes));
+    }
+    chapter.sections.push_back(of_kind(numbers_section(*each.outcome), each, outcomes));
   }
   chapter.sections.push_back(sessions_section(facts));
   ReportSection notes = notes_section(facts);
@@ -157,8 +180,8 @@ ReportChapter appendix_of(const ReportFacts& facts, const AnalysisOutcome* outco
   return chapter;
 }
 
-ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
-                         std::span<const Figure> figures, const StudyMetadata& metadata) {
+ReportChapter chapter_of(const ReportFacts& facts, const std::vector<ReportedOutcome>& outcomes,
+                         const StudyMetadata& metadata) {
   ReportChapter chapter{chapter_heading(facts), mark_of(facts.group), facts.group, {}};
   chapter.sections.push_back(design_section(facts));
   chapter.sections.push_back(conditions_section(facts));
@@ -170,13 +193,18 @@ ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcom
          {ReportText{"A session of this protocol is running, and its experimenter is blind: create "
                      "the report again after the session to see the results by name.",
                      ReportText::Tone::notice}}});
-  } else if (outcome != nullptr) {
-    chapter.sections.push_back(results_section(*outcome, figures));
+  } else {
+    for (const ReportedOutcome& each : outcomes) {
+      chapter.sections.push_back(
+          of_kind(results_section(*each.outcome, each.figures), each, outcomes));
+    }
   }
   chapter.sections.push_back(exploration_section(facts));
   chapter.sections.push_back(presentation_section(facts));
-  chapter.sections.push_back(
-      paper_section(facts, is_held_back(facts) ? nullptr : outcome, metadata));
+  // The text for a paper has the results of the protocol's own kind.
+  const AnalysisOutcome* const own =
+      is_held_back(facts) || outcomes.empty() ? nullptr : outcomes.front().outcome;
+  chapter.sections.push_back(paper_section(facts, own, metadata));
   chapter.sections.push_back(making_section(facts));
   return chapter;
 }
@@ -226,11 +254,9 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   std::vector<ReportChapter> appendices{};
   for (const ReportFacts& facts : all) {
     if (stop.stop_requested()) return report;
-    const AnalysisOutcome* outcome = outcome_of(outcomes, facts);
-    const std::vector<Figure> figures =
-        outcome != nullptr && figures_of ? figures_of(*outcome) : std::vector<Figure>{};
-    report.chapters.push_back(chapter_of(facts, outcome, figures, metadata));
-    appendices.push_back(appendix_of(facts, outcome, figures));
+    const std::vector<ReportedOutcome> reported = outcomes_of(outcomes, facts, figures_of);
+    report.chapters.push_back(chapter_of(facts, reported, metadata));
+    appendices.push_back(appendix_of(facts, reported));
   }
   std::move(appendices.begin(), appendices.end(), std::back_inserter(report.chapters));
   number_parts(report);

@@ -38,7 +38,10 @@ constexpr std::array kRecognitionClaims{
 std::string among_pictures(const Protocol& protocol) {
   std::set<std::size_t> numbers{};
   for (const auto& [name, block] : protocol.blocks) {
-    if (block.phase == Phase::main) numbers.insert(block.questions.front().pictures.size());
+    if (block.phase != Phase::main || block.kind != "recognition") continue;
+    for (const auto& question : block.questions) {
+      if (has_options(question.form)) numbers.insert(question.pictures.size());
+    }
   }
   return " among " + (numbers.size() == 1 && *numbers.begin() > 1 ? count_in_words(*numbers.begin())
                                                                   : std::string("several"));

@@ -13,7 +13,8 @@ namespace asperity {
 std::string ScaleDialogue::introduction() const {
   std::string lines{};
   const auto add = [&lines, this](int step, const std::string& label) {
-    lines += "  " + number_text(form_.value_at(step)) + (label.empty() ? "" : "  " + label) + '\n';
+    const double value = step == form_.steps() ? form_.maximum : form_.value_at(step);
+    lines += "  " + number_text(value) + (label.empty() ? "" : "  " + label) + '\n';
   };
   if (form_.labels_every_point()) {
     for (int step = 0; step <= form_.steps(); ++step) {
