@@ -144,10 +144,10 @@ class Gathering {
     }
   }
 
-  void declare(const ProtocolRow& protocol) {
+  /// `specified`: the stored protocol of the row.
+  void declare(const ProtocolRow& protocol, const StoredProtocol& specified) {
     if (!sources_.insert(protocol.source_sha256).second) return;
     texts_of_sources_.push_back(protocol.source);
-    StoredProtocol specified = stored_protocol(protocol.source);
     for (const auto& [name, block] : specified.blocks) {
       if (block.phase != "main") continue;
       for (const StoredProtocol::TrialQuestion& question : block.questions) {
@@ -161,10 +161,11 @@ class Gathering {
     }
     const ExperimentKind* const kind = find_kind(gathered.kind);
     const bool has_numbers = kind == nullptr || std::holds_alternative<NumberForm>(kind->form);
-    if (auto& estimation = specified.estimation; estimation && has_numbers) {
+    if (const auto& estimation = specified.estimation; estimation && has_numbers) {
       gathered.estimation.spacing = estimation->spacing;
       gathered.estimation.condition = estimation->condition;
-      gathered.estimation.spacing_m.merge(estimation->spacing_m);
+      gathered.estimation.spacing_m.insert(estimation->spacing_m.begin(),
+                                           estimation->spacing_m.end());
       std::vector<std::string>& conditions = gathered.estimation.conditions;
       for (const std::string& condition : estimation->conditions) {
         if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
@@ -178,15 +179,15 @@ class Gathering {
         gathered.groups.push_back(group);
       }
     }
-    for (std::string& picture : specified.pictures) {
+    for (const std::string& picture : specified.pictures) {
       std::vector<std::string>& known = gathered.pictures;
       if (std::find(known.begin(), known.end(), picture) == known.end()) {
-        known.push_back(std::move(picture));
+        known.push_back(picture);
       }
     }
     if (sources_.size() == 1) {
-      gathered.declared = std::move(specified.analysis);
-      gathered.compared_parameter = std::move(specified.compared_parameter);
+      gathered.declared = specified.analysis;
+      gathered.compared_parameter = specified.compared_parameter;
       return;
     }
     if (!(specified.analysis == gathered.declared)) gathered.declared_alike = false;
@@ -424,11 +425,12 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::stop_token& stop) {
   std::map<std::tuple<std::string, std::string, AnswerGroup, std::string>, Gathering> groups{};
   std::map<std::int64_t, ProtocolRow> protocols{};
-  std::map<std::int64_t, std::map<std::string, QuestionsOfKind>> asked{};
-  for (ProtocolRow& row : study.protocols()) {
-    asked.emplace(row.id, questions_by_kind(stored_protocol(row.source), row.kind));
-    protocols.emplace(row.id, std::move(row));
-  }
+  struct ReadProtocol {
+    StoredProtocol specified{};
+    std::map<std::string, QuestionsOfKind> asked{};
+  };
+  std::map<std::int64_t, ReadProtocol> read{};  ///< those of the sessions, each once
+  for (ProtocolRow& row : study.protocols()) protocols.emplace(row.id, std::move(row));
   std::map<std::string, ParticipantRow> participants{};
   for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
   std::vector<SessionRow> sessions = study.sessions();
@@ -445,14 +447,19 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
     const ParticipantRow& participant = participants.at(session.participant);
     const AnswerGroup group = group_of(participant, session);
     const SessionAnswers given = answers.next();
-    for (const auto& [kind, questions] : asked.at(of.id)) {
+    const auto [found, is_new] = read.try_emplace(of.id);
+    if (is_new) {
+      found->second.specified = stored_protocol(of.source);
+      found->second.asked = questions_by_kind(found->second.specified, of.kind);
+    }
+    for (const auto& [kind, questions] : found->second.asked) {
       Gathering& gathering = groups[std::tuple(of.name, of.version, group, kind)];
       gathering.gathered.protocol = of.name;
       gathering.gathered.version = of.version;
       gathering.gathered.kind = kind;
       gathering.gathered.design = of.design;
       gathering.gathered.group = group;
-      gathering.declare(of);
+      gathering.declare(of, found->second.specified);
       gathering.add_session(session, participant, given, questions);
     }
   }

@@ -26,7 +26,6 @@ constexpr const char* kLoadings = "loadings";
 /// The ratings on one scale: means of each participant for each item.
 struct RatedScale {
   std::string name{};
-  std::string prompt{};
   std::vector<std::string> items{};                                 ///< by name
   std::map<std::pair<std::uint32_t, std::string>, double> means{};  ///< by participant and item
   bool has_points = false;
@@ -51,36 +50,36 @@ std::string rated_item(const GatheredAnswers& gathered, const GatheredAnswer& an
 }
 
 std::vector<RatedScale> rated_scales(const GatheredAnswers& gathered) {
-  struct Sum {
-    double total = 0.0;
-    std::size_t n = 0;
-  };
-  std::map<std::string, std::map<std::pair<std::uint32_t, std::string>, Sum>> sums{};
   std::map<std::string, std::vector<RatedScale::Response>> responses{};
   for (const GatheredAnswer& answer : gathered.answers) {
     const std::optional<double>& number = gathered.reply_of(answer).number;
     if (!number) continue;
-    Sum& sum = sums[gathered.word(answer.question)][{answer.person, rated_item(gathered, answer)}];
-    sum.total += *number;
-    ++sum.n;
     responses[gathered.word(answer.question)].push_back(
         {answer.person, rated_item(gathered, answer), *number});
   }
   std::vector<RatedScale> scales{};
   for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
-    const auto found = sums.find(question.name);
-    if (found == sums.end()) continue;
+    const auto found = responses.find(question.name);
+    if (found == responses.end()) continue;
     RatedScale& scale = scales.emplace_back();
     scale.name = question.name;
-    scale.prompt = question.prompt;
-    std::set<std::string> items{};
-    for (const auto& [of, sum] : found->second) {
-      items.insert(of.second);
-      scale.means[of] = sum.total / static_cast<double>(sum.n);
-    }
-    scale.items.assign(items.begin(), items.end());
     scale.has_points = question.points.has_value();
-    scale.responses = std::move(responses[question.name]);
+    scale.responses = std::move(found->second);
+    responses.erase(found);
+    struct Sum {
+      double total = 0.0;
+      std::size_t n = 0;
+    };
+    std::map<std::pair<std::uint32_t, std::string>, Sum> sums{};
+    std::set<std::string> items{};
+    for (const RatedScale::Response& response : scale.responses) {
+      Sum& sum = sums[{response.person, response.item}];
+      sum.total += response.score;
+      ++sum.n;
+      items.insert(response.item);
+    }
+    for (const auto& [of, sum] : sums) scale.means[of] = sum.total / static_cast<double>(sum.n);
+    scale.items.assign(items.begin(), items.end());
   }
   return scales;
 }
