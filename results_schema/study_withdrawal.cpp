@@ -279,7 +279,7 @@ WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& wit
     return row;
   }
   refuse_orphans(database);
-  // The rows go after the files, so that a deletion that was broken off can be repeated.
+  // The rows go after the files, so that an interrupted deletion can be repeated.
   for (const auto& file : files_of_participant(database, label)) remove_file(file);
   sync_folder(store_->folder / "recordings");
   sync_folder(store_->folder);

@@ -206,7 +206,7 @@ TEST_F(Withdrawal, RefusesALabelThatIsNotThereAndARunningSession) {
 
 TEST_F(Withdrawal, CanBeRepeatedWhereFilesCouldNotBeRemoved) {
   const std::filesystem::path recordings = path_ / "recordings";
-  // As a deletion leaves them that was broken off among the files.
+  // As an interrupted deletion leaves them, with only some of the files removed.
   std::filesystem::remove_all(recordings / "Wanda7");
   open().withdraw("Wanda7", kDeletion);
   EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());

@@ -181,9 +181,9 @@ QWidget* DeviceTestPage::make_profiles_card(QWidget* parent) {
   QVBoxLayout* layout = nullptr;
   QFrame* card = make_card(parent, layout);
   layout->addWidget(make_heading(tr("Profiles of this device"), card));
-  beside_profiles_ = make_text({}, card, true);
-  beside_profiles_->setObjectName("device_test_beside_profiles");
-  layout->addWidget(beside_profiles_, 0, Qt::AlignTop);
+  profile_problems_ = make_text({}, card, true);
+  profile_problems_->setObjectName("device_test_profile_problems");
+  layout->addWidget(profile_problems_, 0, Qt::AlignTop);
   using Align = StudyTable::Align;
   profiles_ = new StudyTable({{tr("Measured"), 144, Align::text},
                               {tr("Age"), 112, Align::text},
@@ -387,8 +387,8 @@ void DeviceTestPage::show_found(const Found& found) {
   for (const std::string& complaint : found.kept.complaints) {
     beside << tr("Not listed: %1").arg(text(complaint));
   }
-  beside_profiles_->setVisible(!beside.isEmpty());
-  beside_profiles_->setText(beside.join('\n'));
+  profile_problems_->setVisible(!beside.isEmpty());
+  profile_problems_->setText(beside.join('\n'));
   if (shown_utc_.empty() && !found.kept.profiles.empty()) {
     profiles_->select(text(found.kept.profiles.front().measured_utc));
   }

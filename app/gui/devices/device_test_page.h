@@ -104,7 +104,7 @@ class DeviceTestPage final : public StudyPage {
   QPushButton* not_now_ = nullptr;
   QLabel* reason_ = nullptr;
   StudyTable* profiles_ = nullptr;
-  QLabel* beside_profiles_ = nullptr;  ///< there are none, or some cannot be read
+  QLabel* profile_problems_ = nullptr;  ///< there are none, or some cannot be read
   ProfileView* profile_ = nullptr;
 
   DeviceTestSteps* steps_ = nullptr;

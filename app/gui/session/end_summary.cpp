@@ -57,7 +57,7 @@ EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
     return add(ways_on, SessionText::of_way_on(way), name,
                [this, way] { emit way_on_wanted(way); });
   };
-  go_on_ = add_way_on(AfterFailure::go_on, "go_on");
+  go_on_ = add_way_on(AfterFailure::go_on, "resume");
   start_again_ = add_way_on(AfterFailure::start_again, "start_again");
   check_again_ = add_way_on(AfterFailure::check_again, "check_everything_again");
   see_table_ = add(buttons, tr("Show the table"), "see_table", &EndSummary::results_wanted);

@@ -107,7 +107,7 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
   unfinished_text_ = new StateLabel(unfinished_);
   unfinished_text_->setObjectName("unfinished");
   go_on_ = make_button({}, ButtonRole::plain, unfinished_);
-  go_on_->setObjectName("go_on");
+  go_on_->setObjectName("resume");
   offer->addWidget(unfinished_text_, 1);
   offer->addWidget(go_on_);
   layout->addWidget(unfinished_);

@@ -16,7 +16,7 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/words.h"
 #include "app/gui/plan/plan_preview.h"
-#include "app/gui/study/broken_off_news.h"
+#include "app/gui/study/interrupted_news.h"
 #include "app/gui/study/protocol_file_actions.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/tasks/protocol_templates.h"
@@ -110,9 +110,9 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   set_empty_state(empty);
   for (QPushButton* button : {add, first}) button->setEnabled(study.can_be_written());
 
-  broken_off_ = new Banner(this);
-  broken_off_->setObjectName("protocols_broken_off");
-  body().addWidget(broken_off_);
+  interrupted_ = new Banner(this);
+  interrupted_->setObjectName("protocols_interrupted");
+  body().addWidget(interrupted_);
   splitter_ = new QSplitter(Qt::Vertical, this);
   splitter_->setChildrenCollapsible(false);
   splitter_->setHandleWidth(kMargin);
@@ -152,10 +152,10 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
         return protocol_overviews(own, models, stop);
       },
       [this](const std::vector<ProtocolOverview>& protocols) { show_protocols(protocols); });
-  read_with<std::vector<BrokenOffSession>>(
+  read_with<std::vector<InterruptedSession>>(
       Need::when_shown,
-      [](const Study& own, const std::stop_token& stop) { return broken_off_sessions(own, stop); },
-      [this](const std::vector<BrokenOffSession>& sessions) { show_broken_off(sessions); });
+      [](const Study& own, const std::stop_token& stop) { return interrupted_sessions(own, stop); },
+      [this](const std::vector<InterruptedSession>& sessions) { show_interrupted(sessions); });
 }
 
 /// The table has the rows that fit into half of the height, and ends below the last of them.
@@ -294,18 +294,18 @@ void ProtocolsPage::add_from_template(const std::string& name, const std::string
       });
 }
 
-void ProtocolsPage::show_broken_off(const std::vector<BrokenOffSession>& sessions) {
-  if (!study().can_be_written()) return;  // nothing can go on in it
+void ProtocolsPage::show_interrupted(const std::vector<InterruptedSession>& sessions) {
+  if (!study().can_be_written()) return;  // nothing can be resumed in it
   std::tuple<std::int64_t, bool, int> first{};
   if (!sessions.empty()) {
-    const BrokenOffSession& session = sessions.front();
+    const InterruptedSession& session = sessions.front();
     first = {session.row.id, session.protocol_file.has_value(), session.trials_done};
   }
-  // What somebody has dismissed does not come back with every change of the study.
-  if (first == told_of_) return;
-  told_of_ = first;
-  tell_broken_off(
-      *broken_off_, sessions, {}, [this](const SessionWish& wish) { emit session_wanted(wish); },
+  // A dismissed message is not shown again at every change of the study.
+  if (first == reported_) return;
+  reported_ = first;
+  report_interrupted(
+      *interrupted_, sessions, {}, [this](const SessionWish& wish) { emit session_wanted(wish); },
       [this] { emit sessions_wanted(); });
 }
 

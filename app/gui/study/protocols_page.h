@@ -9,7 +9,7 @@
 
 #include "app/gui/base/session_wish.h"
 #include "app/gui/base/study_page.h"
-#include "app/tasks/broken_off.h"
+#include "app/tasks/interrupted_sessions.h"
 #include "app/tasks/study_overview.h"
 
 class QFileSystemWatcher;
@@ -43,7 +43,7 @@ class ProtocolsPage final : public StudyPage {
   void add_templates(QPushButton* button);
   void add_from_template(const std::string& name, const std::string& language);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
-  void show_broken_off(const std::vector<BrokenOffSession>& sessions);
+  void show_interrupted(const std::vector<InterruptedSession>& sessions);
   void show_selected();
   void show_below(Below below);
   const ProtocolOverview* selected() const;
@@ -53,9 +53,9 @@ class ProtocolsPage final : public StudyPage {
   QFileSystemWatcher* watcher_ = nullptr;
   BackgroundTask write_task_{};
   QString select_next_{};  ///< a file that was made just now
-  /// What was said of a session that was broken off: which, whether it can go on, how far it is.
-  std::tuple<std::int64_t, bool, int> told_of_{};
-  Banner* broken_off_ = nullptr;
+  /// What was reported of an interrupted session: its id, whether it can be resumed, its progress.
+  std::tuple<std::int64_t, bool, int> reported_{};
+  Banner* interrupted_ = nullptr;
   StudyTable* table_ = nullptr;
   QSplitter* splitter_ = nullptr;  ///< the table above, one of its protocols below
   bool is_shared_by_hand_ = false;

@@ -5710,33 +5710,6 @@
     </message>
 </context>
 <context>
-    <name>asperity::BrokenOffNews</name>
-    <message>
-        <source>Show the sessions</source>
-        <translation>Sitzungen zeigen</translation>
-    </message>
-    <message>
-        <source>Session %1 of %2 was interrupted: %3 of its %4 trials are completed and stored.</source>
-        <translation>Sitzung %1 von %2 wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
-    </message>
-    <message>
-        <source>Session %1 of %2 in the study “%5” was interrupted: %3 of its %4 trials are completed and stored.</source>
-        <translation>Sitzung %1 von %2 in der Studie „%5“ wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
-    </message>
-    <message>
-        <source>Other sessions were interrupted as well; they are listed on the Sessions page.</source>
-        <translation>Weitere Sitzungen wurden unterbrochen; sie stehen auf der Seite „Sitzungen“.</translation>
-    </message>
-    <message>
-        <source>Resume session %1 of %2</source>
-        <translation>Sitzung %1 von %2 fortsetzen</translation>
-    </message>
-    <message>
-        <source>None of the study&apos;s protocols has the text that the session began with: restore %1 version %2 to resume.</source>
-        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann: %1 Version %2 wiederherstellen, um die Sitzung fortzusetzen.</translation>
-    </message>
-</context>
-<context>
     <name>asperity::CheckList</name>
     <message>
         <source>Checklist</source>
@@ -6838,6 +6811,33 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Text</source>
         <translation>Wortlaut</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::InterruptedNews</name>
+    <message>
+        <source>Show the sessions</source>
+        <translation>Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2 was interrupted: %3 of its %4 trials are completed and stored.</source>
+        <translation>Sitzung %1 von %2 wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2 in the study “%5” was interrupted: %3 of its %4 trials are completed and stored.</source>
+        <translation>Sitzung %1 von %2 in der Studie „%5“ wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Other sessions were interrupted as well; they are listed on the Sessions page.</source>
+        <translation>Weitere Sitzungen wurden unterbrochen; sie stehen auf der Seite „Sitzungen“.</translation>
+    </message>
+    <message>
+        <source>Resume session %1 of %2</source>
+        <translation>Sitzung %1 von %2 fortsetzen</translation>
+    </message>
+    <message>
+        <source>None of the study&apos;s protocols has the text that the session began with: restore %1 version %2 to resume.</source>
+        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann: %1 Version %2 wiederherstellen, um die Sitzung fortzusetzen.</translation>
     </message>
 </context>
 <context>

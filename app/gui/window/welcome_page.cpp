@@ -15,7 +15,7 @@
 
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/study/broken_off_news.h"
+#include "app/gui/study/interrupted_news.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/study.h"
 
@@ -69,9 +69,9 @@ WelcomePage::WelcomePage(QWidget* parent)
   outer->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   banner_ = new Banner(this);
   outer->addWidget(banner_);
-  broken_off_ = new Banner(this);
-  broken_off_->setObjectName("welcome_broken_off");
-  outer->addWidget(broken_off_);
+  interrupted_ = new Banner(this);
+  interrupted_->setObjectName("welcome_interrupted");
+  outer->addWidget(interrupted_);
   auto* middle = new QHBoxLayout();
   outer->addLayout(middle, 1);
 
@@ -274,35 +274,35 @@ void WelcomePage::show_recent() {
       },
       [this, studies](const std::vector<bool>& present) {
         fill_recent(studies, present);
-        look_for_broken_off(studies);
+        look_for_interrupted(studies);
       },
       [](const QString&) {});
 }
 
-void WelcomePage::look_for_broken_off(const std::vector<RecentStudy>& studies) {
+void WelcomePage::look_for_interrupted(const std::vector<RecentStudy>& studies) {
   struct Found {
     RecentStudy study{};
-    std::vector<BrokenOffSession> sessions{};
+    std::vector<InterruptedSession> sessions{};
   };
-  broken_off_task_.run<Found>(
+  interrupted_task_.run<Found>(
       [studies](const std::stop_token& stop, const BackgroundTask::Progress&) {
         for (const RecentStudy& study : studies) {
           if (stop.stop_requested()) break;
           try {
-            if (!Study::can_be_written(study.folder)) continue;  // nothing can go on in it
+            if (!Study::can_be_written(study.folder)) continue;  // nothing can be resumed in it
             const Study own = Study::open(study.folder, Access::read_only);
-            Found found{study, broken_off_sessions(own, stop)};
+            Found found{study, interrupted_sessions(own, stop)};
             if (!found.sessions.empty()) return found;
           } catch (const std::exception&) {
-            // What is wrong with a study is said when somebody opens it.
+            // The problems of a study are reported when it is opened.
           }
         }
         return Found{};
       },
       [this](const Found& found) {
         const std::filesystem::path& folder = found.study.folder;
-        tell_broken_off(
-            *broken_off_, found.sessions, found.study.name,
+        report_interrupted(
+            *interrupted_, found.sessions, found.study.name,
             [this, folder](const SessionWish& wish) { emit session_wanted(folder, wish); },
             [this, folder] { emit sessions_wanted(folder); });
       },

@@ -33,7 +33,7 @@ class WelcomePage final : public QWidget {
   void study_wanted(const std::filesystem::path& folder);
   void new_study_wanted();
   void open_wanted();
-  /// To go on with a session of that study that was broken off.
+  /// Resumes an interrupted session of that study.
   void session_wanted(const std::filesystem::path& folder, const asperity::SessionWish& wish);
   void sessions_wanted(const std::filesystem::path& folder);
 
@@ -43,11 +43,11 @@ class WelcomePage final : public QWidget {
   void show_demo_place();
   void fill_recent(const std::vector<RecentStudy>& studies, const std::vector<bool>& present);
   /// Of the first of these studies that has one.
-  void look_for_broken_off(const std::vector<RecentStudy>& studies);
+  void look_for_interrupted(const std::vector<RecentStudy>& studies);
   void show_working(bool working);
 
   Banner* banner_ = nullptr;
-  Banner* broken_off_ = nullptr;
+  Banner* interrupted_ = nullptr;
   QPushButton* demo_ = nullptr;
   QPushButton* demo_elsewhere_ = nullptr;
   QPushButton* cancel_ = nullptr;
@@ -59,7 +59,7 @@ class WelcomePage final : public QWidget {
   std::filesystem::path demo_parent_{};
   BackgroundTask demo_task_{};
   BackgroundTask recent_task_{};
-  BackgroundTask broken_off_task_{};
+  BackgroundTask interrupted_task_{};
 };
 
 }  // namespace asperity

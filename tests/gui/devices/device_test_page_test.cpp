@@ -536,7 +536,7 @@ TEST_F(DeviceTests, ListEarlierProfilesOfTheDeviceWithTheirAgeAndShowTheOneThatI
   EXPECT_EQ(shown("value_friction_N"), "0.3 N");
   EXPECT_EQ(shown("result_friction_N"), "✕ fail");
   EXPECT_EQ(bench.openings, 0) << "looking opens nothing";
-  EXPECT_NE(shown("device_test_beside_profiles").find("arm-9.json"), std::string::npos)
+  EXPECT_NE(shown("device_test_profile_problems").find("arm-9.json"), std::string::npos)
       << "one that cannot be read is told, and hides no other";
 }
 
@@ -577,7 +577,7 @@ TEST_F(DeviceTests, OpenNothingWhileASessionOfTheStudyRuns) {
   wait_until_it_ended();
   EXPECT_NE(news().find("A session of P001 is running"), std::string::npos) << news();
   EXPECT_EQ(bench.openings, 0);
-  running.reset();  // it was broken off
+  running.reset();  // the session was interrupted
   click("device_test_begin");
   wait_until_it_ended();
   EXPECT_EQ(bench.openings, 1);

@@ -927,7 +927,7 @@ TEST(SessionWindow, OffersToTryAndToCheckAgainWhereNothingHasBegun) {
   window.show_failure("The study is in use by process 7.", AfterFailure::start_again);
   EXPECT_TRUE(child<QLabel>(window, "end_title").text().contains("did not begin"));
   EXPECT_EQ(child<QLabel>(window, "now").text(), "The session did not begin");
-  EXPECT_FALSE(child<QPushButton>(window, "go_on").isVisible());
+  EXPECT_FALSE(child<QPushButton>(window, "resume").isVisible());
   EXPECT_FALSE(child<QPushButton>(window, "see_table").isVisible());
   QSignalSpy wanted(&window, &SessionWindow::way_on_wanted);
   QTest::mouseClick(&child<QPushButton>(window, "start_again"), Qt::LeftButton);
@@ -953,7 +953,7 @@ TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
     session.set_phase(SessionPhase::ended);
     const auto window = session.window();
     window->show_end(each.end);
-    auto& go_on = child<QPushButton>(*window, "go_on");
+    auto& go_on = child<QPushButton>(*window, "resume");
     EXPECT_EQ(go_on.isVisible(), each.goes_on) << each.end.reason.english();
     EXPECT_EQ(child<QLabel>(*window, "end_text").text().contains("Resume the session now"),
               each.goes_on);

@@ -478,7 +478,7 @@ TEST_F(TheStartPage, AsksForAReasonToResumeWhatIsOlderThanTheProtocolHasIt) {
   page->show();
   choose(protocol, "P001");
   EXPECT_FALSE(is_shown("late_reason"));
-  click("go_on");
+  click("resume");
   ASSERT_TRUE(is_shown("late_reason"));
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(has_reason("The session last ran")) << shown_reason();
@@ -499,7 +499,7 @@ TEST_F(TheStartPage, KeepsTheNoiseThatWasMeasuredBeforeTheInterruption) {
   page->show();
   choose(protocol, "P001");
   EXPECT_FALSE(page->order().noise.measured_dBA);
-  click("go_on");
+  click("resume");
   EXPECT_EQ(page->order().noise.measured_dBA, 64.5);
   EXPECT_EQ(page->order().noise.verified_by, "M. Wu");
 }
@@ -508,9 +508,9 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   run_unfinished("virtual0001");
   page->show();
   choose(protocol, "virtual0001");
-  EXPECT_EQ(find<QPushButton>("go_on").text(), "Resume session 1 (1 of 3 trials completed)");
+  EXPECT_EQ(find<QPushButton>("resume").text(), "Resume session 1 (1 of 3 trials completed)");
   EXPECT_FALSE(page->order().inputs.resume);
-  click("go_on");
+  click("resume");
   EXPECT_TRUE(page->order().inputs.resume);
   EXPECT_EQ(page->order().inputs.mode, SessionMode::simulate);
   EXPECT_FALSE(find<QPushButton>("mode_run").isEnabled());
@@ -583,8 +583,8 @@ TEST_F(TheStartPage, OffersAnotherPersonTheirOwnUnfinishedSession) {
   EXPECT_EQ(page->order().inputs.resumed_session, 1);
   find<QComboBox>("participants").setCurrentText("virtual0002");
   EXPECT_FALSE(page->order().inputs.resume);
-  EXPECT_FALSE(find<QPushButton>("go_on").isHidden());
-  click("go_on");
+  EXPECT_FALSE(find<QPushButton>("resume").isHidden());
+  click("resume");
   EXPECT_EQ(page->order().inputs.resumed_session, 2);
 }
 

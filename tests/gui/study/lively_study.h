@@ -7,7 +7,7 @@
 namespace asperity {
 
 /// Adds to the study: P001 to P012 with sessions of chapter_recognition (complete but for P004, who
-/// was stopped, and P012, who was broken off), a pilot session of P002, two simulated ones, and the
+/// was stopped, and P012, who was interrupted), a pilot session of P002, two simulated ones, and the
 /// protocol file "broken.json" with two problems.
 void fill_with_people(const std::filesystem::path& study);
 

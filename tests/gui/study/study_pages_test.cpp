@@ -125,7 +125,7 @@ TEST_F(StudyPages, EndTheListOfProtocolsBelowAWholeRow) {
     return cell.bottom() - bottom + 1;
   };
   ASSERT_TRUE(
-      eventually([&] { return child<Banner>(window_, "protocols_broken_off").isVisible(); }));
+      eventually([&] { return child<Banner>(window_, "protocols_interrupted").isVisible(); }));
   QTest::qWait(100);  // rows find their height in several rounds of layout
   EXPECT_LE(part(), 0) << "pixels of a row are cut off";
   const int rows = table.rowAt(table.viewport()->height() - 1);
@@ -253,9 +253,9 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   EXPECT_TRUE(column(table, 1).contains("chapter_selection_2"));
 }
 
-TEST_F(StudyPages, TellOfASessionThatWasBrokenOffAndOfferToGoOnWithIt) {
+TEST_F(StudyPages, ReportAnInterruptedSessionAndOfferToResumeIt) {
   open_lively();
-  auto& banner = child<Banner>(window_, "protocols_broken_off");
+  auto& banner = child<Banner>(window_, "protocols_interrupted");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_EQ(banner.text(),
             "Session 1 of P012 was interrupted: 3 of its 12 trials are completed and stored.");
@@ -271,14 +271,14 @@ TEST_F(StudyPages, TellOfASessionThatWasBrokenOffAndOfferToGoOnWithIt) {
   window_.study()->announce_change();
   table_of("sessions", "sessions_table", 15);
   table_of("protocols", "protocols_table", 4);
-  EXPECT_FALSE(banner.isVisible()) << "it was said once";
+  EXPECT_FALSE(banner.isVisible()) << "reported once only";
 }
 
-TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
+TEST_F(StudyPages, ReportAnInterruptedSessionOnTheWelcomePage) {
   open_lively();
   const std::filesystem::path folder = window_.study()->folder();
   window_.close_study();
-  auto& banner = child<Banner>(window_, "welcome_broken_off");
+  auto& banner = child<Banner>(window_, "welcome_interrupted");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was interrupted:"))
       << banner.text().toStdString();
@@ -292,7 +292,7 @@ TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
     return {};
   };
   EXPECT_TRUE(eventually([&] { return cut().empty(); })) << cut();
-  take_screenshot(window_, "study-welcome-broken-off");
+  take_screenshot(window_, "study-welcome-interrupted");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
   press(banner, "Resume session 1 of P012");
   ASSERT_NE(window_.study(), nullptr);
@@ -301,12 +301,12 @@ TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
   EXPECT_EQ(wanted[0][0].value<SessionWish>().participant, "P012");
 }
 
-TEST_F(StudyPages, ShowABrokenOffSessionThatCannotGoOn) {
+TEST_F(StudyPages, ShowAnInterruptedSessionThatCannotBeResumed) {
   const std::filesystem::path folder = small_demo_study();
   fill_with_people(folder);
   std::ofstream(folder / "protocols" / "chapter_recognition.json", std::ios::app) << "\n";
   ASSERT_TRUE(window_.open_study(folder));
-  auto& banner = child<Banner>(window_, "protocols_broken_off");
+  auto& banner = child<Banner>(window_, "protocols_interrupted");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_TRUE(banner.text().contains("restore chapter_recognition version 1.1.0 to resume"))
       << banner.text().toStdString();

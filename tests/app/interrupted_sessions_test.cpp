@@ -1,6 +1,6 @@
-// Which sessions somebody who comes back is told of.
+// Which sessions are listed as interrupted.
 
-#include "app/tasks/broken_off.h"
+#include "app/tasks/interrupted_sessions.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 namespace asperity {
 namespace {
 
-class BrokenOffSessions : public testing::Test {
+class InterruptedSessions : public testing::Test {
  protected:
-  BrokenOffSessions() {
+  InterruptedSessions() {
     protocol_ = made_.add_protocol("one", "recognition");
     for (const char* label : {"P1", "P2"}) made_.add_person(label, "F");
     made_.add_virtual("virtual0001", "F");
@@ -32,7 +32,7 @@ class BrokenOffSessions : public testing::Test {
   }
   std::vector<std::int64_t> found() {
     std::vector<std::int64_t> ids{};
-    for (const BrokenOffSession& session : broken_off_sessions(made_.study(), {})) {
+    for (const InterruptedSession& session : interrupted_sessions(made_.study(), {})) {
       ids.push_back(session.row.id);
     }
     return ids;
@@ -44,7 +44,7 @@ class BrokenOffSessions : public testing::Test {
 
 using Ids = std::vector<std::int64_t>;
 
-TEST_F(BrokenOffSessions, AreThoseThatNobodyHoldsAndThoseThatCrashed) {
+TEST_F(InterruptedSessions, AreThoseThatNoProcessHoldsAndThoseThatCrashed) {
   EXPECT_EQ(found(), Ids{});  // the one that is there is complete
   const std::int64_t id = begin("P1");
   EXPECT_EQ(found(), Ids{id});
@@ -56,17 +56,17 @@ TEST_F(BrokenOffSessions, AreThoseThatNobodyHoldsAndThoseThatCrashed) {
   EXPECT_EQ(found(), Ids{id});
   made_.study().reopen_session(id);
   made_.study().end_session(id, SessionState::stopped, "2001-02-03T05:05:06Z");
-  EXPECT_EQ(found(), Ids{}) << "whoever stopped it knows";
+  EXPECT_EQ(found(), Ids{}) << "a stop was intended";
 }
 
-TEST_F(BrokenOffSessions, NamePeopleFirstAndTheLatestOfThem) {
+TEST_F(InterruptedSessions, NameHumanParticipantsFirstAndTheLatestOfThem) {
   const std::int64_t earlier = begin("P1");
   const std::int64_t later = begin("P2");
   const std::int64_t simulated = begin("virtual0001", SessionMode::simulate);
   EXPECT_EQ(found(), (Ids{later, earlier, simulated}));
 }
 
-TEST_F(BrokenOffSessions, LeaveOutWhatSomebodyHasExcluded) {
+TEST_F(InterruptedSessions, LeaveOutWhatIsExcluded) {
   const std::int64_t id = begin("P1");
   made_.study().add_decision(id, {.verdict = Verdict::exclude,
                                   .reason = "the fire alarm",
@@ -75,16 +75,16 @@ TEST_F(BrokenOffSessions, LeaveOutWhatSomebodyHasExcluded) {
   EXPECT_EQ(found(), Ids{});
 }
 
-TEST_F(BrokenOffSessions, SayWhetherTheTextThatTheyBeganWithIsStillThere) {
+TEST_F(InterruptedSessions, StateWhetherTheTextThatTheyBeganWithIsStillThere) {
   begin("P1");
-  const BrokenOffSession without = broken_off_sessions(made_.study(), {}).at(0);
+  const InterruptedSession without = interrupted_sessions(made_.study(), {}).at(0);
   EXPECT_FALSE(without.protocol_file);
   EXPECT_EQ(without.protocol_name, "one");
   EXPECT_EQ(without.trials, 1);
   EXPECT_EQ(without.trials_done, 0);
   const std::filesystem::path file = made_.folder() / "protocols" / "same.json";
   write_file(file, made_.study().protocol(protocol_).source, Overwrite::refuse);
-  EXPECT_EQ(broken_off_sessions(made_.study(), {}).at(0).protocol_file, file);
+  EXPECT_EQ(interrupted_sessions(made_.study(), {}).at(0).protocol_file, file);
 }
 
 }  // namespace

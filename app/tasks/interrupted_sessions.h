@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-struct BrokenOffSession {
+struct InterruptedSession {
   SessionRow row{};
   std::string protocol_name{};
   std::string protocol_version{};
@@ -23,12 +23,13 @@ struct BrokenOffSession {
   int trials = 0;
 };
 
-/// Sessions that crashed, or are open without a process that holds them; people's before virtual
-/// participants', each in descending order of time. Excluded sessions are omitted: the experimenter
-/// has already seen them.
+/// Sessions that crashed, or are open without a process that holds them; human participants' before
+/// virtual participants', each in descending order of time. Excluded sessions are omitted: the
+/// experimenter has already seen them.
 ///
 /// Only reads. Ends early, with a partial result, when a stop is requested. Errors: ResultsError as
 /// for Study.
-std::vector<BrokenOffSession> broken_off_sessions(const Study& study, const std::stop_token& stop);
+std::vector<InterruptedSession> interrupted_sessions(const Study& study,
+                                                     const std::stop_token& stop);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "app/tasks/broken_off.h"
+#include "app/tasks/interrupted_sessions.h"
 
 #include <algorithm>
 #include <tuple>
@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-bool is_broken_off(const Study& study, const SessionRow& row) {
+bool is_interrupted(const Study& study, const SessionRow& row) {
   if (row.excluded) return false;
   if (row.state == SessionState::crashed) return true;
   if (row.state != SessionState::open) return false;
@@ -20,15 +20,16 @@ bool is_broken_off(const Study& study, const SessionRow& row) {
 
 }  // namespace
 
-std::vector<BrokenOffSession> broken_off_sessions(const Study& study, const std::stop_token& stop) {
+std::vector<InterruptedSession> interrupted_sessions(const Study& study,
+                                                     const std::stop_token& stop) {
   std::vector<SessionRow> rows{};
   for (const SessionRow& row : study.sessions()) {
     if (stop.stop_requested()) break;
-    if (is_broken_off(study, row)) rows.push_back(row);
+    if (is_interrupted(study, row)) rows.push_back(row);
   }
   if (rows.empty()) return {};
   const auto files = protocol_files_by_text(study.folder());
-  std::vector<BrokenOffSession> found{};
+  std::vector<InterruptedSession> found{};
   for (const SessionRow& row : rows) {
     if (stop.stop_requested()) break;
     const ProtocolRow protocol = study.protocol(row.protocol_id);
@@ -43,8 +44,8 @@ std::vector<BrokenOffSession> broken_off_sessions(const Study& study, const std:
     }
   }
   std::stable_sort(found.begin(), found.end(),
-                   [](const BrokenOffSession& a, const BrokenOffSession& b) {
-                     const auto order = [](const BrokenOffSession& session) {
+                   [](const InterruptedSession& a, const InterruptedSession& b) {
+                     const auto order = [](const InterruptedSession& session) {
                        return std::tuple(session.row.mode != SessionMode::simulate, session.row.id);
                      };
                      return order(a) > order(b);
