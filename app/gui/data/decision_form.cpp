@@ -25,7 +25,7 @@ DecisionForm::DecisionForm(OpenStudy& study, QWidget* parent) : QFrame(parent), 
   reason_->setObjectName("decision_reason");
   reason_->setEditable(true);
   reason_->setInsertPolicy(QComboBox::NoInsert);
-  reason_->lineEdit()->setPlaceholderText(tr("Choose a reason or type one"));
+  reason_->lineEdit()->setPlaceholderText(tr("Choose a reason or enter one"));
   reason_->setAccessibleName(tr("Reason"));
   by_ = new QLineEdit(this);
   by_->setObjectName("decision_by");

@@ -149,8 +149,7 @@ class OutcomeColumn final {
       if (is_first) about();
       add_table(question.table);
       if (question.method.empty()) continue;
-      add_folded(OutcomeText::tr("How it was computed"), words_as_published(question.method),
-                 *layout_, page_);
+      add_folded(OutcomeText::tr("Method"), words_as_published(question.method), *layout_, page_);
     }
     for (const NamedTable& table : outcome_.tables) add_table(table.name);
     for (const Figure& figure : figures_) {
@@ -200,8 +199,8 @@ class OutcomeColumn final {
       }
       layout_->addWidget(make_table(table, page_));
       if (table.note.empty()) continue;
-      add_folded(OutcomeText::tr("How to read this table"), words_as_published(table.note),
-                 *layout_, page_);
+      add_folded(OutcomeText::tr("Notes on this table"), words_as_published(table.note), *layout_,
+                 page_);
     }
   }
 

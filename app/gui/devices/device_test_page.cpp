@@ -75,7 +75,7 @@ DeviceTestPage::DeviceTestPage(OpenStudy& study, MeasureOrder usual, QWidget* pa
   connect(&frames_, &QTimer::timeout, this, [this] { picture_->take(run_.take_motion()); });
   connect_run();
   stop_->hide();
-  auto* empty = new EmptyState(tr("No device is chosen"),
+  auto* empty = new EmptyState(tr("No device chosen"),
                                tr("The Devices page lists the devices that can be tested."), this);
   empty->add_action(tr("Show devices"), ButtonRole::primary, [this] { emit back_wanted(); });
   set_empty_state(empty);
@@ -503,8 +503,8 @@ void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
   const QString file =
       measured.file ? text_of_path(measured.file->lexically_relative(study().folder())) : QString();
   const auto title = [](const std::string& item) { return title_of_item(item).toStdString(); };
-  end(verdict_of(profile).state,
-      words_of(verdict_on(profile, title)) + ' ' + tr("The profile is stored as %1.").arg(file));
+  end(verdict_of(profile).state, words_of(verdict_on(profile, title)) + ' ' +
+                                     tr("The profile has been stored as %1.").arg(file));
   study().announce_change();
   // What was found comes into sight, once everything has its place.
   constexpr int kSettled_ms = 150;

@@ -20,33 +20,33 @@ QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
           "servo loop is measured, and the force has to be exactly zero.");
     case DeviceTestPart::safety:
       return DeviceTestSteps::tr(
-          "Keep hands away: soft pushes, then a stop, a force that is not a number, and a program "
-          "that does not respond. Each has to end in zero force.");
+          "Keep hands away: the handle is pushed softly. A stop, a force that is not a number and "
+          "an unresponsive program are then tested; each has to end in zero force.");
     case DeviceTestPart::sweeps:
       return DeviceTestSteps::tr(
                  "Keep hands away: the handle is pulled to and fro along %1, slowly and then "
                  "faster. Friction and damping are determined from the resistance.")
           .arg(along);
     case DeviceTestPart::pushes:
-      return DeviceTestSteps::tr(
-                 "Keep hands away: sudden force steps along %1, to and fro. The latency is "
-                 "determined from the delay until the motion begins, the mass from the "
-                 "acceleration.")
-          .arg(along);
+      return DeviceTestSteps::
+          tr("Keep hands away: sudden force steps act along %1, to and fro. The latency is "
+             "determined from the delay until the motion begins, the mass from the acceleration.")
+              .arg(along);
     case DeviceTestPart::tones:
       return DeviceTestSteps::tr(
                  "Keep hands away: the handle is driven along %1 at frequencies from 8 to 200 Hz. "
                  "Its resonance is determined from its motion.")
           .arg(along);
     case DeviceTestPart::springs:
-      return DeviceTestSteps::tr(
-                 "Keep hands away: increasingly stiff springs along %1, each with a small impulse. "
-                 "The result is the stiffest spring on which the handle comes to rest.")
-          .arg(along);
-    case DeviceTestPart::small_pushes:
       return DeviceTestSteps::
-          tr("Keep hands away: increasingly strong small pushes along %1, until the handle moves.")
+          tr("Keep hands away: increasingly stiff springs are rendered along %1, each with a small "
+             "impulse. The result is the stiffest spring on which the handle comes to rest.")
               .arg(along);
+    case DeviceTestPart::small_pushes:
+      return DeviceTestSteps::tr(
+                 "Keep hands away: increasingly strong small pushes act along %1 until the handle "
+                 "moves.")
+          .arg(along);
     case DeviceTestPart::workspace:
       return DeviceTestSteps::tr(
                  "Now take the handle and move it along all borders of its workspace: left and "

@@ -80,7 +80,7 @@ QString otherwise(DriverNeed need) {
     case DriverNeed::firmware:
       return DriverSetup::tr("no file: only a Falcon whose firmware is already loaded can be used");
     case DriverNeed::library:
-      return DriverSetup::tr("where the system looks for libraries");
+      return DriverSetup::tr("the system's search path for libraries");
     case DriverNeed::service:
       return "127.0.0.1:10001";
   }
@@ -88,9 +88,8 @@ QString otherwise(DriverNeed need) {
 }
 
 QString title_of_choosing(const std::string& driver, DriverNeed need) {
-  return need == DriverNeed::firmware
-             ? DriverSetup::tr("The file of a Falcon's firmware")
-             : DriverSetup::tr("The library of %1").arg(product_of(driver));
+  return need == DriverNeed::firmware ? DriverSetup::tr("Falcon firmware file")
+                                      : DriverSetup::tr("Library of %1").arg(product_of(driver));
 }
 
 struct Said {

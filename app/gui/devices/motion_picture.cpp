@@ -114,7 +114,7 @@ MotionPicture::MotionPicture(QWidget* parent)
   d.position.plot = make_motion_plot(over_time, "motion_plot");
   d.position.least = kLeastAxis_mm;
   rows->addWidget(d.position.plot, 5);
-  rows->addWidget(make_motion_heading(tr("FORCE N, as sent") + keys, over_time));
+  rows->addWidget(make_motion_heading(tr("SENT FORCE N") + keys, over_time));
   d.force.plot = make_motion_plot(over_time, "motion_force_plot");
   d.force.least = kLeast_N;
   rows->addWidget(d.force.plot, 4);

@@ -76,7 +76,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   sides->setStretchFactor(1, 3);
   sides->setSizes({960, 640});
   body().addWidget(sides, 1);
-  auto* empty = new EmptyState(tr("No protocol is open"),
+  auto* empty = new EmptyState(tr("No protocol open"),
                                tr("Choose one of the study's protocols and press “Edit”."), this);
   empty->add_action(tr("Show the protocols"), ButtonRole::primary, [this] { emit back_wanted(); });
   set_empty_state(empty);

@@ -69,7 +69,7 @@ ParticipantView::ParticipantView(const SessionMonitor& monitor, std::filesystem:
       event_clock_(stamps_of_platform()) {
   qRegisterMetaType<asperity::ParticipantInput>();
   setObjectName(role == Role::participant ? "participant_view" : "participant_mirror");
-  setAccessibleName(role == Role::participant ? tr("What the participant sees")
+  setAccessibleName(role == Role::participant ? tr("Participant's view")
                                               : tr("Mirror of the participant's view"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   if (role == Role::participant) {

@@ -80,7 +80,7 @@ QString HealthLine::text_of(MaskingState masking) {
     case MaskingState::no_card:
       return tr("no sound card: no masking noise");
     case MaskingState::elsewhere:
-      return tr("masking noise from another source, as measured");
+      return tr("masking noise from another source (measured)");
   }
   return {};
 }

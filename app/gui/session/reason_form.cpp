@@ -89,7 +89,7 @@ ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   field_ = new QLineEdit(this);
   field_->setObjectName("reason");
   field_->setAccessibleName(tr("Reason"));
-  field_->setPlaceholderText(tr("Choose a reason above or type one"));
+  field_->setPlaceholderText(tr("Choose a reason above or enter one"));
   act_ = make_button({}, ButtonRole::plain, this);
   act_->setObjectName("reason_given");
   auto* cancel_button = make_button(tr("Cancel"), ButtonRole::link, this);

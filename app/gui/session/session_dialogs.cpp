@@ -62,7 +62,7 @@ void AbortDialog::lock(const QString& why) { form_->lock(why); }
 CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave) : QDialog(parent) {
   setObjectName("close_dialog");
   QVBoxLayout* rows =
-      prepare_dialog(*this, tr("A session is under way"),
+      prepare_dialog(*this, tr("Session under way"),
                      tr("No data are lost: every finished trial is stored, and the session can be "
                         "resumed. The window closes once the session has ended."));
   auto* buttons = new QHBoxLayout();

@@ -455,7 +455,7 @@ void SessionWindow::write_pending() {
   QStringList words{};
   if (is_running()) {
     if (shown_.phase == SessionPhase::paused) {
-      words += pending.pause ? tr("Paused since %1, Resume F5")
+      words += pending.pause ? tr("Paused since %1; resume with F5")
                                    .arg(text_of_clock(shown_.phase_began_ns, shown_, facts_.get()))
                              : tr("Resuming");
     } else if (pending.pause) {

@@ -124,7 +124,7 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   state_->setObjectName("device_state");
   state_->setWordWrap(true);
   layout->addWidget(state_);
-  why_ = make_button(tr("Why other devices cannot be used"), ButtonRole::link, this);
+  why_ = make_button(tr("Show devices that cannot be used"), ButtonRole::link, this);
   why_->setObjectName("device_why");
   why_->setCheckable(true);
   layout->addWidget(why_, 0, Qt::AlignLeft);

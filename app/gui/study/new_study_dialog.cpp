@@ -85,7 +85,7 @@ std::filesystem::path NewStudyDialog::folder() const {
 
 QString NewStudyDialog::complaint() const {
   const QString name = name_->text().trimmed();
-  if (name.isEmpty()) return tr("The study needs a name.");
+  if (name.isEmpty()) return tr("Enter a name for the study.");
   if (name.contains('/') || name == "." || name == "..") {
     return tr("The study's folder cannot be named “%1”; choose another name.").arg(name);
   }
@@ -103,7 +103,7 @@ void NewStudyDialog::show_what_follows() {
   const QString wrong = complaint();
   create_->setEnabled(wrong.isEmpty());
   what_follows_->setText(
-      wrong.isEmpty() ? tr("The study is created in %1.").arg(text_of_path(folder())) : wrong);
+      wrong.isEmpty() ? tr("The study will be created in %1.").arg(text_of_path(folder())) : wrong);
 }
 
 }  // namespace asperity

@@ -92,11 +92,11 @@ State state_of_session(const SessionOverview& session) {
 SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Sessions"), parent) {
   setObjectName("sessions_page");
-  set_empty_state(new EmptyState(tr("No session yet"),
-                                 tr("Choose a protocol on the Protocols page and press “Start "
-                                    "session…”. To preview the results, press “Simulate…” there: a "
-                                    "simulation takes minutes where a session takes an hour."),
-                                 this));
+  set_empty_state(new EmptyState(
+      tr("No sessions yet"),
+      tr("Choose a protocol on the Protocols page and press “Start session…”. To preview the "
+         "results, press “Simulate…” there: a simulation takes minutes, a session about an hour."),
+      this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("sessions_filter");
   filter_->setAccessibleName(tr("Filter"));

@@ -58,7 +58,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
   layout->setSpacing(kMargin);
-  layout->addWidget(make_heading(tr("%1 withdraws").arg(text(label)), this));
+  layout->addWidget(make_heading(tr("Withdrawal of %1").arg(text(label)), this));
   question_ = new QWidget(this);
   auto* rows = new QVBoxLayout(question_);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -67,7 +67,8 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
       tr("Data of %1 in the study: %2.").arg(text(label), text_of_counts(counts)), question_));
   keep_ = new QRadioButton(tr("Keep the data but exclude them from all analyses"), question_);
   keep_->setObjectName("withdraw_keep");
-  delete_ = new QRadioButton(tr("Delete all data from the folder of the study"), question_);
+  delete_ = new QRadioButton(tr("Delete all data of this participant from the study's folder"),
+                             question_);
   delete_->setObjectName("withdraw_delete");
   rows->addWidget(keep_);
   rows->addWidget(make_text(has_withdrawn
@@ -76,10 +77,10 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
                                      "resumed, and the counterbalancing row is free again."),
                             question_, true));
   rows->addWidget(delete_);
-  rows->addWidget(make_text(
-      tr("Rows, recordings and the kept older versions of the study are deleted and cannot be "
-         "restored. Only the fact, time and reason of the withdrawal remain stored."),
-      question_, true));
+  rows->addWidget(
+      make_text(tr("Rows, recordings and stored older versions of the study are deleted and cannot "
+                   "be restored. Only the fact, time and reason of the withdrawal remain stored."),
+                question_, true));
   keep_->setEnabled(!has_withdrawn);
   (has_withdrawn ? delete_ : keep_)->setChecked(true);
 
@@ -100,7 +101,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   by_ = new QLineEdit(question_);
   by_->setObjectName("withdraw_by");
   form->addRow(tr("Decided by"), by_);
-  label_caption_ = new QLabel(tr("Label, to confirm"), question_);
+  label_caption_ = new QLabel(tr("Label for confirmation"), question_);
   typed_ = new QLineEdit(question_);
   typed_->setObjectName("withdraw_label");
   typed_->setAccessibleName(label_caption_->text());
@@ -169,7 +170,7 @@ void WithdrawDialog::show_what_is_missing() {
   } else if (by_->text().trimmed().isEmpty()) {
     missing = tr("Enter who decided this; the name is stored with the time.");
   } else if (deletes && typed_->text() != text(label_)) {
-    missing = tr("Type %1 to confirm the deletion.").arg(text(label_));
+    missing = tr("Enter %1 to confirm the deletion.").arg(text(label_));
   }
   do_->setEnabled(missing.isEmpty());
   state_->set_state(State::unknown, missing.isEmpty() ? tr("This cannot be undone.") : missing);

@@ -5411,8 +5411,8 @@
         <translation>virtuelle Versuchspersonen</translation>
     </message>
     <message>
-        <source>How it was computed</source>
-        <translation>Wie es berechnet wurde</translation>
+        <source>Method</source>
+        <translation>Methode</translation>
     </message>
     <message>
         <source>Analysis</source>
@@ -5511,8 +5511,8 @@
         <translation>Zur Veröffentlichung: ohne Datumsangaben, Freitext und Fragebögen</translation>
     </message>
     <message>
-        <source>How to read this table</source>
-        <translation>Wie diese Tabelle zu lesen ist</translation>
+        <source>Notes on this table</source>
+        <translation>Hinweise zu dieser Tabelle</translation>
     </message>
     <message numerus="yes">
         <source>README.txt contains %n further warning(s).</source>
@@ -5765,8 +5765,8 @@
 <context>
     <name>asperity::CloseDialog</name>
     <message>
-        <source>A session is under way</source>
-        <translation>Eine Sitzung läuft</translation>
+        <source>Session under way</source>
+        <translation>Laufende Sitzung</translation>
     </message>
     <message>
         <source>Abort now</source>
@@ -5815,7 +5815,7 @@
 <context>
     <name>asperity::DecisionForm</name>
     <message>
-        <source>Choose a reason or type one</source>
+        <source>Choose a reason or enter one</source>
         <translation>Grund wählen oder eingeben</translation>
     </message>
     <message>
@@ -5870,8 +5870,8 @@
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Why other devices cannot be used</source>
-        <translation>Warum andere Geräte nicht benutzbar sind</translation>
+        <source>Show devices that cannot be used</source>
+        <translation>Nicht benutzbare Geräte zeigen</translation>
     </message>
     <message>
         <source>Try this device</source>
@@ -5985,8 +5985,8 @@
         <translation>■ Halt: keine Kraft (Esc)</translation>
     </message>
     <message>
-        <source>No device is chosen</source>
-        <translation>Kein Gerät ist gewählt</translation>
+        <source>No device chosen</source>
+        <translation>Kein Gerät gewählt</translation>
     </message>
     <message>
         <source>The Devices page lists the devices that can be tested.</source>
@@ -6109,8 +6109,8 @@
         <translation>Gestoppt; es wurde nichts gespeichert: %1</translation>
     </message>
     <message>
-        <source>The profile is stored as %1.</source>
-        <translation>Das Profil ist als %1 gespeichert.</translation>
+        <source>The profile has been stored as %1.</source>
+        <translation>Das Profil wurde als %1 gespeichert.</translation>
     </message>
     <message>
         <source>Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms. Protocols with “limits” in their “device” are listed here; the study has none.</source>
@@ -6132,20 +6132,20 @@
         <translation>Hände fernhalten: Der Griff wird entlang %1 hin- und hergezogen, langsam und dann schneller. Reibung und Dämpfung werden aus dem Widerstand bestimmt.</translation>
     </message>
     <message>
-        <source>Keep hands away: sudden force steps along %1, to and fro. The latency is determined from the delay until the motion begins, the mass from the acceleration.</source>
-        <translation>Hände fernhalten: Kraftsprünge entlang %1, hin und her. Die Latenz wird aus der Zeit bis zum Beginn der Bewegung bestimmt, die Masse aus der Beschleunigung.</translation>
+        <source>Keep hands away: sudden force steps act along %1, to and fro. The latency is determined from the delay until the motion begins, the mass from the acceleration.</source>
+        <translation>Hände fernhalten: Kraftsprünge wirken entlang %1, hin und her. Die Latenz wird aus der Zeit bis zum Beginn der Bewegung bestimmt, die Masse aus der Beschleunigung.</translation>
     </message>
     <message>
         <source>Keep hands away: the handle is driven along %1 at frequencies from 8 to 200 Hz. Its resonance is determined from its motion.</source>
         <translation>Hände fernhalten: Der Griff wird entlang %1 mit Frequenzen von 8 bis 200 Hz angetrieben. Seine Resonanz wird aus seiner Bewegung bestimmt.</translation>
     </message>
     <message>
-        <source>Keep hands away: increasingly stiff springs along %1, each with a small impulse. The result is the stiffest spring on which the handle comes to rest.</source>
-        <translation>Hände fernhalten: immer steifere Federn entlang %1, jede mit einem kleinen Impuls. Das Ergebnis ist die steifste Feder, auf der der Griff zur Ruhe kommt.</translation>
+        <source>Keep hands away: increasingly stiff springs are rendered along %1, each with a small impulse. The result is the stiffest spring on which the handle comes to rest.</source>
+        <translation>Hände fernhalten: Immer steifere Federn werden entlang %1 wiedergegeben, jede mit einem kleinen Impuls. Das Ergebnis ist die steifste Feder, auf der der Griff zur Ruhe kommt.</translation>
     </message>
     <message>
-        <source>Keep hands away: increasingly strong small pushes along %1, until the handle moves.</source>
-        <translation>Hände fernhalten: immer stärkere kleine Stöße entlang %1, bis sich der Griff bewegt.</translation>
+        <source>Keep hands away: increasingly strong small pushes act along %1 until the handle moves.</source>
+        <translation>Hände fernhalten: Immer stärkere kleine Stöße wirken entlang %1, bis sich der Griff bewegt.</translation>
     </message>
     <message>
         <source>Now take the handle and move it along all borders of its workspace: left and right, forwards and backwards, up and down. This step lasts %1 seconds; no force is exerted.</source>
@@ -6184,8 +6184,8 @@
         <translation>Arbeitsraum</translation>
     </message>
     <message>
-        <source>Keep hands away: soft pushes, then a stop, a force that is not a number, and a program that does not respond. Each has to end in zero force.</source>
-        <translation>Hände fernhalten: leichte Stöße, dann ein Halt, eine Kraft, die keine Zahl ist, und ein Programm, das nicht reagiert. Jeder dieser Fälle muss mit der Kraft null enden.</translation>
+        <source>Keep hands away: the handle is pushed softly. A stop, a force that is not a number and an unresponsive program are then tested; each has to end in zero force.</source>
+        <translation>Hände fernhalten: Der Griff wird leicht angestoßen. Danach werden ein Halt, eine Kraft, die keine Zahl ist, und ein Programm, das nicht reagiert, getestet; jeder dieser Fälle muss mit der Kraft null enden.</translation>
     </message>
 </context>
 <context>
@@ -6386,16 +6386,16 @@
         <translation>keine Datei: nur ein Falcon mit bereits geladener Firmware ist benutzbar</translation>
     </message>
     <message>
-        <source>where the system looks for libraries</source>
-        <translation>wo das System nach Bibliotheken sucht</translation>
+        <source>the system&apos;s search path for libraries</source>
+        <translation>Suchpfad des Systems für Bibliotheken</translation>
     </message>
     <message>
-        <source>The file of a Falcon&apos;s firmware</source>
-        <translation>Die Datei mit der Firmware eines Falcon</translation>
+        <source>Falcon firmware file</source>
+        <translation>Firmware-Datei eines Falcon</translation>
     </message>
     <message>
-        <source>The library of %1</source>
-        <translation>Die Bibliothek von %1</translation>
+        <source>Library of %1</source>
+        <translation>Bibliothek von %1</translation>
     </message>
     <message>
         <source>the field above</source>
@@ -6754,8 +6754,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>keine Soundkarte: kein Maskierrauschen</translation>
     </message>
     <message>
-        <source>masking noise from another source, as measured</source>
-        <translation>Maskierrauschen aus einer anderen Quelle, wie gemessen</translation>
+        <source>masking noise from another source (measured)</source>
+        <translation>Maskierrauschen aus einer anderen Quelle (gemessen)</translation>
     </message>
 </context>
 <context>
@@ -7278,8 +7278,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>BEWEGUNG mm</translation>
     </message>
     <message>
-        <source>FORCE N, as sent</source>
-        <translation>KRAFT N, wie gesendet</translation>
+        <source>SENT FORCE N</source>
+        <translation>GESENDETE KRAFT N</translation>
     </message>
     <message>
         <source>time, s</source>
@@ -7340,8 +7340,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Ordner für die Studie</translation>
     </message>
     <message>
-        <source>The study needs a name.</source>
-        <translation>Die Studie braucht einen Namen.</translation>
+        <source>Enter a name for the study.</source>
+        <translation>Einen Namen für die Studie eingeben.</translation>
     </message>
     <message>
         <source>%1 already exists; choose another name.</source>
@@ -7356,7 +7356,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Den vollständigen Pfad des Ordners eingeben; er beginnt mit „/“ oder „~“.</translation>
     </message>
     <message>
-        <source>The study is created in %1.</source>
+        <source>The study will be created in %1.</source>
         <translation>Die Studie wird in %1 angelegt.</translation>
     </message>
 </context>
@@ -7423,8 +7423,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Rauschen stoppen</translation>
     </message>
     <message>
-        <source>No sound card: noise and cues are not heard.</source>
-        <translation>Keine Soundkarte: Rauschen und Signale sind nicht zu hören.</translation>
+        <source>There is no sound card. Connect one to play noise and cues.</source>
+        <translation>Es gibt keine Soundkarte. Eine anschließen, um Rauschen und Signale abzuspielen.</translation>
     </message>
     <message>
         <source>The level of the noise at the ear was not measured.</source>
@@ -7607,8 +7607,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::ParticipantView</name>
     <message>
-        <source>What the participant sees</source>
-        <translation>Was die Versuchsperson sieht</translation>
+        <source>Participant&apos;s view</source>
+        <translation>Ansicht der Versuchsperson</translation>
     </message>
     <message>
         <source>Mirror of the participant&apos;s view</source>
@@ -7994,8 +7994,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>No protocol is open</source>
-        <translation>Kein Protokoll ist geöffnet</translation>
+        <source>No protocol open</source>
+        <translation>Kein Protokoll geöffnet</translation>
     </message>
     <message>
         <source>Show the protocols</source>
@@ -8389,7 +8389,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::ReasonForm</name>
     <message>
-        <source>Choose a reason above or type one</source>
+        <source>Choose a reason above or enter one</source>
         <translation>Oben einen Grund wählen oder einen eingeben</translation>
     </message>
     <message>
@@ -8618,12 +8618,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Ein Relief aus einer Datei ist bereits gespeichert.</translation>
     </message>
     <message>
-        <source>The relief needs a name.</source>
-        <translation>Das Relief braucht einen Namen.</translation>
+        <source>Enter a name for the relief.</source>
+        <translation>Einen Namen für das Relief eingeben.</translation>
     </message>
     <message>
-        <source>Letters without accents, digits, _ and - only.</source>
-        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
+        <source>Use only letters without accents, digits, _ and -.</source>
+        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
     </message>
     <message>
         <source>Saving …</source>
@@ -9112,8 +9112,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzung wird vorbereitet</translation>
     </message>
     <message>
-        <source>Paused since %1, Resume F5</source>
-        <translation>Angehalten seit %1, Fortsetzen F5</translation>
+        <source>Paused since %1; resume with F5</source>
+        <translation>Angehalten seit %1; fortsetzen mit F5</translation>
     </message>
     <message>
         <source>Resuming</source>
@@ -9179,8 +9179,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzungen</translation>
     </message>
     <message>
-        <source>No session yet</source>
-        <translation>Noch keine Sitzung</translation>
+        <source>No sessions yet</source>
+        <translation>Noch keine Sitzungen</translation>
     </message>
     <message>
         <source>Filter: participant, protocol, state</source>
@@ -9263,7 +9263,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 virtuell</translation>
     </message>
     <message>
-        <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: a simulation takes minutes where a session takes an hour.</source>
+        <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: a simulation takes minutes, a session about an hour.</source>
         <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Für eine Vorschau der Ergebnisse dort „Simulieren…“ drücken: Eine Simulation dauert Minuten, eine Sitzung eine Stunde.</translation>
     </message>
     <message>
@@ -9952,8 +9952,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>&amp;Metadaten…</translation>
     </message>
     <message>
-        <source>The metadata of the study are stored.</source>
-        <translation>Die Metadaten der Studie sind gespeichert.</translation>
+        <source>The metadata of the study have been stored.</source>
+        <translation>Die Metadaten der Studie wurden gespeichert.</translation>
     </message>
     <message>
         <source>The metadata could not be stored: %1</source>
@@ -10260,8 +10260,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Zuletzt benutzte Studien</translation>
     </message>
     <message>
-        <source>None yet. The studies that you open are listed here, the latest first.</source>
-        <translation>Noch keine. Studien, die geöffnet wurden, stehen hier, die letzte zuerst.</translation>
+        <source>None yet. Studies that you open are listed here, the most recently used first.</source>
+        <translation>Noch keine. Studien, die geöffnet wurden, stehen hier, die zuletzt benutzte zuerst.</translation>
     </message>
     <message>
         <source>Study</source>
@@ -10296,8 +10296,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Demostudie konnte nicht angelegt werden: %1</translation>
     </message>
     <message>
-        <source>It is in %1.</source>
-        <translation>Sie liegt in %1.</translation>
+        <source>The demo study is in %1.</source>
+        <translation>Die Demostudie liegt in %1.</translation>
     </message>
     <message>
         <source>Textures and protocols of every kind, ready to run with the simulated device. No hardware and no network are needed.</source>
@@ -10318,8 +10318,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Studie nicht gefunden</translation>
     </message>
     <message>
-        <source>It is created in %1 (about 25 MB). This takes a few seconds.</source>
-        <translation>Sie wird in %1 angelegt (etwa 25 MB); das dauert einige Sekunden.</translation>
+        <source>The demo study will be created in %1 (about 25 MB). This takes a few seconds.</source>
+        <translation>Die Demostudie wird in %1 angelegt (etwa 25 MB). Das dauert einige Sekunden.</translation>
     </message>
 </context>
 <context>
@@ -10361,16 +10361,16 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Teilnahme zurückziehen</translation>
     </message>
     <message>
-        <source>%1 withdraws</source>
-        <translation>%1 zieht die Teilnahme zurück</translation>
+        <source>Withdrawal of %1</source>
+        <translation>Rückzug von %1</translation>
     </message>
     <message>
         <source>Keep the data but exclude them from all analyses</source>
         <translation>Die Daten behalten, aber von allen Auswertungen ausschließen</translation>
     </message>
     <message>
-        <source>Delete all data from the folder of the study</source>
-        <translation>Alle Daten aus dem Ordner der Studie löschen</translation>
+        <source>Delete all data of this participant from the study&apos;s folder</source>
+        <translation>Alle Daten dieser Versuchsperson aus dem Ordner der Studie löschen</translation>
     </message>
     <message>
         <source>This has already been done.</source>
@@ -10401,7 +10401,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Entschieden von</translation>
     </message>
     <message>
-        <source>Label, to confirm</source>
+        <source>Label for confirmation</source>
         <translation>Kürzel zur Bestätigung</translation>
     </message>
     <message>
@@ -10425,7 +10425,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Eingeben, wer dies entschieden hat; der Name wird mit dem Zeitpunkt gespeichert.</translation>
     </message>
     <message>
-        <source>Type %1 to confirm the deletion.</source>
+        <source>Enter %1 to confirm the deletion.</source>
         <translation>Zur Bestätigung der Löschung %1 eingeben.</translation>
     </message>
     <message>
@@ -10449,7 +10449,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Aufbewahrt und von jeder Auswertung ausgeschlossen: %1.</translation>
     </message>
     <message>
-        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be restored. Only the fact, time and reason of the withdrawal remain stored.</source>
+        <source>Rows, recordings and stored older versions of the study are deleted and cannot be restored. Only the fact, time and reason of the withdrawal remain stored.</source>
         <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Nur Tatsache, Zeitpunkt und Grund des Rückzugs bleiben gespeichert.</translation>
     </message>
     <message>
@@ -10588,8 +10588,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Über das Relief ziehen, um es zu fühlen</translation>
     </message>
     <message>
-        <source>After a quarter of a second</source>
-        <translation>Nach einer Viertelsekunde</translation>
+        <source>Shown after a quarter of a second</source>
+        <translation>Erscheint nach einer Viertelsekunde</translation>
     </message>
     <message>
         <source>The relief in the workbench is not saved and would be lost: save it, then change the theme or the language.</source>
@@ -10616,8 +10616,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Effektivwert der Beschleunigung, m/s²</translation>
     </message>
     <message>
-        <source>After half a second</source>
-        <translation>Nach einer halben Sekunde</translation>
+        <source>Shown after half a second</source>
+        <translation>Erscheint nach einer halben Sekunde</translation>
     </message>
     <message>
         <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as by asperity sweep.</source>

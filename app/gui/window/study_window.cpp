@@ -441,7 +441,7 @@ void StudyWindow::store_metadata(const StudyMetadata& metadata) {
   try {
     Study::open(study_->folder(), Access::read_write).set_metadata(metadata);
     study_->announce_change();
-    banner_->show_news(State::fine, tr("The metadata of the study are stored."));
+    banner_->show_news(State::fine, tr("The metadata of the study have been stored."));
   } catch (const std::exception& error) {
     banner_->show_news(
         State::stop,

@@ -173,7 +173,8 @@ QWidget* WelcomePage::make_recent_card() {
   layout->setSpacing(kGrid);
   layout->addWidget(make_heading(tr("Recent studies"), group));
   no_recent_ = make_text(
-      tr("None yet. The studies that you open are listed here, the latest first."), group, true);
+      tr("None yet. Studies that you open are listed here, the most recently used first."), group,
+      true);
   layout->addWidget(no_recent_);
 
   recent_ = new QTableWidget(0, 3, group);
@@ -334,10 +335,11 @@ void WelcomePage::fill_recent(const std::vector<RecentStudy>& studies,
 
 void WelcomePage::show_demo_place() {
   const std::filesystem::path folder = demo_folder(demo_parent_);
-  demo_place_->setText(holds_demo_study(folder)
-                           ? tr("It is in %1.").arg(text_of_path(folder))
-                           : tr("It is created in %1 (about 25 MB). This takes a few seconds.")
-                                 .arg(text_of_path(folder)));
+  demo_place_->setText(
+      holds_demo_study(folder)
+          ? tr("The demo study is in %1.").arg(text_of_path(folder))
+          : tr("The demo study will be created in %1 (about 25 MB). This takes a few seconds.")
+                .arg(text_of_path(folder)));
 }
 
 void WelcomePage::show_working(bool working) {

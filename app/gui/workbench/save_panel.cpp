@@ -147,9 +147,9 @@ void SavePanel::check_name() {
   } else if (!study_.can_be_written()) {
     problem = tr("This study is read-only.");
   } else if (name.isEmpty()) {
-    problem = tr("The relief needs a name.");
+    problem = tr("Enter a name for the relief.");
   } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
-    problem = tr("Letters without accents, digits, _ and - only.");
+    problem = tr("Use only letters without accents, digits, _ and -.");
   } else if (name.endsWith(kPhotoEnding)) {
     problem =
         tr("Names ending in _photo are reserved for the photographs stored with the reliefs.");

@@ -300,7 +300,7 @@ TEST_F(DeviceTests, SayWhatIsKnownOfADeviceThatIsStoodForAndLeaveTheRestOut) {
   EXPECT_NE(known.find("unknown: continuous force, position step"), std::string::npos);
   EXPECT_NE(
       news().find("The device met every limit that was measured. Not measured, although a limit "
-                  "applies: Fraction of the workspace reached. The profile is stored as"),
+                  "applies: Fraction of the workspace reached. The profile has been stored as"),
       std::string::npos)
       << news();
 }
@@ -496,9 +496,10 @@ TEST_F(DeviceTests, HoldADeviceToTheLimitsOfAChosenProtocol) {
   EXPECT_EQ(shown("result_moving_mass_kg"), "✕ fail");
   EXPECT_EQ(shown("limit_moving_mass_kg"), "≤ 10 g");
   EXPECT_EQ(shown("result_latency_s"), "✓ pass");
-  EXPECT_NE(news().find("did not meet every limit: Moving mass. Not measured, although a limit "
-                        "applies: Fraction of the workspace reached. The profile is stored as"),
-            std::string::npos)
+  EXPECT_NE(
+      news().find("did not meet every limit: Moving mass. Not measured, although a limit "
+                  "applies: Fraction of the workspace reached. The profile has been stored as"),
+      std::string::npos)
       << news();
   EXPECT_FALSE(find<QLabel>("profile_known").isVisible()) << "it stands for no real device";
   EXPECT_EQ(latest_profile(folder, {.name = "simulated"})->item("moving_mass_kg")->limit, 0.01);

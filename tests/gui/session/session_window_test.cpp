@@ -514,8 +514,8 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
   EXPECT_TRUE(health(MaskingState::none).endsWith("0 saturated"));
   EXPECT_TRUE(health(MaskingState::no_card).endsWith(" · no sound card: no masking noise"));
   EXPECT_TRUE(health(MaskingState::no_card).contains("▲"));
-  EXPECT_TRUE(health(MaskingState::elsewhere)
-                  .endsWith(" · masking noise from another source, as measured"));
+  EXPECT_TRUE(
+      health(MaskingState::elsewhere).endsWith(" · masking noise from another source (measured)"));
   EXPECT_FALSE(health(MaskingState::elsewhere).contains("▲"));
   EXPECT_TRUE(
       health(MaskingState::silent).endsWith(" · the sound card does not play: no masking noise"));
