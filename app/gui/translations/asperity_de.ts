@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Only %1 were presented: one was confused with the other in %2 of %3 responses.</source>
-        <translation>Nur %1 wurden dargeboten: In %2 von %3 Antworten wurde das eine mit dem anderen verwechselt.</translation>
+        <translation>Nur %1 wurden dargeboten: In %2 von %3 Antworten wurde die eine Textur mit der anderen verwechselt.</translation>
     </message>
     <message>
         <source>%1 interrupted</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>Number of times that one texture was assigned the picture of the other, in each direction.</source>
-        <translation>Wie oft jeder der beiden Texturen das Bild der anderen zugeordnet wurde.</translation>
+        <translation>Anzahl der Fälle, in denen einer Textur das Bild der anderen zugeordnet wurde, für jede Richtung.</translation>
     </message>
     <message>
         <source>Trials by their number of correctly matched items</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>There are no choices yet.</source>
-        <translation>Noch gibt es keine Wahlen.</translation>
+        <translation>Es gibt noch keine Wahlen.</translation>
     </message>
     <message>
         <source>%1 over %2 (%3)</source>
@@ -361,7 +361,7 @@
     </message>
     <message>
         <source>Measures of all responses together</source>
-        <translation>Maße aus allen Antworten zusammen</translation>
+        <translation>Kennwerte aus allen Antworten zusammen</translation>
     </message>
     <message>
         <source>On average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
@@ -409,7 +409,7 @@
     </message>
     <message>
         <source>Expected under guessing: number of trials if every assignment is equally likely.</source>
-        <translation>Beim Raten erwartet: Durchgänge, in denen jede Zuordnung gleich wahrscheinlich ist.</translation>
+        <translation>Beim Raten erwartet: Anzahl der Durchgänge, wenn jede Zuordnung gleich wahrscheinlich ist.</translation>
     </message>
     <message>
         <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” counts as incorrect. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 responses.</source>
-        <translation>%1 In nur einer Richtung gezählt, ist %2 die häufigste Verwechslung: in %3 von %4 Antworten.</translation>
+        <translation>%1 Wird nur eine Richtung gezählt, ist %2 die häufigste Verwechslung: in %3 von %4 Antworten.</translation>
     </message>
     <message>
         <source>The textures confused most often are %1: one with the other in %2 of %3 responses.</source>
@@ -581,11 +581,11 @@
     </message>
     <message>
         <source>%1 Counted in one direction only, %2 confusions are the most frequent: each in %3 of the responses to the texture presented.</source>
-        <translation>%1 In nur einer Richtung gezählt, sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die dargebotene Textur.</translation>
+        <translation>%1 Wird nur eine Richtung gezählt, sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
         <source>%1 Counted in one direction only, these confusions are the most frequent: %2, each in %3 of the responses to the texture presented.</source>
-        <translation>%1 In nur einer Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
+        <translation>%1 Wird nur eine Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
         <source>%1 identified as %2</source>
@@ -901,7 +901,7 @@
     </message>
     <message>
         <source>Reliability of a single repetition: %1 (consistency) and %2 (agreement); of the mean of the %3 repetitions: %4; N = %5 participants.</source>
-        <translation>Für eine einzelne Wiederholung: %1 (Konsistenz) und %2 (Übereinstimmung); für den Mittelwert der %3 Wiederholungen: %4; N = %5 Versuchspersonen.</translation>
+        <translation>Reliabilität einer einzelnen Wiederholung: %1 (Konsistenz) und %2 (Übereinstimmung); des Mittelwerts der %3 Wiederholungen: %4; N = %5 Versuchspersonen.</translation>
     </message>
     <message>
         <source>How reliable are the participants&apos; results over repetitions?</source>
@@ -929,7 +929,7 @@
     </message>
     <message>
         <source>There are no responses yet.</source>
-        <translation>Noch gibt es keine Antworten.</translation>
+        <translation>Es gibt noch keine Antworten.</translation>
     </message>
     <message>
         <source>%1, %2, %3</source>
@@ -1085,7 +1085,7 @@
     </message>
     <message>
         <source>The results are exploratory: they are not tested and not adjusted for the conditions of the trials. Each participant&apos;s counted trials are divided into halves as numbered in the plan; the middle trial of an odd number is left out, and a repeated trial keeps its planned place. Times: geometric means, and ratio of the second to the first half.</source>
-        <translation>Explorativ, ohne Test und nicht für die Bedingungen der Durchgänge adjustiert. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, bei ungerader Anzahl ohne den mittleren; ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
+        <translation>Die Ergebnisse sind explorativ: Sie werden nicht getestet und nicht für die Bedingungen der Durchgänge adjustiert. Die gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, werden in Hälften geteilt; bei ungerader Anzahl entfällt der mittlere, und ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
     </message>
     <message>
         <source>Ratio per 10 trials: from the least-squares lines of the logarithm over the trial number.</source>
@@ -1301,7 +1301,7 @@
     </message>
     <message>
         <source>the mean proportion of choices of %5 is %1 for %3 and %2 for %4</source>
-        <translation>mittlerer Anteil der Wahlen von %5 – %3 %1, %4 %2</translation>
+        <translation>mittlerer Anteil von %5 an den Wahlen – %3 %1, %4 %2</translation>
     </message>
     <message>
         <source>women</source>
@@ -1357,7 +1357,7 @@
     </message>
     <message>
         <source>%1 (95 % CI [%2, %3])</source>
-        <translation>%1 (95-%-KI [%2, %3])</translation>
+        <translation>%1 (95-%-KI [%2; %3])</translation>
     </message>
     <message>
         <source>Do the ratings on the scale “%1” differ between the items?</source>
@@ -1397,7 +1397,7 @@
     </message>
     <message>
         <source>Intraclass correlations with the items as targets and the participants as raters: ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants. Cronbach&apos;s α with the participants as parts.</source>
-        <translation>Intraklassen-Korrelationen mit den Items als beurteilten Objekten und den Versuchspersonen als Urteilern: ICC2 misst die Übereinstimmung, ICC3 die Konsistenz; k: des Mittelwerts aller Versuchspersonen. Cronbachs α mit den Versuchspersonen als Teilen.</translation>
+        <translation>Intraklassenkorrelationen mit den Items als Urteilsobjekten und den Versuchspersonen als Beurteilern: ICC2 misst die Übereinstimmung, ICC3 die Konsistenz; k: des Mittelwerts aller Versuchspersonen. Cronbachs α mit den Versuchspersonen als Teilen.</translation>
     </message>
     <message>
         <source>Cumulative link model of the ratings on each scale</source>
@@ -1405,7 +1405,7 @@
     </message>
     <message>
         <source>Log odds ratio of a higher rating than that of the reference, with Wald 95 % CIs: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. The p values are not corrected.</source>
-        <translation>Logarithmiertes Chancenverhältnis eines höheren Urteils gegenüber der Referenz, mit 95-%-Konfidenzintervallen nach Wald: proportionale Chancen, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind nicht korrigiert.</translation>
+        <translation>Logarithmiertes Chancenverhältnis eines höheren Urteils gegenüber der Referenz, mit 95-%-Konfidenzintervallen nach Wald: proportionale Chancen, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind unkorrigiert.</translation>
     </message>
 </context>
 <context>
@@ -1811,7 +1811,7 @@
     </message>
     <message>
         <source>95 % interval under guessing</source>
-        <translation>95-%-Bereich beim Raten</translation>
+        <translation>95-%-Intervall beim Raten</translation>
     </message>
     <message>
         <source>stimulus</source>
@@ -1914,11 +1914,11 @@
     </message>
     <message>
         <source>Practice: not included in analyses</source>
-        <translation>Übung: nicht in den Auswertungen</translation>
+        <translation>Übung: nicht in die Auswertungen einbezogen</translation>
     </message>
     <message>
         <source>Anchor: not included in analyses</source>
-        <translation>Anker: nicht in den Auswertungen</translation>
+        <translation>Anker: nicht in die Auswertungen einbezogen</translation>
     </message>
     <message>
         <source>Does not count: no response</source>
@@ -2693,15 +2693,15 @@
     </message>
     <message>
         <source>Scores by item</source>
-        <translation>Bewertungen je Objekt</translation>
+        <translation>Bewertungen je Item</translation>
     </message>
     <message>
         <source>Points are means over the participants who scored every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the scores.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Objekte bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
         <source>No participant scored every item: there are no means to show.</source>
-        <translation>Keine Versuchsperson hat alle Objekte bewertet: Es gibt keine Mittelwerte.</translation>
+        <translation>Keine Versuchsperson hat alle Items bewertet: Es gibt keine Mittelwerte.</translation>
     </message>
     <message>
         <source>Means by condition</source>
@@ -2709,11 +2709,11 @@
     </message>
     <message>
         <source>Points are means over the participants, shifted where several coincide. Bars: within-participant %1 % CIs (Cousineau and Morey), which do not include the differences between participants. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-Konfidenzintervalle innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: %1-%-Konfidenzintervalle innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>Points are means over the participants, shifted where several coincide. Bars: t-based %1 % CIs. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: t-basierte %1-%-Konfidenzintervalle. Linien dienen nur der Orientierung.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: t-basierte %1-%-Konfidenzintervalle. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>There are no means: %1.</source>
@@ -3061,7 +3061,7 @@
     </message>
     <message>
         <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no CIs over participants.</source>
-        <translation>Punkte sind Log-Nutzwerte mit Firths Bias-Korrektur, bezogen auf das erste Objekt. Konfidenzintervalle über Versuchspersonen gibt es nicht.</translation>
+        <translation>Punkte sind Log-Nutzwerte mit Firths Bias-Korrektur, bezogen auf das erste Item. Konfidenzintervalle über Versuchspersonen gibt es nicht.</translation>
     </message>
     <message>
         <source>proportion correct (for matching: of items), mean with its %1 % CI</source>
@@ -3185,7 +3185,7 @@
     </message>
     <message>
         <source>proportion of choices of the target, mean with its %1 % CI</source>
-        <translation>Anteil der Wahlen des Ziels, Mittelwert mit %1-%-KI</translation>
+        <translation>Anteil des Ziels an den Wahlen, Mittelwert mit %1-%-KI</translation>
     </message>
 </context>
 <context>
@@ -3593,11 +3593,11 @@
     </message>
     <message>
         <source>The answer to &quot;%1&quot; has to be %2 or more.</source>
-        <translation>Die Antwort auf „%1“ muss %2 oder mehr sein.</translation>
+        <translation>Die Antwort auf „%1“ muss mindestens %2 betragen.</translation>
     </message>
     <message>
         <source>The answer to &quot;%1&quot; has to be %2 or less.</source>
-        <translation>Die Antwort auf „%1“ muss %2 oder weniger sein.</translation>
+        <translation>Die Antwort auf „%1“ darf höchstens %2 betragen.</translation>
     </message>
 </context>
 <context>
@@ -4753,7 +4753,7 @@
     </message>
     <message>
         <source>To keep other users out, run: %1</source>
-        <translation>Um andere Benutzer auszuschließen, ausführen: %1</translation>
+        <translation>Befehl, der andere Benutzer ausschließt: %1</translation>
     </message>
     <message>
         <source>%1 has withdrawn.</source>
@@ -4935,11 +4935,11 @@
     </message>
     <message>
         <source>less than a minute left</source>
-        <translation>noch weniger als eine Minute</translation>
+        <translation>Restzeit unter einer Minute</translation>
     </message>
     <message>
         <source>about %1 min left</source>
-        <translation>noch etwa %1 min</translation>
+        <translation>Restzeit etwa %1 min</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5316,7 +5316,7 @@
     </message>
     <message>
         <source>%1 The force is zero until the fault is cleared.</source>
-        <translation>%1 Die Kraft ist null, bis die Störung behoben ist.</translation>
+        <translation>%1 Die Kraft ist null, bis die Störung quittiert ist.</translation>
     </message>
     <message>
         <source>%1 The device is not ready yet: %2.</source>
@@ -5324,7 +5324,7 @@
     </message>
     <message>
         <source>%1 The force is zero until the stop is cleared.</source>
-        <translation>%1 Die Kraft ist null, bis der Halt aufgehoben ist.</translation>
+        <translation>%1 Die Kraft ist null, bis der Halt quittiert ist.</translation>
     </message>
     <message>
         <source>%1 The emergency stop was pressed in the meantime.</source>
@@ -5504,7 +5504,7 @@
     </message>
     <message>
         <source>With tick-by-tick recordings (large files)</source>
-        <translation>Mit Aufzeichnungen, Takt für Takt (große Dateien)</translation>
+        <translation>Mit Aufzeichnungen jedes Takts (große Dateien)</translation>
     </message>
     <message>
         <source>For publication: without dates, free text and questionnaires</source>
@@ -5588,7 +5588,7 @@
     </message>
     <message>
         <source>Responses and measures</source>
-        <translation>Antworten und Maße</translation>
+        <translation>Antworten und Messwerte</translation>
     </message>
     <message>
         <source>Events and decisions</source>
@@ -5624,7 +5624,7 @@
     </message>
     <message>
         <source>This attempt has no recording. Its responses and measures are on the next page.</source>
-        <translation>Dieser Versuch hat keine Aufzeichnung. Seine Antworten und Maße stehen auf der nächsten Seite.</translation>
+        <translation>Dieser Versuch hat keine Aufzeichnung. Seine Antworten und Messwerte stehen auf der nächsten Seite.</translation>
     </message>
     <message>
         <source>Reading the recording…</source>
@@ -5636,7 +5636,7 @@
     </message>
     <message>
         <source>The recording cannot be shown: %1. The responses and measures of the attempt are stored and not affected.</source>
-        <translation>Die Aufzeichnung kann nicht gezeigt werden: %1. Antworten und Maße des Versuchs sind gespeichert und davon nicht betroffen.</translation>
+        <translation>Die Aufzeichnung kann nicht gezeigt werden: %1. Antworten und Messwerte des Versuchs sind gespeichert und davon nicht betroffen.</translation>
     </message>
     <message>
         <source>Flag attempt</source>
@@ -5919,7 +5919,7 @@
     </message>
     <message>
         <source>Location of a device&apos;s firmware or of its manufacturer&apos;s library or service, if it is not found.</source>
-        <translation>Ort der Firmware eines Geräts oder der Bibliothek oder des Dienstes seines Herstellers, falls sie nicht gefunden werden.</translation>
+        <translation>Ort der Firmware, der Herstellerbibliothek oder des Herstellerdienstes eines Geräts, falls er nicht gefunden wird.</translation>
     </message>
     <message>
         <source>“Set up…”</source>
@@ -7171,7 +7171,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Counts of the force model, in ticks</source>
-        <translation>Zählungen des Kraftmodells, in Takten</translation>
+        <translation>Vom Kraftmodell gezählte Takte</translation>
     </message>
     <message>
         <source>Ticks</source>
@@ -7545,7 +7545,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>No participant is chosen.</source>
-        <translation>Keine Versuchsperson ist gewählt.</translation>
+        <translation>Es ist keine Versuchsperson gewählt.</translation>
     </message>
     <message>
         <source>The new participant has no label.</source>
@@ -8095,7 +8095,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Use the other version</source>
-        <translation>Andere Fassung nehmen</translation>
+        <translation>Andere Fassung verwenden</translation>
     </message>
     <message>
         <source>The text of the other program is shown. Undo restores yours.</source>
@@ -8244,7 +8244,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Last run %1, %2, %3.</source>
-        <translation>Zuletzt %1, %2, %3.</translation>
+        <translation>Zuletzt durchgeführt %1, %2, %3.</translation>
     </message>
     <message>
         <source>not ended</source>
@@ -8268,7 +8268,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Create from template</source>
-        <translation>Neu aus Vorlage</translation>
+        <translation>Aus Vorlage anlegen</translation>
     </message>
     <message>
         <source>No protocols yet</source>
@@ -8332,7 +8332,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Last run on a simulated clock, %1, %2.</source>
-        <translation>Zuletzt mit simulierter Uhr, %1, %2.</translation>
+        <translation>Zuletzt mit simulierter Uhr durchgeführt, %1, %2.</translation>
     </message>
     <message>
         <source>Read-only</source>
@@ -8607,7 +8607,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm</source>
-        <translation>%1 × %2 mm, %3 µm vom tiefsten bis zum höchsten Punkt, RMS %4 µm</translation>
+        <translation>%1 × %2 mm, %3 µm vom tiefsten bis zum höchsten Punkt, Effektivwert %4 µm</translation>
     </message>
     <message>
         <source>The relief will be saved in stimuli/ with its sidecar and its photograph.</source>
@@ -8829,7 +8829,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Repeat: no trial has been completed yet.</source>
-        <translation>Wiederholen: Noch ist kein Durchgang abgeschlossen.</translation>
+        <translation>Wiederholen: Es ist noch kein Durchgang abgeschlossen.</translation>
     </message>
     <message>
         <source>Skip: no trial is under way.</source>
@@ -9062,7 +9062,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected: the force is zero, and the trial is repeated. Reconnect the screen, restore the window, then clear the stop.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt: Die Kraft ist null, und der Durchgang wird wiederholt. Den Bildschirm wieder anschließen, das Fenster zurückholen, dann den NOT-HALT aufheben.</translation>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt: Die Kraft ist null, und der Durchgang wird wiederholt. Den Bildschirm wieder anschließen, das Fenster zurückholen, dann den Halt quittieren.</translation>
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected. There is no force, and the session pauses before the next trial. Reconnect the screen, restore the participant&apos;s window, then resume with F5.</source>
@@ -9121,15 +9121,15 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Pausing after this trial</source>
-        <translation>Hält nach diesem Durchgang an</translation>
+        <translation>Anhalten nach diesem Durchgang</translation>
     </message>
     <message>
         <source>Stopping after this trial</source>
-        <translation>Stoppt nach diesem Durchgang</translation>
+        <translation>Stopp nach diesem Durchgang</translation>
     </message>
     <message>
         <source>Stopping after this block</source>
-        <translation>Stoppt nach diesem Block</translation>
+        <translation>Stopp nach diesem Block</translation>
     </message>
     <message>
         <source>Repeating the last trial next</source>
@@ -9137,7 +9137,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Clearing the fault</source>
-        <translation>Störung wird behoben</translation>
+        <translation>Störung wird quittiert</translation>
     </message>
     <message>
         <source>Reason: %1</source>
@@ -9600,7 +9600,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>No protocol is chosen.</source>
-        <translation>Kein Protokoll ist gewählt.</translation>
+        <translation>Es ist kein Protokoll gewählt.</translation>
     </message>
     <message>
         <source>The protocol is not valid.</source>
@@ -9881,7 +9881,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>No study has been opened yet</source>
-        <translation>Noch wurde keine Studie geöffnet</translation>
+        <translation>Es wurde noch keine Studie geöffnet</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -10249,7 +10249,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Stopping after the current texture…</source>
-        <translation>Stoppt nach der aktuellen Textur…</translation>
+        <translation>Stopp nach der aktuellen Textur…</translation>
     </message>
     <message>
         <source>Folder for the demo study</source>

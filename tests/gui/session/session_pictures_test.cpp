@@ -176,7 +176,7 @@ TEST(SessionPictures, TheEmergencyStopIsPressedInGerman) {
   window->refresh();
   look_at(*window, "german-session-emergency");
   EXPECT_TRUE(window->findChild<FaultPanel*>()->text().endsWith(
-      "Der NOT-HALT wurde in Durchgang 17 gedrückt. Die Kraft ist null, bis der Halt aufgehoben "
+      "Der NOT-HALT wurde in Durchgang 17 gedrückt. Die Kraft ist null, bis der Halt quittiert "
       "ist."))
       << window->findChild<FaultPanel*>()->text().toStdString();
   apply_language("en");
