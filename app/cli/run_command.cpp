@@ -150,7 +150,7 @@ void add_run(CLI::App& program, Job& job) {
       if (end.state != SessionState::completed) {
         say("asperity: the session stopped: " + end.reason.english() +
             (end.as_the_protocol_says ? ""
-                                      : "; every finished trial is stored. To resume the session, "
+                                      : "; every completed trial is stored. To resume the session, "
                                         "repeat the command with --resume"));
         return 1;
       }

@@ -148,7 +148,7 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   study_.end_session(session_.row.id, end.state, rig_.clock().utc());
   if (end.state != SessionState::completed && !end.as_the_protocol_says) {
     publish_trouble(
-        phrase("Troubles", "%1 Every finished trial is stored.").with(end.reason.as_sentence()),
+        phrase("Troubles", "%1 Every completed trial is stored.").with(end.reason.as_sentence()),
         SessionTrouble::Remedy::try_again);
   }
   course_.play(Cue::finished);
@@ -157,7 +157,7 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   return end;
 }
 
-/// Handles a failure of the store, a file or a renderer: every finished trial is on disk. Stores
+/// Handles a failure of the store, a file or a renderer: every completed trial is on disk. Stores
 /// the reason in the session if the store still accepts it; otherwise the session is later found as
 /// crashed.
 void Conductor::end_after(const std::exception& error) noexcept {
@@ -167,7 +167,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
   try {
     course_.set_masking(false);
     course_.set_guiding_tones(false);
-    publish_trouble(phrase("Troubles", "%1; the force is zero, and every finished trial is stored")
+    publish_trouble(phrase("Troubles", "%1; the force is zero, and every completed trial is stored")
                         .with(phrase_of(error))
                         .as_sentence(),
                     SessionTrouble::Remedy::try_again);

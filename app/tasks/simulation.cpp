@@ -315,7 +315,7 @@ SimulationResult Simulation::run() {
   if (failure_) std::rethrow_exception(failure_);
   if (stop_.stop_requested()) {
     throw PhrasedError(phrase("Simulation",
-                              "stopped on request; every finished trial is stored; to resume, add "
+                              "stopped on request; every completed trial is stored; to resume, add "
                               "--resume to the same arguments"));
   }
   result_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -393,7 +393,7 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
   if (end.state != SessionState::completed && !end.as_the_protocol_says &&
       !stop_.stop_requested()) {
     throw PhrasedError(phrase("Simulation",
-                              "the session of %1 with \"%2\" stopped: %3; every finished trial is "
+                              "the session of %1 with \"%2\" stopped: %3; every completed trial is "
                               "stored; resume with --resume")
                            .with(person.label, protocol.name, end.reason));
   }

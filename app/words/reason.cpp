@@ -34,7 +34,7 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::failed_between_trials, "device_failed_between_trials",
        phrase("Reasons", "the device failed between trials: %1")},
       {Reason::every_trial_stored, "finished_trials_stored",
-       phrase("Reasons", "every finished trial is stored; resume with --resume")},
+       phrase("Reasons", "every completed trial is stored; resume with --resume")},
       {Reason::failed_repeatedly, "trial_failed_repeatedly",
        phrase("Reasons", "trial %1 failed %2 times in a row (%3)")},
       {Reason::criterion_not_met, "criterion_not_met",

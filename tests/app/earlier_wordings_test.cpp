@@ -64,7 +64,7 @@ TEST(EarlierWordings, AreFoundThoughTheirCodesWereReworded) {
   EXPECT_EQ(meaning_of("agreement seen by AB"), "agreement_witnessed(AB)");
   EXPECT_EQ(phrase_of_earlier("Jemand kam herein").english(), "A person entered the room");
   EXPECT_EQ(phrase_of_earlier("every finished trial is stored, go on with --resume").english(),
-            "every finished trial is stored; resume with --resume");
+            "every completed trial is stored; resume with --resume");
   const Phrase ran_away =
       remark_of_earlier("the handle ran farther than 30 mm away, and the force was let go of");
   EXPECT_EQ(meaning(ran_away), "device_test_handle_ran_away(30)");

@@ -114,7 +114,7 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
   // Of one that was stopped a trial may have been under way.
   place_->setText((outcome.is_complete
                        ? tr("Everything is stored in %1, session %2 of %3.")
-                       : tr("Every finished trial is stored in %1, session %2 of %3."))
+                       : tr("Every completed trial is stored in %1, session %2 of %3."))
                       .arg(QString::fromStdString((study_ / "study.sqlite").string()))
                       .arg(row.session)
                       .arg(QString::fromStdString(row.participant)));

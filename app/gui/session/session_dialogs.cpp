@@ -38,7 +38,7 @@ AbortDialog::AbortDialog(QWidget* parent, std::function<void(Phrase)> on_abort) 
   setObjectName("abort_dialog");
   QVBoxLayout* rows = prepare_dialog(
       *this, tr("Abort the session?"),
-      tr("Nothing is lost: every finished trial is stored. The trial under way is stored as "
+      tr("Nothing is lost: every completed trial is stored. The trial under way is stored as "
          "aborted and will be presented again when the session is resumed."));
   form_ = new ReasonForm(this);
   form_->setProperty("role", "plain");
@@ -63,7 +63,7 @@ CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave)
   setObjectName("close_dialog");
   QVBoxLayout* rows =
       prepare_dialog(*this, tr("Session under way"),
-                     tr("No data are lost: every finished trial is stored, and the session can be "
+                     tr("No data are lost: every completed trial is stored, and the session can be "
                         "resumed. The window closes once the session has ended."));
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);

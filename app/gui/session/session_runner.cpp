@@ -128,7 +128,7 @@ void SessionRunner::fail(const Phrase& what, AfterFailure unbegun) {
   QString text = words_of(what.as_sentence()) + ' ';
   if (had_begun) {
     text +=
-        tr("The force is zero and the session has stopped. Every finished trial is stored (%n "
+        tr("The force is zero and the session has stopped. Every completed trial is stored (%n "
            "attempt(s) since the session was started or resumed). Fix the cause, then resume "
            "this session on the Sessions page.",
            nullptr, attempts_);

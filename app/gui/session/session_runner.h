@@ -55,8 +55,8 @@ std::unique_ptr<Sound> usual_sound(const SessionOrder& order);
 /// Threads: belongs to the GUI thread, where all signals come. The session has a thread of its own;
 /// the monitor, the requests and `PersonAtWindow::post` may be used from any thread.
 ///
-/// When it is destroyed, a session under way is aborted (finished trials are stored, it can be gone
-/// on with) and waited for.
+/// Destroying it aborts a session under way (completed trials are stored, and the session can be
+/// resumed) and waits for its end.
 class SessionRunner final : public QObject {
   Q_OBJECT
  public:

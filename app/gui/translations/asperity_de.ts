@@ -4035,7 +4035,7 @@
         <translation>das Gerät ist zwischen zwei Durchgängen ausgefallen: %1</translation>
     </message>
     <message>
-        <source>every finished trial is stored; resume with --resume</source>
+        <source>every completed trial is stored; resume with --resume</source>
         <translation>jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
     </message>
     <message>
@@ -4981,11 +4981,11 @@
 <context>
     <name>Simulation</name>
     <message>
-        <source>stopped on request; every finished trial is stored; to resume, add --resume to the same arguments</source>
+        <source>stopped on request; every completed trial is stored; to resume, add --resume to the same arguments</source>
         <translation>auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert, die Simulation kann fortgesetzt werden</translation>
     </message>
     <message>
-        <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored; resume with --resume</source>
+        <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored; resume with --resume</source>
         <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
     </message>
     <message>
@@ -5303,11 +5303,11 @@
 <context>
     <name>Troubles</name>
     <message>
-        <source>%1 Every finished trial is stored.</source>
+        <source>%1 Every completed trial is stored.</source>
         <translation>%1 Jeder abgeschlossene Durchgang ist gespeichert.</translation>
     </message>
     <message>
-        <source>%1; the force is zero, and every finished trial is stored</source>
+        <source>%1; the force is zero, and every completed trial is stored</source>
         <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert</translation>
     </message>
     <message>
@@ -5361,7 +5361,7 @@
         <translation>Sitzung abbrechen</translation>
     </message>
     <message>
-        <source>Nothing is lost: every finished trial is stored. The trial under way is stored as aborted and will be presented again when the session is resumed.</source>
+        <source>Nothing is lost: every completed trial is stored. The trial under way is stored as aborted and will be presented again when the session is resumed.</source>
         <translation>Nichts geht verloren: Jeder abgeschlossene Durchgang ist gespeichert. Der laufende Durchgang wird als abgebrochen gespeichert und erneut dargeboten, wenn die Sitzung fortgesetzt wird.</translation>
     </message>
 </context>
@@ -5781,7 +5781,7 @@
         <translation>Weiterlaufen lassen</translation>
     </message>
     <message>
-        <source>No data are lost: every finished trial is stored, and the session can be resumed. The window closes once the session has ended.</source>
+        <source>No data are lost: every completed trial is stored, and the session can be resumed. The window closes once the session has ended.</source>
         <translation>Es gehen keine Daten verloren: Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden. Das Fenster wird geschlossen, sobald die Sitzung beendet ist.</translation>
     </message>
 </context>
@@ -6533,7 +6533,7 @@ Resume the session now, or later on the Sessions page.</source>
 Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</translation>
     </message>
     <message>
-        <source>Every finished trial is stored in %1, session %2 of %3.</source>
+        <source>Every completed trial is stored in %1, session %2 of %3.</source>
         <translation>Jeder abgeschlossene Durchgang ist in %1 gespeichert, Sitzung %2 von %3.</translation>
     </message>
 </context>
@@ -9007,7 +9007,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::SessionRunner</name>
     <message numerus="yes">
-        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</source>
+        <source>The force is zero and the session has stopped. Every completed trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</source>
         <translation>
             <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n Versuch seit dem letzten Start der Sitzung). Die Ursache beheben, dann diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
             <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n Versuche seit dem letzten Start der Sitzung). Die Ursache beheben, dann diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>

@@ -72,10 +72,10 @@
 <context>
     <name>asperity::SessionRunner</name>
     <message numerus="yes">
-        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</source>
+        <source>The force is zero and the session has stopped. Every completed trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</source>
         <translation>
-            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempt since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</numerusform>
-            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempts since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</numerusform>
+            <numerusform>The force is zero and the session has stopped. Every completed trial is stored (%n attempt since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</numerusform>
+            <numerusform>The force is zero and the session has stopped. Every completed trial is stored (%n attempts since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</numerusform>
         </translation>
     </message>
 </context>

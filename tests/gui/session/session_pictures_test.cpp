@@ -137,7 +137,7 @@ TEST(SessionPictures, TheDiskIsFull) {
   const auto window = session.window();
   window->show_failure(
       "The study could not be written: database or disk is full. The force is zero and the "
-      "session has stopped. Every finished trial is stored (18 attempts since the session was "
+      "session has stopped. Every completed trial is stored (18 attempts since the session was "
       "started or resumed). Fix the cause, then resume this session from the page Sessions.",
       AfterFailure::go_on);
   look_at(*window, "session-disk-full");

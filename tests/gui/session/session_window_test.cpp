@@ -830,7 +830,7 @@ TEST(SessionWindow, SaysWhatStoppedASessionEarly) {
   EXPECT_TRUE(text.contains("Resume the session now"));
   // The trial under way may be lost: what is stored is what was finished.
   const QString place = child<QLabel>(*window, "end_place").text();
-  EXPECT_TRUE(place.startsWith("Every finished trial is stored in ")) << place.toStdString();
+  EXPECT_TRUE(place.startsWith("Every completed trial is stored in ")) << place.toStdString();
 }
 
 TEST(SessionWindow, AsksBeforeItClosesInASession) {

@@ -188,7 +188,7 @@ TEST_F(RunningSession, SaysWhatIsSafeWhenTheDiskIsFullAndLosesNothing) {
     EXPECT_EQ(listener.way_on(), AfterFailure::go_on);
     EXPECT_EQ(runner.monitor().snapshot().phase, SessionPhase::ended);
   }
-  EXPECT_NE(said.find("Every finished trial is stored"), std::string::npos) << said;
+  EXPECT_NE(said.find("Every completed trial is stored"), std::string::npos) << said;
   EXPECT_NE(said.find("resume this session on the Sessions page"), std::string::npos) << said;
   const std::vector<AttemptRow> attempts = stored_attempts();
   EXPECT_GE(static_cast<qsizetype>(attempts.size()), announced);
