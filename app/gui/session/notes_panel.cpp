@@ -104,7 +104,7 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
   field_ = new QLineEdit(this);
   field_->setObjectName("note");
   field_->setAccessibleName(tr("Note"));
-  field_->setPlaceholderText(tr("Note, F2; Return stores it"));
+  field_->setPlaceholderText(tr("Note (F2); Return stores it"));
   keep_ = make_button(tr("Keep as phrase"), ButtonRole::link, this);
   keep_->setObjectName("keep_phrase");
   keep_->setFont(text_font(TextSize::small));

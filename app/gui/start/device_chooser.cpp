@@ -95,8 +95,8 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   set_up_ = make_button(tr("Set up…"), ButtonRole::plain, this);
   set_up_->setObjectName("device_set_up");
   set_up_->setToolTip(
-      tr("Location of a device's firmware or of its manufacturer's library or service, if it is "
-         "not found."));
+      tr("Location of the firmware, the manufacturer's library or the service of a device, if it "
+         "is not found."));
   again_ = make_button(tr("Rescan"), ButtonRole::plain, this);
   again_->setObjectName("device_look");
   try_ = make_button(tr("Try this device"), ButtonRole::plain, this);

@@ -36,7 +36,7 @@ QString text_of_outputs(const OutputsOfParticipant& outputs) {
                       text(output.path));
   }
   if (outputs.unknown_before_utc) {
-    lines << WithdrawDialog::tr("Outputs made before %1 are not recorded.")
+    lines << WithdrawDialog::tr("Outputs made before %1 are not listed.")
                  .arg(text_of_time(*outputs.unknown_before_utc));
   }
   return lines.join('\n');

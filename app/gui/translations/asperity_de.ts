@@ -5918,7 +5918,7 @@
         <translation>Einrichten…</translation>
     </message>
     <message>
-        <source>Location of a device&apos;s firmware or of its manufacturer&apos;s library or service, if it is not found.</source>
+        <source>Location of the firmware, the manufacturer&apos;s library or the service of a device, if it is not found.</source>
         <translation>Ort der Firmware, der Herstellerbibliothek oder des Herstellerdienstes eines Geräts, falls er nicht gefunden wird.</translation>
     </message>
     <message>
@@ -7462,8 +7462,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>NOTIZEN</translation>
     </message>
     <message>
-        <source>Note, F2; Return stores it</source>
-        <translation>Notiz, F2; Eingabetaste speichert</translation>
+        <source>Note (F2); Return stores it</source>
+        <translation>Notiz (F2); Eingabetaste speichert</translation>
     </message>
     <message>
         <source>Adds the note “%1”</source>
@@ -8063,7 +8063,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The plan appears here once the text is valid. At present it has %1; the first is in line %2.</source>
-        <translation>Der Plan erscheint hier, sobald der Text gültig ist. Jetzt: %1, das erste in Zeile %2.</translation>
+        <translation>Der Plan erscheint hier, sobald der Text gültig ist. Derzeit enthält der Text %1; das erste steht in Zeile %2.</translation>
     </message>
     <message>
         <source>%1 has unsaved changes.</source>
@@ -10353,7 +10353,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         </translation>
     </message>
     <message>
-        <source>Outputs made before %1 are not recorded.</source>
+        <source>Outputs made before %1 are not listed.</source>
         <translation>Vor %1 erzeugte Ausgaben sind nicht verzeichnet.</translation>
     </message>
     <message>
