@@ -202,7 +202,7 @@ void AttemptPage::show_actions() {
   if (!excluded && detail.session.excluded) {
     why_not = tr("The whole session is excluded; it can be included again on its page.");
   } else if (!excluded && !detail.attempt.valid) {
-    why_not = tr("There is nothing to exclude: the attempt does not count.");
+    why_not = tr("There is nothing to exclude: the attempt is not counted.");
   }
   exclude_->setEnabled(why_not.isEmpty());
   why_not_->setText(why_not);

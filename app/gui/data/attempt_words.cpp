@@ -71,7 +71,7 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   const AttemptRow& attempt = detail.attempt;
   QStringList said{};
   if (!attempt.valid) {
-    said << tr("Does not count: %1").arg(OutcomeWords::of_reason(attempt.invalid_reason));
+    said << tr("Not counted: %1").arg(OutcomeWords::of_reason(attempt.invalid_reason));
   }
   if (detail.session.excluded) {
     said << tr("Excluded with its whole session: %1")
@@ -88,7 +88,7 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
         said << tr("Anchor: not included in analyses");
         break;
       case AnalysisUse::unanswered:
-        said << tr("Does not count: no response");
+        said << tr("Not counted: no response");
         break;
       case AnalysisUse::invalid:
       case AnalysisUse::excluded:
@@ -96,12 +96,12 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
       case AnalysisUse::counted:
         if (attempt.flagged) break;
         said << (detail.session.mode == SessionMode::pilot
-                     ? tr("Counts in the analyses of pilot sessions")
-                     : tr("Counts in the analyses"));
+                     ? tr("Counted in the analyses of pilot sessions")
+                     : tr("Counted in the analyses"));
     }
   }
   if (attempt.flagged) {
-    said << (said.isEmpty() ? tr("Counts, but is flagged: %1") : tr("flagged: %1"))
+    said << (said.isEmpty() ? tr("Counted but flagged: %1") : tr("flagged: %1"))
                 .arg(OutcomeWords::of_reason(attempt.flag_reason));
   }
   return said.join(tr("; "));

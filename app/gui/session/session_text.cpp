@@ -133,7 +133,7 @@ QString SessionText::of_attempt(const AttemptSummary& attempt, bool tells_right)
   if (tells_right && attempt.correct) {
     text = *attempt.correct ? tr("%1, correct").arg(text) : tr("%1, incorrect").arg(text);
   }
-  if (!attempt.valid) return tr("%1, does not count").arg(text);
+  if (!attempt.valid) return tr("%1, not counted").arg(text);
   return attempt.flagged ? tr("%1, flagged").arg(text) : text;
 }
 

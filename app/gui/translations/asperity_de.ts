@@ -1849,8 +1849,8 @@
         <translation>dauerte %1</translation>
     </message>
     <message>
-        <source>Does not count: %1</source>
-        <translation>Zählt nicht: %1</translation>
+        <source>Not counted: %1</source>
+        <translation>Nicht gezählt: %1</translation>
     </message>
     <message>
         <source>Excluded with its whole session: %1</source>
@@ -1861,12 +1861,12 @@
         <translation>Ausgeschlossen: %1</translation>
     </message>
     <message>
-        <source>Counts in the analyses</source>
-        <translation>Zählt in den Auswertungen</translation>
+        <source>Counted in the analyses</source>
+        <translation>In den Auswertungen gezählt</translation>
     </message>
     <message>
-        <source>Counts, but is flagged: %1</source>
-        <translation>Zählt, ist aber markiert: %1</translation>
+        <source>Counted but flagged: %1</source>
+        <translation>Gezählt, aber markiert: %1</translation>
     </message>
     <message>
         <source>flagged: %1</source>
@@ -1921,12 +1921,12 @@
         <translation>Anker: nicht in die Auswertungen einbezogen</translation>
     </message>
     <message>
-        <source>Does not count: no response</source>
-        <translation>Zählt nicht: ohne Antwort</translation>
+        <source>Not counted: no response</source>
+        <translation>Nicht gezählt: keine Antwort</translation>
     </message>
     <message>
-        <source>Counts in the analyses of pilot sessions</source>
-        <translation>Zählt in den Auswertungen der Pilotsitzungen</translation>
+        <source>Counted in the analyses of pilot sessions</source>
+        <translation>In den Auswertungen der Pilotsitzungen gezählt</translation>
     </message>
     <message>
         <source>invalidated, repeated</source>
@@ -4914,8 +4914,8 @@
         <translation>als Nächstes</translation>
     </message>
     <message>
-        <source>%1, does not count</source>
-        <translation>%1, zählt nicht</translation>
+        <source>%1, not counted</source>
+        <translation>%1, nicht gezählt</translation>
     </message>
     <message>
         <source>%1, flagged</source>
@@ -5619,8 +5619,8 @@
         <translation>Die ganze Sitzung ist ausgeschlossen; auf ihrer Seite kann sie wieder eingeschlossen werden.</translation>
     </message>
     <message>
-        <source>There is nothing to exclude: the attempt does not count.</source>
-        <translation>Es gibt nichts auszuschließen: Der Versuch zählt nicht.</translation>
+        <source>There is nothing to exclude: the attempt is not counted.</source>
+        <translation>Es gibt nichts auszuschließen: Der Versuch wird nicht gezählt.</translation>
     </message>
     <message>
         <source>This attempt has no recording. Its responses and measures are on the next page.</source>

@@ -187,9 +187,9 @@ TEST(AttemptWords, SayThatPracticeIsNotAnalysedAndPilotsAreApart) {
   detail.attempt.valid = true;
   detail.attempt.responses.emplace_back();
   detail.planned.phase = "main";
-  EXPECT_EQ(AttemptWords::standing(detail), "Counts in the analyses");
+  EXPECT_EQ(AttemptWords::standing(detail), "Counted in the analyses");
   detail.session.mode = SessionMode::pilot;
-  EXPECT_EQ(AttemptWords::standing(detail), "Counts in the analyses of pilot sessions");
+  EXPECT_EQ(AttemptWords::standing(detail), "Counted in the analyses of pilot sessions");
   detail.planned.phase = "practice";
   EXPECT_EQ(AttemptWords::standing(detail), "Practice: not included in analyses");
   EXPECT_EQ(AttemptWords::state(detail), State::unknown);
@@ -216,7 +216,7 @@ TEST(AttemptWords, StateThatAnUnansweredAttemptIsNotAnalysed) {
   detail.attempt.valid = true;
   detail.attempt.outcome = AttemptOutcome::timed_out;
   detail.planned.phase = "main";
-  EXPECT_EQ(AttemptWords::standing(detail), "Does not count: no response");
+  EXPECT_EQ(AttemptWords::standing(detail), "Not counted: no response");
   EXPECT_EQ(AttemptWords::state(detail), State::unknown);
 }
 
@@ -228,7 +228,7 @@ TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
   ASSERT_EQ(analysis.outcomes().at(0).answers, 3U);
   AttemptPage page(*study_);
   show_attempt(page, attempt(1));
-  EXPECT_TRUE(text(page, "attempt_standing").contains("Counts in the analyses"));
+  EXPECT_TRUE(text(page, "attempt_standing").contains("Counted in the analyses"));
 
   click(page, "attempt_exclude");
   give_reason(page, "interrupted by a fire alarm");
@@ -250,7 +250,7 @@ TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
   give_reason(page, "the alarm was after the answer");
   click(page, "decision_write");
   ASSERT_TRUE(eventually(
-      [&] { return text(page, "attempt_standing").contains("Counts in the analyses"); }));
+      [&] { return text(page, "attempt_standing").contains("Counted in the analyses"); }));
   ASSERT_TRUE(eventually([&] { return analysis.outcomes().at(0).answers == 3; }));
   // Nothing is forgotten.
   const auto& history = child<StudyTable>(page, "attempt_decisions");
@@ -267,7 +267,7 @@ TEST_F(DataView, FlagsWithAReasonAndContinuesCounting) {
   give_reason(page, "hesitated for long");
   QTest::keyClick(&child<QLineEdit>(page, "decision_by"), Qt::Key_Return);
   ASSERT_TRUE(eventually([&] {
-    return text(page, "attempt_standing").contains("Counts, but is flagged: hesitated for long");
+    return text(page, "attempt_standing").contains("Counted but flagged: hesitated for long");
   })) << text(page, "attempt_standing").toStdString();
   EXPECT_TRUE(attempt(0).flagged);
   EXPECT_TRUE(attempt(0).valid);
