@@ -76,7 +76,8 @@ class CrossedLikelihood final {
     }
     if (!model.participants_vary && !model.items_vary) {
       throw std::invalid_argument(
-          "model: neither participants nor items vary; at least one of them must");
+          "model: neither participants nor items have random intercepts; at least one of them "
+          "must");
     }
     if (model.design.colPivHouseholderQr().rank() < model.design.cols()) {
       throw std::invalid_argument(
@@ -413,8 +414,8 @@ SampledError intercept_error(const CrossedFit& fit, std::size_t participants, st
   const auto add = [&](double sigma, std::size_t intercepts) {
     if (sigma == 0.0) return;
     if (intercepts < 2) {
-      throw std::invalid_argument("participants or items: a factor that varies has " +
-                                  std::to_string(intercepts) + "; at least two are needed");
+      throw std::invalid_argument("model: a factor with random intercepts has too few levels, " +
+                                  std::to_string(intercepts) + "; it must have at least 2");
     }
     const auto k = static_cast<double>(intercepts);
     variance += sigma * sigma / (k * (k - 1.0));

@@ -277,8 +277,8 @@ void OrdinalLikelihood::refuse_impossible() const {
   with_ones << Eigen::VectorXd::Ones(rows), model_.design;
   if (with_ones.colPivHouseholderQr().rank() < with_ones.cols()) {
     throw std::invalid_argument(
-        "design: its columns and a column of ones, which the thresholds stand for, are linearly "
-        "dependent");
+        "design: its columns and a column of ones (for the thresholds) are linearly dependent; "
+        "omit those that follow from others");
   }
   for (const OrdinalResponse& one : responses_) {
     if (one.category >= model_.categories) {

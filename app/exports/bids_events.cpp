@@ -134,7 +134,7 @@ Columns bids_event_columns(const StudyVocabulary& vocabulary, ExportAudience aud
                 return at.event || at.presentation ? Cell{} : Cell{text_of(at.attempt->outcome)};
               })));
   const auto of_surface = [&](const char* name, const char* description, auto member) {
-    add(missing("the row is not a presentation, or has none",
+    add(missing(std::string("the row is not a presentation, or the presentation has no ") + name,
                 column(name, "text", "", description, [member](const ExportPlace& at) -> Cell {
                   return at.presentation ? Cell{at.presentation->*member} : Cell{};
                 })));

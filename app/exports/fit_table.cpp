@@ -44,15 +44,15 @@ Columns FitTable::columns() {
       "the levels of all factors but x and the repetition (column)");
   add("x", "number", "level of the numeric factor named in the column factor, in its unit");
   add("k", "integer",
-      "responses at this level of the kind named in the column counted, in completed sessions; the "
-      "other sessions contain only some of the conditions");
+      "responses at this level that are counted (see the column counted), in completed sessions; "
+      "the other sessions contain only some of the conditions");
   add("n", "integer", "responses at this level, in completed sessions");
   add("participant", "text", "label of the participant");
   add("protocol", "text", "name of the protocol");
   add("protocol_version", "text", "version of the protocol");
   add("question", "text", "name of the question");
   add("factor", "text", "name of the numeric factor; x is its level");
-  add("counted", "text", "what k counts: correct responses, or those with this answer");
+  add("counted", "text", "what k counts: correct responses, or the responses with this value");
   columns[2].minimum = 0.0;
   columns[3].minimum = 1.0;
   return columns;

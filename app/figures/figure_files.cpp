@@ -171,8 +171,8 @@ WriteFigure writer_by_ending(const std::filesystem::path& path) {
 
 void require_figure_ending(const std::filesystem::path& path) {
   if (writer_by_ending(path) != nullptr) return;
-  throw std::invalid_argument("a figure is written as .svg, .png or .pdf; \"" +
-                              path.filename().string() + "\" has a different ending");
+  throw std::invalid_argument("the figure \"" + path.filename().string() +
+                              "\" cannot be written; its name must end in .svg, .png or .pdf");
 }
 
 void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,

@@ -491,7 +491,7 @@ std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
                              "Proportions with Wilson 95 % CIs, one choice per participant and "
                              "experiment; all experiments together are treated as independent.");
   figures.push_back({.name = "table_1",
-                     .title = phrase("Figures", "Chosen as the most realistic"),
+                     .title = phrase("Figures", "Choices of the most realistic rendering"),
                      .note = note});
   std::vector<ForestRow> choices = rows_of(found, "t1.prop");
   std::set<std::string> renderers{};

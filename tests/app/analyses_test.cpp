@@ -1140,7 +1140,7 @@ TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
               testing::Contains(says("Not every model is presented in every trial")));
   EXPECT_THAT(question_of(outcomes["s_sets"], "preference").finding.status, HasSubstr("scale"));
   EXPECT_THAT(question_of(outcomes["r_wrong"], "right").answer.english(),
-              testing::StartsWith("Not significantly: on average 0 %"));
+              testing::StartsWith("Not significantly above chance: on average 0 %"));
   EXPECT_EQ(finding_of(outcomes["r_right"], "recognition", "dprime").word, "Inf");
   EXPECT_THAT(question_of(outcomes["r_right"], "right").answer.english(),
               HasSubstr("so there is no test"));

@@ -194,7 +194,7 @@ TEST(ComparedLevels, ArePreferredAndNotRealistic) {
   EXPECT_THAT(words, HasSubstr("Which level of friction is preferred?"));
   EXPECT_THAT(words, HasSubstr("do not show whether the levels can be discriminated"));
   EXPECT_THAT(words, Not(HasSubstr("realistic")));
-  EXPECT_EQ(table_of(outcome, "table_1").title.english(), "Chosen (counts)");
+  EXPECT_EQ(table_of(outcome, "table_1").title.english(), "Choices (counts)");
 }
 
 TEST(SelectionTies, NameAllModelsThatWereChosenMostOften) {

@@ -533,8 +533,8 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
                 "measured in 1 of 6 sessions: 64.5 dB(A)). Masking noise came from another source "
                 "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
                 "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
-                "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the program "
-                "version used did not store it in terminal sessions, in which none is played."));
+                "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; that version "
+                "of the program did not store it in terminal sessions, in which none was played."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
@@ -596,9 +596,10 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
               HasSubstr("Session 1 of p1 began on falcon Novint Falcon, serial number 7, then was "
                         "resumed on mouse pointer of a window."));
   add_session(kFalcon, {began(), resumed()});
-  EXPECT_THAT(conditions(),
-              HasSubstr("The device after resuming is not recorded in part of 1 of 2 sessions: the "
-                        "program version used stored only the first device."));
+  EXPECT_THAT(
+      conditions(),
+      HasSubstr("The device after resuming is not recorded in part of 1 of 2 sessions: that "
+                "version of the program stored only the first device."));
 }
 
 TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
@@ -757,7 +758,7 @@ TEST(ReportNumbers, WriteCountsAsCountsAndNumbersWithTheirUnit) {
 TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
   const Report report = study_report(study, {});
-  EXPECT_EQ(report.subtitle, "Data of a simulated clock, which has no date");
+  EXPECT_EQ(report.subtitle, "Data from sessions on a simulated clock, which has no date");
   const std::string design = words_of(section(report.chapters[1], "Design"));
   EXPECT_THAT(design, HasSubstr("A few short trials"));
   EXPECT_THAT(design, HasSubstr("Task: in each trial, several surfaces are presented, and one is "

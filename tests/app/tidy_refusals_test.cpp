@@ -70,7 +70,7 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
 TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n",
                            R"({"items": ["a", "b"]})"),
-            "t.csv:4:2: A has a score of \"a\" already; remove one of the rows: a participant "
+            "t.csv:4:2: A has already scored \"a\"; remove one of the rows: a participant "
             "scores an item once");
   EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,\nA,b,2\nA,a,1\nA,b,\n",
                            R"({"items": ["a", "b"]})"),
@@ -164,7 +164,7 @@ TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
 TEST(TidyRefusals, NameATrialThatStandsTwice) {
   const std::string columns = "subject,trial,time_s\n";
   EXPECT_EQ(family_refusal("learning", columns + "A,2,1.5\nB,2,1\nA,2,3\n", "{}"),
-            "t.csv:4:2: A has a trial 2 already; number the trials of a participant consecutively");
+            "t.csv:4:2: A already has a trial 2; number the trials of a participant consecutively");
   EXPECT_EQ(family_refusal("learning", columns + "A,0,1.5\n", "{}"),
             "t.csv:2:2: trial is 0; trials are numbered from 1");
   EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),

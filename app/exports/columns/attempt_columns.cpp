@@ -59,7 +59,7 @@ Columns attempt_columns() {
              "1: the attempt or its session was excluded; the attempt does not count",
              [](const Place& at) { return boolean(at.attempt->excluded.has_value()); }));
   add(dropped(missing("not excluded",
-                      column("exclusion_reason", "text", "", "reason, as entered",
+                      column("exclusion_reason", "text", "", "reason for the exclusion, as entered",
                              [](const Place& at) { return text_cell_of(at.attempt->excluded); }))));
   add(codes_column("exclusion_code", "not excluded", "the reasons as codes, as in invalid_code",
                    &AttemptRow::excluded));

@@ -82,7 +82,7 @@ Columns keys_to(Key last) {
                            [](const ExportPlace& at) { return at.participant->label; }));
   if (last >= Key::session) {
     columns.push_back(
-        at_least(1, column("session", "integer", "", "number of the session within the participant",
+        at_least(1, column("session", "integer", "", "number of the participant's session",
                            [](const ExportPlace& at) { return integer(at.session->session); })));
   }
   if (last >= Key::trial) {

@@ -22,7 +22,7 @@ Columns compliance_columns() {
                   {"normal_force_N", "speed_m_per_s", "contact_s", "strokes", "stroke_length_m"}));
   const auto bound = [&add](const char* name, const char* description,
                             std::optional<double> Row::*member) {
-    add(missing("the protocol declares none",
+    add(missing("the protocol declares no such limit",
                 column(name, "number", "as quantity", description, [member](const Place& at) {
                   return optional_cell(at.compliance->*member);
                 })));

@@ -78,7 +78,7 @@ Phrase equivalence_answer(const ParticipantPair& pair, const FoundNumbers& found
   const Finding& difference = *found.find("diff");
   const Phrase numbers =
       phrase("Analysis",
-             "difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], n = %4 "
+             "difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], N = %4 "
              "participants; JZS Bayes factor for a difference BF₁₀ = %5")
           .with(reading_points(*difference.value), reading_points(*difference.low),
                 reading_points(*difference.high), std::to_string(difference.n),

@@ -48,7 +48,7 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
                 "Yes: on average %1 of a participant's items were matched correctly (%2), compared "
                 "with a chance level of %3; permutation test over participants, %4.")),
       with_numbers(phrase("Analysis",
-                          "Not significantly more often: on average %1 of a participant's items "
+                          "Not significantly above chance: on average %1 of a participant's items "
                           "were matched correctly (%2), compared with a chance level of %3; "
                           "permutation test over participants, %4.")),
       with_numbers(

@@ -188,10 +188,10 @@ void add_components(const std::vector<RatedScale>& scales, AnalysisOutcome& outc
       phrase("Analysis", "Principal components of the scales"),
       {{"component", "eigenvalue", "proportion", "limit", "retained"}, {}},
       phrase("Analysis",
-             "Of the correlations of the scales over the items' mean ratings. A "
-             "component is retained if its eigenvalue, and those of all before it, "
-             "exceed the limit: the 95th percentile of tables of random numbers of "
-             "the same size (parallel analysis).")};
+             "The components are those of the correlations of the scales over the items' mean "
+             "ratings. A component is retained if its eigenvalue, and those of all before it, "
+             "exceed the limit: the 95th percentile of the eigenvalues of tables of random "
+             "numbers of the same size (parallel analysis).")};
   const double retained = found.value("retained").value_or(0.0);
   for (const Finding* const eigenvalue : eigenvalues) {
     const auto number = static_cast<double>(components.table.rows.size() + 1);
@@ -327,7 +327,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       phrase("Analysis",
              "Intraclass correlations with the items as targets and the participants as raters: "
              "ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants. "
-             "Cronbach's α with the participants as parts.")};
+             "Cronbach's α with the participants as test items.")};
   NamedTable odds{
       kOrdinal,
       phrase("Analysis", "Cumulative link model of the ratings on each scale"),

@@ -131,9 +131,10 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
           : with_numbers(phrase("Analysis",
                                 "Yes: on average %1 of a participant's responses were correct "
                                 "(%2), compared with a chance level of %3; %4.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: on average %1 of a participant's responses were "
-                          "correct (%2), compared with a chance level of %3; %4.")),
+      with_numbers(
+          phrase("Analysis",
+                 "Not significantly above chance: on average %1 of a participant's responses were "
+                 "correct (%2), compared with a chance level of %3; %4.")),
       with_numbers(phrase("Analysis",
                           "On average %1 of a participant's responses were correct (%2), compared "
                           "with a chance level of %3; %4."))};

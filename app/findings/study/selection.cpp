@@ -296,9 +296,10 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const ChapterCells cells(gathered);
   SelectionCounts counts(selection, cells);
   counts.table_1.name = "table_1";
-  counts.table_1.title = gathered.compared_parameter
-                             ? phrase("Analysis", "Chosen (counts)")
-                             : phrase("Analysis", "Chosen as the most realistic (counts)");
+  counts.table_1.title =
+      gathered.compared_parameter
+          ? phrase("Analysis", "Choices (counts)")
+          : phrase("Analysis", "Choices of the most realistic rendering (counts)");
   counts.table_1.label_column = "item";
   if (gathered.compared_parameter) {
     outcome.remarks.push_back(

@@ -197,7 +197,7 @@ TidyInput first_places_of(const Selection& selection) {
                                                            {"item", std::move(items)},
                                                            {"rank", std::move(ranks)},
                                                            {"times", std::move(times_chosen)}},
-                            "the first places");
+                            "the choices");
   input.options.set("items", selection.items);
   return input;
 }

@@ -30,9 +30,9 @@ std::vector<Finding> components_findings(const TidyInput& input) {
                            static_cast<Eigen::Index>(scales.codes[row]));
     if (value == value) {
       table.refuse(row, "scale",
-                   items.names[items.codes[row]] + " has a score on \"" +
+                   items.names[items.codes[row]] + " already has a score on \"" +
                        scales.names[scales.codes[row]] +
-                       "\" already; remove one of the rows: an item has one score per scale");
+                       "\"; remove one of the rows: an item has one score per scale");
     }
     value = *scores[row];
   }

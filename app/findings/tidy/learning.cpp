@@ -51,8 +51,9 @@ OrderedTrials ordered_trials(const TidyTable& table, const std::vector<bool>& ha
         own.begin(), own.end(), [&](std::size_t a, std::size_t b) { return trial(a) == trial(b); });
     if (same == own.end()) continue;
     table.refuse(*(same + 1), "trial",
-                 ordered.participants[person] + " has a trial " + std::to_string(trial(*same)) +
-                     " already; number the trials of a participant consecutively");
+                 ordered.participants[person] + " already has a trial " +
+                     std::to_string(trial(*same)) +
+                     "; number the trials of a participant consecutively");
   }
   return ordered;
 }

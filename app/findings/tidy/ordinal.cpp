@@ -77,15 +77,15 @@ Problem problem_in_words(CumulativeLinkProblem problem) {
     case CumulativeLinkProblem::no_participant_variance:
     case CumulativeLinkProblem::no_item_variance:
     case CumulativeLinkProblem::no_variance:
-      return {"no_variance", "the participants do not differ in this model"};
+      return {"no_variance", "the variance of the participants is estimated as 0"};
     case CumulativeLinkProblem::unbounded_variance:
       return {"unbounded_variance",
               "the participants differ so much that their variance is not determined; more "
-              "responses of each are needed"};
+              "responses per participant are needed"};
     case CumulativeLinkProblem::not_converged:
       break;
   }
-  return {"not_converged", "the likelihood has no maximum that could be found"};
+  return {"not_converged", "no maximum of the likelihood was found"};
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
   const std::size_t n = table.participants;
   findings.count("n.responses", "", table.responses.size(), {.n = n, .method = "responses"});
   findings.count("n.categories", "", table.categories.size(),
-                 {.n = n, .method = "different scores that were given"});
+                 {.n = n, .method = "number of different scores"});
   const Basis basis{.n = n,
                     .method = "cumulative link model (proportional odds, logit link), items as fixed "
                               "effects, participants as random intercepts, Laplace approximation"};

@@ -35,8 +35,8 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
     const std::size_t item = codes.codes[row];
     if (all[person][item]) {
       table.refuse(row, "item",
-                   participants.names[person] + " has a score of \"" + items[item] +
-                       "\" already; remove one of the rows: a participant scores an item once");
+                   participants.names[person] + " has already scored \"" + items[item] +
+                       "\"; remove one of the rows: a participant scores an item once");
     }
     all[person][item] = scores[row];
   }

@@ -263,7 +263,7 @@ class Recognition final {
     number("IT.relative", "", it.relative.value_or(kUndefined),
            "proportion of the entropy of the stimuli");
     number("IT.items", "", std::exp2(it.plug_in_bits),
-           "discriminable items: 2 to the power of the transmitted bits");
+           "discriminable items: 2 to the power of the transmitted information in bits");
     bits("IT.millermadow", it.miller_madow_bits, "Miller–Madow correction, occupied cells");
     bits("IT.miller1955", it.miller_bits, "minus (r−1)(c−1)/(2N ln 2)");
     bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "jackknife over the trials");

@@ -187,12 +187,12 @@ void add_table_1(const ChoiceTable& table, FindingList& findings) {
   if (!(preference > 0.5 && preference < 1.0)) return;
   const auto needed =
       decisive_choices({.preference = preference, .error = 0.05, .power = 0.8, .least = 20});
-  findings.number("t1.n.decisive.for80",
-                  both(kTarget, table.renderers[static_cast<std::size_t>(rival)]),
-                  needed ? static_cast<double>(*needed) : std::numeric_limits<double>::infinity(),
-                  {.n = n,
-                   .method = "number of independent choices of either with which the two-sided "
-                             "exact test has a power of 80 % at the observed preference"});
+  findings.number(
+      "t1.n.decisive.for80", both(kTarget, table.renderers[static_cast<std::size_t>(rival)]),
+      needed ? static_cast<double>(*needed) : std::numeric_limits<double>::infinity(),
+      {.n = n,
+       .method = "number of independent choices of either renderer with which the two-sided "
+                 "exact test has a power of 80 % at the observed preference"});
 }
 
 /// Tables 2 and 3: correct responses by experiment and sex.

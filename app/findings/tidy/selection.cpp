@@ -290,7 +290,7 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   if (basis.interval) {
     basis.confidence = confidence;
     basis.method +=
-        "; jackknife interval over participants, which covers about 90 % instead of 95 %";
+        "; jackknife interval over participants; the coverage of the 95 % interval is about 90 %";
   }
   findings.number("relabel.W", "", friedman_test(judgements).concordance, basis);
 }
@@ -408,7 +408,8 @@ void add_cochran(const Choices& read, FindingList& findings) {
       repeated > 0 ? ", of several choices with a sample, only the first is used" : "";
   const Basis basis{
       .n = first.size(),
-      .method = "Cochran's Q over samples, participants who answered all" + first_only};
+      .method =
+          "Cochran's Q over samples, participants with a choice for every sample" + first_only};
   findings.count("cochran.n.complete", target, first.size(), basis);
   if (repeated > 0) {
     findings.count(

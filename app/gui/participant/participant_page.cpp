@@ -173,7 +173,7 @@ void ParticipantPage::controls() {
                   inputs_.rest_left_s <= 0);
       break;
     case Scene::Kind::feel:
-      add_control(said(phrase("ParticipantLayout", "Done with this surface")), space_key, next,
+      add_control(said(phrase("ParticipantLayout", "Finish with this surface")), space_key, next,
                   false);
       break;
     case Scene::Kind::question:

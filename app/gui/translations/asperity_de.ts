@@ -120,8 +120,8 @@
         <translation>Anteil jedes Modells an den Wahlen, nach Textur</translation>
     </message>
     <message>
-        <source>Chosen as the most realistic (counts)</source>
-        <translation>Als die realistischste gewählt (Anzahlen)</translation>
+        <source>Choices of the most realistic rendering (counts)</source>
+        <translation>Wahlen der realistischsten Wiedergabe (Anzahlen)</translation>
     </message>
     <message>
         <source>Chance level: 1/%1 of the choices for each model.</source>
@@ -244,8 +244,8 @@
         <translation>Ja: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
-        <source>Not significantly: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
-        <translation>Nicht signifikant: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
+        <source>Not significantly above chance: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
+        <translation>Nicht signifikant über dem Zufallsniveau: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>d′ has no finite value</source>
@@ -704,8 +704,8 @@
         <translation>Test auf gleiche Anteile: %1; %2.</translation>
     </message>
     <message>
-        <source>Chosen (counts)</source>
-        <translation>Gewählt (Anzahlen)</translation>
+        <source>Choices (counts)</source>
+        <translation>Wahlen (Anzahlen)</translation>
     </message>
     <message>
         <source>The alternatives differ in %1 alone: these results are preferences and do not show whether the levels can be discriminated.</source>
@@ -732,8 +732,8 @@
         <translation>Ja: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
-        <source>Not significantly more often: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
-        <translation>Nicht signifikant häufiger: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+        <source>Not significantly above chance: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
+        <translation>Nicht signifikant über dem Zufallsniveau: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
         <source>On average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
@@ -1284,8 +1284,8 @@
         <translation>Auswahl</translation>
     </message>
     <message>
-        <source>difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
-        <translation>Differenz (%6 − %7) = %1 Prozentpunkte, 90-%-KI [%2; %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
+        <source>difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], N = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
+        <translation>Differenz (%6 − %7) = %1 Prozentpunkte, 90-%-KI [%2; %3], N = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
     </message>
     <message>
         <source>the mean proportion correct is %1 for %3 and %2 for %4</source>
@@ -1344,8 +1344,8 @@
         <translation>Hauptkomponenten der Skalen</translation>
     </message>
     <message>
-        <source>Of the correlations of the scales over the items&apos; mean ratings. A component is retained if its eigenvalue, and those of all before it, exceed the limit: the 95th percentile of tables of random numbers of the same size (parallel analysis).</source>
-        <translation>Hauptkomponenten der Korrelationen der Skalen über die mittleren Urteile der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller vorhergehenden über der Grenze liegen: dem 95. Perzentil gleich großer Tabellen aus Zufallszahlen (Parallelanalyse).</translation>
+        <source>The components are those of the correlations of the scales over the items&apos; mean ratings. A component is retained if its eigenvalue, and those of all before it, exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis).</source>
+        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Urteile der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller vorhergehenden über der Grenze liegen: dem 95. Perzentil der Eigenwerte gleich großer Tabellen aus Zufallszahlen (Parallelanalyse).</translation>
     </message>
     <message>
         <source>Loadings of the scales and scores of the items</source>
@@ -1396,8 +1396,8 @@
         <translation>Übereinstimmung der Versuchspersonen auf jeder Skala</translation>
     </message>
     <message>
-        <source>Intraclass correlations with the items as targets and the participants as raters: ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants. Cronbach&apos;s α with the participants as parts.</source>
-        <translation>Intraklassenkorrelationen mit den Items als Urteilsobjekten und den Versuchspersonen als Beurteilern: ICC2 misst die Übereinstimmung, ICC3 die Konsistenz; k: des Mittelwerts aller Versuchspersonen. Cronbachs α mit den Versuchspersonen als Teilen.</translation>
+        <source>Intraclass correlations with the items as targets and the participants as raters: ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants. Cronbach&apos;s α with the participants as test items.</source>
+        <translation>Intraklassenkorrelationen mit den Items als Urteilsobjekten und den Versuchspersonen als Beurteilern: ICC2 misst die Übereinstimmung, ICC3 die Konsistenz; k: des Mittelwerts aller Versuchspersonen. Cronbachs α mit den Versuchspersonen als Testitems.</translation>
     </message>
     <message>
         <source>Cumulative link model of the ratings on each scale</source>
@@ -2588,8 +2588,8 @@
         <translation>Anteil richtiger Antworten zu jedem Reiz</translation>
     </message>
     <message>
-        <source>Chosen as the most realistic</source>
-        <translation>Als die realistischste gewählt</translation>
+        <source>Choices of the most realistic rendering</source>
+        <translation>Wahlen der realistischsten Wiedergabe</translation>
     </message>
     <message>
         <source>Textures matched to their pictures</source>
@@ -3687,8 +3687,8 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Done with this surface</source>
-        <translation>Fertig mit dieser Oberfläche</translation>
+        <source>Finish with this surface</source>
+        <translation>Diese Oberfläche abschließen</translation>
     </message>
     <message>
         <source>Skip</source>

@@ -20,8 +20,8 @@ constexpr double kReadingShare = 0.5;
 bool is_pdf(const std::filesystem::path& path) {
   if (path.extension() == ".pdf") return true;
   if (path.extension() == ".html") return false;
-  throw std::invalid_argument("a report is written as .pdf or .html; \"" + path.string() +
-                              "\" has a different ending");
+  throw std::invalid_argument("the report \"" + path.string() +
+                              "\" cannot be written; its name must end in .pdf or .html");
 }
 
 }  // namespace
@@ -31,8 +31,8 @@ void require_report_path(const std::filesystem::path& path, Overwrite overwrite)
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   std::error_code error{};
   if (!std::filesystem::is_directory(folder, error)) {
-    throw ResultsError("there is no folder " + folder.string() + " to write " +
-                           path.filename().string() + " into; create it first, or choose another",
+    throw ResultsError("there is no folder " + folder.string() + " for " +
+                           path.filename().string() + "; create it first, or choose another",
                        path);
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {

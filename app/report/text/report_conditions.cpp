@@ -93,7 +93,8 @@ std::string devices_text(const ReportFacts& facts) {
       facts, [](const RecordedStretch& stretch) { return !stretch.device.has_value(); });
   if (unknown.is_any()) {
     text += (text.empty() ? "" : " ") + std::string("The device after resuming is not recorded ") +
-            unknown.text_after_not() + ": the program version used stored only the first device.";
+            unknown.text_after_not() +
+            ": that version of the program stored only the first device.";
   }
   return text;
 }
@@ -141,8 +142,8 @@ std::string recorded_noise_text(const ReportFacts& facts) {
   }
   if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
     sentences.push_back("No masking noise is recorded " + unstored.text_after_not() +
-                        "; the program version used did not store it in terminal sessions, in "
-                        "which none is played.");
+                        "; that version of the program did not store it in terminal sessions, "
+                        "in which none was played.");
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

@@ -272,7 +272,7 @@ ReportSection participants_section(const ReportFacts& facts) {
       break;
     case AnswerGroup::virtual_participants:
       text = who + (all == 1 ? " was" : " were") +
-             " simulated by a virtual hand and a computational observer. No human participant took "
+             " simulated by a virtual hand and a virtual observer. No human participant took "
              "part.";
       break;
   }

@@ -299,10 +299,11 @@ ReportSection exploration_section(const ReportFacts& facts) {
   }
   section.parts.emplace_back(ReportText{text + explored_by_text(facts)});
   table.note =
-      "Over the surfaces presented, in every attempt: the mean of their means, the range of the "
-      "middle 90 % of these means, the mean fraction inside the band (of the contact time for the "
-      "force, of the strokes for their speed and length), and the number explored as required. "
-      "Force: over surfaces that were touched; speed and length: over surfaces with a stroke.";
+      "surfaces: number presented, over all attempts; mean: mean of the surfaces' means; 5 % to "
+      "95 %: range of the middle 90 % of these means; in band: mean fraction inside the band (of "
+      "the contact time for the force, of the strokes for their speed and length); passed: number "
+      "explored as required. Force: surfaces that were touched; speed and length: surfaces with a "
+      "stroke.";
   section.parts.emplace_back(std::move(table));
   return section;
 }

@@ -61,14 +61,15 @@ std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals
       }
     }
   }
-  if (days.empty() && made_up) return "Data of a simulated clock, which has no date";
+  if (days.empty() && made_up) return "Data from sessions on a simulated clock, which has no date";
   if (days.empty()) {
     return has_withdrawals ? "No data: all participants with sessions have withdrawn"
                            : "No data yet";
   }
   std::string text = days.size() == 1 ? "Data of " + *days.begin()
                                       : "Data of " + *days.begin() + " to " + *days.rbegin();
-  return text + (made_up ? " (UTC), and of a simulated clock, which has no date" : " (UTC)");
+  return text +
+         (made_up ? " (UTC), and from sessions on a simulated clock, which has no date" : " (UTC)");
 }
 
 ReportChapter overview_chapter(const std::vector<ReportFacts>& all,

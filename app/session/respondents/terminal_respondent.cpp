@@ -153,7 +153,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const TrialQuestion>
     if (std::holds_alternative<NoAnswer>(heard)) return {};
     if (const auto* const again = std::get_if<FeelAgain>(&heard)) {
       if (!given.empty())
-        output_ << "After that, please answer all questions of this page again.\n";
+        output_ << "After that, please answer all questions on this page again.\n";
       return {*again};
     }
     given.push_back({std::get<Answer>(std::move(heard)), {}});

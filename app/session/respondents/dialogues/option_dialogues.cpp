@@ -36,7 +36,7 @@ std::variant<NextLine, Answer> AssignmentDialogue::take(const std::string& typed
   if (!option) return number_needed(options_);
   if (std::find(assigned_.options.begin(), assigned_.options.end(), *option) !=
       assigned_.options.end()) {
-    return NextLine{"That picture is already assigned; each picture belongs to one surface."};
+    return NextLine{"That picture is already assigned. Please choose another one."};
   }
   assigned_.options.push_back(*option);
   if (assigned_.options.size() < trial_.presentations.size()) return NextLine{};
