@@ -171,7 +171,7 @@ TEST(StudyReport, SaysOfOneParticipantWhatItCan) {
   EXPECT_THAT(words, HasSubstr("One participant took part."));
   EXPECT_THAT(words, HasSubstr("Age: 31 years."));
   EXPECT_THAT(words, HasSubstr("One participant began one session, which was completed."));
-  EXPECT_THAT(words, HasSubstr("1 attempt at a trial of the main phase is stored, which counts."));
+  EXPECT_THAT(words, HasSubstr("1 attempt at a trial of the main phase is stored; it counts."));
 }
 
 TEST(StudyReport, NamesSessionsThatWereExcludedOrNotFinishedAndWhy) {
@@ -206,7 +206,7 @@ TEST(StudyReport, NamesSessionsThatWereExcludedOrNotFinishedAndWhy) {
   EXPECT_THAT(words, HasSubstr("One session was excluded:\nSession 1 of p2: fell asleep <twice> & "
                                "left (decided by ab)."));
   EXPECT_THAT(words, Not(HasSubstr("by mistake")));
-  EXPECT_THAT(words, HasSubstr("9 attempts at trials of the main phase are stored, of which 6 "
+  EXPECT_THAT(words, HasSubstr("9 attempts at trials of the main phase are stored; 6 "
                                "count. Not counted: three were excluded."));
 }
 
@@ -221,10 +221,9 @@ TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
   made.add_session("p1", protocol, trials);
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
-  EXPECT_THAT(words,
-              HasSubstr("3 attempts at trials of the main phase are stored, of which 2 count. Not "
-                        "counted: one was answered but invalid. One attempt that counts is "
-                        "flagged."));
+  EXPECT_THAT(words, HasSubstr("3 attempts at trials of the main phase are stored; 2 count. Not "
+                               "counted: one was answered but invalid. One attempt that counts is "
+                               "flagged."));
   EXPECT_THAT(words,
               HasSubstr("One attempt belongs to practice and is not included in the results."));
   EXPECT_THAT(words, HasSubstr("1 | answered but invalid | made up to be invalid"));
@@ -244,8 +243,7 @@ TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
   made.add_session("p1", protocol, trials);
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
-  EXPECT_THAT(words,
-              HasSubstr("2 attempts at trials of the main phase are stored, both of which count."));
+  EXPECT_THAT(words, HasSubstr("2 attempts at trials of the main phase are stored; both count."));
   EXPECT_THAT(words,
               HasSubstr("One attempt belongs to anchors and is not included in the results."));
   EXPECT_THAT(words_of(section(report.chapters.at(1), "Design")),

@@ -52,7 +52,7 @@ std::vector<ExportColumn> answered_trial_columns(const StudyVocabulary& vocabula
                            }));
   const auto servo = [&columns](const char* name, const char* description,
                                 std::int64_t ServoQualityRow::*member) {
-    columns.push_back(missing("the attempt has no servo quality",
+    columns.push_back(missing("no servo quality is stored for the attempt",
                               at_least(0, column(name, "integer", "1", description,
                                                  [member](const ExportPlace& at) -> Cell {
                                                    if (!at.attempt->servo) return {};
@@ -60,13 +60,13 @@ std::vector<ExportColumn> answered_trial_columns(const StudyVocabulary& vocabula
                                                  }))));
   };
   servo("missed_deadlines", "ticks that missed their deadline", &ServoQualityRow::missed_deadlines);
-  columns.push_back(missing(std::string("the attempt has no servo quality, or ") + kNotCountedApart,
-                            at_least(0, column("missed_in_contact", "integer", "1",
-                                               kMissedInContact, [](const ExportPlace& at) -> Cell {
-                                                 if (!at.attempt->servo) return {};
-                                                 return optional_cell(
-                                                     at.attempt->servo->missed_in_contact);
-                                               }))));
+  columns.push_back(
+      missing(std::string("no servo quality is stored for the attempt, or ") + kNotCountedApart,
+              at_least(0, column("missed_in_contact", "integer", "1", kMissedInContact,
+                                 [](const ExportPlace& at) -> Cell {
+                                   if (!at.attempt->servo) return {};
+                                   return optional_cell(at.attempt->servo->missed_in_contact);
+                                 }))));
   servo("saturated_ticks", "ticks with the force reduced to the limit",
         &ServoQualityRow::saturated_ticks);
   servo("lost_records", "tick records that were lost", &ServoQualityRow::lost_records);

@@ -316,10 +316,10 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       kRatings,
       phrase("Analysis", "Mean ratings of the items on each scale"),
       {{"scale", "item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
-      phrase("Analysis",
-             "Means of the participants' own means, with t-based 95 % CIs, of the "
-             "participants who rated every item; mean rank: 1 for the lowest rating "
-             "of a participant.")};
+      phrase(
+          "Analysis",
+          "Means, over the participants who rated every item, of each participant's mean "
+          "rating, with t-based 95 % CIs; mean rank: 1 for the lowest rating of a participant.")};
   NamedTable agreement{
       kAgreement,
       phrase("Analysis", "Agreement of the participants on each scale"),

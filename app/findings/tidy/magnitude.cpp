@@ -185,9 +185,10 @@ class MagnitudeList final {
     for (const std::size_t one : cells.incomplete) {
       incomplete += (incomplete.empty() ? "" : ";") + read_.participants[one];
     }
-    list_.word("subjects.incomplete", "", incomplete.empty() ? "none" : incomplete,
-               incomplete.empty() ? "ok" : "these have an empty cell and were left out",
-               basis("participants left out"));
+    list_.word(
+        "subjects.incomplete", "", incomplete.empty() ? "none" : incomplete,
+        incomplete.empty() ? "ok" : "these participants have an empty cell and were left out",
+        basis("participants left out"));
     n_ = cells.complete.size();
     for (const std::size_t one : cells.complete) names_.push_back(read_.participants[one]);
     list_.count("n.subjects", "", n_, basis("participants with all cells"));

@@ -280,7 +280,7 @@ class PsychometricList final {
     const std::string method = "parametric bootstrap, " + way_of_counting(draws_);
     const ThresholdBootstrap& thresholds = boot.thresholds;
     number("deviance.p.montecarlo", boot.deviance_p,
-           "Monte-Carlo test of the deviance, " + way_of_counting(draws_));
+           "Monte Carlo test of the deviance, " + way_of_counting(draws_));
     number("bootstrap.valid", static_cast<double>(thresholds.valid), method + ", with a threshold");
     number("bootstrap.slope.at.bound", static_cast<double>(thresholds.slopes_at_bound),
            method + ", slope at its bound (kept)");

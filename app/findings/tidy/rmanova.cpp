@@ -177,7 +177,7 @@ class AnovaList final {
       dropped += (dropped.empty() ? "" : ";") + one;
     }
     list_.word("subjects.dropped", "", dropped.empty() ? "none" : dropped,
-               dropped.empty() ? "ok" : "these have an empty cell and were left out",
+               dropped.empty() ? "ok" : "these participants have an empty cell and were left out",
                basis("participants left out"));
     list_.count("n.subjects", "", design_.participants.size(),
                 basis("participants with all cells"));

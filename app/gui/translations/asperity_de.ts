@@ -1388,8 +1388,8 @@
         <translation>Mittlere Urteile der Items auf jeder Skala</translation>
     </message>
     <message>
-        <source>Means of the participants&apos; own means, with t-based 95 % CIs, of the participants who rated every item; mean rank: 1 for the lowest rating of a participant.</source>
-        <translation>Mittelwerte der Mittelwerte der einzelnen Versuchspersonen, die alle Items beurteilt haben, mit 95-%-Konfidenzintervallen nach der t-Verteilung; mittlerer Rang: 1 für das niedrigste Urteil einer Versuchsperson.</translation>
+        <source>Means, over the participants who rated every item, of each participant&apos;s mean rating, with t-based 95 % CIs; mean rank: 1 for the lowest rating of a participant.</source>
+        <translation>Mittelwerte der mittleren Urteile über die Versuchspersonen, die alle Items beurteilt haben, mit 95-%-Konfidenzintervallen nach der t-Verteilung; mittlerer Rang: 1 für das niedrigste Urteil einer Versuchsperson.</translation>
     </message>
     <message>
         <source>Agreement of the participants on each scale</source>

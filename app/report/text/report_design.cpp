@@ -298,9 +298,11 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
 /// "Three surfaces were presented in each answered trial."
 std::string surfaces_text(const ReportFacts& facts) {
   if (facts.surfaces.empty()) return {};
-  std::vector<std::string> counts{};
-  for (const std::size_t count : facts.surfaces) counts.push_back(count_in_words(count));
-  return ' ' + capitalised(listed(counts)) +
+  std::string counts{};
+  for (const std::size_t count : facts.surfaces) {
+    counts += (counts.empty() ? "" : " or ") + count_in_words(count);
+  }
+  return ' ' + capitalised(counts) +
          (facts.surfaces == std::set<std::size_t>{1} ? " surface was" : " surfaces were") +
          " presented in each answered trial.";
 }

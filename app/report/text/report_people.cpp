@@ -169,12 +169,12 @@ ReportText sessions_text(const ReportFacts& facts) {
           completed_text(completed, running, facts.sessions.size()) + '.'};
 }
 
-/// ", of which 2 count"; for one attempt ", which counts".
+/// "; 2 count"; for one attempt "; it counts".
 std::string counted_text(std::size_t counted, std::size_t attempts) {
-  if (attempts == 1) return counted == 1 ? ", which counts" : ", which does not count";
-  if (counted == attempts) return attempts == 2 ? ", both of which count" : ", all of which count";
-  if (counted == 0) return attempts == 2 ? ", neither of which counts" : ", none of which counts";
-  return ", of which " + reading_count(counted) + (counted == 1 ? " counts" : " count");
+  if (attempts == 1) return counted == 1 ? "; it counts" : "; it does not count";
+  if (counted == attempts) return attempts == 2 ? "; both count" : "; all count";
+  if (counted == 0) return attempts == 2 ? "; neither counts" : "; none counts";
+  return "; " + reading_count(counted) + (counted == 1 ? " counts" : " count");
 }
 
 /// " Two attempts belong to practice and are not included in the results."
