@@ -82,8 +82,9 @@ std::string tags_of(const std::vector<AttachedDevice>& devices) {
 
 void DriverRegistry::add(Driver driver) {
   if (!is_driver_id(driver.id)) {
-    throw std::invalid_argument("id of a driver is \"" + driver.id +
-                                "\"; it has to be letters a to z, digits and _, a letter first");
+    throw std::invalid_argument(
+        "id of a driver is \"" + driver.id +
+        "\"; it has to consist of letters a to z, digits and _, and begin with a letter");
   }
   if (find(driver.id) != nullptr) {
     throw std::invalid_argument("there are two drivers \"" + driver.id + "\"");
@@ -168,12 +169,12 @@ AttachedDevice choose_attached(const std::string& product,
                  return which.empty() || device.serial == which || device.place == which;
                });
   if (fitting.empty()) {
-    throw std::runtime_error("no " + product + " is \"" + which +
+    throw std::runtime_error("no " + product + " has the serial number or place \"" + which +
                              "\"; attached: " + tags_of(attached));
   }
   if (fitting.size() > 1) {
-    throw std::runtime_error("there are " + std::to_string(fitting.size()) + " of " + product +
-                             "; name one by its serial number or place: " + tags_of(fitting));
+    throw std::runtime_error(std::to_string(fitting.size()) + " devices are attached (" + product +
+                             "); name one by its serial number or place: " + tags_of(fitting));
   }
   if (!fitting.front().is_usable()) throw std::runtime_error(fitting.front().hindrance);
   return fitting.front();

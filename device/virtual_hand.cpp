@@ -74,24 +74,24 @@ std::uint32_t bit_of(int button) {
 void check_habits(const HandHabits& habits) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(habits.centre_m[axis])) {
-      refuse("centre_m of the hand's habits", habits.centre_m[axis], "finite");
+      refuse("centre_m of the virtual hand", habits.centre_m[axis], "finite");
     }
   }
   if (!std::isfinite(habits.direction_rad)) {
-    refuse("direction_rad of the hand's habits", habits.direction_rad, "finite");
+    refuse("direction_rad of the virtual hand", habits.direction_rad, "finite");
   }
-  require_positive("stroke_length_m of the hand's habits", habits.stroke_length_m);
-  require_positive("speed_m_per_s of the hand's habits", habits.speed_m_per_s);
-  require_positive("gathering of the hand's habits", habits.gathering);
+  require_positive("stroke_length_m of the virtual hand", habits.stroke_length_m);
+  require_positive("speed_m_per_s of the virtual hand", habits.speed_m_per_s);
+  require_positive("gathering of the virtual hand", habits.gathering);
   if (habits.gathering > kMostGathering) {
-    refuse("gathering of the hand's habits", habits.gathering, "at most 0.5");
+    refuse("gathering of the virtual hand", habits.gathering, "at most 0.5");
   }
-  check_variation("speed_variation of the hand's habits", habits.speed_variation);
-  require_positive("normal_force_N of the hand's habits", habits.normal_force_N);
-  check_variation("force_variation of the hand's habits", habits.force_variation);
-  require_not_negative("drift_m of the hand's habits", habits.drift_m);
-  require_positive("lift_height_m of the hand's habits", habits.lift_height_m);
-  require_positive("approach_speed_m_per_s of the hand's habits", habits.approach_speed_m_per_s);
+  check_variation("speed_variation of the virtual hand", habits.speed_variation);
+  require_positive("normal_force_N of the virtual hand", habits.normal_force_N);
+  check_variation("force_variation of the virtual hand", habits.force_variation);
+  require_not_negative("drift_m of the virtual hand", habits.drift_m);
+  require_positive("lift_height_m of the virtual hand", habits.lift_height_m);
+  require_positive("approach_speed_m_per_s of the virtual hand", habits.approach_speed_m_per_s);
 }
 
 }  // namespace

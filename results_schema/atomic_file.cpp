@@ -179,7 +179,8 @@ std::string read_file(const std::filesystem::path& path, const FileKind& kind) {
   const auto refuse_above_limit = [&](std::uint64_t bytes) {
     if (bytes <= kind.most_bytes) return;
     throw ResultsError("the file " + path.string() + " cannot be read: it is larger than " +
-                           size_text(kind.most_bytes) + ", the maximum size of " + kind.name,
+                           size_text(kind.most_bytes) + ", the maximum size of " + kind.name +
+                           "; use a smaller file",
                        path, EFBIG);
   };
   refuse_above_limit(file.bytes());

@@ -132,7 +132,8 @@ bool Statement::step() {
   const int code = sqlite3_step(handle_);
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
-  database_.fail(code, sqlite3_stmt_readonly(handle_) != 0 ? "cannot be read" : "rejected a row");
+  database_.fail(code,
+                 sqlite3_stmt_readonly(handle_) != 0 ? "cannot be read" : "cannot store a row");
 }
 
 void Statement::run() {

@@ -110,8 +110,9 @@ std::string claimed_group(Database& database, const std::string& protocol_name,
   if (const auto own = earlier_group(database, session.participant, protocol_name, session.mode)) {
     if (std::find(groups.begin(), groups.end(), *own) != groups.end()) return *own;
     refuse(database.folder(), "cannot begin a session of participant " + session.participant +
-                                  ", who is in the group " + *own + " of the protocol " +
-                                  protocol_name + ", which this version of it does not have");
+                                  ": the participant is in the group " + *own +
+                                  ", and this version of the protocol " + protocol_name +
+                                  " has no such group; add it to the protocol");
   }
   const std::vector<int> counts =
       participants_of_groups(database, protocol_name, groups, session.mode);
@@ -161,7 +162,7 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   }
   participant.read(participant_id, has_withdrawn);
   if (has_withdrawn) {
-    refuse(database.folder(), "does not accept a session of participant " + session.participant +
+    refuse(database.folder(), "cannot begin a session of participant " + session.participant +
                                   ", who has withdrawn; use another label");
   }
   Statement last(database,
@@ -169,7 +170,7 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   int next = 0;
   if (last.bind(participant_id).step()) last.read(next);
   if (session.session != 0 && session.session != next) {
-    refuse(database.folder(), "does not accept session " + std::to_string(session.session) +
+    refuse(database.folder(), "cannot begin session " + std::to_string(session.session) +
                                   " of participant " + session.participant +
                                   ": the next one is session " + std::to_string(next));
   }

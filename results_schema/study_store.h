@@ -118,9 +118,9 @@ Enum enum_of(const std::string& text, const std::array<Enum, kCount>& all, const
     if (text == text_of(value)) return value;
     words += (words.empty() ? "" : ", ") + std::string(text_of(value));
   }
-  throw ResultsError("study.sqlite holds \"" + text + "\" in the column " + column +
-                         ", which is not one of " + words +
-                         "; it was changed by another program. Restore the study from a copy; "
+  throw ResultsError("study.sqlite has the value \"" + text + "\" in the column " + column +
+                         "; the permitted values are " + words +
+                         ". Another program has changed the file. Restore the study from a copy; "
                          "asperity verify lists everything that was changed",
                      "study.sqlite");
 }

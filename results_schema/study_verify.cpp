@@ -73,8 +73,8 @@ void check_seal(const std::filesystem::path& study, const SealWatch& watch, Find
   if (seal_of(study, watch) != Seal::broken) return;
   findings.emplace_back(
       "study.sqlite: it has changed since Asperity last closed it (its SHA-256 differs from that "
-      "in study.sqlite.sha256); restore both from a copy, or remove study.sqlite.sha256 if the "
-      "study was changed on purpose: by another tool, by an older Asperity, by copying another "
+      "in study.sqlite.sha256); restore both files from a copy, or remove study.sqlite.sha256 if "
+      "the study was changed on purpose: by another tool, by an older Asperity, by copying another "
       "file over it, or by a user who may not remove that file");
 }
 

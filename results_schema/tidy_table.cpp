@@ -86,8 +86,8 @@ class CellReader final {
     if (!at_end() && text_[at_] == '\r') ++at_;
     if (!at_end() && text_[at_] != separator && text_[at_] != '\n') {
       refuse(
-          "text follows the quotation mark that closes this cell; write a quotation mark inside "
-          "twice");
+          "text follows the quotation mark that closes this cell; write a quotation mark within "
+          "the cell twice");
     }
     line_ += breaks;
     return out;
@@ -309,8 +309,9 @@ std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) c
     numbers[row] = number_in(text);
     if (numbers[row] && std::isfinite(*numbers[row])) continue;
     const std::string of = std::string(column) + " is \"" + std::string(text) + "\", ";
-    if (has_decimal_comma(text)) refuse(row, column, of + "a decimal comma; write a point");
-    refuse(row, column, of + "which is not a number; leave the cell empty where there is none");
+    if (has_decimal_comma(text))
+      refuse(row, column, of + "with a decimal comma; write a decimal point");
+    refuse(row, column, of + "which is not a number; write a number, or leave the cell empty");
   }
   return numbers;
 }

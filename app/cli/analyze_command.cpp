@@ -53,9 +53,9 @@ int analyze_case(const AnalyzeOptions& options) {
 /// other options.
 void refuse_unused(const TidyInput& input, const std::string& name) {
   if (!input.table().has(name)) return;
-  throw std::runtime_error("the option \"" + name + "\" is not used, because " +
-                           input.table().name() +
-                           " has a column of that name; leave out one of them");
+  throw std::runtime_error(
+      "the option \"" + name + "\" is not used, because " + input.table().name() +
+      " has a column of that name; leave out the option, or remove the column");
 }
 
 #ifdef ASPERITY_WITH_WINDOWS

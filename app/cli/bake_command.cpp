@@ -50,18 +50,18 @@ void print_text(const BakeOutcome& outcome, const std::string& out) {
   const BakeReport& report = outcome.report;
   const auto micrometres = [](double length_m) { return fixed(length_m * 1e6, 1) + " µm"; };
   for (const std::string& finding : outcome.findings) std::cout << finding << '\n';
-  std::cout << out << ": " << outcome.triangles_in << " → " << outcome.triangles_out
-            << " triangles, " << fixed(outcome.diagonal_m * 1e3, 1) << " mm from corner to corner\n"
-            << "Distance from the original without texture: RMS " << micrometres(report.plain.rms_m)
-            << ", at most " << micrometres(report.plain.max_m) << '\n'
-            << "Distance from the original with texture: RMS " << micrometres(report.textured.rms_m)
-            << ", at most " << micrometres(report.textured.max_m) << '\n'
-            << "Texture: " << outcome.atlas_columns << " × " << outcome.atlas_rows
-            << " texels, pitch " << micrometres(report.finest_pitch_m) << " to "
-            << micrometres(report.coarsest_pitch_m) << ", "
-            << fixed(report.samples_per_wavelength, 1)
-            << " or more samples per shortest wavelength of the original, steps of "
-            << fixed(outcome.step_m * 1e9, 1) << " nm\n";
+  std::cout
+      << out << ": " << outcome.triangles_in << " → " << outcome.triangles_out
+      << " triangles, bounding-box diagonal " << fixed(outcome.diagonal_m * 1e3, 1) << " mm\n"
+      << "Distance from the original without texture: RMS " << micrometres(report.plain.rms_m)
+      << ", at most " << micrometres(report.plain.max_m) << '\n'
+      << "Distance from the original with texture: RMS " << micrometres(report.textured.rms_m)
+      << ", at most " << micrometres(report.textured.max_m) << '\n'
+      << "Texture: " << outcome.atlas_columns << " × " << outcome.atlas_rows << " texels, pitch "
+      << micrometres(report.finest_pitch_m) << " to " << micrometres(report.coarsest_pitch_m)
+      << ", " << fixed(report.samples_per_wavelength, 1)
+      << " or more samples per shortest wavelength of the original, displacements in steps of "
+      << fixed(outcome.step_m * 1e9, 1) << " nm\n";
   if (report.missed > 0) {
     std::cout << "Samples whose ray met no surface, filled in from their neighbours: "
               << report.missed << " of " << report.samples << '\n';

@@ -150,11 +150,11 @@ void add_render(CLI::App& program, Job& job) {
       inputs.seed = options->seed;
       const bool needs_bodies = model.declaration.needs_bodies;
       if (!needs_bodies && (options->tool || options->coupling)) {
+        const std::string option = options->tool ? "--tool" : "--coupling";
         throw std::runtime_error("the force model " + options->model +
-                                 " computes the contact at a point, and " +
-                                 (options->tool ? "--tool" : "--coupling") +
-                                 " needs a model with two bodies; leave it out, or choose "
-                                 "another model");
+                                 " computes the contact at a point, and " + option +
+                                 " needs a model with two bodies; leave out " + option +
+                                 ", or choose another model");
       }
       if (needs_bodies && !options->stimulus) {
         throw std::runtime_error("the force model " + options->model +

@@ -37,9 +37,9 @@ void require_same_kind(const ModelRegistry& models, const ForceModel& asked, con
   }
   throw std::runtime_error(
       "surface " + std::to_string(surface) + " was rendered with " + felt.declaration.id + ", " +
-      (felt_bodies ? "a tool against a surface" : "a point on a height field") + ", and " +
+      (felt_bodies ? "a model with two bodies" : "a model with a point") + ", and " +
       asked.declaration.id + " needs " +
-      (felt_bodies ? "a height field that a point touches" : "a tool and a surface as bodies") +
+      (felt_bodies ? "a height field and a point" : "a tool and a surface as bodies") +
       "; --model takes " + one_of(fitting) + " here");
 }
 

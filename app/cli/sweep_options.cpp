@@ -124,7 +124,7 @@ void take_tip(SweepOrder& order, const std::string& text) {
   if (!order.stroke.model->declaration.needs_bodies) {
     throw WrongUsage("the force model " + order.stroke.model->declaration.id +
                      " computes the contact at a point, and --tool needs a model with two bodies; "
-                     "leave it out, or choose another model");
+                     "leave out --tool, or choose another model");
   }
   const std::map<std::string, TipForm> forms{
       {"point", TipForm::point}, {"sphere", TipForm::sphere}, {"disc", TipForm::disc}};

@@ -121,11 +121,11 @@ void say_absent_numbers(const Sweep& sweep, SweepMeasure measure) {
         "(--spacings FROM:TO:COUNT; see the column status)");
   }
   if (is_at_end) {
-    say("greatest_at_mm n/a: the greatest value is at the first or the last spacing and may not be "
-        "the maximum");
+    say("greatest_at_mm n/a: the greatest value is at the first or the last spacing; the maximum "
+        "may lie outside the range of spacings");
   }
   if (has_no_top) {
-    say("parabola_peak_mm n/a: the parabola has no highest point within the spacings");
+    say("parabola_peak_mm n/a: the parabola has no maximum within the range of spacings");
   }
 }
 

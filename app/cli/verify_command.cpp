@@ -43,7 +43,8 @@ void add_verify(CLI::App& program, Job& job) {
       for (const std::string& remark : result.remarks) std::cout << "remark: " << remark << '\n';
       for (const std::string& rule : result.rules) std::cout << rule << '\n';
       if (options->replay) {
-        std::cout << result.recordings_replayed << " recordings replayed\n";
+        std::cout << counted(static_cast<std::size_t>(result.recordings_replayed), "recording")
+                  << " replayed\n";
       }
       std::cout << (result.problems.empty()
                         ? std::string("no problems found")

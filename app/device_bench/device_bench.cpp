@@ -68,7 +68,7 @@ Phrase loss_of(const StageRecord& record, Pacing pacing) {
   if (pacing == Pacing::theirs && !was_lost_in_a_tick) {
     return phrase("DeviceTest",
                   "the connection to the device was lost during the measurement: the thread of the "
-                  "manufacturer's driver made no call for %1 ms: it hangs or had to wait. Close "
+                  "manufacturer's driver made no call for %1 ms; it hangs or had to wait. Close "
                   "other programs that keep this computer busy, check the cable of the device, and "
                   "measure the device again.")
         .with(fixed(1e-6 * static_cast<double>(HapticDevice::kLongestSilence_ns), 0));

@@ -52,9 +52,10 @@ void require_presented(const std::vector<AssetRow>& presented, const PreparedSti
     });
     const std::string role = asset.role == kHeightFieldRole ? "height field" : asset.role;
     if (file == files.end()) {
-      throw std::runtime_error(attempt + ": the " + role +
-                               " of its stimulus differs from the one that was presented (its "
-                               "SHA-256 differs); use the version of Asperity that recorded it");
+      throw std::runtime_error(
+          attempt + ": the " + role +
+          " of its stimulus differs from the one that was presented (its "
+          "SHA-256 differs); use the version of Asperity that recorded the attempt");
     }
     throw std::runtime_error(attempt + ": the " + role + ", file " + file->path +
                              ", differs from the one that was presented (its SHA-256 differs); "
@@ -105,9 +106,9 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
   recorded.records = records_of(recording);
   for (const PresentationRow& row : attempt.presentations) {
     if (builder.models().find(row.model) == nullptr) {
-      throw std::runtime_error("this program has no force model \"" + row.model +
-                               "\", which attempt " + natural_key(session, attempt) +
-                               " was rendered with; use the version of Asperity that recorded it");
+      throw std::runtime_error("this program has no force model \"" + row.model + "\" of attempt " +
+                               natural_key(session, attempt) +
+                               "; use the version of Asperity that recorded the attempt");
     }
     StimulusDescription described =
         trial.presentations.at(static_cast<std::size_t>(row.position - 1)).stimulus;

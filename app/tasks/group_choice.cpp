@@ -18,7 +18,7 @@ std::optional<Phrase> complaint_about_group(const Protocol& protocol,
         .with(protocol.name);
   }
   if (stated && std::find(groups.begin(), groups.end(), *stated) == groups.end()) {
-    return phrase("GroupChoice", "the protocol \"%1\" has no group \"%2\"; its groups are %3")
+    return phrase("GroupChoice", "the protocol \"%1\" has no group \"%2\"; use %3")
         .with(protocol.name, *stated, one_of(groups));
   }
   if (stated && before && *stated != *before) {

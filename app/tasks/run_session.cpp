@@ -166,8 +166,8 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
 void require_late_reason(const Sitting& sitting) {
   if (!sitting.late || !sitting.late_reason.empty()) return;
   throw PhrasedError(phrase("RunSession",
-                            "%1; to resume it nevertheless, give the reason with --late-reason; it "
-                            "is stored and stated in the report")
+                            "%1; to resume it nevertheless, give the reason with --late-reason; "
+                            "the reason is stored and stated in the report")
                          .with(complaint_about(*sitting.late)));
 }
 

@@ -110,7 +110,7 @@ Batch choose_batch(const Batches& there, const SimulationInputs& inputs) {
                            ": it has no participant of a simulation with --participants " +
                            std::to_string(inputs.participants) + " and --seed " +
                            std::to_string(inputs.seed) + deleted_text(there.deleted) +
-                           "; leave out --resume to add one");
+                           "; leave out --resume to begin this simulation");
 }
 
 /// Sessions of a participant with exactly this protocol, in order.

@@ -60,7 +60,7 @@ Phrase complaint_about(const LateResume& late) {
                          : time_ago(late.age_hours);
   return phrase("UnfinishedSession",
                 "the session last ran %1, and the protocol requires sessions to be resumed within "
-                "%2 hours")
+                "%2 h")
       .with(age, number_text(late.maximum_age_hours));
 }
 

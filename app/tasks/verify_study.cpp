@@ -209,7 +209,7 @@ void check_protocol_files(const Study& study, VerifyResult& result) {
     }
     if (is_stored || nearly == nullptr) continue;
     result.problems.push_back(
-        name + ": byte " + std::to_string(byte) + " has changed since sessions ran " +
+        name + ": byte " + std::to_string(byte) + " has changed since sessions were run with " +
         nearly->name + " " + nearly->version +
         "; restore the file, or give it another version if the change was intended");
   }

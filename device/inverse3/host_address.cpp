@@ -60,7 +60,7 @@ std::string look_up(const std::string& host) {
   if (found.error != 0) {
     throw std::runtime_error("The host \"" + host + "\" cannot be found (" +
                              ::gai_strerror(found.error) +
-                             "): correct its name, or give its number, such as 127.0.0.1.");
+                             "): correct its name, or give its IP address, such as 127.0.0.1.");
   }
   return found.first;
 }
@@ -92,7 +92,7 @@ std::string host_address(const std::string& host, std::chrono::milliseconds pati
                              (stop.stop_requested()
                                   ? "before the stop."
                                   : "within " + std::to_string(patience.count()) +
-                                        " ms: name it by its number, such as 127.0.0.1."));
+                                        " ms: give its IP address, such as 127.0.0.1."));
   }
   if (!lookup->refusal.empty()) throw std::runtime_error(lookup->refusal);
   return lookup->address;

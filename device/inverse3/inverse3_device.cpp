@@ -172,8 +172,8 @@ std::string remark_on(const FoundSpelling& found) {
   const std::string name = found.spelling == ForceSpelling::vector ? "vector" : "values";
   if (found.is_confirmed) return "The format of forces is \"" + name + "\".";
   return "The format of forces is \"" + name +
-         "\", as documented for its version: the service did not confirm that it applies them. "
-         "Check by hand that a force can be felt before the first session.";
+         "\", as documented for the service's version; the service did not confirm that it applies "
+         "forces in this format. Check by hand that a force can be felt before the first session.";
 }
 
 }  // namespace
@@ -448,8 +448,9 @@ std::string Inverse3Device::trouble() const {
   }
   if (line_->is_elsewhere.load()) {
     return "The Inverse Service is back and reports " + who +
-           " in other axes or from another origin than when it was opened: it gets no force. "
-           "Restore them in Haply's Device Manager, or end the session and open the device again.";
+           " in other axes or from another origin than when it was opened: no force is sent. "
+           "Restore the axes and the origin in Haply's Device Manager, or end the session and open "
+           "the device again.";
   }
   if (!line_->is_connected.load()) {
     return "The connection to the Inverse Service at " + line_->place.text() +

@@ -330,7 +330,7 @@ std::string OpenHapticsDevice::trouble() const {
   const std::string who = capability().model + " " + capability().serial;
   if (is_given_up_.load())
     return "OpenHaptics' thread hangs, and " + who +
-           " with it: end this program and start it again.";
+           " does not respond: end this program and start it again.";
   const unsigned int code = servo_->last_error.load();
   if (code != 0 && servo_->frames_since_error.load() < kFramesToForget) {
     return who + " reported " + hd_->name_of({.code = code}) + ".";

@@ -27,7 +27,7 @@ constexpr bool has_one_answer_each(const std::variant<Form...>*) {
   return (... && (answers_of<Form>(static_cast<const Answer*>(nullptr)) == 1));
 }
 static_assert(has_one_answer_each(static_cast<const AnswerForm*>(nullptr)),
-              "a form of answer needs its answer in `Answer`, and an items_of for the two");
+              "each form of answer needs one type in `Answer` and an overload of items_of");
 
 }  // namespace
 

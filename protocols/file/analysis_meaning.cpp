@@ -88,8 +88,7 @@ void Meaning::check_analysis() {
     const std::string pointer = pointer_to("/analysis/family", i);
     const auto here = declared.family.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(tests.begin(), tests.end(), name) == tests.end()) {
-      report(pointer,
-             "a " + kinds + " has no test " + in_quotes(name) + "; it has " + one_of(tests));
+      report(pointer, "a " + kinds + " has no test " + in_quotes(name) + "; use " + one_of(tests));
     } else if (std::find(declared.family.begin(), here, name) != here) {
       report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
     } else if (name == "groups" && !protocol_.groups) {

@@ -39,13 +39,13 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
     for (const auto& [name, level] : block.listed.front()) {
       if (!block.listed[i].contains(name)) {
         report(row, "this row does not set " + in_quotes(name) +
-                        ", which the first row does; every row sets the same factors");
+                        ", which the first row sets; set the same factors in every row");
       }
     }
     for (const auto& [name, level] : block.listed[i]) {
       if (!block.listed.front().contains(name)) {
         report_key(pointer_to(row, name), "the first row does not set " + in_quotes(name) +
-                                              "; every row sets the same factors");
+                                              "; set the same factors in every row");
       }
     }
   }
@@ -92,7 +92,7 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
   if (!block.drawn.empty()) {
     report(place,
            "an anchor is the same for all participants: this block draws factors; cross or list "
-           "them, or leave the anchor out");
+           "them, or remove the anchor");
   }
   std::set<std::string> needed(block.crossed.begin(), block.crossed.end());
   for (const FactorLevels& row : block.listed) {
@@ -102,8 +102,7 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
     if (!check_level(name, level, pointer_to(place, name))) continue;
     if (needed.erase(name) == 0) {
       report_key(pointer_to(place, name), "the trials of this block do not set the factor " +
-                                              in_quotes(name) +
-                                              "; an anchor sets the same factors and no others");
+                                              in_quotes(name) + "; remove it from the anchor");
     }
   }
   for (const std::string& name : needed) {
@@ -216,7 +215,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
     report(pointer + "/positions",
            "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
                " trials, the number of surfaces, but the block has " + std::to_string(trials) +
-               "; change the repetitions or the levels, or leave positions out");
+               "; change the repetitions or the levels, or remove positions");
   }
   if (block.maximum_in_a_row.empty()) return;
   const OrderProblem problem = order_problem(block, rows_of(protocol_, block));

@@ -53,7 +53,7 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
   if (is_mesh == (shape != object.end())) {
     report(pointer,
            std::string("a body is either a \"mesh\", a file of the study, or a \"shape\"") +
-               (is_mesh ? ", not both" : ""));
+               (is_mesh ? ", not both; remove one" : "; add one"));
     return;
   }
   const auto refuse_key = [&](std::string_view key, const std::string& why) {
@@ -61,9 +61,9 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
   };
   if (is_mesh) {
     for (const std::string_view key : kSizes)
-      refuse_key(key, "the size of a mesh is that of its file; leave this out");
-    refuse_key("axis", "the orientation of a mesh is that of its file; leave this out");
-    refuse_key("texture", "the texture of a mesh is that of its file; leave this out");
+      refuse_key(key, "the size of a mesh is that of its file; remove this key");
+    refuse_key("axis", "the orientation of a mesh is that of its file; remove this key");
+    refuse_key("texture", "the texture of a mesh is that of its file; remove this key");
     return;
   }
   const auto said = shape->get<std::string>();
@@ -73,8 +73,8 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
     const bool is_needed =
         std::find(keys->needed.begin(), keys->needed.end(), key) != keys->needed.end();
     if (!is_needed) {
-      refuse_key(key, "a " + said + " does not have this key; it has " +
-                          one_of({keys->needed.begin(), keys->needed.end()}));
+      refuse_key(key, "a " + said + " does not have this key; use " +
+                          one_of({keys->needed.begin(), keys->needed.end()}) + " instead");
     } else if (!object.contains(std::string(key))) {
       report(pointer, "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres");
     }
@@ -97,7 +97,7 @@ void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
     }
     if (is_given && needs == models.end() && !models.empty()) {
       report_key(place,
-                 "the model " + in_quotes(models.front()->id) + " has no bodies; leave this out");
+                 "the model " + in_quotes(models.front()->id) + " has no bodies; remove this key");
     }
     for (const auto& [name, at] : texts_of(binding, place)) {
       if (!protocol_.bodies.contains(name))

@@ -113,8 +113,9 @@ class Doubts final {
       const double takes_s = *strokes * *length_m / *speed_m_per_s;
       if (takes_s <= asked.maximum_contact_s) return false;
       doubt(pointer + place,
-            digits(*strokes) + " strokes of " + digits(*length_m) + " m at " +
-                digits(*speed_m_per_s) + " m/s do not fit into the " +
+            digits(*strokes) + (*strokes == 1.0 ? " stroke of " : " strokes of ") +
+                digits(*length_m) + " m at " + digits(*speed_m_per_s) +
+                (*strokes == 1.0 ? " m/s does" : " m/s do") + " not fit into the " +
                 digits(asked.maximum_contact_s) +
                 " s after which the surface is removed; raise maximum_contact_s, or "
                 "request fewer strokes");

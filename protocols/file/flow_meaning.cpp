@@ -78,7 +78,7 @@ bool Meaning::check_level(const std::string& factor, const Level& level,
   std::vector<std::string> names{};
   for (const Level& each : levels) names.push_back(text_of(each));
   report(pointer, in_quotes(text_of(level)) + " is not a level of the factor " + in_quotes(factor) +
-                      "; its levels are " + one_of(names) + did_you_mean(text_of(level), names));
+                      "; use " + one_of(names) + did_you_mean(text_of(level), names));
   return false;
 }
 

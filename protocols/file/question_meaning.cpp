@@ -36,8 +36,9 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     const TrialQuestionTemplate& question = block.questions[i];
     const std::string place = place_of_question(block, i);
     if (!names.insert(question.name).second) {
-      report(place + "/name", "two questions of a trial have the name " + in_quotes(question.name) +
-                                  "; every response is stored under the name of its question");
+      report(place + "/name",
+             "two questions of a trial have the name " + in_quotes(question.name) +
+                 ", under which their responses are stored; give each its own name");
     }
     check_pictures(block, question, place);
     check_scale(question, place);
@@ -61,7 +62,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
   }
   if (block.feedback != Block::Feedback::none && !kind.has_correct_responses) {
     report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
-                                      block.kind + " is correct or incorrect");
+                                      block.kind + " is correct or incorrect; set it to \"none\"");
   }
   check_criterion(block, pointer);
 }
@@ -82,8 +83,8 @@ bool Meaning::check_question_keys(const Block& block, const std::string& pointer
                                 "experimenter_prompt", "pictures_after_feeling", "allow_revisit"}) {
     if (block.has_question_list || !object.contains(key)) continue;
     report_key(pointer + "/" + key,
-               "this key belongs to a block with \"questions\"; remove it, or write it inside "
-               "\"question\" where that has it");
+               "this key belongs to a block with \"questions\"; remove it, or move it into "
+               "\"question\" if that has such a key");
   }
   if (!block.on_one_page) {
     if (!block.page_prompt.empty()) {
@@ -97,7 +98,8 @@ bool Meaning::check_question_keys(const Block& block, const std::string& pointer
     const auto* const scale = std::get_if<ScaleForm>(&block.questions[i].form);
     if (scale != nullptr && !scale->labels_every_point()) continue;
     report(place_of_question(block, i),
-           "only scales with labels at the ends only share a page; set question_layout to "
+           "questions on one page must be scales without labels between the ends; set "
+           "question_layout to "
            "\"one_after_another\"");
   }
   return true;
@@ -165,7 +167,7 @@ void Meaning::check_scale(const TrialQuestionTemplate& question, const std::stri
   };
   if (!question.pictures.empty()) remove("pictures", "a scale is not answered by a picture");
   if (question.allow_cannot_tell) {
-    remove("allow_cannot_tell", "a scale always has an answer, and there is no \"cannot tell\"");
+    remove("allow_cannot_tell", "a scale always gets a response, and there is no \"cannot tell\"");
   }
   if (!question.correct_factor.empty()) {
     remove("correct_factor", "no point of a scale is correct or incorrect");

@@ -150,7 +150,7 @@ std::string sentence(const std::string& description, const json& schema, const j
   }
   if (starts("Failed to match against any enum")) {
     const std::vector<std::string> choices = schema.at("enum");
-    return shown(value) + " is not possible here: write " + one_of(choices) +
+    return shown(value) + " is not permitted here: write " + one_of(choices) +
            (value.is_string() ? did_you_mean(value.get<std::string>(), choices) : "");
   }
   if (starts("Failed to match expected value set by 'const'")) {

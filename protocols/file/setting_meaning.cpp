@@ -171,7 +171,7 @@ void Meaning::check_hed(const Factor& factor) {
                     [&name = name](const Level& level) { return is_name_of(level, name); });
     if (!is_level) {
       report_key(pointer, in_quotes(name) + " is not a level of the factor " +
-                              in_quotes(factor.name) + "; its levels are " + one_of(names) +
+                              in_quotes(factor.name) + "; use " + one_of(names) +
                               did_you_mean(name, names));
     }
     const std::string problem = hed_problem(tags.get<std::string>());

@@ -197,8 +197,8 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
     // the only model of another strength.
     if (model->second->needs_bodies) {
       report(at, "the texture force of the model " + in_quotes(id) +
-                     ", which depends on two bodies, cannot be made equal to another; leave "
-                     "\"equal_force\" out and state the strength as " +
+                     ", which depends on two bodies, cannot be made equal to another; remove "
+                     "\"equal_force\", and state the strength as " +
                      in_quotes(model->second->amplitude_parameter.value_or("parameters")));
     } else if (!model->second->amplitude_parameter) {
       if (id == equal.to_model) continue;
@@ -207,10 +207,10 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
                      "\"equal_force\" or use another model");
     } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
       report_key(pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
-                 id == equal.to_model
-                     ? "the others are made equal to " + in_quotes(id) +
-                           " with this parameter at its default; leave it out"
-                     : "equal_force solves this parameter of " + in_quotes(id) + "; leave it out");
+                 id == equal.to_model ? "the others are made equal to " + in_quotes(id) +
+                                            " with this parameter at its default; remove this key"
+                                      : "equal_force solves this parameter of " + in_quotes(id) +
+                                            "; remove this key");
     }
   }
 }

@@ -13,10 +13,10 @@ namespace asperity {
 namespace {
 
 constexpr std::array kMatchingTests{
-    KindTest{"items", "are more items matched correctly than under guessing"},
-    KindTest{"whole", "are more trials completely correct than under guessing"},
+    KindTest{"items", "are more items matched correctly than expected by chance"},
+    KindTest{"whole", "are more trials completely correct than expected by chance"},
     KindTest{"textures",
-             "for every texture: is it matched correctly more often than under guessing"},
+             "for every texture: is it matched correctly more often than expected by chance"},
     KindTest{"sexes", "do women and men differ"},
     KindTest{"groups", "for every pair of groups: do they differ"}};
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kRecognitionTests{
     KindTest{"right", "is the proportion correct above the chance level"},
-    KindTest{"textures", "for every texture: is it recognised more often than under guessing"},
+    KindTest{"textures", "for every texture: is it recognised more often than expected by chance"},
     KindTest{"information", "do the responses depend on the stimulus"},
     KindTest{"sexes", "do women and men differ"},
     KindTest{"groups", "for every pair of groups: do they differ"}};

@@ -16,8 +16,11 @@ namespace asperity {
 namespace {
 
 constexpr std::array kSelectionTests{
-    KindTest{"pairs", "every pair of items: is one chosen more often than the other"},
-    KindTest{"target_pairs", "only the pairs of the target with each other item", true},
+    KindTest{"pairs", "for every pair of items: is one chosen more often than the other"},
+    KindTest{
+        "target_pairs",
+        "for every pair of the target and another item: is one chosen more often than the other",
+        true},
     KindTest{"preference", "are all items chosen equally often"},
     KindTest{"position", "are all positions chosen equally often"},
     KindTest{"textures", "is the target chosen equally often with every texture", true},

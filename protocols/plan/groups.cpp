@@ -21,7 +21,7 @@ FactorLevels group_factor(const Protocol& protocol, const std::string& group) {
   if (!protocol.groups) {
     if (group.empty()) return {};
     throw std::runtime_error("the protocol " + in_quotes(protocol.name) +
-                             " has no groups, and there is no group " + in_quotes(group));
+                             " has no groups; leave out the group " + in_quotes(group));
   }
   const std::string& factor = protocol.groups->factor;
   const std::vector<Level>& levels = protocol.factors.at(factor).levels;
@@ -30,7 +30,7 @@ FactorLevels group_factor(const Protocol& protocol, const std::string& group) {
     if (text_of(level) == group) return {{factor, level}};
   }
   throw std::runtime_error("the protocol " + in_quotes(protocol.name) + " has no group " +
-                           in_quotes(group) + "; its groups are " + one_of(groups_of(protocol)));
+                           in_quotes(group) + "; use " + one_of(groups_of(protocol)));
 }
 
 Allocation allocation_in_turn(const Protocol& protocol, int n) {

@@ -52,7 +52,7 @@ std::vector<RegularRepeat> repeats_of(std::string_view kind, const ParameterValu
     const double length_m = number_of(values, "spacing_m") / part;
     return RegularRepeat{length_m,
                          "spacings of " + length_text(length_m) +
-                             (part == 1.0 ? " (spacing_m)" : " (spacing_m over its angle)"),
+                             (part == 1.0 ? " (spacing_m)" : " (spacing_m at this angle_rad)"),
                          axis};
   };
   if (kind == "sinusoid") {
@@ -93,7 +93,7 @@ std::optional<std::string> seam_of(std::string_view kind, const ParameterValues&
            "step; " +
            (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
                         : more_m) +
-           " hold complete ones (--width-m)";
+           " hold only complete ones (--width-m)";
   }
   return {};
 }

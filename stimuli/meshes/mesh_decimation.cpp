@@ -381,10 +381,9 @@ class Simplification final {
     for (const std::array<std::uint32_t, 3>& triangle : mesh_.triangles) {
       const auto corner = [&](std::size_t i) { return half_edges.vertex_handle(triangle[i]); };
       if (!half_edges.add_face(corner(0), corner(1), corner(2)).is_valid()) {
-        throw std::invalid_argument(name +
-                                    " has a surface that half-edges cannot represent, at vertex " +
+        throw std::invalid_argument(name + " has a non-manifold surface at vertex " +
                                     std::to_string(half_edges.property(pasts, corner(0)).origin) +
-                                    "; repair did not detect it. Correct the mesh there.");
+                                    " that repair did not detect. Correct the mesh there.");
       }
     }
     mesh_ = {};
@@ -458,10 +457,11 @@ SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
   collapse_to(triangles);
   collapse(triangles, Strictness::flip_only, kFurthest);
   if (simple.triangles() > triangles) {
-    throw std::invalid_argument(name + " cannot be simplified to " + std::to_string(triangles) +
-                                " triangles: at " + std::to_string(simple.triangles()) +
-                                " no further edge can be removed without a face turning over or a "
-                                "part or handle closing up. Request at least that many.");
+    throw std::invalid_argument(
+        name + " cannot be simplified to " + std::to_string(triangles) + " triangles: at " +
+        std::to_string(simple.triangles()) +
+        " no further edge can be removed without inverting a face or closing a "
+        "part or a handle. Request at least that many.");
   }
   result.mesh = simple.with_vertices_of(mesh);
   return result;
@@ -471,7 +471,7 @@ std::optional<std::string> sentence_of(const SimplifiedMesh& simplified) {
   if (simplified.handles_cut == 0) return std::nullopt;
   return "Handles and tunnels cut because they were narrower than a face, up to " +
          fixed(1e3 * simplified.widest_handle_m, 3) +
-         " mm around: " + std::to_string(simplified.handles_cut) + '.';
+         " mm in circumference: " + std::to_string(simplified.handles_cut) + '.';
 }
 
 }  // namespace asperity

@@ -153,19 +153,19 @@ ReadMesh GrowingMesh::finish(MeshFormat format) {
     if (largest >= vertices()) {
       throw std::invalid_argument(name_ + " refers in triangle " + std::to_string(i + 1) +
                                   " to vertex " + std::to_string(largest + 1ULL) +
-                                  " (counted from 1), but has only " + std::to_string(vertices()) +
-                                  " vertices. " + kExportAgain);
+                                  "; the last vertex is number " + std::to_string(vertices()) +
+                                  ". " + kExportAgain);
     }
   }
   if (polygons_ > 0) {
-    read_.notes.push_back("Faces with more than three corners, divided into triangles: " +
+    read_.notes.push_back("Faces with more than three vertices, divided into triangles: " +
                           std::to_string(polygons_) + '.');
   }
   if (strips_ > 0) {
     read_.notes.push_back("Strips divided into triangles: " + std::to_string(strips_) + '.');
   }
   if (too_small_ > 0) {
-    read_.notes.push_back("Faces left out because they had fewer than three corners: " +
+    read_.notes.push_back("Faces left out because they had fewer than three vertices: " +
                           std::to_string(too_small_) + '.');
   }
   read_.format = format;

@@ -208,7 +208,7 @@ class Body final {
     if ((is_face || is_strips) && element.count > 0 &&
         !(indices && element.properties[*indices].length_type)) {
       throw std::invalid_argument(name_ + " has an element " + element.name +
-                                  " without a list vertex_indices. " + kExportAgain);
+                                  " without the list property vertex_indices. " + kExportAgain);
     }
     if (is_vertex) mesh_.reserve(element.count, 0);
     if (is_face) mesh_.reserve(0, element.count);

@@ -14,9 +14,7 @@ void MeshInRepair::refuse(const std::string& sentence) const {
 }
 
 void MeshInRepair::refuse_nothing_inside() const {
-  refuse(
-      "is flat: nothing in it encloses a volume, so it has no inside. Use a mesh that encloses a "
-      "volume.");
+  refuse("is flat and encloses no volume. Use a mesh that encloses a volume.");
 }
 
 }  // namespace mesh_repair

@@ -20,7 +20,7 @@ struct Device {
   // The tree is built by one thread, so that it, and the choice between two equal hits, is always the same.
   Device() : device(rtcNewDevice("threads=1,set_affinity=0")) {
     if (device == nullptr) {
-      throw std::runtime_error("Embree cannot start; its error is number " +
+      throw std::runtime_error("Embree cannot start: error code " +
                                std::to_string(rtcGetDeviceError(nullptr)));
     }
   }
@@ -67,8 +67,9 @@ struct SurfaceSearch::Scene {
     rtcCommitScene(scene);
     if (const RTCError error = rtcGetDeviceError(device.device); error != RTC_ERROR_NONE) {
       rtcReleaseScene(scene);
-      throw std::runtime_error("Embree cannot sort " + std::to_string(mesh.triangles.size()) +
-                               " triangles; its error is number " + std::to_string(error));
+      throw std::runtime_error("Embree cannot build a search tree of " +
+                               std::to_string(mesh.triangles.size()) + " triangles: error code " +
+                               std::to_string(error));
     }
   }
   ~Scene() { rtcReleaseScene(scene); }

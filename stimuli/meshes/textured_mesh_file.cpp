@@ -177,7 +177,7 @@ class Reader final {
     const bool states_size = unpacked != ZSTD_CONTENTSIZE_UNKNOWN;
     if ((states_size && unpacked != count * sizeof(Item)) ||
         count * sizeof(Item) / kMostUnpacked > bytes) {
-      refuse("holds an array \"" + text(kind, "name") + "\" that cannot be unpacked: " +
+      refuse("holds an array \"" + text(kind, "name") + "\" that cannot be decompressed: " +
              std::to_string(count) + " items are stated, and its " + std::to_string(bytes) +
              " bytes contain a different number.");
     }
@@ -185,7 +185,7 @@ class Reader final {
     const std::size_t size =
         ZSTD_decompress(items.data(), count * sizeof(Item), payload_.data(), bytes);
     if (ZSTD_isError(size) != 0 || size != count * sizeof(Item)) {
-      refuse("holds an array \"" + text(kind, "name") + "\" that cannot be unpacked.");
+      refuse("holds an array \"" + text(kind, "name") + "\" that cannot be decompressed.");
     }
     payload_.remove_prefix(bytes);
     return items;

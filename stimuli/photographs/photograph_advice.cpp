@@ -28,9 +28,8 @@ std::string about_direction(double direction_rad) {
 
 std::string about_skewness(double skewness) {
   if (skewness < -kSkewed) {
-    return "It has narrow dark parts on brighter ground, like grooves or pits that are dark "
-           "because "
-           "they lie low: then bright is high, the default sign. ";
+    return "It has narrow dark parts on brighter ground. If those are grooves or pits, which are "
+           "dark because they lie low, bright is high, the default sign. ";
   }
   return "It has narrow bright parts on darker ground. If those stand out (grains, fibres), bright "
          "is high, the default sign; if they lie low (light mortar between bricks), choose the "

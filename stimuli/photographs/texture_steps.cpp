@@ -83,10 +83,10 @@ void check_width(const GreyImage& photograph, double width_m, const std::string&
     throw std::invalid_argument(
         "width_m is " + number_text(width_m) + " m: each of the " +
         std::to_string(photograph.columns) + " pixels of " + name + " would be " +
-        number_text(pitch_m * 1e3) +
-        " mm of the surface, and a probe feels no texture in pixels of more than " +
+        number_text(pitch_m * 1e3) + " mm of the surface, and pixels of more than " +
         number_text(kLargestPitch_m * 1e3) +
-        " mm. Take a photograph of a smaller part of the surface, or one with more pixels.");
+        " mm represent no texture. Take a photograph of a smaller part of the surface, or one with "
+        "more pixels.");
   }
 }
 

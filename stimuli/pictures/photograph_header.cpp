@@ -164,8 +164,9 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
   }
   if (facts.channels == 0) file.refuse_cut_off();
   if (facts.bits_per_channel != 8) {
-    file.refuse("is a JPEG with " + std::to_string(facts.bits_per_channel) +
-                " bits per channel; 8 are read. Save it as a 16-bit PNG or TIFF instead.");
+    file.refuse(
+        "is a JPEG with " + std::to_string(facts.bits_per_channel) +
+        " bits per channel; only 8 are supported. Save it as a 16-bit PNG or TIFF instead.");
   }
   if (facts.channels != 1 && facts.channels != 3) {
     file.refuse("is a JPEG with " + std::to_string(facts.channels) +

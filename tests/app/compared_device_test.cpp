@@ -106,8 +106,9 @@ TEST_F(ComparedDevice, IsSaidNotToBeThere) {
               Contains(HasSubstr("no arm is attached")));
   const DriverRegistry two =
       drivers_with({{.model = "arm", .serial = "7"}, {.model = "arm", .serial = "8"}});
-  EXPECT_THAT(warnings(compared("arm:9", two)), Contains(HasSubstr("no arm is \"9\"")));
-  EXPECT_THAT(warnings(compared("arm", two)), Contains(HasSubstr("there are 2 of arm")));
+  EXPECT_THAT(warnings(compared("arm:9", two)),
+              Contains(HasSubstr("no arm has the serial number or place \"9\"")));
+  EXPECT_THAT(warnings(compared("arm", two)), Contains(HasSubstr("2 devices are attached (arm)")));
   EXPECT_THAT(warnings(compared("arm:8", two)), Each(Not(HasSubstr("no session"))));
   EXPECT_THAT(warnings(compared("arm:8", two)),
               Contains(HasSubstr("no profile of the attached device arm 8")));

@@ -95,7 +95,7 @@ TEST_F(GroupsOfASession, AreBalancedByTheProgramAndInEveryTrial) {
 TEST_F(GroupsOfASession, AreStatedByTheExperimenterWhereTheProtocolSaysSo) {
   write(grouped_protocol("by_experimenter"));
   EXPECT_THAT(refused("p1"), HasSubstr("with --group: \"haptic\" or \"visual\""));
-  EXPECT_THAT(refused("p1", "olfactory"), HasSubstr("its groups are \"haptic\" or \"visual\""));
+  EXPECT_THAT(refused("p1", "olfactory"), HasSubstr("use \"haptic\" or \"visual\""));
   EXPECT_TRUE(study().participants().empty()) << "nothing is stored of what is refused";
   EXPECT_EQ(run("p1", "visual").state, SessionState::completed);
   EXPECT_THAT(refused("p1", "haptic"), HasSubstr("stays in it in all sessions"));

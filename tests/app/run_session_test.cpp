@@ -429,7 +429,7 @@ TEST_F(ResumedSession, NeedsAReasonWhereItIsOlderThanTheProtocolHasIt) {
   inputs_.resume = true;
   const std::string refusal = refusal_of<PhrasedError>([&] { run(); });
   EXPECT_THAT(refusal, testing::HasSubstr("the session last ran"));
-  EXPECT_THAT(refusal, testing::HasSubstr("within 24 hours"));
+  EXPECT_THAT(refusal, testing::HasSubstr("within 24 h"));
   EXPECT_THAT(refusal, testing::HasSubstr("--late-reason"));
   EXPECT_EQ(study().sessions().at(0).state, SessionState::stopped);
 

@@ -287,7 +287,7 @@ TEST(ChooseAttached, SaysWhichThereAre) {
   EXPECT_THAT(refusal_of([&] { choose_attached("Thing", two, ""); }),
               HasSubstr("serial A at usb 1-1; at usb 1-2"));
   EXPECT_THAT(refusal_of([&] { choose_attached("Thing", two, "C"); }),
-              HasSubstr("no Thing is \"C\""));
+              HasSubstr("no Thing has the serial number or place \"C\""));
 }
 
 TEST(ChooseAttached, RefusesWithTheHindrance) {

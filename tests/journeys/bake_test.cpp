@@ -53,7 +53,8 @@ TEST(Bake, TellsPeopleWhatItFoundAndMade) {
                                     place / "ball.mesh", "--unit-m", "0.01", "--jobs", "2"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("2048 → 100 triangles"));
-  EXPECT_THAT(outcome.out, HasSubstr("Vertices joined with another one in the same place: 5118."));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("Vertices merged with another one at the same position: 5118."));
   EXPECT_THAT(outcome.out, HasSubstr("with texture: RMS"));
   EXPECT_NEAR(glm::length(load_textured_mesh(place / "ball.mesh").stored->mesh.vertices_m[0]), 0.2,
               0.006);

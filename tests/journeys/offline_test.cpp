@@ -322,7 +322,7 @@ TEST(Check, WarnsOfATileThatDoesNotClose) {
   EXPECT_NE(warned.err.find("the texture \"walnut\" (stimuli/walnut.png), used in "),
             std::string::npos)
       << warned.err;
-  EXPECT_NE(warned.err.find("0.0192 m or 0.0208 m hold complete ones"), std::string::npos);
+  EXPECT_NE(warned.err.find("0.0192 m or 0.0208 m hold only complete ones"), std::string::npos);
 }
 
 TEST(Check, AcceptsEveryProtocolOfTheLibrary) {

@@ -129,7 +129,7 @@ TEST(Groups, ThatDoNotExistAreRefused) {
   const Protocol protocol = read_grouped(grouped());
   EXPECT_THAT([&] { (void)make_plan(protocol, {.seed = 1, .group = "reading"}); },
               testing::ThrowsMessage<std::runtime_error>(
-                  HasSubstr("has no group \"reading\"; its groups are \"stroking\" or")));
+                  HasSubstr("has no group \"reading\"; use \"stroking\" or")));
   const Protocol plain = read_grouped(test::example_selection());
   EXPECT_THAT([&] { (void)make_plan(plain, {.seed = 1, .group = "stroking"}); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no groups")));

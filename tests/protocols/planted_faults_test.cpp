@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
               R"({"shape": "cylinder")", "/bodies/roll", "needs \"length_m\", in metres"},
         Fault{"ASizeOfAnotherShape", R"("diameter_m": 0.01})",
               R"("diameter_m": 0.01, "length_m": 0.02})", R"("length_m": 0.02)",
-              "/bodies/ball/length_m", "it has \"diameter_m\""},
+              "/bodies/ball/length_m", "use \"diameter_m\" instead"},
         Fault{"ASizeBelowAMillimetre", R"("diameter_m": 0.01})", R"("diameter_m": 0.0005})",
               "0.0005", "/bodies/ball/diameter_m", "0.001"},
         Fault{"AnAxisOfAPlate", R"("size_m": [0.08, 0.06, 0.01])",
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
               "/factors/ground/levels/0", "is on neither body"},
         Fault{"EqualForceOfBodies", R"("surface": "plate",)",
               R"("surface": "plate", "equal_force": {"rms_N": 0.1},)", R"("pd_gradient")",
-              "/stimuli/felt/model", "out and state the strength as \"texture_gain\""},
+              "/stimuli/felt/model", ", and state the strength as \"texture_gain\""},
         Fault{"ParametersThatContradictEachOther", R"("surface": "plate",)",
               R"("surface": "plate", "parameters": {"step": 1},)", R"(1},
       "tool")",
@@ -355,7 +355,7 @@ const Fault kMeaning[] = {
      R"("photograph")", "/realism_standard", "a blindfolded participant sees no photograph"},
     {"analysis_of_another_kind", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"family": ["pairs", "whole"]},)",
-     R"("whole"]})", "/analysis/family/1", "a selection has no test \"whole\"; it has \"pairs\""},
+     R"("whole"]})", "/analysis/family/1", "a selection has no test \"whole\"; use \"pairs\""},
     {"analysis_of_no_kind", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"family": ["pears"]},)", R"("pears")",
      "/analysis/family/0",
@@ -602,7 +602,7 @@ INSTANTIATE_TEST_SUITE_P(
               "/blocks/main", "nothing sets the condition \"tip\""},
         Fault{"AnAnchorOfAnotherFactor", R"("anchor": {"texture": "spacing_14"})",
               R"("anchor": {"texture": "spacing_14", "tip": "sphere_1mm"})",
-              R"("tip": "sphere_1mm"})", "/blocks/main/anchor/tip", "and no others"},
+              R"("tip": "sphere_1mm"})", "/blocks/main/anchor/tip", "remove it from the anchor"},
         Fault{"AnAnchorOfNoLevel", R"("anchor": {"texture": "spacing_14"})",
               R"("anchor": {"texture": "spacing_15"})", R"("spacing_15"})",
               "/blocks/main/anchor/texture", "is not a level of the factor"},
@@ -636,11 +636,11 @@ TEST(Problems, OfAllLayersAreReportedAtOnceInTheOrderOfLines) {
   std::vector<std::string> messages{};
   for (const Diagnostic& problem : problems) messages.push_back(problem.message);
   EXPECT_THAT(messages,
-              testing::ElementsAre(testing::HasSubstr("\"staircase\" is not possible here"),
+              testing::ElementsAre(testing::HasSubstr("\"staircase\" is not permitted here"),
                                    testing::HasSubstr("the key 'name' occurs twice"),
                                    testing::HasSubstr("points outside the study"),
                                    testing::HasSubstr("there is no exploration \"strokin\""),
-                                   testing::HasSubstr("\"devise\" is not possible here")));
+                                   testing::HasSubstr("\"devise\" is not permitted here")));
   EXPECT_TRUE(
       std::is_sorted(problems.begin(), problems.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; }));

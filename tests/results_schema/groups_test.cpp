@@ -104,8 +104,8 @@ TEST_F(GroupAssignment, ByTheExperimenterIsStoredAndCannotChange) {
 
 TEST_F(GroupAssignment, IsRefusedToAParticipantWhoseGroupTheProtocolNoLongerHas) {
   begin(label_of(0), SessionMode::run, 1, "smell");
-  EXPECT_THAT([&] { begin(label_of(0)); },
-              testing::ThrowsMessage<ResultsError>(HasSubstr("who is in the group smell")));
+  EXPECT_THAT([&] { begin(label_of(0)); }, testing::ThrowsMessage<ResultsError>(
+                                               HasSubstr("the participant is in the group smell")));
 }
 
 TEST_F(GroupAssignment, CounterbalancesWithinEachGroup) {

@@ -58,7 +58,7 @@ TEST(TidyTable, ReadsQuotedCells) {
             (std::vector<std::string_view>{"she said \"no\"\nand left", "d"}));
   EXPECT_EQ(
       table_refusal("id,k\n\"a\nb\",1\nc,x\n", [](const TidyTable& read) { read.numbers("k"); }),
-      "file.csv:4:2: k is \"x\", which is not a number; leave the cell empty where there is none");
+      "file.csv:4:2: k is \"x\", which is not a number; write a number, or leave the cell empty");
 }
 
 TEST(TidyTable, ReadsTabs) {
@@ -91,7 +91,7 @@ TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
   EXPECT_EQ(
       table_refusal("a,b\n\"1\"x,2\n"),
       "file.csv:2:1: text follows the quotation mark that closes this cell; write a quotation mark "
-      "inside twice");
+      "within the cell twice");
   EXPECT_EQ(table_refusal("a,b\n1,2\n", [](const TidyTable& table) { table.texts("c"); }),
             "file.csv:1:1: there is no column \"c\"; there are a, b");
 }
@@ -106,7 +106,7 @@ TEST(TidyTable, SaysWhatADecimalCommaIs) {
             "around a text "
             "that contains a comma, and write numbers with a decimal point");
   EXPECT_EQ(table_refusal("id\tk\na\t1,5\n", [](const TidyTable& table) { table.numbers("k"); }),
-            "file.csv:2:2: k is \"1,5\", a decimal comma; write a point");
+            "file.csv:2:2: k is \"1,5\", with a decimal comma; write a decimal point");
 }
 
 TEST(TidyTable, RefusesNumbersThatAreNone) {

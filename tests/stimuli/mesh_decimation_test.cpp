@@ -283,7 +283,7 @@ TEST(Decimation, CutsWhatIsNarrowerThanAFaceAndKeepsARingARing) {
   EXPECT_EQ(handles_of(simplified.mesh), 0U);
   EXPECT_TRUE(is_closed(simplified.mesh));
   EXPECT_NEAR(volume_m3(simplified.mesh), volume_m3(smooth_ball(4, 0.02)), 3e-6);
-  EXPECT_THAT(sentence_of(simplified).value(), HasSubstr("around: 1."));
+  EXPECT_THAT(sentence_of(simplified).value(), HasSubstr("in circumference: 1."));
   const SimplifiedMesh whole = decimate_mesh(ring(60, 24, 0.0003), 300, "thing");
   EXPECT_EQ(whole.handles_cut, 0U);
   EXPECT_EQ(handles_of(whole.mesh), 1U);

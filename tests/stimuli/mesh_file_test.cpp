@@ -142,8 +142,8 @@ TEST(MeshFile, OfObjHasPolygonsAndIndicesThatCountBack) {
             (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(found.mesh.vertices_m[3], (glm::dvec3{0, 1, 0}));
   EXPECT_EQ(found.notes, (std::vector<std::string>{
-                             "Faces with more than three corners, divided into triangles: 1.",
-                             "Faces left out because they had fewer than three corners: 1."}));
+                             "Faces with more than three vertices, divided into triangles: 1.",
+                             "Faces left out because they had fewer than three vertices: 1."}));
 }
 
 TEST(MeshFile, OfPlyHasStrips) {
@@ -190,7 +190,7 @@ TEST(MeshFile, ThatIsWrongIsRefusedInASentence) {
       {"short line", "v 0 0\n", {"thing:1", "ends"}},
       {"no such vertex",
        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
-       {"to vertex 4 ", "has only 3 vertices"}},
+       {"to vertex 4;", "the last vertex is number 3"}},
       {"vertex 0", "v 0 0 0\nf 0 1 1\n", {"thing:2", "first vertex is number 1"}},
       {"too far back", "v 0 0 0\nf -1 -2 -1\n", {"thing:2", "-2", "only 1"}},
       {"half an index", "v 0 0 0\nf 1.5 1 1\n", {"thing:2", "\"1.5\"", "whole number"}},

@@ -57,7 +57,7 @@ TEST(MeshRepair, JoinsTheCornersOfStl) {
   EXPECT_EQ(result.mesh.vertices_m.size(), 8U);
   EXPECT_EQ(result.found.vertices_welded, 28U);
   EXPECT_THAT(sentences_of(result.found),
-              ElementsAre("Vertices joined with another one in the same place: 28."));
+              ElementsAre("Vertices merged with another one at the same position: 28."));
 }
 
 TEST(MeshRepair, LeavesOutDegenerateAndDuplicateFacesAndLooseVertices) {
@@ -160,7 +160,7 @@ TEST(MeshRepair, RefusesAWideOpeningUnlessItIsAskedFor) {
   TriangleMesh mesh = small_box();
   mesh.triangles.resize(10);  // without the side at +x, 40 mm by 60 mm
   const std::string sentence = refused_repair(mesh);
-  EXPECT_THAT(sentence, HasSubstr("thing is not closed: it has 1 opening, the widest 72.111 mm"));
+  EXPECT_THAT(sentence, HasSubstr("thing is not closed: it has 1 hole, the widest 72.111 mm"));
   EXPECT_THAT(sentence, HasSubstr("7.483 mm"));  // a tenth of the diagonal, 74.83 mm
   EXPECT_THAT(refused_repair(mesh, {.widest_hole_m = std::numeric_limits<double>::quiet_NaN()}),
               HasSubstr("widest_hole_m"));

@@ -82,7 +82,7 @@ TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.02),
             "0.02 m along x hold 12.5 spacings of 0.0016 m (spacing_m), and the last one is cut "
             "where the surface is repeated: this makes an unintended step; 0.0192 m or 0.0208 m "
-            "hold complete ones (--width-m)");
+            "hold only complete ones (--width-m)");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.016), "closed");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0014}}, 0.028), "closed");  // of doubles, nearly
   EXPECT_THAT(seam_said("sinusoid", {{"spacing_m", 0.03}}, 0.02), HasSubstr("; 0.03 m hold"));

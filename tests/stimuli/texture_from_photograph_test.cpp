@@ -208,7 +208,7 @@ TEST(TextureFromPhotograph, RefusesAWidthThatNoHandExplores) {
   EXPECT_THAT(
       refusal_of_width(0.9, 600),
       HasSubstr("width_m is 0.9 m: each of the 600 pixels of wall.png would be 1.5 mm of the "
-                "surface, and a probe feels no texture in pixels of more than 1 mm."));
+                "surface, and pixels of more than 1 mm represent no texture."));
   EXPECT_THAT(refusal_of_width(0.6, 600), HasSubstr("no contrast")) << "1 mm is acceptable";
 }
 

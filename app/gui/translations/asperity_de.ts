@@ -2490,7 +2490,7 @@
         <translation>die Verbindung zum Gerät ging während der Messung verloren: %1 Das Problem beheben, dann das Gerät erneut messen.</translation>
     </message>
     <message>
-        <source>the connection to the device was lost during the measurement: the thread of the manufacturer&apos;s driver made no call for %1 ms: it hangs or had to wait. Close other programs that keep this computer busy, check the cable of the device, and measure the device again.</source>
+        <source>the connection to the device was lost during the measurement: the thread of the manufacturer&apos;s driver made no call for %1 ms; it hangs or had to wait. Close other programs that keep this computer busy, check the cable of the device, and measure the device again.</source>
         <translation>die Verbindung zum Gerät ging während der Messung verloren: Der Aufruf aus dem Thread des Herstellertreibers blieb %1 ms lang aus; der Thread hängt oder musste warten. Andere Programme schließen, die diesen Rechner belasten, das Kabel prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
@@ -3289,8 +3289,8 @@
         <translation>Das Protokoll „%1“ hat keine Gruppen; --group weglassen</translation>
     </message>
     <message>
-        <source>the protocol &quot;%1&quot; has no group &quot;%2&quot;; its groups are %3</source>
-        <translation>Das Protokoll „%1“ hat keine Gruppe „%2“; seine Gruppen sind %3</translation>
+        <source>the protocol &quot;%1&quot; has no group &quot;%2&quot;; use %3</source>
+        <translation>Das Protokoll „%1“ hat keine Gruppe „%2“; %3 verwenden</translation>
     </message>
     <message>
         <source>the participant is in the group &quot;%1&quot; of the protocol &quot;%2&quot;, and stays in it in all sessions; leave out --group</source>
@@ -4266,8 +4266,8 @@
         <translation>Das setzt eine bewegte Masse von %1 g voraus, die nicht gemessen wurde, und eine um %2 ms verzögerte Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Limit the pressing force to %1 N, or lower the friction of the surface; no friction_speed_m_per_s that the model accepts is high enough.</source>
-        <translation>Die Andruckkraft auf %1 N begrenzen oder die Reibung der Oberfläche verringern; kein zulässiger Wert von friction_speed_m_per_s ist hoch genug.</translation>
+        <source>Limit the pressing force to %1 N, or lower the friction of the surface; even the greatest possible friction_speed_m_per_s is too low.</source>
+        <translation>Die Andruckkraft auf %1 N begrenzen oder die Reibung der Oberfläche verringern; selbst der größte zulässige Wert von friction_speed_m_per_s ist zu klein.</translation>
     </message>
     <message>
         <source>Set friction_speed_m_per_s to %1 or more, or limit the pressing force to %2 N.</source>
@@ -4341,8 +4341,8 @@
         <translation>Versuchsperson %1 hat die Teilnahme an der Studie zurückgezogen; ein anderes Kürzel verwenden</translation>
     </message>
     <message>
-        <source>%1; to resume it nevertheless, give the reason with --late-reason; it is stored and stated in the report</source>
-        <translation>%1; um sie dennoch fortzusetzen, mit --late-reason den Grund angeben; er wird gespeichert und im Bericht genannt</translation>
+        <source>%1; to resume it nevertheless, give the reason with --late-reason; the reason is stored and stated in the report</source>
+        <translation>%1; um sie dennoch fortzusetzen, mit --late-reason den Grund angeben; der Grund wird gespeichert und im Bericht genannt</translation>
     </message>
 </context>
 <context>
@@ -4516,8 +4516,8 @@
         <translation>Dieser Rechner ist zu langsam oder zu stark ausgelastet: andere Programme schließen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>Close other programs; a trial with more than %1 missed deadlines does not count.</source>
-        <translation>Andere Programme schließen; ein Durchgang mit mehr als %1 verpassten Fristen zählt nicht.</translation>
+        <source>Close other programs; an attempt with more than %1 missed deadlines does not count.</source>
+        <translation>Andere Programme schließen; ein Versuch mit mehr als %1 verpassten Fristen zählt nicht.</translation>
     </message>
     <message>
         <source>Not needed: no participant looks at the participant&apos;s window.</source>
@@ -4608,8 +4608,8 @@
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Not needed: the simulated device has none.</source>
-        <translation>Nicht nötig: Das simulierte Gerät hat keine.</translation>
+        <source>Not needed: the simulated device has no calibration.</source>
+        <translation>Nicht nötig: Das simulierte Gerät hat keine Kalibrierung.</translation>
     </message>
     <message>
         <source>Force zero</source>
@@ -5342,8 +5342,8 @@
 <context>
     <name>UnfinishedSession</name>
     <message>
-        <source>the session last ran %1, and the protocol requires sessions to be resumed within %2 hours</source>
-        <translation>die Sitzung lief zuletzt %1, und das Protokoll verlangt, dass Sitzungen innerhalb von %2 Stunden fortgesetzt werden</translation>
+        <source>the session last ran %1, and the protocol requires sessions to be resumed within %2 h</source>
+        <translation>die Sitzung lief zuletzt %1, und das Protokoll verlangt, dass Sitzungen innerhalb von %2 h fortgesetzt werden</translation>
     </message>
 </context>
 <context>

@@ -55,8 +55,8 @@ Phrase remedy_for(const FrictionDamper& asked, double steepest_N_s_per_m) {
   const double raised_m_per_s = two_digits_up(asked.speed_with_m_per_s(steepest_N_s_per_m));
   if (raised_m_per_s > asked.greatest_speed_m_per_s) {
     return phrase("Rehearsal",
-                  "Limit the pressing force to %1 N, or lower the friction of the surface; no "
-                  "friction_speed_m_per_s that the model accepts is high enough.")
+                  "Limit the pressing force to %1 N, or lower the friction of the surface; even "
+                  "the greatest possible friction_speed_m_per_s is too low.")
         .with(in_three_digits(below_N));
   }
   return phrase("Rehearsal",

@@ -114,7 +114,7 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
       white_{Random(settings.seed).split("left"), Random(settings.seed).split("right")} {
   check_gain(settings.noise.gain);
   if (!(rate_Hz_ >= 8000.0 && rate_Hz_ <= 192000.0)) {
-    throw std::invalid_argument("masking sound: rate_Hz is " + number_text(rate_Hz_) +
+    throw std::invalid_argument("sound: rate_Hz is " + number_text(rate_Hz_) +
                                 ", but has to be from 8000 to 192000");
   }
   wanted_gain_ = gain_ = settings.noise.gain;
@@ -134,7 +134,7 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
           return is_numbered(cue) ? name.starts_with(text_of(cue) + std::string("_"))
                                   : name == text_of(cue);
         })) {
-      throw std::invalid_argument("masking sound: there is no cue called \"" + name + "\"");
+      throw std::invalid_argument("sound: there is no cue \"" + name + "\"");
     }
     Clip clip{};
     if (recording.rate_Hz > 0.0) {
@@ -147,8 +147,8 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
       peak = std::max(peak, std::abs(static_cast<double>(sample)));
     }
     if (!(peak > 0.0)) {
-      throw std::invalid_argument("masking sound: the recording for \"" + name +
-                                  "\" is empty or silent");
+      throw std::invalid_argument("sound: the recording of the cue \"" + name +
+                                  "\" is empty or silent; record it again");
     }
     const double rms = std::sqrt(sum / static_cast<double>(clip.samples.size()));
     for (float& sample : clip.samples)

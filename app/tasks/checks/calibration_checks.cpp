@@ -59,7 +59,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
                                              const std::stop_token& stop,
                                              const std::function<void(double)>& progress) {
   if (inputs.mode == SessionMode::simulate) {
-    return {fine_check(phrase("SessionChecks", "Not needed: the simulated device has none."))};
+    return {fine_check(
+        phrase("SessionChecks", "Not needed: the simulated device has no calibration."))};
   }
   WantedDevice wanted{.which = which_device(inputs.device),
                       .asked = inputs.device,
@@ -79,7 +80,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   if (!found.profile) {
     const bool is_simulated_model = device && !model_stood_for(device->model).empty();
     if (kind_of_device(inputs.device) == DeviceKind::simulated && !is_simulated_model) {
-      return {fine_check(phrase("SessionChecks", "Not needed: the simulated device has none."))};
+      return {fine_check(
+          phrase("SessionChecks", "Not needed: the simulated device has no calibration."))};
     }
     if (device && !has_motors(*device)) {
       return {fine_check(phrase("SessionChecks", "Not needed: the device exerts no force."))};

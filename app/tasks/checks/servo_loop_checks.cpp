@@ -81,8 +81,9 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
   } else if (quality.missed_deadlines > 0 || quality.lateness_p99_s > 0.5 / protocol.rate_Hz) {
     rate.state = State::look;
     rate.remedy =
-        phrase("SessionChecks",
-               "Close other programs; a trial with more than %1 missed deadlines does not count.")
+        phrase(
+            "SessionChecks",
+            "Close other programs; an attempt with more than %1 missed deadlines does not count.")
             .with(std::to_string(protocol.maximum_missed_deadlines));
   }
   return {zero, rate};

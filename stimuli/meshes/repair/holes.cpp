@@ -55,10 +55,10 @@ void fill_holes(MeshInRepair& repair) {
   }
   if (too_wide > 0) {
     repair.refuse("is not closed: it has " + std::to_string(holes.size()) +
-                  (holes.size() == 1 ? " opening" : " openings") + ", the widest " +
-                  millimetres(repair.found.widest_hole_m) + " across, and only those up to " +
+                  (holes.size() == 1 ? " hole" : " holes") + ", the widest " +
+                  millimetres(repair.found.widest_hole_m) + " wide, and only holes up to " +
                   millimetres(widest_m) +
-                  " are closed. Close them in the mesh, or allow wider ones to be closed.");
+                  " are closed. Close the holes in the mesh, or allow wider holes to be closed.");
   }
   for (const std::vector<std::uint32_t>& hole : holes) fill(repair, hole);
   repair.found.holes_filled = holes.size();

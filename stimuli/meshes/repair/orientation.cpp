@@ -68,9 +68,10 @@ void turn_to_agree(MeshInRepair& repair) {
           count += wanted == 1 ? 1 : 0;
           sheet.push_back(other);
         } else if (turned[other] != wanted) {
-          repair.refuse("has a surface with one side only, like a Möbius strip, near triangle " +
-                        std::to_string(other + 1ULL) +
-                        "; it has no inside. Correct the mesh there.");
+          repair.refuse(
+              "has a non-orientable surface (with one side only, like a Möbius strip) near "
+              "triangle " +
+              std::to_string(other + 1ULL) + ". Correct the mesh there.");
         }
       }
     }

@@ -110,7 +110,7 @@ void leave_out_bad_faces(MeshInRepair& repair) {
   repair.found.duplicate_faces = triangles.size() - kept;
   triangles.resize(kept);
   if (kept == 0)
-    repair.refuse("has no face with three corners in different places. Export the mesh again.");
+    repair.refuse("has no face whose three vertices differ in position. Export the mesh again.");
 }
 
 // Measures the bounding box, and refuses a mesh that is too small, too large or flat.
@@ -123,8 +123,8 @@ void measure(MeshInRepair& repair) {
   if (repair.found.diagonal_m < kShortestDiagonal_m ||
       repair.found.diagonal_m > kLongestDiagonal_m) {
     repair.refuse(
-        "is " + number_text(repair.found.diagonal_m) +
-        " m from corner to corner of its bounding box; an object to be explored measures "
+        "has a bounding box with a diagonal of " + number_text(repair.found.diagonal_m) +
+        " m; an object to be explored measures "
         "between 0.0001 m and 10 m. Mesh files do not state their unit: enter the length of "
         "one unit in metres.");
   }
