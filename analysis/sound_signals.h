@@ -1,4 +1,4 @@
-// Declares signals for sounds: tones, pink noise, another sampling rate, and a limit on peaks.
+// Declares signals for sounds: tones, pink noise, resampling, and peak limiting.
 
 #pragma once
 

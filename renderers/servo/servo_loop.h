@@ -1,4 +1,4 @@
-// Declares the servo tick as a step function of time.
+// Declares the servo tick, a function that receives the time.
 
 #pragma once
 
