@@ -38,7 +38,7 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true},
       {.name = "device_profile",
        .meaning = "the measured profile with which the device of this segment was compared. Text: "
-                  "which profile. Data: the profile",
+                  "the device, its model and the time of measurement. Data: the profile",
        .hed = "Experiment-control, Device"},
       {.name = "rehearsal",
        .meaning = "a warning from the comparison of the plan with the measured device. Data: the "
