@@ -9,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include "analysis/circular_triads.h"
 #include "analysis/comparisons.h"
 #include "analysis/conditional_logit.h"
 
@@ -56,7 +55,7 @@ struct BradleyTerry {
 std::optional<BradleyTerry> bradley_terry(std::span<const Comparison> comparisons,
                                           std::size_t items);
 
-/// Firth's estimate, which takes the first-order bias away and is finite whoever wins always: the
+/// Firth's estimate, which removes the first-order bias and is finite even where an item always wins: the
 /// likelihood times √det(information) [Firth 1993]. Nothing unless the comparisons connect all items.
 ///
 /// [Firth 1993] Firth: Bias reduction of maximum likelihood estimates.
@@ -106,10 +105,12 @@ struct PairFit {
 ///   exp((λ_first − λ_second + α)/2) : exp((λ_second − λ_first − α)/2) : ν
 ///
 /// all λ, α and ln ν being log odds. With α = 0 and without ties it is the Bradley–Terry model, with
-/// ties that of [Davidson 1970]. With both it is that of R. R. Davidson, R. J. Beaver: On extending the
-/// Bradley–Terry model to incorporate within-pair order effects. Biometrics 33(4), 693–702, 1977, who
-/// write π_1 : γ·π_2 : ν'·√(π_1·π_2): γ = exp(−α) and ν' = ν·√γ. Abilities are determined up to a
-/// constant; here their sum is 0.
+/// ties that of [Davidson 1970]. With both it is that of [Davidson 1977], who write
+/// π_1 : γ·π_2 : ν'·√(π_1·π_2): γ = exp(−α) and ν' = ν·√γ. Abilities are determined up to a constant;
+/// here their sum is 0.
+///
+/// [Davidson 1977] Davidson, Beaver: On extending the Bradley–Terry model to incorporate within-pair
+/// order effects.
 struct PairModel {
   Abilities abilities{};                ///< with the sum 0; the covariance is that of these values
   std::optional<LogParameter> order{};  ///< α
@@ -141,7 +142,7 @@ struct PairAnswer {
 
 /// By maximum likelihood. A finite maximum requires that each set of items both wins and loses
 /// against the rest [Ford 1957]; a tie counts as both, where ties are a term. Comparisons count as
-/// independent, whoever makes them: `bradley_terry` has errors over participants. Throws
+/// independent, also those of one participant: `bradley_terry` has errors over participants. Throws
 /// std::invalid_argument for fewer than two items, and as `count_comparisons` does.
 ///
 /// [Ford 1957] Ford: Solution of a ranking problem from binary comparisons.

@@ -76,6 +76,12 @@ Consistency consistency(std::span<const std::size_t> wins) {
   return {.circular_triads = circular, .zeta = 1.0 - circular / most_circular_triads(wins.size())};
 }
 
+double mean_zeta_under_guessing(std::size_t items) {
+  refuse_few_items(items);
+  const auto k = static_cast<double>(items);
+  return 1.0 - k * (k - 1.0) * (k - 2.0) / 24.0 / most_circular_triads(items);
+}
+
 WinsOfJudge wins_of_judge(std::span<const Comparison> of_one_judge, std::size_t items) {
   static_cast<void>(count_comparisons(of_one_judge, items));  // refuses impossible comparisons
   std::vector<std::size_t> wins(items);

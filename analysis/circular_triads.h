@@ -32,6 +32,11 @@ struct Consistency {
 /// pairs.
 Consistency consistency(std::span<const std::size_t> wins);
 
+/// The mean ζ of a judge to whom both outcomes of each comparison are equally likely. Each of the
+/// K(K − 1)(K − 2)/6 triads is then circular with probability ¼, and ζ is linear in their number: ½ for
+/// K = 4, and towards 0 for many items. Throws std::invalid_argument for fewer than 3 items.
+double mean_zeta_under_guessing(std::size_t items);
+
 /// Why the comparisons of one judge are not one of each pair.
 enum class IncompletePairs {
   tie,            ///< a pair was tied

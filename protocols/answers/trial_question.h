@@ -23,12 +23,15 @@ using Answer = std::variant<ChosenOption, AssignedOptions, GivenNumber, ScalePoi
 
 /// One option of a question, in the order in which it is shown.
 struct Option {
-  std::string value{};  ///< stored as the response: an item, a texture, "cannot_tell"
+  std::string value{};  ///< stored as the response: an item, a texture, "tie", "cannot_tell"
   std::string
       label{};  ///< shown, never a name: a presentation's code, or the place of a picture or word from "1"
   std::optional<std::string> picture{};  ///< study-relative
   std::string text{};                    ///< of an option in words: what is shown
 };
+
+/// The value of the option that neither of two surfaces is preferred.
+inline constexpr const char* kTieOption = "tie";
 
 /// A question of a trial.
 struct TrialQuestion {

@@ -262,6 +262,8 @@ struct Protocol {
     std::string prompt{};
     AnswerForm form{};  ///< that of the kind of its block, unless the file states a scale
     std::vector<Word> words{};
+    /// The text of the option "tie" after those for the surfaces; empty: no such option.
+    std::string tie{};
     /// The options are words, pictures of these textures, or otherwise the felt alternatives.
     std::vector<std::string> pictures{};
     bool reshuffle_pictures = false;      ///< for every trial; otherwise once per session
@@ -279,11 +281,19 @@ struct Protocol {
   struct Block {
     enum class Order { fixed, shuffle, shuffle_within_repetition };
     enum class Positions { as_listed, shuffle, balanced };
+    /// Every pair of levels of a factor is a trial: one stimulus is presented with both, and each level names its
+    /// surface.
+    struct AllPairs {
+      std::string factor{};
+      bool in_both_orders = false;  ///< each pair twice, with either level first
+    };
     std::string name{};
     std::string kind{};  ///< the id of an ExperimentKind: its own, or that of the protocol
     Phase phase = Phase::main;
     std::vector<std::string> crossed{};                               ///< factors, or
     std::vector<std::map<std::string, Level, std::less<>>> listed{};  ///< rows
+    /// In combination with every row; `presented` has the stimulus twice.
+    std::optional<AllPairs> all_pairs{};
     int repetitions = 1;
     /// Factors drawn for every trial (balanced over the block as far as possible).
     std::vector<std::string> drawn{};

@@ -12,6 +12,12 @@ std::set<std::string> Meaning::items_of_main_blocks() {
   std::set<std::string> items{};
   for (const auto& [name, block] : protocol_.blocks) {
     if (block.phase != Phase::main) continue;
+    if (block.all_pairs && protocol_.factors.contains(block.all_pairs->factor)) {
+      for (const Level& level : protocol_.factors.at(block.all_pairs->factor).levels) {
+        items.insert(text_of(level));
+      }
+      continue;
+    }
     for (const Protocol::Presented& presented : block.presented) {
       const auto stimulus = protocol_.stimuli.find(presented.stimulus);
       if (!presented.item.empty()) {

@@ -11,6 +11,19 @@ namespace asperity {
 using Block = Protocol::Block;
 using Run = Protocol::Run;
 
+namespace {
+
+/// The factors to which values of the stimulus are bound.
+std::set<std::string> factors_needed_by(const StimulusTemplate& stimulus) {
+  std::set<std::string> needed{stimulus.model.factor, stimulus.texture.factor,
+                               stimulus.surface.factor, stimulus.tool.factor};
+  for (const auto& [name, binding] : stimulus.parameters) needed.insert(binding.factor);
+  needed.erase("");
+  return needed;
+}
+
+}  // namespace
+
 void Meaning::check_block(const Block& block, const std::string& pointer) {
   if (!block.crossed.empty() && !block.listed.empty()) {
     report_key(pointer + "/listed", "crossed and listed exclude each other; keep one");
@@ -52,6 +65,9 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   for (std::size_t i = 0; i < block.drawn.size(); ++i) {
     claim(block.drawn[i], "another key of the block", pointer_to(pointer + "/drawn", i));
   }
+  if (block.all_pairs) {
+    claim(block.all_pairs->factor, "another key of the block", pointer + "/all_pairs/factor");
+  }
   for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
     const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
     if (run != nullptr && run->block == block.name && setters.contains(run->for_each)) {
@@ -77,6 +93,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   }
   check_anchor(block, pointer);
   check_presented(block, pointer);
+  check_pairs(block, pointer);
   check_question(block, pointer);
   check_order(block, pointer);
 }
@@ -113,7 +130,8 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
 
 void Meaning::check_presented(const Block& block, const std::string& pointer) {
   const std::string expected(kind_of(block).role);
-  for (std::size_t i = 0; i < block.presented.size(); ++i) {
+  const std::size_t stated = document_.root().at("blocks").at(block.name).at("presented").size();
+  for (std::size_t i = 0; i < stated; ++i) {
     const Protocol::Presented& presented = block.presented[i];
     const std::string place = pointer_to(pointer + "/presented", i);
     if (presented.role != expected) {
@@ -128,12 +146,10 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
       report(place + "/stimulus", unknown_name("stimulus", presented.stimulus, protocol_.stimuli));
       continue;
     }
-    std::set<std::string> needed{stimulus->second.model.factor, stimulus->second.texture.factor,
-                                 stimulus->second.surface.factor, stimulus->second.tool.factor};
-    for (const auto& [name, binding] : stimulus->second.parameters) needed.insert(binding.factor);
-    needed.erase("");
+    const std::set<std::string> needed = factors_needed_by(stimulus->second);
     for (const Run* const run : runs_of(protocol_, block)) {
-      const std::set<std::string> given = factors_of(block, run);
+      std::set<std::string> given = factors_of(block, run);
+      if (block.all_pairs) given.insert(block.all_pairs->factor);
       for (const std::string& factor : needed) {
         if (given.contains(factor) || presented.with.contains(factor)) continue;
         report(place, "the stimulus " + in_quotes(presented.stimulus) + " needs the factor " +
@@ -149,6 +165,47 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
                        " does not depend on the factor " + in_quotes(factor) + "; remove this key");
       }
     }
+  }
+}
+
+/// The two surfaces of a pair are one stimulus with two levels of the factor.
+void Meaning::check_pairs(const Block& block, const std::string& pointer) {
+  if (!block.all_pairs) return;
+  const std::string& name = block.all_pairs->factor;
+  const std::string at_factor = pointer + "/all_pairs/factor";
+  const auto factor = protocol_.factors.find(name);
+  if (factor == protocol_.factors.end()) return;
+  if (factor->second.levels.size() < 2) {
+    report(at_factor, "the factor " + in_quotes(name) +
+                          " has one level and therefore no pairs; "
+                          "give it two levels or more");
+  }
+  const auto& stated = document_.root().at("blocks").at(block.name).at("presented");
+  if (stated.size() != 1) {
+    report(pointer + "/presented",
+           "with all_pairs one stimulus is presented with two levels of the factor; list it once");
+    return;
+  }
+  const Protocol::Presented& presented = block.presented.front();
+  const std::string place = pointer_to(pointer + "/presented", 0);
+  if (presented.with.contains(name)) {
+    report_key(pointer_to(place + "/with", name),
+               "the pairs set the factor " + in_quotes(name) + "; remove this key");
+  }
+  if (!presented.item.empty()) {
+    report_key(place + "/item",
+               "with all_pairs each surface has the name of its level; remove this key");
+  }
+  const auto stimulus = protocol_.stimuli.find(presented.stimulus);
+  if (stimulus != protocol_.stimuli.end() && !factors_needed_by(stimulus->second).contains(name)) {
+    report(at_factor, "the stimulus " + in_quotes(presented.stimulus) +
+                          " does not depend on the factor " + in_quotes(name) +
+                          ", so that the two surfaces of a pair would be the same; bind its model, "
+                          "texture, a body or a parameter to the factor");
+  }
+  if (block.all_pairs->in_both_orders && block.positions != Block::Positions::as_listed) {
+    report(pointer + "/positions",
+           "in_both_orders presents each pair in both orders; remove this key");
   }
 }
 
@@ -194,6 +251,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   }
   const auto known = [this](const std::string& name) { return protocol_.factors.contains(name); };
   if (!std::all_of(block.crossed.begin(), block.crossed.end(), known)) return;
+  if (block.all_pairs && !known(block.all_pairs->factor)) return;
   const std::size_t rows = row_count(protocol_, block);
   const std::size_t trials = rows * static_cast<std::size_t>(block.repetitions);
   if (trials > kMaximumTrials) {

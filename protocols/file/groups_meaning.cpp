@@ -30,7 +30,8 @@ void Meaning::check_groups() {
       " is the factor of the groups, and the group of the participant sets its level; use another "
       "factor here, or remove the key groups";
   for (const auto& [block_name, block] : protocol_.blocks) {
-    if (factors_set_by(block, nullptr).contains(name)) {
+    const bool varies_in_pairs = block.all_pairs && block.all_pairs->factor == name;
+    if (varies_in_pairs || factors_set_by(block, nullptr).contains(name)) {
       report_key(pointer_to("/blocks", block_name), in_quotes(name) + kWhy);
     }
   }

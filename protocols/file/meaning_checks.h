@@ -97,6 +97,7 @@ class Meaning final : private ProblemSink {
   void check_block(const Protocol::Block& block, const std::string& pointer);
   void check_anchor(const Protocol::Block& block, const std::string& pointer);
   void check_presented(const Protocol::Block& block, const std::string& pointer);
+  void check_pairs(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
   bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
   void check_pictures(const Protocol::Block& block, const Protocol::TrialQuestionTemplate& question,

@@ -247,6 +247,9 @@ Protocol::TrialQuestionTemplate trial_question_of(const json& object, const Expe
       question.words.push_back({option.at("value"), option.at("text")});
     }
   }
+  if (const auto found = object.find("tie"); found != object.end()) {
+    read(*found, "text", question.tie);
+  }
   read(object, "name", question.name);
   read(object, "prompt", question.prompt);
   read(object, "pictures", question.pictures);
@@ -304,6 +307,11 @@ Block block_of(const std::string& name, const json& object, const std::string& k
   if (const auto found = object.find("listed"); found != object.end()) {
     for (const json& row : *found) block.listed.push_back(levels_of(row));
   }
+  if (const auto found = object.find("all_pairs"); found != object.end()) {
+    block.all_pairs.emplace();
+    read(*found, "factor", block.all_pairs->factor);
+    read(*found, "in_both_orders", block.all_pairs->in_both_orders);
+  }
   read(object, "repetitions", block.repetitions);
   read(object, "drawn", block.drawn);
   if (const auto found = object.find("anchor"); found != object.end()) {
@@ -326,6 +334,9 @@ Block block_of(const std::string& name, const json& object, const std::string& k
     }
     read(member, "item", presented.item);
     block.presented.push_back(std::move(presented));
+  }
+  if (block.all_pairs && block.presented.size() == 1) {
+    block.presented.push_back(block.presented.front());
   }
   read_choice(object, "positions", block.positions,
               {{"as_listed", Block::Positions::as_listed},

@@ -51,6 +51,9 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     } else if (!question.words.empty() && !of_question->takes_words) {
       report_key(place + "/options", "the options of a " + std::string(of_question->id) +
                                          " are not words; remove this key");
+    } else if (!question.tie.empty() && !of_question->takes_ties) {
+      report_key(place + "/tie",
+                 "a " + std::string(of_question->id) + " has no ties; remove this key");
     } else if (of_question == &kind && kind.check_block != nullptr) {
       kind.check_block({protocol_, block, question, pointer, place}, *this);
     }

@@ -23,9 +23,17 @@ void Meaning::check_head() {
     for (const KindKey& key : kind->keys) {
       const std::string name(key.name);
       const bool is_there = document_.root().contains(name);
+      const auto has_key = [&name](const ExperimentKind* each) {
+        return std::any_of(each->keys.begin(), each->keys.end(),
+                           [&name](const KindKey& its) { return its.name == name; });
+      };
       const bool is_used = std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end();
-      if (is_used && !is_there) report("/kind", std::string(key.if_missing));
-      if (!is_used && is_there) report_key("/" + name, std::string(key.if_foreign));
+      if (is_used && !is_there && !key.if_missing.empty()) {
+        report("/kind", std::string(key.if_missing));
+      }
+      if (is_there && std::none_of(kinds_.begin(), kinds_.end(), has_key)) {
+        report_key("/" + name, std::string(key.if_foreign));
+      }
     }
   }
   const auto& patch = protocol_.patch;

@@ -120,10 +120,11 @@ std::optional<std::set<std::string>> parameters_compared(const Json& protocol, c
 }
 
 std::optional<std::string> parameter_compared_in(const Json& protocol) {
-  if (text_in(protocol, "kind") != "selection") return std::nullopt;
   std::set<std::string> parameters{};
   bool are_alone = true;
   for_each_object(member_of(protocol, "blocks"), [&](const std::string&, const Json& block) {
+    const std::string own_kind = text_in(block, "kind");
+    if ((own_kind.empty() ? text_in(protocol, "kind") : own_kind) != "selection") return;
     const std::string phase = text_in(block, "phase");
     if (!phase.empty() && phase != "main") return;
     const auto own = parameters_compared(protocol, block);
@@ -147,9 +148,11 @@ constexpr std::array kTextPlaces{
     "/blocks/*/question/prompt",
     "/blocks/*/question/options/*/text",
     "/blocks/*/question/scale/labels",
+    "/blocks/*/question/tie/text",
     "/blocks/*/questions/*/prompt",
     "/blocks/*/questions/*/options/*/text",
     "/blocks/*/questions/*/scale/labels",
+    "/blocks/*/questions/*/tie/text",
     "/blocks/*/page_prompt",
     "/flow/*/screen",
     "/flow/*/break/text",

@@ -26,12 +26,13 @@ struct KindTest {
   bool needs_target = false;
 };
 
-/// A key at the root of a protocol that one kind requires and no other kind has.
+/// A key at the root of a protocol that only some kinds have.
 struct KindKey {
   std::string_view name{};
-  std::string_view if_missing{};  ///< the problem, reported at "kind"
   std::string_view
-      if_foreign{};  ///< the problem in a protocol of another kind, reported at the key
+      if_missing{};  ///< the problem, reported at "kind"; empty where the key is optional
+  /// The problem in a protocol without such a kind, reported at the key; equal for all kinds that have it.
+  std::string_view if_foreign{};
 };
 
 /// One block whose question is being checked.
@@ -70,6 +71,7 @@ struct ExperimentKind {
   /// A trial may have several questions of this kind, also next to the question of another kind.
   bool asks_several = false;
   bool takes_words = false;  ///< its options can be words
+  bool takes_ties = false;   ///< its options can include that neither surface is preferred
   bool has_correct_responses = false;
   bool has_anchors = false;  ///< a block may begin with a trial that the others are compared with
   bool has_target = false;   ///< one item may be declared whose superiority is in question

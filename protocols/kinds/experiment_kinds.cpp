@@ -7,6 +7,7 @@
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/kinds/magnitude.h"
 #include "protocols/kinds/matching.h"
+#include "protocols/kinds/paired_comparison.h"
 #include "protocols/kinds/rating.h"
 #include "protocols/kinds/recognition.h"
 #include "protocols/kinds/selection.h"
@@ -15,7 +16,7 @@ namespace asperity {
 
 std::span<const ExperimentKind* const> experiment_kinds() {
   static const std::array kKinds{&selection_kind(), &matching_kind(), &recognition_kind(),
-                                 &magnitude_kind(), &rating_kind()};
+                                 &magnitude_kind(), &rating_kind(),   &paired_comparison_kind()};
   return kKinds;
 }
 

@@ -7,9 +7,8 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "protocols/design/json_pointer.h"
-#include "protocols/design/wording.h"
 #include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/realism.h"
 
 namespace asperity {
 
@@ -27,10 +26,10 @@ constexpr std::array kSelectionTests{
     KindTest{"groups", "for every pair of groups: is the target chosen equally often", true}};
 
 constexpr std::array kSelectionKeys{
-    KindKey{"realism_standard",
+    KindKey{kRealismStandard.name,
             "a selection has to state the standard of realism: add the key \"realism_standard\" "
             "with \"photograph\", \"physical_sample\" or \"memory\"",
-            "only in a selection is realism measured against a standard; remove this key"}};
+            kRealismStandard.if_foreign}};
 
 std::string item_of_selection(const StimulusDescription& stimulus) { return stimulus.model; }
 
@@ -50,44 +49,18 @@ void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems)
     problems.report(place + "/correct_factor",
                     "no response of a selection is correct or incorrect; remove this key");
   }
-  if (checked.protocol.realism_standard == RealismStandard::physical_sample &&
-      checked.block.experimenter_prompt.find("{code}") == std::string::npos) {
-    problems.report(place,
-                    "with the standard \"physical_sample\" the experimenter needs to know which "
-                    "sample to place: add \"experimenter_prompt\" with {code} in it, such as "
-                    "\"Place sample {code} next to the device.\"");
-  }
+  check_prompt_for_sample(checked, problems);
 }
 
 void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
                               ProblemSink& problems) {
-  const Protocol& protocol = checked.protocol;
-  const std::string presented = checked.pointer + "/presented";
-  const std::string& texture = trial.presentations.front().stimulus.texture;
-  const std::string at_texture = texture.empty() ? presented : pointer_to("/textures", texture);
-  for (const PlannedPresentation& planned : trial.presentations) {
-    if (planned.stimulus.texture == texture) continue;
-    problems.report(presented,
-                    "the surfaces of a trial show different textures (" + in_quotes(texture) +
-                        " and " + in_quotes(planned.stimulus.texture) +
-                        "); a selection compares renderings of one texture: give them the same");
-  }
-  if (protocol.realism_standard == RealismStandard::photograph && !trial.standard_picture) {
-    problems.report(
-        at_texture,
-        "realism is measured against a photograph here: give the texture a \"picture\"");
-  }
-  if (protocol.realism_standard == RealismStandard::physical_sample &&
-      (texture.empty() || protocol.textures.at(texture).code.empty())) {
-    problems.report(at_texture,
-                    "realism is measured against a physical sample here: give the texture the "
-                    "\"code\" on its label");
-  }
+  check_surfaces_with_standard(checked, trial, problems);
   const bool shows_a_texture = std::any_of(
       trial.presentations.begin(), trial.presentations.end(),
       [](const PlannedPresentation& planned) { return !planned.stimulus.texture.empty(); });
-  if (protocol.observer.expectation != ObserverDeclaration::Expectation::none && !shows_a_texture) {
-    problems.report(presented,
+  if (checked.protocol.observer.expectation != ObserverDeclaration::Expectation::none &&
+      !shows_a_texture) {
+    problems.report(checked.pointer + "/presented",
                     "the observer's \"expectation\" requires surfaces with a texture: give them a "
                     "texture, or set \"expectation\" to \"none\"");
   }

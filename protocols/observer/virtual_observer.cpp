@@ -3,6 +3,7 @@
 #include "protocols/observer/virtual_observer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -136,6 +137,17 @@ double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
     }
   }
   throw std::logic_error("the source of the magnitude is unknown");
+}
+
+std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,
+                                                    const ForceFeatures& second,
+                                                    double least_difference) {
+  const double of_first = log_magnitude(first) + declaration_.position_bias;
+  const double of_second = log_magnitude(second);
+  if (lapses()) return guess(2);
+  if (std::abs(of_first - of_second) < least_difference) return std::nullopt;
+  const std::array<double, 2> magnitudes{of_first, of_second};
+  return best_of(magnitudes);
 }
 
 double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {

@@ -1,4 +1,4 @@
-// Implements crossed and listed rows and the limits on their order.
+// Implements crossed and listed rows, pairs, and the limits on their order.
 
 #include "protocols/plan/block_rows.h"
 
@@ -7,17 +7,9 @@
 
 namespace asperity {
 
-std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
-  if (!block.listed.empty()) return block.listed.size();
-  constexpr std::size_t kEnough = 1U << 20U;  // prevents overflow of the product of many factors
-  std::size_t count = 1;
-  for (const std::string& name : block.crossed) {
-    count = std::min(count * protocol.factors.at(name).levels.size(), kEnough);
-  }
-  return count;
-}
+namespace {
 
-std::vector<FactorLevels> rows_of(const Protocol& protocol, const Protocol::Block& block) {
+std::vector<FactorLevels> combinations_of(const Protocol& protocol, const Protocol::Block& block) {
   if (!block.listed.empty()) return block.listed;
   std::vector<FactorLevels> rows{{}};
   for (const std::string& name : block.crossed) {
@@ -33,7 +25,45 @@ std::vector<FactorLevels> rows_of(const Protocol& protocol, const Protocol::Bloc
   return rows;
 }
 
-OrderProblem order_problem(const Protocol::Block& block, const std::vector<FactorLevels>& rows) {
+/// Each pair in the order of the levels, followed by the other order; one empty pair without pairs.
+std::vector<std::vector<Level>> pairs_of(const Protocol& protocol, const Protocol::Block& block) {
+  if (!block.all_pairs) return {{}};
+  const std::vector<Level>& levels = protocol.factors.at(block.all_pairs->factor).levels;
+  std::vector<std::vector<Level>> pairs{};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (std::size_t j = i + 1; j < levels.size(); ++j) {
+      pairs.push_back({levels[i], levels[j]});
+      if (block.all_pairs->in_both_orders) pairs.push_back({levels[j], levels[i]});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
+  constexpr std::size_t kEnough = 1U << 20U;  // prevents overflow of the product of many factors
+  std::size_t count = std::max<std::size_t>(block.listed.size(), 1);
+  if (block.all_pairs) {
+    const std::size_t levels = protocol.factors.at(block.all_pairs->factor).levels.size();
+    count *= levels * (levels - 1) / (block.all_pairs->in_both_orders ? 1 : 2);
+  }
+  for (const std::string& name : block.crossed) {
+    count = std::min(count * protocol.factors.at(name).levels.size(), kEnough);
+  }
+  return count;
+}
+
+std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& block) {
+  const std::vector<std::vector<Level>> pairs = pairs_of(protocol, block);
+  std::vector<BlockRow> rows{};
+  for (const FactorLevels& factors : combinations_of(protocol, block)) {
+    for (const std::vector<Level>& pair : pairs) rows.push_back({factors, pair});
+  }
+  return rows;
+}
+
+OrderProblem order_problem(const Protocol::Block& block, const std::vector<BlockRow>& rows) {
   OrderProblem problem{};
   problem.trials = rows.size() * static_cast<std::size_t>(block.repetitions);
   problem.group_size = block.order == Protocol::Block::Order::shuffle_within_repetition
@@ -44,7 +74,7 @@ OrderProblem order_problem(const Protocol::Block& block, const std::vector<Facto
     limit.maximum = static_cast<std::size_t>(maximum);
     std::map<Level, std::size_t> numbers{};
     for (std::size_t trial = 0; trial < problem.trials; ++trial) {
-      const Level& level = rows[trial % rows.size()].find(factor)->second;
+      const Level& level = rows[trial % rows.size()].factors.find(factor)->second;
       limit.level_of_trial.push_back(numbers.emplace(level, numbers.size()).first->second);
     }
     problem.limits.push_back(std::move(limit));

@@ -169,6 +169,10 @@ TrialQuestion planned_question(const Protocol& protocol,
     for (const PlannedPresentation& planned : trial.presentations) {
       question.options.push_back({planned.item, planned.code, std::nullopt, {}});
     }
+    if (!source.tie.empty()) {
+      const std::string label = std::to_string(question.options.size() + 1);
+      question.options.push_back({kTieOption, label, std::nullopt, source.tie});
+    }
   } else {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       question.options.push_back(
@@ -234,7 +238,7 @@ class Planner {
     ++block_ordinal_;
     const Random random =
         random_.split(block.name).split(static_cast<std::uint64_t>(block_ordinal_));
-    const std::vector<FactorLevels> rows = rows_of(protocol_, block);
+    const std::vector<BlockRow> rows = rows_of(protocol_, block);
     const std::vector<std::size_t> order = order_of(block, rows, random.split("order"));
     const std::size_t trials =
         block.until ? std::min(order.size(), static_cast<std::size_t>(block.until->maximum_trials))
@@ -251,7 +255,7 @@ class Planner {
       anchor.repetition = 0;
       anchor.factors = outer;
       anchor.factors.insert(block.anchor.begin(), block.anchor.end());
-      add(std::move(anchor), block, {0}, random.split("anchor"));
+      add(std::move(anchor), block, {block.presented.front()}, random.split("anchor"));
       plan_.trials.back().presentations.front().role = "anchor";
     }
     for (std::size_t i = 0; i < trials; ++i) {
@@ -262,24 +266,37 @@ class Planner {
       Trial trial{};
       trial.repetition = static_cast<int>(order[i] / rows.size()) + 1;
       trial.factors = outer;
-      trial.factors.insert(rows[order[i] % rows.size()].begin(),
-                           rows[order[i] % rows.size()].end());
+      const BlockRow& row = rows[order[i] % rows.size()];
+      trial.factors.insert(row.factors.begin(), row.factors.end());
       for (const auto& [factor, levels] : drawn) trial.factors[factor] = levels[i];
-      add(std::move(trial), block, positions[i], random.split("pictures").split(i));
+      std::vector<Protocol::Presented> surfaces{};
+      for (const std::size_t index : positions[i])
+        surfaces.push_back(surface_of(block, row, index));
+      add(std::move(trial), block, surfaces, random.split("pictures").split(i));
     }
   }
 
-  /// Adds a trial whose factors are set. `surfaces`: indices into `block.presented`, in order.
-  void add(Trial trial, const Block& block, const std::vector<std::size_t>& surfaces,
+  /// A surface of a trial: where the block has pairs, with the level of the pair, which names it.
+  static Protocol::Presented surface_of(const Block& block, const BlockRow& row,
+                                        std::size_t index) {
+    Protocol::Presented surface = block.presented[index];
+    if (row.pair.empty()) return surface;
+    surface.with[block.all_pairs->factor] = row.pair[index];
+    surface.item = text_of(row.pair[index]);
+    return surface;
+  }
+
+  /// Adds a trial whose factors are set, with its surfaces in order.
+  void add(Trial trial, const Block& block, const std::vector<Protocol::Presented>& surfaces,
            const Random& pictures) {
     trial.ordinal = static_cast<int>(plan_.trials.size()) + 1;
     trial.block = block.name;
     trial.kind = block.kind;
     trial.block_ordinal = block_ordinal_;
     trial.phase = block.phase;
-    for (const std::size_t index : surfaces) {
+    for (const Protocol::Presented& surface : surfaces) {
       trial.presentations.push_back(
-          presentation_of(protocol_, kind_of(block), block.presented[index], trial.factors));
+          presentation_of(protocol_, kind_of(block), surface, trial.factors));
       trial.presentations.back().position = static_cast<int>(trial.presentations.size());
       trial.presentations.back().code = place_code(trial.presentations.size() - 1);
     }
@@ -308,8 +325,7 @@ class Planner {
     plan_.trials.push_back(std::move(trial));
   }
 
-  static std::vector<std::size_t> order_of(const Block& block,
-                                           const std::vector<FactorLevels>& rows,
+  static std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow>& rows,
                                            const Random& random) {
     const OrderProblem problem = order_problem(block, rows);
     if (block.order == Block::Order::fixed) {

@@ -109,6 +109,17 @@ TEST(TriadTest, RefusesImpossibleNumbers) {
 }
 
 // R counted all 6⁶ numbers of wins in the six pairs of four items.
+// The mean of the exact distribution, on the scale of ζ.
+TEST(Consistency, HasTheMeanOfTheDistributionUnderGuessing) {
+  for (const std::size_t items : {3U, 4U, 5U, 8U}) {
+    const IntegerDistribution distribution = circular_triad_distribution(items);
+    const auto most = static_cast<double>(distribution.probability.size() - 1);
+    EXPECT_NEAR(mean_zeta_under_guessing(items), 1.0 - distribution.mean() / most, 1e-12) << items;
+  }
+  EXPECT_NEAR(mean_zeta_under_guessing(4), 0.5, 1e-15);
+  EXPECT_THROW(mean_zeta_under_guessing(2), std::invalid_argument);
+}
+
 TEST(JudgesAgreement, IsThatOfR) {
   const RResults expected("paired_comparisons_expected.csv");
   Comparisons counts{.wins = Eigen::MatrixXd::Zero(4, 4), .ties = Eigen::MatrixXd::Zero(4, 4)};

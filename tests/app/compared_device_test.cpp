@@ -310,7 +310,8 @@ TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPoints) {
                                         "chapter_recognition",    "chapter_selection",
                                         "improved_matching",      "improved_recognition",
                                         "improved_selection",     "improved_selection_blindfold",
-                                        "photo_matching",         "photo_recognition"};
+                                        "photo_matching",         "photo_recognition",
+                                        "roughness_in_pairs"};
   EXPECT_EQ(warned_on("simulated"), std::set<std::string>{});
   EXPECT_EQ(warned_on("simulated:falcon"), of_points);
   EXPECT_EQ(warned_on("simulated:delta.3"), of_points);

@@ -101,7 +101,7 @@ TEST(LibraryProtocols,
                        "chapter_selection", "improved_matching", "improved_recognition",
                        "improved_selection", "improved_selection_blindfold", "photo_matching",
                        "photo_recognition", "roughness_diameter", "roughness_force",
-                       "roughness_speed", "tools_matching"}));
+                       "roughness_in_pairs", "roughness_speed", "tools_matching"}));
 }
 
 /// A protocol in German and in English, without what its language decides.

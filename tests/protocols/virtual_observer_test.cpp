@@ -46,6 +46,27 @@ ForceFeatures felt_with(double roughness) {
   return features;
 }
 
+TEST(VirtualObserver, ComparesMagnitudesAndTiesWhereTheyAreClose) {
+  ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
+  VirtualObserver observer(exact, Random(1));
+  EXPECT_EQ(observer.compare(felt_with(-1.0), felt_with(-0.8), 0.1), std::size_t{1});
+  EXPECT_EQ(observer.compare(felt_with(-0.8), felt_with(-1.0), 0.1), std::size_t{0});
+  EXPECT_EQ(observer.compare(felt_with(-1.0), felt_with(-0.95), 0.1), std::nullopt);
+  EXPECT_EQ(observer.compare(felt_with(-1.0), felt_with(-0.95), 0.0), std::size_t{1});
+  exact.position_bias = 0.5;
+  EXPECT_EQ(VirtualObserver(exact, Random(1)).compare(felt_with(-1.0), felt_with(-0.8), 0.1),
+            std::size_t{0});
+  const ObserverDeclaration deaf{.deaf = true};
+  VirtualObserver guessing(deaf, Random(1));
+  int first = 0;
+  for (int i = 0; i < 1000; ++i) {
+    first += guessing.compare(felt_with(-4.0), felt_with(-0.1), 0.1) == std::size_t{0} ? 1 : 0;
+  }
+  const auto [low, high] = bounds(1000, 0.5);
+  EXPECT_GE(first, low);
+  EXPECT_LE(first, high);
+}
+
 TEST(VirtualObserver, SaysNumbersThatGrowWithThePowerOfTheFeltForce) {
   ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
   exact.exponent = 2.0;

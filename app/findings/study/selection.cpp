@@ -225,9 +225,8 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
   });
 }
 
-/// The findings of the family `selection` on the choices. Where trials offer different items, for
-/// each pair separately and for the trials that offered both: keys are both names together, for a
-/// proportion the name of its item first.
+/// The findings of the family `selection` on the choices: for each pair separately where trials
+/// offer different items.
 std::vector<Finding> choice_findings(const Selection& selection) {
   constexpr const char* kName = "choice";
   constexpr const char* kFamily = "selection";
@@ -239,24 +238,7 @@ std::vector<Finding> choice_findings(const Selection& selection) {
                            [&](const GatheredAnswer& answer) { return selection.chosen(answer); },
                            selection.target()));
   }
-  std::vector<Finding> of_pairs{};
-  for (const ItemPair& pair : pairs_offered(selection)) {
-    const std::string& first = selection.items[pair.first];
-    const std::string& second = selection.items[pair.second];
-    for (Finding& finding : analysis_of(kName, kFamily, choices_between(selection, pair))) {
-      const std::string& quantity = finding.quantity;
-      const bool is_of_pair =
-          quantity.starts_with("signflip.") || quantity.starts_with("pairwise.");
-      const bool is_of_one = quantity.starts_with("subj.") && !finding.key.empty();
-      if (!is_of_one && !is_of_pair) continue;
-      // over one pair; the table of tests has the correction over all
-      if (quantity.ends_with(".holm")) continue;
-      if (is_of_one) finding.key = finding.key == first ? both(first, second) : both(second, first);
-      finding.method += "; of the trials in which both were presented";
-      of_pairs.push_back(std::move(finding));
-    }
-  }
-  return of_pairs;
+  return pair_findings(kName, selection);
 }
 
 /// Each participant's proportions: of every item, or of the first of every pair.
@@ -382,9 +364,12 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const FoundNumbers found_scale(scale);
   // The main comparison comes first: the pairs, where trials present different models.
   if (selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);
-  ask_pairs(selection, pairs, tests, found, outcome);
+  ask_pairs(words_of_pairs(selection, pairs), tests, found, outcome);
   if (!selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);
-  ask_position(selection.positions, found_position, tests, outcome);
+  ask_position(
+      selection.positions,
+      phrase("Analysis", "The same test as for the preference, with positions instead of models."),
+      found_position, tests, outcome);
   ask_textures(selection, tests, outcome);
   ask_target_choices(selection, outcome);
   groups.ask(PairScale::shares_of_target, selection.target(), tests, outcome);

@@ -8,6 +8,7 @@
 
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
+#include "app/findings/tidy/finding_list.h"
 
 namespace asperity {
 
@@ -144,6 +145,27 @@ TidyInput choices_between(const Selection& selection, const ItemPair& pair) {
   }
   return std::move(rows).take({selection.items[pair.first], selection.items[pair.second]},
                               selection.items[pair.first]);
+}
+
+std::vector<Finding> pair_findings(const char* analysis, const Selection& selection) {
+  std::vector<Finding> of_pairs{};
+  for (const ItemPair& pair : pairs_offered(selection)) {
+    const std::string& first = selection.items[pair.first];
+    const std::string& second = selection.items[pair.second];
+    for (Finding& finding : analysis_of(analysis, "selection", choices_between(selection, pair))) {
+      const std::string& quantity = finding.quantity;
+      const bool is_of_pair =
+          quantity.starts_with("signflip.") || quantity.starts_with("pairwise.");
+      const bool is_of_one = quantity.starts_with("subj.") && !finding.key.empty();
+      if (!is_of_one && !is_of_pair) continue;
+      // over one pair; the table of tests has the correction over all
+      if (quantity.ends_with(".holm")) continue;
+      if (is_of_one) finding.key = finding.key == first ? both(first, second) : both(second, first);
+      finding.method += "; of the trials in which both were presented";
+      of_pairs.push_back(std::move(finding));
+    }
+  }
+  return of_pairs;
 }
 
 TidyInput comparisons_of(const Selection& selection) {

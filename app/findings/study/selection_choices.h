@@ -1,5 +1,5 @@
-// Represents the responses of a selection as choices among items, and as the tables that families
-// of analyses read.
+// Represents the responses of a selection or a paired comparison as choices among items, and as the
+// tables that families of analyses read.
 
 #pragma once
 
@@ -14,10 +14,10 @@
 
 namespace asperity {
 
-/// No item, position or texture: for "cannot tell".
+/// No item, position or texture: for "cannot tell" and for a tie.
 inline constexpr std::size_t kNoChoice = LabelColumn::kMissing;
 
-/// The responses of a selection as choices among items.
+/// The responses of a selection or a paired comparison as choices among items.
 struct Selection {
   const GatheredAnswers& gathered;
   std::vector<std::string> items{};     ///< by name
@@ -32,7 +32,7 @@ struct Selection {
 
   explicit Selection(const GatheredAnswers& answers);
 
-  /// kNoChoice for cannot_tell, and for items that were not felt.
+  /// kNoChoice for cannot_tell, for a tie, and for items that were not felt.
   std::size_t chosen(const GatheredAnswer& answer) const {
     return item_of_word[gathered.reply_of(answer).answer];
   }
@@ -79,7 +79,11 @@ std::vector<ItemPair> pairs_offered(const Selection& selection);
 /// choice of a third item is not a choice between the two.
 TidyInput choices_between(const Selection& selection, const ItemPair& pair);
 
-/// For the family `paired`: comparisons of two; "cannot tell" is a tie.
+/// The findings of the family `selection` for each pair separately, of the trials that offered both:
+/// keys are both names together, for a proportion the name of its item first.
+std::vector<Finding> pair_findings(const char* analysis, const Selection& selection);
+
+/// For the family `paired`: comparisons of two; "cannot tell" is a tie too.
 TidyInput comparisons_of(const Selection& selection);
 /// For the family `ranking`: the best of several, as rankings of which only the first rank is
 /// known.

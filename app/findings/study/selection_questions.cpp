@@ -292,14 +292,7 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
                test->p ? method : proportion, "persons", most.mean);
 }
 
-void ask_pairs(const Selection& selection, const std::string& name, const StudyTests& tests,
-               const FoundNumbers& found, AnalysisOutcome& outcome) {
-  Phrase differ{};
-  for (const StudyTests::Test& test : tests.tests()) {
-    if (test.name != name || !test.shows()) continue;
-    const Phrase one = preference_in(test, found);
-    differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
-  }
+PairWords words_of_pairs(const Selection& selection, const std::string& test) {
   const std::optional<std::string>& parameter = selection.gathered.compared_parameter;
   const Phrase question = parameter ? phrase("Analysis", "Is one level of %1 preferred to another?")
                                           .with(words_of_parameter(*parameter))
@@ -314,15 +307,30 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
                    "For each pair, exact sign-flip (randomisation) test of each participant's "
                    "difference between the two counts (both labels exchanged within a "
                    "participant), on the trials in which both were presented.");
+  return {.question = question,
+          .method = method,
+          .nothing_chosen = phrase("Analysis", "No choice was made between two models."),
+          .test = test};
+}
+
+void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbers& found,
+               AnalysisOutcome& outcome) {
+  const std::string& name = words.test;
+  Phrase differ{};
+  for (const StudyTests::Test& test : tests.tests()) {
+    if (test.name != name || !test.shows()) continue;
+    const Phrase one = preference_in(test, found);
+    differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
+  }
   const std::vector<const StudyTests::Test*> smallest = smallest_p(name, tests);
   if (smallest.empty()) {
     const bool is_one_participant = std::any_of(
         tests.tests().begin(), tests.tests().end(),
         [&name](const auto& test) { return test.name == name && is_of_one_participant(test); });
-    add_question(outcome, "pairs", question,
+    add_question(outcome, "pairs", words.question,
                  is_one_participant
                      ? phrase("Analysis", "This cannot be tested with one participant.")
-                     : phrase("Analysis", "No choice was made between two models."),
+                     : words.nothing_chosen,
                  {}, "pairs", nullptr);
     return;
   }
@@ -341,20 +349,18 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
           : Sayings{chosen_more,
                     phrase("Analysis", "No pair differs significantly: %1.").with(of_smallest),
                     phrase("Analysis", "Among all pairs, %1.").with(of_smallest)};
-  add_question(outcome, "pairs", question, said_of(least, sayings), method, "pairs",
+  add_question(outcome, "pairs", words.question, said_of(least, sayings), words.method, "pairs",
                found.find("signflip.p.two", least.about));
 }
 
-void ask_position(std::size_t positions, const FoundNumbers& found, const StudyTests& tests,
-                  AnalysisOutcome& outcome) {
+void ask_position(std::size_t positions, const Phrase& method, const FoundNumbers& found,
+                  const StudyTests& tests, AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find("position");
   const Finding* first = found.find("subj.mean", "1");
   if (test == nullptr || first == nullptr || !first->value) return;
   const std::vector<std::string> names = numbers_up_to(positions);
   const GreatestMean most = greatest_mean(names, found);
   const Phrase question = phrase("Analysis", "Does the position in the trial matter?");
-  const Phrase method =
-      phrase("Analysis", "The same test as for the preference, with positions instead of models.");
   if (is_of_one_participant(*test)) {
     add_question(outcome, "position", question,
                  phrase("Analysis", "This cannot be tested with one participant: %1.")

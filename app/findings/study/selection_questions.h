@@ -13,14 +13,23 @@ namespace asperity {
 void ask_preference(const Selection& selection, const FoundNumbers& choice,
                     const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome);
 
-/// Whether one rendering is preferred to another, by the tests of this name; `found` has the
-/// differences, and the proportions of single pairs where trials offer different items.
-void ask_pairs(const Selection& selection, const std::string& name, const StudyTests& tests,
-               const FoundNumbers& found, AnalysisOutcome& outcome);
+/// The words in which pairs are reported, and the name of their tests.
+struct PairWords {
+  Phrase question{};
+  Phrase method{};
+  Phrase nothing_chosen{};  ///< the answer without any choice between two items
+  std::string test{};
+};
+/// Of a selection: whether one rendering is preferred to another.
+PairWords words_of_pairs(const Selection& selection, const std::string& test);
+/// Which item of a pair is chosen more often; `found` has the differences, and the proportions of
+/// single pairs where trials offer different items.
+void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbers& found,
+               AnalysisOutcome& outcome);
 
-/// Whether the position of a surface in its trial matters.
-void ask_position(std::size_t positions, const FoundNumbers& found, const StudyTests& tests,
-                  AnalysisOutcome& outcome);
+/// Whether the position of a surface in its trial matters. `method`: the test.
+void ask_position(std::size_t positions, const Phrase& method, const FoundNumbers& found,
+                  const StudyTests& tests, AnalysisOutcome& outcome);
 
 /// Whether the preference for the target depends on the texture.
 void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisOutcome& outcome);

@@ -5,6 +5,7 @@
 
 #include "app/findings/study/kinds/magnitude_analysis.h"
 #include "app/findings/study/kinds/matching_analysis.h"
+#include "app/findings/study/kinds/paired_comparison_analysis.h"
 #include "app/findings/study/kinds/rating_analysis.h"
 #include "app/findings/study/kinds/recognition_analysis.h"
 #include "app/findings/study/kinds/selection_analysis.h"
@@ -13,9 +14,9 @@
 namespace asperity {
 
 std::span<const StudyAnalysis* const> study_analyses() {
-  static const std::array kAnalyses{&selection_analysis(), &matching_analysis(),
+  static const std::array kAnalyses{&selection_analysis(),   &matching_analysis(),
                                     &recognition_analysis(), &magnitude_analysis(),
-                                    &rating_analysis()};
+                                    &rating_analysis(),      &paired_comparison_analysis()};
   return kAnalyses;
 }
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/bradley_terry.h"
+#include "analysis/circular_triads.h"
 #include "analysis/comparison_graph.h"
+#include "analysis/random.h"
 #include "analysis/tail_probabilities.h"
 #include "analysis/thurstone.h"
 #include "app/findings/tidy/finding_list.h"
@@ -200,6 +201,65 @@ void add_davidson(const Paired& read, FindingList& findings) {
   findings.count("davidson.df", "", fit->df, basis);
 }
 
+/// Order effect, ties and fit together, from `paired_model`: `model.order` and `model.tie`; `model.order`, `model.equal`
+/// and `model.fit` with their tests (`.lr`, `.df`, `.p`). Without a finite estimate `model.status`.
+void add_pair_model(const Paired& read, FindingList& findings) {
+  const std::size_t items = read.items.size();
+  const std::size_t n = read.participants.size();
+  const bool has_ties = read.counts.ties.sum() > 0.0;
+  const PairTerms without_order{.ties = has_ties};
+  const PairAnswer plain = paired_model(read.comparisons, items, without_order);
+  PairAnswer full = paired_model(read.comparisons, items, {.order = true, .ties = has_ties});
+  const bool has_order = full.model.has_value();
+  if (!has_order) full = plain;
+  const std::string method = std::string("Bradley–Terry") +
+                             (has_order ? " with order effect" : "") +
+                             (has_ties ? (has_order ? " and ties" : " with ties") : "");
+  if (!full.model) {
+    findings.word("model.status", "", "not_estimable",
+                  "some items always or never won, or were never compared with the others, so that "
+                  "the scale has no finite estimate",
+                  {.n = n, .method = method});
+    return;
+  }
+  const double z = upper_normal_quantile(0.5 * (1.0 - read.confidence));
+  const auto parameter = [&](const char* quantity, const LogParameter& one, const char* what) {
+    findings.number(quantity, "", one.value,
+                    {.n = n,
+                     .method = method + ": " + what,
+                     .interval = ConfidenceInterval{one.value - z * one.standard_error,
+                                                    one.value + z * one.standard_error},
+                     .confidence = read.confidence});
+  };
+  const auto test = [&](const std::string& quantity, double statistic, double df,
+                        const char* against) {
+    const Basis basis{.n = n, .method = method + ": " + against};
+    findings.number(quantity + ".lr", "", statistic, basis);
+    findings.number(quantity + ".df", "", df, basis);
+    if (df > 0.0) {
+      findings.number(quantity + ".p", "",
+                      *upper_tail(ChiSquaredStatistic{.value = std::max(statistic, 0.0), .df = df}),
+                      basis);
+    }
+  };
+  const PairModel& model = *full.model;
+  if (model.order) {
+    parameter("model.order", *model.order, "advantage of the item presented first, in log odds");
+    if (plain.model) {
+      test("model.order", 2.0 * (model.log_likelihood - plain.model->log_likelihood), 1.0,
+           "likelihood ratio against no order effect");
+    }
+  }
+  if (model.tie) parameter("model.tie", *model.tie, "ln ν of ties");
+  test("model.equal", model.equal_abilities, static_cast<double>(items - 1),
+       "likelihood ratio against equal items");
+  test("model.fit", model.fit.deviance, static_cast<double>(model.fit.df),
+       "deviance from the saturated model");
+  const Basis fit{.n = n, .method = method + ": fit"};
+  findings.number("model.fit.pearson", "", model.fit.pearson, fit);
+  findings.number("model.fit.smallest_expected", "", model.fit.smallest_expected, fit);
+}
+
 /// Participants who judged every pair once without a tie.
 void add_consistency(const Paired& read, FindingList& findings) {
   const std::size_t items = read.items.size();
@@ -207,20 +267,9 @@ void add_consistency(const Paired& read, FindingList& findings) {
   std::vector<std::vector<Comparison>> by_participant(read.participants.size());
   for (const Comparison& one : read.comparisons) by_participant[one.participant].push_back(one);
   for (std::size_t person = 0; person < by_participant.size(); ++person) {
-    const std::vector<Comparison>& own_judgements = by_participant[person];
-    std::set<std::pair<std::size_t, std::size_t>> pairs{};
-    std::vector<std::size_t> wins(items);
-    std::size_t judged = 0;
-    bool tied = false;
-    for (const Comparison& one : own_judgements) {
-      pairs.insert(std::minmax(one.first, one.second));
-      judged += one.times;
-      tied = tied || !one.winner;
-      if (one.winner) ++wins[*one.winner];
-    }
-    const std::size_t all = items * (items - 1) / 2;
-    if (tied || judged != all || pairs.size() != all) continue;
-    const Consistency own = consistency(wins);
+    const WinsOfJudge wins = wins_of_judge(by_participant[person], items);
+    if (wins.problem) continue;
+    const Consistency own = consistency(wins.wins);
     const Basis basis{.n = 1, .method = "Kendall's circular triads"};
     findings.number("circular.triads", read.participants[person], own.circular_triads, basis);
     findings.number("zeta", read.participants[person], own.zeta, basis);
@@ -267,6 +316,7 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
   }
   add_thurstone(read, findings);
   add_davidson(read, findings);
+  add_pair_model(read, findings);
   add_consistency(read, findings);
   return findings.take();
 }

@@ -1407,6 +1407,150 @@
         <source>Log odds ratio of a higher rating than that of the reference, with Wald 95 % CIs: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. The p values are not corrected.</source>
         <translation>Logarithmiertes Chancenverhältnis eines höheren Urteils gegenüber der Referenz, mit 95-%-Konfidenzintervallen nach Wald: proportionale Chancen, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind unkorrigiert.</translation>
     </message>
+    <message>
+        <source>paired comparison</source>
+        <translation>Paarvergleich</translation>
+    </message>
+    <message>
+        <source>Choices of each item in the comparisons with another one</source>
+        <translation>Wahlen jedes Items in den Vergleichen mit einem anderen</translation>
+    </message>
+    <message>
+        <source>Ties are left out. The chance level is 1/2. p: exact binomial test, two-sided, uncorrected, all responses taken as independent.</source>
+        <translation>Ohne Gleichstände. Das Zufallsniveau ist 1/2. p: exakter Binomialtest, zweiseitig, unkorrigiert; alle Antworten gelten als unabhängig.</translation>
+    </message>
+    <message>
+        <source>Ties</source>
+        <translation>Gleichstände</translation>
+    </message>
+    <message>
+        <source>Proportion of the comparisons in which each item was chosen</source>
+        <translation>Anteil der Vergleiche, in denen jedes Item gewählt wurde</translation>
+    </message>
+    <message>
+        <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs; a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
+        <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich oft verglichen haben, mit 95-%-KI nach der t-Verteilung; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
+    </message>
+    <message>
+        <source>The items cannot be placed on a scale: some of them were always or never chosen in the comparisons with the others, or were never compared with them, so that their distance has no finite estimate.</source>
+        <translation>Die Items lassen sich nicht auf einer Skala anordnen: Einige wurden in den Vergleichen mit den anderen immer oder nie gewählt oder nie mit ihnen verglichen, sodass es für ihren Abstand keine endliche Schätzung gibt.</translation>
+    </message>
+    <message>
+        <source>The items on one scale</source>
+        <translation>Die Items auf einer Skala</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model without ties: of two items, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1</source>
+        <translation>Bradley-Terry-Modell ohne Gleichstände: Von zwei Items wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Die Log-Nutzwerte l haben den Mittelwert 0; die Nutzwerte summieren sich zu 1. %1</translation>
+    </message>
+    <message>
+        <source>Order effect, ties and goodness of fit of the scale</source>
+        <translation>Reihenfolgeeffekt, Gleichstände und Anpassungsgüte der Skala</translation>
+    </message>
+    <message>
+        <source>Consistency of the participants</source>
+        <translation>Konsistenz der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>A round is one comparison of every pair; rounds with a tie or without one of the pairs are left out. A triad is circular if a is chosen over b, b over c, and c over a: number per round. ζ, the coefficient of consistence: 1 without circular triads, 0 with as many as possible, %1 on average under guessing. p: exact probability of at most as many circular triads in these rounds under guessing.</source>
+        <translation>Eine Runde ist ein Vergleich jedes Paars; Runden mit einem Gleichstand oder ohne eines der Paare bleiben unberücksichtigt. Eine Triade ist zirkulär, wenn a gegenüber b, b gegenüber c und c gegenüber a gewählt wird: Anzahl pro Runde. ζ, der Konsistenzkoeffizient: 1 ohne zirkuläre Triaden, 0 bei der größtmöglichen Zahl, im Mittel %1 beim Raten. p: exakte Wahrscheinlichkeit für höchstens so viele zirkuläre Triaden in diesen Runden beim Raten.</translation>
+    </message>
+    <message>
+        <source>Are some items chosen more often than others?</source>
+        <translation>Werden manche Items häufiger gewählt als andere?</translation>
+    </message>
+    <message>
+        <source>Friedman test of each participant&apos;s proportion of the comparisons in which an item was chosen, a tie counting half; CIs of the means are t-based.</source>
+        <translation>Friedman-Test des Anteils der Vergleiche, in denen eine Versuchsperson ein Item gewählt hat; ein Gleichstand zählt halb; KI der Mittelwerte nach der t-Verteilung.</translation>
+    </message>
+    <message>
+        <source>Not tested: too few participants compared every pair equally often.</source>
+        <translation>Nicht getestet: Zu wenige Versuchspersonen haben jedes Paar gleich oft verglichen.</translation>
+    </message>
+    <message>
+        <source>Yes: %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
+        <translation>Ja: %1 wurde am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
+    </message>
+    <message>
+        <source>Not significantly: %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
+        <translation>Nicht signifikant: %1 wurde am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
+    </message>
+    <message>
+        <source>For these participants, %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
+        <translation>Bei diesen Versuchspersonen wurde %1 am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
+    </message>
+    <message>
+        <source>Do the items lie on one scale?</source>
+        <translation>Liegen die Items auf einer Skala?</translation>
+    </message>
+    <message>
+        <source>Likelihood-ratio test against a separate probability of each outcome for every ordered pair; all responses are taken as independent. Exploratory.</source>
+        <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes geordnete Paar; alle Antworten gelten als unabhängig. Explorativ.</translation>
+    </message>
+    <message>
+        <source>ζ = %1</source>
+        <translation>ζ = %1</translation>
+    </message>
+    <message>
+        <source>Are the participants&apos; choices consistent?</source>
+        <translation>Sind die Wahlen der Versuchspersonen konsistent?</translation>
+    </message>
+    <message>
+        <source>Mean coefficient of consistence: %1. It is 1 without circular triads, and %2 on average under guessing.</source>
+        <translation>Mittlerer Konsistenzkoeffizient: %1. Er beträgt 1 ohne zirkuläre Triaden und im Mittel %2 beim Raten.</translation>
+    </message>
+    <message>
+        <source>Kendall’s ζ of each complete round without ties, averaged over the rounds of a participant; the CI of the mean is t-based.</source>
+        <translation>Kendalls ζ jeder vollständigen Runde ohne Gleichstände, gemittelt über die Runden einer Versuchsperson; KI des Mittelwerts nach der t-Verteilung.</translation>
+    </message>
+    <message>
+        <source>Fewer than two items were presented: there is nothing to compare.</source>
+        <translation>Es wurden weniger als zwei Items dargeboten: Ein Vergleich ist nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Which item of a pair is chosen more often?</source>
+        <translation>Welches Item eines Paars wird häufiger gewählt?</translation>
+    </message>
+    <message>
+        <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both labels exchanged within a participant); ties are left out.</source>
+        <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz der beiden Wahlhäufigkeiten jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht); ohne Gleichstände.</translation>
+    </message>
+    <message>
+        <source>No choice was made between two items.</source>
+        <translation>Zwischen zwei Items wurde keine Wahl getroffen.</translation>
+    </message>
+    <message>
+        <source>Permutation test of the numbers of choices of the two positions, which are exchanged within each participant; ties are left out.</source>
+        <translation>Permutationstest der Wahlhäufigkeiten der beiden Positionen, die innerhalb jeder Versuchsperson vertauscht werden; ohne Gleichstände.</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model with an order effect and ties</source>
+        <translation>Bradley-Terry-Modell mit Reihenfolgeeffekt und Gleichständen</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model with an order effect</source>
+        <translation>Bradley-Terry-Modell mit Reihenfolgeeffekt</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model with ties</source>
+        <translation>Bradley-Terry-Modell mit Gleichständen</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model</source>
+        <translation>Bradley-Terry-Modell</translation>
+    </message>
+    <message>
+        <source>%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: the log odds that being presented first adds. Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. All responses are taken as independent, although those of one participant may not be: the p values are approximate.</source>
+        <translation>%1, Maximum-Likelihood-Schätzung (Davidson und Beaver 1977). Reihenfolgeeffekt: Vorteil der zuerst dargebotenen Oberfläche in logarithmierten Odds. Gleichstände: ln ν, wobei ν die Odds eines Gleichstands zwischen gleichen Items gegenüber der Wahl eines von ihnen sind. 95-%-KI nach Wald; Likelihood-Quotienten-Tests. Alle Antworten gelten als unabhängig, obwohl die einer Versuchsperson abhängig sein können: Die p-Werte sind Näherungen.</translation>
+    </message>
+    <message>
+        <source>The comparisons differ significantly from the %1: %2, %3. Values on one scale do not describe them completely.</source>
+        <translation>Die Vergleiche weichen signifikant vom %1 ab: %2, %3. Werte auf einer Skala beschreiben sie nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>The comparisons do not differ significantly from the %1: %2, %3.</source>
+        <translation>Die Vergleiche weichen nicht signifikant vom %1 ab: %2, %3.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>

@@ -1,0 +1,469 @@
+// The analysis of paired comparisons.
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/circular_triads.h"
+#include "analysis/conditional_logit.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/answer_columns.h"
+#include "app/findings/study/kinds/paired_comparison_analysis.h"
+#include "app/findings/study/selection_choices.h"
+#include "app/findings/study/selection_questions.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/study/tally.h"
+#include "app/findings/study/test_sentences.h"
+#include "app/findings/tidy/finding_list.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kScores = "scores";
+constexpr const char* kScale = "scale";
+constexpr const char* kModel = "paired_model";
+constexpr const char* kConsistency = "consistency";
+
+/// How often a participant compared two items, and the choices of the first and the second.
+struct PairCount {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  std::size_t ties = 0;
+
+  std::size_t all() const { return first + second + ties; }
+};
+
+/// Two items by number, the first before the second.
+using PairKey = std::pair<std::size_t, std::size_t>;
+
+struct PairedStudy {
+  explicit PairedStudy(const Selection& of);
+
+  const Selection& choices;
+  std::vector<std::map<PairKey, PairCount>>
+      by_person{};                    ///< of the gathered people, in their order
+  std::map<PairKey, Tally> shares{};  ///< choices of the first, without ties
+  std::map<PairKey, PairCount> counts{};
+  /// The comparisons of each participant in rounds: the k-th comparison of every pair belongs to round k.
+  std::map<std::pair<std::uint32_t, std::size_t>, std::vector<Comparison>> rounds{};
+  std::size_t ties = 0;
+};
+
+PairedStudy::PairedStudy(const Selection& of) : choices(of), by_person(of.gathered.people.size()) {
+  for (const GatheredAnswer& answer : of.gathered.answers) {
+    const auto surfaces = of.gathered.surfaces_of(answer);
+    if (surfaces.size() != 2) continue;
+    const std::size_t one = of.item(surfaces[0]);
+    const std::size_t other = of.item(surfaces[1]);
+    const std::size_t chosen = of.chosen(answer);
+    const PairKey key = std::minmax(one, other);
+    const auto count = [&](PairCount& counted) {
+      ++(chosen == kNoChoice ? counted.ties : chosen == key.first ? counted.first : counted.second);
+    };
+    PairCount& own = by_person[answer.person][key];
+    const std::size_t round = own.all();
+    count(own);
+    count(counts[key]);
+    if (chosen == kNoChoice) {
+      ++ties;
+    } else {
+      shares[key].count(answer.person, chosen == key.first, 2);
+    }
+    Comparison comparison{.first = one, .second = other};
+    if (chosen != kNoChoice) comparison.winner = chosen;
+    rounds[{answer.person, round}].push_back(comparison);
+  }
+}
+
+void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
+  const std::vector<std::string>& items = study.choices.items;
+  ShareTable pairs{"pairs",
+                   phrase("Analysis", "Choices of each item in the comparisons with another one"),
+                   phrase("Analysis",
+                          "Ties are left out. The chance level is 1/2. p: exact binomial test, "
+                          "two-sided, uncorrected, all responses taken as independent."),
+                   {"item", "against"},
+                   "chosen",
+                   "share_of_pair",
+                   {}};
+  for (const auto& [key, tally] : study.shares) {
+    pairs.rows.push_back({{items[key.first], items[key.second]}, tally});
+  }
+  add_shares(pairs, outcome);
+  if (study.ties == 0) return;
+  NamedTable ties{
+      "ties", phrase("Analysis", "Ties"), {{"item", "against", "responses", "ties"}, {}}, {}};
+  for (const auto& [key, count] : study.counts) {
+    ties.table.rows.push_back({items[key.first], items[key.second],
+                               static_cast<std::int64_t>(count.all()),
+                               static_cast<std::int64_t>(count.ties)});
+  }
+  outcome.tables.push_back(std::move(ties));
+}
+
+/// For the family `rating`: the proportion of a participant's comparisons of an item in which it was chosen, a tie
+/// counting half; of participants who compared every pair equally often, so that the items of a participant are
+/// exchangeable where none is preferred.
+struct PairScores {
+  TidyInput input{};
+  std::size_t left_out = 0;  ///< participants
+};
+
+PairScores pair_scores_of(const PairedStudy& study) {
+  const std::vector<std::string>& items = study.choices.items;
+  const std::size_t pairs = items.size() * (items.size() - 1) / 2;
+  LabelColumn people = labels_of_people(study.choices.gathered);
+  LabelRows named{};
+  NumberColumn scores{};
+  PairScores made{};
+  for (std::size_t person = 0; person < study.by_person.size(); ++person) {
+    const std::map<PairKey, PairCount>& own = study.by_person[person];
+    const bool is_balanced =
+        own.size() == pairs && std::all_of(own.begin(), own.end(), [&own](const auto& each) {
+          return each.second.all() == own.begin()->second.all();
+        });
+    if (!is_balanced) {
+      ++made.left_out;
+      continue;
+    }
+    std::vector<double> won(items.size());
+    for (const auto& [key, count] : own) {
+      won[key.first] += static_cast<double>(count.first) + 0.5 * static_cast<double>(count.ties);
+      won[key.second] += static_cast<double>(count.second) + 0.5 * static_cast<double>(count.ties);
+    }
+    const auto of_item =
+        static_cast<double>(own.begin()->second.all()) * static_cast<double>(items.size() - 1);
+    for (std::size_t item = 0; item < items.size(); ++item) {
+      people.codes.push_back(person);
+      named.add(items[item]);
+      scores.push_back(won[item] / of_item);
+    }
+  }
+  made.input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(people)},
+                                                                {"item", std::move(named).take()},
+                                                                {"score", std::move(scores)}},
+                                 "the proportions of choices");
+  made.input.options.set("items", items);
+  return made;
+}
+
+void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
+  NamedTable scores{
+      kScores,
+      phrase("Analysis", "Proportion of the comparisons in which each item was chosen"),
+      {{"item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
+      phrase("Analysis",
+             "Means over the participants who compared every pair equally often, with t-based "
+             "95 % CIs; a tie counts half. Mean rank: 1 for the item that a participant chose "
+             "least often.")};
+  for (const std::string& item : study.choices.items) {
+    const Finding* const mean = found.find("mean.score", item);
+    if (mean == nullptr) continue;
+    const auto [low, high] = found.interval("mean.score", item);
+    scores.table.rows.push_back({item, static_cast<std::int64_t>(mean->n), cell_of(mean->value),
+                                 low, high, found.cell("mean.rank", item)});
+  }
+  if (!scores.table.rows.empty()) outcome.tables.push_back(std::move(scores));
+}
+
+void add_pair_scale(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
+  constexpr const char* kLogWorth = "bt.ability.sumzero.cluster";
+  const std::vector<std::string>& items = study.choices.items;
+  if (found.find(kLogWorth, items.front()) == nullptr) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The items cannot be placed on a scale: some of them were always or never chosen in "
+               "the comparisons with the others, or were never compared with them, so that their "
+               "distance has no finite estimate."));
+    return;
+  }
+  const Phrase intervals =
+      found.find("bt.cluster.status") == nullptr
+          ? phrase("Analysis",
+                   "95 % CI: t intervals based on CR2 standard errors with the participants as "
+                   "clusters and Satterthwaite's degrees of freedom.")
+          : phrase("Analysis", "No CI: at least %1 participants are needed.")
+                .with(std::to_string(kFewestClusters));
+  NamedTable scale{
+      kScale,
+      phrase("Analysis", "The items on one scale"),
+      {{"item", "log_worth", "log_worth_low", "log_worth_high", "worth"}, {}},
+      phrase("Analysis",
+             "Bradley–Terry model without ties: of two items, i is chosen with probability 1/(1 + "
+             "exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1")
+          .with(intervals)};
+  for (const std::string& item : items) {
+    const auto [low, high] = found.interval(kLogWorth, item);
+    scale.table.rows.push_back(
+        {item, found.cell(kLogWorth, item), low, high, found.cell("bt.worth", item)});
+  }
+  outcome.tables.push_back(std::move(scale));
+}
+
+/// "Bradley–Terry model with an order effect and ties", with the terms that could be estimated.
+Phrase model_name(const FoundNumbers& found) {
+  const bool has_order = found.find("model.order") != nullptr;
+  const bool has_ties = found.find("model.tie") != nullptr;
+  if (has_order && has_ties) {
+    return phrase("Analysis", "Bradley–Terry model with an order effect and ties");
+  }
+  if (has_order) return phrase("Analysis", "Bradley–Terry model with an order effect");
+  if (has_ties) return phrase("Analysis", "Bradley–Terry model with ties");
+  return phrase("Analysis", "Bradley–Terry model");
+}
+
+/// Order effect, ties and fit of the scale.
+void add_model(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  if (found.find("model.fit.lr") == nullptr) return;
+  NamedTable model{
+      kModel,
+      phrase("Analysis", "Order effect, ties and goodness of fit of the scale"),
+      {{"measure", "value", "value_low", "value_high", "statistic", "df", "p"}, {}},
+      phrase(
+          "Analysis",
+          "%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: the log odds that "
+          "being presented first adds. Ties: ln ν, where ν is the odds of a tie between equal "
+          "items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. "
+          "All responses are taken as independent, although those of one participant may not "
+          "be: the p values are approximate.")
+          .with(model_name(found))};
+  struct Row {
+    const char* shown;
+    const char* quantity;
+  };
+  for (const auto& [shown, quantity_of_row] :
+       {Row{"order_effect", "model.order"}, Row{"log_tie", "model.tie"},
+        Row{"equal_items", "model.equal"}, Row{"goodness_of_fit", "model.fit"}}) {
+    const std::string quantity = quantity_of_row;
+    if (found.find(quantity) == nullptr && found.find(quantity + ".lr") == nullptr) continue;
+    const auto [low, high] = found.interval(quantity);
+    model.table.rows.push_back({std::string(shown), found.cell(quantity), low, high,
+                                found.cell(quantity + ".lr"), found.count(quantity + ".df"),
+                                found.cell(quantity + ".p")});
+  }
+  outcome.tables.push_back(std::move(model));
+}
+
+/// The consistency of the participants, over their complete rounds without ties.
+struct ConsistencyOfPeople {
+  std::vector<double> zetas{};  ///< the mean of each participant
+  double under_guessing = 0.0;  ///< the mean ζ
+};
+
+ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOutcome& outcome) {
+  const std::size_t items = study.choices.items.size();
+  if (items < 3) return {};
+  struct Rounds {
+    std::size_t evaluated = 0;
+    std::size_t triads = 0;
+    double zetas = 0.0;
+  };
+  std::map<std::uint32_t, Rounds> of_people{};
+  for (const auto& [of, comparisons] : study.rounds) {
+    Rounds& rounds = of_people[of.first];
+    const WinsOfJudge wins = wins_of_judge(comparisons, items);
+    if (wins.problem) continue;
+    const Consistency own = consistency(wins.wins);
+    ++rounds.evaluated;
+    rounds.triads += static_cast<std::size_t>(own.circular_triads);
+    rounds.zetas += own.zeta;
+  }
+  ConsistencyOfPeople found{.under_guessing = mean_zeta_under_guessing(items)};
+  const bool is_exact = items <= kMostItemsForExactTriads;
+  const IntegerDistribution of_round =
+      is_exact ? circular_triad_distribution(items) : IntegerDistribution{};
+  NamedTable table{
+      kConsistency,
+      phrase("Analysis", "Consistency of the participants"),
+      {{"participant", "rounds", "circular_triads", "zeta", "p"}, {}},
+      phrase("Analysis",
+             "A round is one comparison of every pair; rounds with a tie or without one of the "
+             "pairs are left out. A triad is circular if a is chosen over b, b over c, and c over "
+             "a: number per round. ζ, the coefficient of consistence: 1 without circular triads, 0 "
+             "with as many as possible, %1 on average under guessing. p: exact probability of at "
+             "most as many circular triads in these rounds under guessing.")
+          .with(reading_bounded(found.under_guessing))};
+  for (const auto& [person, rounds] : of_people) {
+    std::vector<Cell> row{study.choices.gathered.people[person].label,
+                          static_cast<std::int64_t>(rounds.evaluated), Cell{}, Cell{}, Cell{}};
+    if (rounds.evaluated > 0) {
+      const auto n = static_cast<double>(rounds.evaluated);
+      found.zetas.push_back(rounds.zetas / n);
+      row[2] = static_cast<double>(rounds.triads) / n;
+      row[3] = found.zetas.back();
+      if (is_exact) {
+        row[4] = repeated_sum(of_round, rounds.evaluated)
+                     .lower_tail(static_cast<std::int64_t>(rounds.triads));
+      }
+    }
+    table.table.rows.push_back(std::move(row));
+  }
+  outcome.tables.push_back(std::move(table));
+  return found;
+}
+
+void ask_items(const PairedStudy& study, const FoundNumbers& found, const StudyTests& tests,
+               AnalysisOutcome& outcome) {
+  const Phrase question = phrase("Analysis", "Are some items chosen more often than others?");
+  const Phrase method =
+      phrase("Analysis",
+             "Friedman test of each participant's proportion of the comparisons in which an item "
+             "was chosen, a tie counting half; CIs of the means are t-based.");
+  const Finding* most = nullptr;
+  const Finding* least = nullptr;
+  for (const std::string& item : study.choices.items) {
+    const Finding* const mean = found.find("mean.score", item);
+    if (mean == nullptr || !mean->value) continue;
+    if (most == nullptr || *mean->value > *most->value) most = mean;
+    if (least == nullptr || *mean->value < *least->value) least = mean;
+  }
+  const StudyTests::Test* const test = tests.find("preference");
+  if (most == nullptr || test == nullptr || !test->p) {
+    add_question(
+        outcome, "preference", question,
+        phrase("Analysis", "Not tested: too few participants compared every pair equally often."),
+        method, "pairs", nullptr);
+    return;
+  }
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(most->key, percent(*most->value), interval_text(*most), least->key,
+                      percent(*least->value), interval_text(*least), p_text(*test));
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "Yes: %1 was chosen most often, in %2 of its comparisons (%3), and %4 "
+                          "least often, in %5 (%6). Friedman test: %7.")),
+      with_numbers(phrase("Analysis",
+                          "Not significantly: %1 was chosen most often, in %2 of its comparisons "
+                          "(%3), and %4 least often, in %5 (%6). Friedman test: %7.")),
+      with_numbers(phrase("Analysis",
+                          "For these participants, %1 was chosen most often, in %2 of its "
+                          "comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7."))};
+  add_question(outcome, "preference", question, said_of(*test, sayings), method, kScores, most);
+}
+
+void ask_fit(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  const Finding* const fit = found.find("model.fit.lr");
+  const std::optional<double> p = found.value("model.fit.p");
+  if (fit == nullptr || !p) return;
+  constexpr double kLevel = 0.05;
+  const std::string statistic = statistic_text(
+      "G²", std::vector<double>{found.value("model.fit.df").value_or(0.0)}, *fit->value);
+  add_question(
+      outcome, "fit", phrase("Analysis", "Do the items lie on one scale?"),
+      (*p < kLevel
+           ? phrase("Analysis",
+                    "The comparisons differ significantly from the %1: %2, %3. Values on "
+                    "one scale do not describe them completely.")
+           : phrase("Analysis", "The comparisons do not differ significantly from the %1: %2, %3."))
+          .with(model_name(found), statistic, reading_p(*p)),
+      phrase("Analysis",
+             "Likelihood-ratio test against a separate probability of each outcome for every "
+             "ordered pair; all responses are taken as independent. Exploratory."),
+      kModel, fit, CountedUnit::answers);
+}
+
+void ask_consistency(const ConsistencyOfPeople& people, AnalysisOutcome& outcome) {
+  if (people.zetas.empty()) return;
+  FindingList findings{};
+  add_mean_of_group("mean.zeta", "", people.zetas,
+                    {.possible = ConfidenceInterval{0.0, 1.0},
+                     .of = "mean of the participants' coefficients of consistence"},
+                    findings);
+  std::vector<Finding> made = findings.take();
+  for (Finding& finding : made) finding.analysis = kConsistency;
+  const FoundNumbers found(made);
+  const Finding* const mean = found.find("mean.zeta");
+  if (mean == nullptr || !mean->value) return;
+  Phrase zeta = phrase("Analysis", "ζ = %1").with(reading_bounded(*mean->value));
+  if (mean->low && mean->high) {
+    zeta = phrase("Analysis", "%1, 95 % CI [%2, %3]")
+               .with(zeta, reading_bounded(*mean->low), reading_bounded(*mean->high));
+  }
+  add_question(outcome, kConsistency,
+               phrase("Analysis", "Are the participants' choices consistent?"),
+               phrase("Analysis",
+                      "Mean coefficient of consistence: %1. It is 1 without circular triads, and "
+                      "%2 on average under guessing.")
+                   .with(zeta, reading_bounded(people.under_guessing)),
+               phrase("Analysis",
+                      "Kendall’s ζ of each complete round without ties, averaged over the rounds "
+                      "of a participant; the CI of the mean is t-based."),
+               kConsistency, mean);
+  keep_findings(made, outcome);
+}
+
+}  // namespace
+
+void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const Selection choices(gathered);
+  if (choices.items.size() < 2) {
+    outcome.remarks.push_back(
+        phrase("Analysis", "Fewer than two items were presented: there is nothing to compare."));
+    return;
+  }
+  const PairedStudy study(choices);
+  StudyTests tests(gathered);
+
+  const std::vector<Finding> of_pairs = pair_findings("choice", choices);
+  const FoundNumbers found_pairs(of_pairs);
+  keep_findings(of_pairs, outcome);
+  for (const ItemPair& pair : pairs_offered(choices)) {
+    const std::string about = both(choices.items[pair.first], choices.items[pair.second]);
+    tests.add("pairs", about, found_pairs, "signflip.p.two", about);
+  }
+
+  PairScores scores = pair_scores_of(study);
+  const std::vector<Finding> of_scores = analysis_of(kScores, "rating", std::move(scores.input));
+  const FoundNumbers found_scores(of_scores);
+  // The pairs are tested by their own comparisons.
+  keep_findings(of_scores, outcome,
+                [](const Finding& finding) { return !finding.quantity.starts_with("wilcoxon."); });
+  tests.add("preference", "", found_scores, "friedman.p");
+  tests.leave_out(scores.left_out);
+
+  const std::vector<Finding> of_positions = analysis_of(
+      "position", "selection",
+      choices_table(
+          choices, numbers_up_to(2),
+          [&choices](const GatheredAnswer& answer) { return choices.position(answer); }, "1"));
+  const FoundNumbers found_positions(of_positions);
+  keep_findings(of_positions, outcome);
+  tests.add("position", "", found_positions, "relabel.exact.p");
+
+  const std::vector<Finding> of_scale = analysis_of(kScale, "paired", comparisons_of(choices));
+  const FoundNumbers found_scale(of_scale);
+  keep_findings(of_scale, outcome);
+
+  add_pair_tables(study, outcome);
+  add_scores(study, found_scores, outcome);
+  add_pair_scale(study, found_scale, outcome);
+  add_model(found_scale, outcome);
+  const ConsistencyOfPeople people = add_people_consistency(study, outcome);
+  tests.finish(outcome);
+
+  ask_items(study, found_scores, tests, outcome);
+  ask_pairs({.question = phrase("Analysis", "Which item of a pair is chosen more often?"),
+             .method = phrase("Analysis",
+                              "For each pair, exact sign-flip (randomisation) test of each "
+                              "participant's difference between the two counts (both labels "
+                              "exchanged within a participant); ties are left out."),
+             .nothing_chosen = phrase("Analysis", "No choice was made between two items."),
+             .test = "pairs"},
+            tests, found_pairs, outcome);
+  ask_position(2,
+               phrase("Analysis",
+                      "Permutation test of the numbers of choices of the two positions, which are "
+                      "exchanged within each participant; ties are left out."),
+               found_positions, tests, outcome);
+  ask_fit(found_scale, outcome);
+  ask_consistency(people, outcome);
+  remark_on_pooling(gathered.answers.size(), gathered.people.size(), outcome);
+}
+
+}  // namespace asperity

@@ -1,0 +1,123 @@
+// The tests, checks and judgement of a paired comparison.
+
+#include "protocols/kinds/paired_comparison.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
+#include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/realism.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kPairedTests{
+    KindTest{"pairs", "every pair of items: is one chosen more often than the other"},
+    KindTest{"preference", "are all items chosen equally often"},
+    KindTest{"position", "are both positions chosen equally often"}};
+
+constexpr std::array kPairedKeys{kRealismStandard};
+
+std::string item_of_pair(const StimulusDescription& stimulus) {
+  return stimulus.texture.empty() ? stimulus.model : stimulus.texture;
+}
+
+/// Choices in different blocks are analysed together, so that they have to answer one question.
+void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
+  const Protocol::TrialQuestionTemplate* first = nullptr;
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.phase != Phase::main || block.kind != paired_comparison_kind().id) continue;
+    for (std::size_t i = 0; i < block.questions.size(); ++i) {
+      const Protocol::TrialQuestionTemplate& question = block.questions[i];
+      if (!std::holds_alternative<ChoiceForm>(question.form)) continue;
+      if (first == nullptr) first = &question;
+      if (question.name == first->name) continue;
+      const std::string pointer = pointer_to("/blocks", name);
+      problems.report((block.has_question_list ? pointer_to(pointer + "/questions", i)
+                                               : pointer + "/question") +
+                          "/name",
+                      "the main blocks of a paired_comparison are analysed together, and another "
+                      "one asks " +
+                          in_quotes(first->name) +
+                          "; give both questions this name, or write a protocol for each question");
+    }
+  }
+}
+
+void check_block_of_pairs(const BlockOfKind& checked, ProblemSink& problems) {
+  const Protocol::TrialQuestionTemplate& question = checked.question;
+  const std::string& place = checked.at_question;
+  if (checked.block.presented.size() != 2) {
+    problems.report(checked.pointer + "/presented",
+                    "a paired_comparison presents exactly two surfaces per trial; for all pairs of "
+                    "the levels of a factor, add \"all_pairs\" and list one surface");
+  }
+  if (!question.pictures.empty()) {
+    problems.report(place + "/pictures",
+                    "in a paired_comparison the options are the surfaces felt; remove this key");
+  }
+  if (!question.correct_factor.empty()) {
+    problems.report(place + "/correct_factor",
+                    "no response of a paired_comparison is correct or incorrect; remove this key");
+  }
+  if (question.allow_cannot_tell) {
+    problems.report(place + "/allow_cannot_tell",
+                    "the third option of a paired_comparison is a tie; write \"tie\" with the text "
+                    "of the option instead of this key");
+  }
+  check_prompt_for_sample(checked, problems);
+}
+
+void check_trial_of_pairs(const BlockOfKind& checked, const Trial& trial, ProblemSink& problems) {
+  if (checked.protocol.realism_standard) check_surfaces_with_standard(checked, trial, problems);
+  for (const PlannedPresentation& planned : trial.presentations) {
+    if (planned.item != kTieOption) continue;
+    problems.report(
+        checked.pointer + "/presented",
+        "a surface counts as \"tie\" in the responses, which is the name of a tie; give "
+        "it another name");
+  }
+}
+
+/// With a standard: the surface that is closer to the expected texture (VirtualObserver::select). Without one, or
+/// without an expectation: the surface with the greater magnitude (VirtualObserver::compare), whatever the question asks
+/// for; where there is the option, a difference of less than 10 % is a tie.
+VirtualResponse judge_pair(const Judgement& judgement) {
+  if (judgement.protocol.realism_standard) {
+    const std::vector<ForceFeatures> expected = expected_of(
+        judgement.expectations, {judgement.trial.presentations.front().stimulus.texture});
+    if (!expected.empty()) {
+      return {ChosenOption{judgement.observer.select(judgement.felt, expected.front())}, false};
+    }
+  }
+  constexpr double kLeastDifference = 0.1;
+  const std::size_t surfaces = judgement.felt.size();
+  const bool can_tie = judgement.question.options.size() > surfaces;
+  const std::optional<std::size_t> greater = judgement.observer.compare(
+      judgement.felt[0], judgement.felt[1], can_tie ? kLeastDifference : 0.0);
+  return {ChosenOption{greater.value_or(surfaces)}, false};
+}
+
+}  // namespace
+
+const ExperimentKind& paired_comparison_kind() {
+  static const ExperimentKind kKind{.id = "paired_comparison",
+                                    .role = "alternative",
+                                    .form = ChoiceForm{},
+                                    .takes_ties = true,
+                                    .tests = kPairedTests,
+                                    .keys = kPairedKeys,
+                                    .item_of = item_of_pair,
+                                    .check = check_pairs_of_protocol,
+                                    .check_block = check_block_of_pairs,
+                                    .check_trial = check_trial_of_pairs,
+                                    .judge = judge_pair};
+  return kKind;
+}
+
+}  // namespace asperity

@@ -1,0 +1,180 @@
+// Paired comparisons, from the rows of a study to scores, tests, scale and consistency.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kRougher = R"({"kind": "paired_comparison", "blocks": {"only": {
+    "question": {"name": "rougher", "prompt": "Which is rougher?", "tie": {"text": "Neither"}}}},
+    "analysis": {"family": ["pairs"]}})";
+
+MadeUpTrial compared(const std::string& first, const std::string& second,
+                     const std::string& chosen) {
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of(first, "height_map", first),
+                    surface_of(second, "height_map", second)};
+  trial.answers = {chosen};
+  trial.options = {first, second, "tie"};
+  return trial;
+}
+
+/// One round of a, b and c in a participant's order, from the roughest; "a" over "c" is exchanged where it is circular.
+std::vector<MadeUpTrial> round_of(const std::array<std::string, 3>& order, bool is_circular) {
+  return {compared(order[0], order[1], order[0]), compared(order[2], order[1], order[1]),
+          compared(order[0], order[2], is_circular ? order[2] : order[0])};
+}
+
+AnalysisOutcome outcome_of_pairs(MadeUpStudy& made) {
+  std::vector<AnalysisOutcome> outcomes = analyze_study(made.study(), std::nullopt, {});
+  EXPECT_EQ(outcomes.size(), 1U);
+  return std::move(outcomes.front());
+}
+
+const NamedTable& paired_table(const AnalysisOutcome& outcome, const std::string& name) {
+  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                  [&name](const NamedTable& each) { return each.name == name; });
+  if (found == outcome.tables.end()) throw std::runtime_error("there is no table " + name);
+  return *found;
+}
+
+bool has_paired_table(const AnalysisOutcome& outcome, const std::string& name) {
+  return std::any_of(outcome.tables.begin(), outcome.tables.end(),
+                     [&name](const NamedTable& each) { return each.name == name; });
+}
+
+const AnsweredQuestion& paired_question(const AnalysisOutcome& outcome, const std::string& name) {
+  return *std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                       [&name](const AnsweredQuestion& each) { return each.name == name; });
+}
+
+/// Six participants: five order a > b > c, the last is circular (a > b > c > a).
+class Pairs : public testing::Test {
+ protected:
+  Pairs() {
+    const std::int64_t protocol = made_.add_protocol("rougher", "paired_comparison", kRougher);
+    for (int person = 0; person < 6; ++person) {
+      const std::string label = "p" + std::to_string(person + 1);
+      made_.add_person(label, "");
+      made_.add_session(label, protocol, round_of({"a", "b", "c"}, person == 5));
+    }
+  }
+  MadeUpStudy made_{};
+};
+
+TEST_F(Pairs, HaveTheProportionOfComparisonsThatEachItemWins) {
+  const AnalysisOutcome outcome = outcome_of_pairs(made_);
+  const FoundNumbers found(outcome.findings);
+  // a wins 2 of 2 for five participants, and 1 of 2 for the last.
+  EXPECT_NEAR(found.value("mean.score", "a").value(), 11.0 / 12.0, 1e-12);
+  EXPECT_NEAR(found.value("mean.score", "b").value(), 0.5, 1e-12);
+  EXPECT_NEAR(found.value("mean.score", "c").value(), 1.0 / 12.0, 1e-12);
+  const AnsweredQuestion& asked = paired_question(outcome, "preference");
+  EXPECT_THAT(asked.answer.english(), HasSubstr("a was chosen most often, in 92 %"));
+  EXPECT_THAT(asked.answer.english(), HasSubstr("c least often, in 8 %"));
+}
+
+TEST_F(Pairs, AreTestedByTheParticipants) {
+  const AnalysisOutcome outcome = outcome_of_pairs(made_);
+  const FoundNumbers found(outcome.findings);
+  // All six prefer a to b: 2 of 2⁶ patterns of signs are as extreme; a to c five of six: 14 of 64.
+  EXPECT_DOUBLE_EQ(found.value("signflip.p.two", "a|b").value(), 2.0 / 64.0);
+  EXPECT_DOUBLE_EQ(found.value("signflip.p.two", "a|c").value(), 14.0 / 64.0);
+  EXPECT_EQ(paired_table(outcome, "tests").table.rows.size(), 5U)
+      << "three pairs, items, positions";
+  EXPECT_THAT(paired_question(outcome, "pairs").answer.english(), HasSubstr("a / b"));
+}
+
+TEST_F(Pairs, HaveCircularTriadsAndZetaForEveryParticipant) {
+  const AnalysisOutcome outcome = outcome_of_pairs(made_);
+  const Table& table = paired_table(outcome, "consistency").table;
+  ASSERT_EQ(table.rows.size(), 6U);
+  EXPECT_EQ(table.rows[0][0], Cell(std::string("p1")));
+  EXPECT_EQ(table.rows[0][1], Cell(std::int64_t{1}));
+  EXPECT_EQ(table.rows[0][2], Cell(0.0));
+  EXPECT_EQ(table.rows[0][4], Cell(0.75)) << "6 of the 8 outcomes of a round are not circular";
+  EXPECT_EQ(table.rows[5][2], Cell(1.0));
+  EXPECT_EQ(table.rows[5][3], Cell(0.0));
+  EXPECT_EQ(table.rows[5][4], Cell(1.0));
+  EXPECT_THAT(paired_question(outcome, "consistency").answer.english(), HasSubstr("ζ = .83"));
+}
+
+// The choices of the sixth participant lead from c back to a; without them a never loses, and its log-worth is infinite.
+TEST_F(Pairs, HaveAScaleOnlyWhereEveryItemAlsoLoses) {
+  const AnalysisOutcome outcome = outcome_of_pairs(made_);
+  const Table& scale = paired_table(outcome, "scale").table;
+  ASSERT_EQ(scale.rows.size(), 3U);
+  EXPECT_GT(std::get<double>(scale.rows[0][1]), std::get<double>(scale.rows[1][1]));
+  EXPECT_GT(std::get<double>(scale.rows[1][1]), std::get<double>(scale.rows[2][1]));
+  EXPECT_TRUE(has_paired_table(outcome, "paired_model"));
+
+  MadeUpStudy alike{};
+  const std::int64_t protocol = alike.add_protocol("rougher", "paired_comparison", kRougher);
+  for (const char* const label : {"p1", "p2", "p3"}) {
+    alike.add_person(label, "");
+    alike.add_session(label, protocol, round_of({"a", "b", "c"}, false));
+  }
+  const AnalysisOutcome unbounded = outcome_of_pairs(alike);
+  EXPECT_FALSE(has_paired_table(unbounded, "scale"));
+  EXPECT_FALSE(has_paired_table(unbounded, "paired_model"));
+  EXPECT_TRUE(std::any_of(unbounded.remarks.begin(), unbounded.remarks.end(), [](const Phrase& one) {
+    return one.english().find("cannot be placed on a scale") != std::string::npos;
+  }));
+}
+
+TEST_F(Pairs, CountATieHalfAndLeaveItsRoundOutOfTheTriads) {
+  made_.add_person("p7", "");
+  made_.add_session("p7", 1,
+                    {compared("a", "b", "tie"), compared("b", "c", "b"), compared("c", "a", "a")});
+  const AnalysisOutcome outcome = outcome_of_pairs(made_);
+  const FoundNumbers found(outcome.findings);
+  EXPECT_NEAR(found.value("mean.score", "a").value(), (11.0 / 2.0 + 0.75) / 7.0, 1e-12);
+  EXPECT_EQ(paired_table(outcome, "consistency").table.rows[6][1], Cell(std::int64_t{0}));
+  EXPECT_EQ(paired_table(outcome, "consistency").table.rows[6][3], Cell{});
+  const Table& ties = paired_table(outcome, "ties").table;
+  EXPECT_EQ(ties.rows[0], (std::vector<Cell>{std::string("a"), std::string("b"), std::int64_t{7},
+                                             std::int64_t{1}}));
+}
+
+TEST_F(Pairs, LeaveAParticipantWithoutOneOfThePairsOutOfTheScores) {
+  made_.add_person("p7", "");
+  made_.add_session("p7", 1, {compared("c", "a", "c"), compared("c", "b", "c")});
+  const AnalysisOutcome outcome = outcome_of_pairs(made_);
+  const FoundNumbers found(outcome.findings);
+  EXPECT_NEAR(found.value("mean.score", "a").value(), 11.0 / 12.0, 1e-12);
+  EXPECT_DOUBLE_EQ(found.value("signflip.p.two", "a|b").value(), 2.0 / 64.0);
+  EXPECT_EQ(found.find("mean.score", "a")->n, 6U);
+}
+
+// A round is the k-th comparison of every pair, whatever the order of the trials.
+TEST(RoundsOfPairs, AreTakenInTheOrderOfTheComparisonsOfEveryPair) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("rougher", "paired_comparison", kRougher);
+  made.add_person("p1", "");
+  made.add_session("p1", protocol,
+                   {compared("a", "b", "a"), compared("b", "a", "b"), compared("b", "c", "b"),
+                    compared("a", "c", "a"), compared("c", "a", "c"), compared("c", "b", "b")});
+  // First a > b, b > c, a > c; then b > a, b > c, c > a: both without a circular triad.
+  const AnalysisOutcome outcome = outcome_of_pairs(made);
+  const Table& table = paired_table(outcome, "consistency").table;
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0][1], Cell(std::int64_t{2}));
+  EXPECT_EQ(table.rows[0][3], Cell(1.0));
+  EXPECT_EQ(table.rows[0][4], Cell(0.5625)) << "two rounds without one: 0.75²";
+}
+
+}  // namespace
+}  // namespace asperity
