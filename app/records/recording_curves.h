@@ -33,7 +33,7 @@ struct SurfaceCurves {
   /// apart unless the contact begins or ends between them.
   std::vector<PathPoint> path{};
   /// Of the normal force that the device was sent in the longest contact; absent when that contact
-  /// is shorter than a window of 256 ticks or contains a force that is not a number. Where the
+  /// is shorter than a window of 256 ticks or contains a force that is not finite. Where the
   /// device was sent no force during the whole contact (a device without motors), of the force that
   /// the renderer computed.
   std::optional<PowerSpectrum> spectrum{};

@@ -45,7 +45,7 @@ const std::vector<RemarkWords>& all_remarks() {
               "After a stop under force, exactly 0 N was sent from the next tick on.")},
       {DeviceRemark::no_number, "device_test_zero_after_not_finite",
        phrase("DeviceTest",
-              "When a force that is not a number was requested, exactly 0 N was sent in the same "
+              "When a force that is not finite was requested, exactly 0 N was sent in the same "
               "tick.")},
       {DeviceRemark::silent, "device_test_zero_without_heartbeat",
        phrase("DeviceTest",

@@ -30,7 +30,8 @@ void check_surfaces_with_standard(const BlockOfKind& checked, const Trial& trial
     problems.report(presented,
                     "the surfaces of a trial show different textures (" + in_quotes(texture) +
                         " and " + in_quotes(planned.stimulus.texture) +
-                        "); realism is compared between renderings of one texture: give them the same");
+                        "); realism is compared between renderings of one texture; give them the "
+                        "same texture");
   }
   if (protocol.realism_standard == RealismStandard::photograph && !trial.standard_picture) {
     problems.report(

@@ -103,7 +103,7 @@ void check_safety(DeviceTestRun& run) {
     return;
   }
   run.announce(DeviceTestPart::safety,
-               "safety: a limit, a stop, a force that is not a number, and a missing heartbeat",
+               "safety: a limit, a stop, a force that is not finite, and a missing heartbeat",
                0.05);
   const double limit_N = std::min(kGentle_N, run.force_N());
   run.device().set_limits({.force_N = limit_N});

@@ -50,7 +50,7 @@ Columns servo_columns() {
   count("saturated_ticks", "ticks with the force reduced to the limit", &Row::saturated_ticks);
   count("slew_limited_ticks", "ticks with the rate of change of the force limited",
         &Row::slew_limited_ticks);
-  count("not_finite_ticks", "ticks with a force that was not a number", &Row::not_finite_ticks);
+  count("not_finite_ticks", "ticks with a force that was not finite", &Row::not_finite_ticks);
   count("lost_records", "tick records that were lost", &Row::lost_records);
   columns.push_back(column("fault", "text", "", "fault that stopped the forces, or none",
                            [](const Place& at) { return at.servo->fault; }));

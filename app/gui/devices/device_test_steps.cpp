@@ -20,7 +20,7 @@ QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
           "servo loop is measured, and the force has to be exactly zero.");
     case DeviceTestPart::safety:
       return DeviceTestSteps::tr(
-          "Keep hands away: the handle is pushed softly. A stop, a force that is not a number and "
+          "Keep hands away: the handle is pushed softly. A stop, a force that is not finite and "
           "an unresponsive program are then tested; each has to end in zero force.");
     case DeviceTestPart::sweeps:
       return DeviceTestSteps::tr(

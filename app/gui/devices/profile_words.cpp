@@ -47,7 +47,7 @@ constexpr std::array<ItemWords, 20> kItemWords{
      {"zero_after_stop", Subject::safety,
       QT_TRANSLATE_NOOP("ProfileWords", "Zero force after a stop")},
      {"zero_after_not_finite", Subject::safety,
-      QT_TRANSLATE_NOOP("ProfileWords", "Zero force instead of a force that is not a number")},
+      QT_TRANSLATE_NOOP("ProfileWords", "Zero force instead of a force that is not finite")},
      {"zero_without_heartbeat", Subject::safety,
       QT_TRANSLATE_NOOP("ProfileWords", "Zero force when the program stops responding")},
      {"friction_N", Subject::mechanics, QT_TRANSLATE_NOOP("ProfileWords", "Friction"), 1.0, "N"},

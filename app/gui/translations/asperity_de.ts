@@ -2466,7 +2466,7 @@
         <translation>Nach einem Halt bei wirkender Kraft wurden vom nächsten Takt an genau 0 N gesendet.</translation>
     </message>
     <message>
-        <source>When a force that is not a number was requested, exactly 0 N was sent in the same tick.</source>
+        <source>When a force that is not finite was requested, exactly 0 N was sent in the same tick.</source>
         <translation>Als eine Kraft angefordert wurde, die keine Zahl ist, wurden im selben Takt genau 0 N gesendet.</translation>
     </message>
     <message>
@@ -4109,7 +4109,7 @@
         <translation>%1 Tage</translation>
     </message>
     <message>
-        <source>Zero force instead of a force that is not a number</source>
+        <source>Zero force instead of a force that is not finite</source>
         <translation>Kraft null statt einer Kraft, die keine Zahl ist</translation>
     </message>
 </context>
@@ -6328,7 +6328,7 @@
         <translation>Arbeitsraum</translation>
     </message>
     <message>
-        <source>Keep hands away: the handle is pushed softly. A stop, a force that is not a number and an unresponsive program are then tested; each has to end in zero force.</source>
+        <source>Keep hands away: the handle is pushed softly. A stop, a force that is not finite and an unresponsive program are then tested; each has to end in zero force.</source>
         <translation>Hände fernhalten: Der Griff wird leicht angestoßen. Danach werden ein Halt, eine Kraft, die keine Zahl ist, und ein Programm, das nicht reagiert, getestet; jeder dieser Fälle muss mit der Kraft null enden.</translation>
     </message>
 </context>

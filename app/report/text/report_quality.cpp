@@ -136,7 +136,7 @@ ReportText losses_text(const ReportFacts& facts) {
                       ticks_of(servo.slew_limited));
   }
   if (servo.not_finite.total > 0) {
-    limited.push_back("a force that was not a number was set to zero in " +
+    limited.push_back("a force that was not finite was set to zero in " +
                       ticks_of(servo.not_finite));
   }
   text +=
@@ -183,7 +183,7 @@ ReportTable counts_table(const ReportFacts& facts) {
                 count_row("lost records", servo.lost_records, "attempts"),
                 count_row("force reduced to the limit", servo.saturated, "attempts"),
                 count_row("rate of change of the force limited", servo.slew_limited, "attempts"),
-                count_row("force that was not a number", servo.not_finite, "attempts")};
+                count_row("force that was not finite", servo.not_finite, "attempts")};
   for (const auto& [limit, count] : facts.limits) {
     const auto& [model, name, felt] = limit;
     std::string kind = name;
