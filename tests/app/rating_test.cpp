@@ -97,6 +97,12 @@ TEST_F(Ratings, HaveTablesAndAQuestionForEachScale) {
   };
   ASSERT_NE(table("ratings"), ratings.tables.end());
   EXPECT_EQ(table("ratings")->table.rows.size(), 6U);
+  // Both from 1 to 7 in 7 points, without labels.
+  ASSERT_NE(table("scales"), ratings.tables.end());
+  const std::vector<std::vector<Cell>>& scales = table("scales")->table.rows;
+  ASSERT_EQ(scales.size(), 2U);
+  EXPECT_EQ(scales[1], (std::vector<Cell>{std::string("hard"), std::int64_t{1}, Cell{},
+                                          std::int64_t{7}, Cell{}, std::int64_t{7}}));
   ASSERT_NE(table("agreement"), ratings.tables.end());
   EXPECT_EQ(table("agreement")->table.rows.size(), 10U);
   ASSERT_EQ(ratings.questions.size(), 2U);

@@ -18,6 +18,7 @@ const CellWords& words_of_measures() {
   static const CellWords kWords{
       {"balanced_share", phrase("CellWords", "proportion correct, mean over the textures")},
       {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
+      {"cronbach_alpha", phrase("CellWords", "Cronbach’s α")},
       {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},
       {"d_prime", phrase("CellWords", "d′")},
       {"items_of_halves",
@@ -203,6 +204,11 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
     return text == "confirmatory" ? phrase("CellWords", "confirmatory")
                                   : phrase("CellWords", "exploratory");
   }
+  if (column == "retained") {
+    return text == "yes" ? phrase("CellWords", "yes") : phrase("CellWords", "no");
+  }
+  if (column == "of" && text == "loading") return phrase("CellWords", "loading of the scale");
+  if (column == "of" && text == "score") return phrase("CellWords", "score of the item");
   if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
   if (column == "about") return with_strokes(text);
   if (column != "family") return text;

@@ -1,6 +1,7 @@
 // The analysis of ratings: each scale on its own.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,6 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kRatings = "ratings";
+constexpr const char* kScales = "scales";
 constexpr const char* kAgreement = "agreement";
 constexpr const char* kOrdinal = "ordinal";
 constexpr const char* kComponents = "components";
@@ -217,6 +219,35 @@ void add_components(const std::vector<RatedScale>& scales, AnalysisOutcome& outc
   outcome.tables.push_back(std::move(loadings));
 }
 
+/// The scales as shown to participants.
+NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales) {
+  NamedTable shown{kScales,
+                   phrase("Analysis", "The scales"),
+                   {{"scale", "minimum", "low_label", "maximum", "high_label", "points"}, {}},
+                   phrase("Analysis",
+                          "The ends of each scale as numbers and as labelled for participants; "
+                          "without points it is a line.")};
+  // Whole numbers are displayed without decimals.
+  const auto whole_cell = [](const std::optional<double>& number) {
+    return number && std::floor(*number) == *number
+               ? Cell{static_cast<std::int64_t>(std::llround(*number))}
+               : cell_of(number);
+  };
+  const auto label_cell = [](const std::string& label) {
+    return label.empty() ? Cell{} : Cell{label};
+  };
+  for (const RatedScale& scale : scales) {
+    const auto question =
+        std::find_if(gathered.questions.begin(), gathered.questions.end(),
+                     [&scale](const auto& one) { return one.name == scale.name; });
+    if (question == gathered.questions.end()) continue;
+    shown.table.rows.push_back({scale.name, whole_cell(question->minimum),
+                                label_cell(question->low_label), whole_cell(question->maximum),
+                                label_cell(question->high_label), whole_cell(question->points)});
+  }
+  return shown;
+}
+
 /// "4.25 (95 % CI [3.90, 4.60])"
 Phrase mean_text(const Finding& mean) {
   constexpr int kDecimals = 2;
@@ -364,7 +395,10 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
     keep_findings(correlations, outcome);
     all.emplace_back(&scale, std::move(findings));
   }
-  if (!ratings.table.rows.empty()) outcome.tables.push_back(std::move(ratings));
+  if (!ratings.table.rows.empty()) {
+    outcome.tables.push_back(std::move(ratings));
+    outcome.tables.push_back(table_of_scales(gathered, scales));
+  }
   if (!agreement.table.rows.empty()) outcome.tables.push_back(std::move(agreement));
   if (!odds.table.rows.empty()) outcome.tables.push_back(std::move(odds));
   add_components(scales, outcome);

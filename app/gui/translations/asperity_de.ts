@@ -1551,6 +1551,14 @@
         <source>The comparisons do not differ significantly from the %1: %2, %3.</source>
         <translation>Die Vergleiche weichen nicht signifikant vom %1 ab: %2, %3.</translation>
     </message>
+    <message>
+        <source>The scales</source>
+        <translation>Die Skalen</translation>
+    </message>
+    <message>
+        <source>The ends of each scale as numbers and as labelled for participants; without points it is a line.</source>
+        <translation>Die Enden jeder Skala als Zahlen und mit den Beschriftungen, die die Versuchspersonen sehen; ohne Stufen ist sie eine Linie.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -1960,6 +1968,66 @@
     <message>
         <source>stimulus</source>
         <translation>Reiz</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>eigenvalue</source>
+        <translation>Eigenwert</translation>
+    </message>
+    <message>
+        <source>label of the maximum</source>
+        <translation>Beschriftung des Maximums</translation>
+    </message>
+    <message>
+        <source>items</source>
+        <translation>Items</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>log odds ratio</source>
+        <translation>Log-Odds-Ratio</translation>
+    </message>
+    <message>
+        <source>log odds ratio, 95 % CI</source>
+        <translation>Log-Odds-Ratio, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>label of the minimum</source>
+        <translation>Beschriftung des Minimums</translation>
+    </message>
+    <message>
+        <source>mean rank</source>
+        <translation>mittlerer Rang</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>retained</source>
+        <translation>beibehalten</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
     </message>
 </context>
 <context>
@@ -2402,6 +2470,26 @@
     <message>
         <source>ratings of the items</source>
         <translation>Urteile über die Items</translation>
+    </message>
+    <message>
+        <source>Cronbach’s α</source>
+        <translation>Cronbachs α</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>loading of the scale</source>
+        <translation>Ladung der Skala</translation>
+    </message>
+    <message>
+        <source>score of the item</source>
+        <translation>Komponentenwert des Items</translation>
     </message>
 </context>
 <context>
