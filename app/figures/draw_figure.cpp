@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include <QtCore/QLineF>
 #include <QtGui/QFontMetricsF>
 #include <QtGui/QPainter>
 #include <QtGui/QPolygonF>
 
 #include "app/figures/figure_layout.h"
+#include "app/figures/label_places.h"
 
 namespace asperity {
 
@@ -80,6 +82,7 @@ class FigureDrawing final {
       for (const FigureSeries& series : figure_.series) {
         if (series.single == single) layer.push_back(&series);
       }
+      for (const FigureSeries* series : layer) arrows(*series);
       for (const FigureSeries* series : layer) lines(*series);
       for (const FigureSeries* series : layer) intervals(*series);
       for (const FigureSeries* series : layer) points(*series);
@@ -136,6 +139,19 @@ class FigureDrawing final {
     const bool rows = !figure_.y.places.empty();
     const double tick = 0.35 * letters();
     const double gap = tick + 0.25 * letters();
+    const auto has_arrows = [](const FigureSeries& series) { return !series.arrows.empty(); };
+    if (std::any_of(figure_.series.begin(), figure_.series.end(), has_arrows)) {
+      line({plot.left(), layout_.y_of(0.0)}, {plot.right(), layout_.y_of(0.0)}, look_.colors.line,
+           thin());
+      line({layout_.x_of(0.0), plot.top()}, {layout_.x_of(0.0), plot.bottom()}, look_.colors.line,
+           thin());
+    }
+    if (figure_.marks_per_row > 1) {
+      for (std::size_t row = 1; row < figure_.y.places.size(); ++row) {
+        const double border = layout_.bottom_of_row(row - 1);
+        line({plot.left(), border}, {plot.right(), border}, look_.colors.line, thin());
+      }
+    }
     for (const LaidTick& one : layout_.x_ticks()) {
       const bool labelled = !one.label.lines.isEmpty();
       if (!cells) {
@@ -163,6 +179,10 @@ class FigureDrawing final {
              look_.colors.muted, thin());
       }
       text(one.label, {plot.left() - gap - 0.1 * letters(), one.at}, Across::right, Along::middle,
+           look_.colors.text);
+    }
+    for (const LaidTick& one : layout_.far_ticks()) {
+      text(one.label, {plot.right() + gap + 0.1 * letters(), one.at}, Across::left, Along::middle,
            look_.colors.text);
     }
     if (cells) return;
@@ -287,6 +307,28 @@ class FigureDrawing final {
     }
   }
 
+  /// A line with a filled head, which ends at `to`.
+  void arrow(const QPointF& from, const QPointF& to, const QColor& color) {
+    const QLineF whole(from, to);
+    const double length = whole.length();
+    if (!(length > 0.0)) return;
+    const QPointF along = (to - from) / length;
+    const double head = std::min(0.8 * letters(), length);
+    const QPointF neck = to - head * along;
+    const QPointF aside = 0.35 * head * QPointF(-along.y(), along.x());
+    line(from, neck, color, 1.8 * thin());
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(color);
+    painter_.drawPolygon(QPolygonF({to, neck + aside, neck - aside}));
+    painter_.setBrush(Qt::NoBrush);
+  }
+
+  void arrows(const FigureSeries& series) {
+    for (const FigureArrow& one : series.arrows) {
+      arrow(at(0.0, 0.0), at(one.to.x, one.to.y), color_of(series, look_));
+    }
+  }
+
   /// One end of an interval: a cap, or an arrow where it extends beyond the axis. `out`: the unit
   /// vector away from the point.
   void end_of_interval(const QPointF& end, const QPointF& out, bool goes_on) {
@@ -362,42 +404,46 @@ class FigureDrawing final {
     }
   }
 
-  /// Draws labels next to their points, where they cover no other point and no label.
+  /// Draws labels next to their points and beyond the heads of arrows, where they cover no other
+  /// mark and no label, if there is such a place.
   void labels() {
-    std::vector<QRectF> taken{};
+    LabelPlaces places(layout_.plot());
     for (const FigureSeries& series : figure_.series) {
       if (series.single) continue;
       for (const FigurePoint& point : series.points) {
         const double half = 1.3 * half_width(point);
-        taken.push_back(
+        places.keep_free(
             QRectF(at(point.x, point.y) - QPointF(half, half), QSizeF(2 * half, 2 * half)));
+      }
+      for (const FigureArrow& arrow : series.arrows) {
+        places.keep_free(QLineF(at(0.0, 0.0), at(arrow.to.x, arrow.to.y)), 0.5 * letters());
       }
     }
     const QFontMetricsF metrics(layout_.font());
-    const QRectF& plot = layout_.plot();
+    const auto draw = [&](const Phrase& label, const QPointF& named, const QColor& color,
+                          const auto& candidates_for) {
+      const QString words = layout_.words(label);
+      if (words.isEmpty()) return;
+      const QSizeF size(metrics.horizontalAdvance(words), metrics.height());
+      const QRectF place = places.take(named, candidates_for(size));
+      text(words, place.topLeft(), Across::left, Along::top, color);
+    };
+    // Arrows first: their labels can only be in one direction. They have a dark colour of the arrow.
+    constexpr double kDark = 0.35;
+    for (const FigureSeries& series : figure_.series) {
+      const QColor color = mixed(color_of(series, look_), look_.colors.text, kDark);
+      for (const FigureArrow& arrow : series.arrows) {
+        const QLineF line(at(0.0, 0.0), at(arrow.to.x, arrow.to.y));
+        draw(arrow.label, line.p2(), color,
+             [&](const QSizeF& size) { return beyond_arrow(line, size, 0.3 * letters()); });
+      }
+    }
     for (const FigureSeries& series : figure_.series) {
       for (const FigurePoint& point : series.points) {
-        const QString words = layout_.words(point.label);
-        if (words.isEmpty()) continue;
-        const QPointF middle = at(point.x, point.y);
         const double gap = half_width(point) + 0.3 * letters();
-        const QSizeF size(metrics.horizontalAdvance(words), metrics.height());
-        const std::array candidates{
-            QRectF(QPointF(middle.x() + gap, middle.y() - size.height() / 2.0), size),
-            QRectF(QPointF(middle.x() - gap - size.width(), middle.y() - size.height() / 2.0),
-                   size),
-            QRectF(QPointF(middle.x() - size.width() / 2.0, middle.y() - gap - size.height()),
-                   size),
-            QRectF(QPointF(middle.x() - size.width() / 2.0, middle.y() + gap), size)};
-        const auto is_free = [&](const QRectF& place) {
-          return plot.contains(place) &&
-                 std::none_of(taken.begin(), taken.end(),
-                              [&place](const QRectF& other) { return other.intersects(place); });
-        };
-        const auto* found = std::find_if(candidates.begin(), candidates.end(), is_free);
-        const QRectF place = found == candidates.end() ? candidates.front() : *found;
-        taken.push_back(place);
-        text(words, place.topLeft(), Across::left, Along::top, look_.colors.text);
+        const QPointF middle = at(point.x, point.y);
+        draw(point.label, middle, look_.colors.text,
+             [&](const QSizeF& size) { return around_point(middle, size, gap); });
       }
     }
   }
@@ -409,6 +455,9 @@ class FigureDrawing final {
       if (!series.lines.empty()) {
         painter_.setPen(pen_of(series, 1.8 * thin()));
         painter_.drawLine(item.at, item.at + QPointF(length, 0.0));
+      }
+      if (!series.arrows.empty()) {
+        arrow(item.at, item.at + QPointF(length, 0.0), color_of(series, look_));
       }
       if (!series.points.empty()) {
         // Outlined marks differ from others of their style in size, too.

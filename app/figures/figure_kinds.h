@@ -68,6 +68,13 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
 /// Mean scores with intervals, a row per item.
 Figure rating_figure(const FoundNumbers& found);
 
+/// Mean ratings of the items on several scales, a row per scale and a line per item. `shown`: the
+/// table of the ends and ranges of the scales; may be null.
+Figure profile_figure(const NamedTable& ratings, const NamedTable* shown);
+
+/// Scores of items as points and loadings of scales as arrows, on the first two components.
+Figure biplot_figure(const FoundNumbers& found);
+
 /// Means of the cells, the factor with the most levels along the axis and a line for each
 /// combination of the others. `unit`: of levels that are numbers.
 Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,

@@ -17,6 +17,7 @@ constexpr double kMarginOfFigure = 0.5;
 constexpr double kGap = 0.5;            // between a tick and its label, between labels and a name
 constexpr double kTick = 0.35;          // its length
 constexpr double kRow = 1.9;            // minimum height of a row
+constexpr double kMark = 0.75;          // between marks in one row
 constexpr double kRowPadding = 0.6;     // around a label of several lines
 constexpr double kGreatestCell = 6.0;   // larger ones give no further information
 constexpr double kGreatestSquare = 32;  // larger ones give no further information
@@ -28,6 +29,7 @@ constexpr double kShades = 9.0;     // length of the scale of shades
 // In proportion to the width of the figure.
 constexpr double kWidestRowLabel = 0.4;
 constexpr double kWidestCellLabel = 0.28;
+constexpr double kWidestLabelAtBothEnds = 0.25;
 
 QFont font_of(const FigureLook& look) {
   QFont font = look.family.isEmpty() ? QFontDatabase::systemFont(QFontDatabase::GeneralFont)
@@ -79,6 +81,11 @@ double share_of(const FigureAxis& axis, double value) {
     return std::log10(value / axis.low) / std::log10(axis.high / axis.low);
   }
   return (value - axis.low) / (axis.high - axis.low);
+}
+
+/// Of a plot with the same units on both axes.
+double height_of_width(const Figure& figure) {
+  return (figure.y.high - figure.y.low) / (figure.x.high - figure.x.low);
 }
 
 Phrase name_of(const FigureAxis& axis) {
@@ -156,20 +163,32 @@ void FigureLayout::lay_key() {
 void FigureLayout::lay_labels() {
   const bool cells = !figure_.cells.empty();
   const QFontMetricsF metrics(font_);
-  const double widest = figure_.y.places.empty() ? width_
-                        : cells                  ? kWidestCellLabel * width_
-                                                 : kWidestRowLabel * width_;
+  const double widest = figure_.y.places.empty()       ? width_
+                        : cells                        ? kWidestCellLabel * width_
+                        : figure_.y.far_places.empty() ? kWidestRowLabel * width_
+                                                       : kWidestLabelAtBothEnds * width_;
   constexpr int kVerticalLabels = 5;
-  for (const AxisTick& tick : ticks_of(figure_.y, kVerticalLabels)) {
+  const bool has_same_units = figure_.shape == FigureShape::square && !cells;
+  FigureAxis vertical = figure_.y;
+  // In the same units the steps are the same, which follow from the length of the range.
+  if (has_same_units) vertical.high = vertical.low + (figure_.x.high - figure_.x.low);
+  for (const AxisTick& tick : ticks_of(vertical, kVerticalLabels)) {
+    if (has_same_units && tick.value > figure_.y.high) continue;
     y_ticks_.push_back({.at = tick.value, .label = broken(words(tick.label), widest)});
+  }
+  for (const Phrase& place : figure_.y.far_places) {
+    far_ticks_.push_back(
+        {.at = static_cast<double>(far_ticks_.size()), .label = broken(words(place), widest)});
   }
   // The rotated name next to the labels is as wide as a line is high, if there is a name.
   const double name_breadth = figure_.y.name.empty() ? 0.0 : metrics.height() + kGap * letters_;
   const double left = kMarginOfFigure * letters_ + name_breadth + widest_of(y_ticks_) +
                       (y_ticks_.empty() ? 0.0 : kGap * letters_) + kTick * letters_;
-  double right = kMarginOfFigure * letters_ + letters_;
+  const double right =
+      kMarginOfFigure * letters_ +
+      (far_ticks_.empty() ? letters_ : widest_of(far_ticks_) + (kGap + kTick) * letters_);
   double breadth = width_ - left - right;
-  if (figure_.shape == FigureShape::square && !cells) {
+  if (has_same_units) {
     breadth = std::min(breadth, kGreatestSquare * letters_);
   }
   if (cells) {
@@ -213,13 +232,18 @@ void FigureLayout::lay_rows() {
   const bool cells = !figure_.cells.empty();
   const auto columns = static_cast<double>(std::max<std::size_t>(figure_.x.places.size(), 1));
   double bottom = plot_.top();
-  for (const LaidTick& row : y_ticks_) {
+  const auto marks = static_cast<double>(figure_.marks_per_row);
+  const double lowest =
+      std::max(kRow, figure_.marks_per_row > 1 ? kMark * (marks + kRoomBetweenRows) : 0.0);
+  for (std::size_t i = 0; i < y_ticks_.size(); ++i) {
+    const double label = std::max(y_ticks_[i].label.height,
+                                  i < far_ticks_.size() ? far_ticks_[i].label.height : 0.0);
     // Cells are squares as far as their names fit, and all of one size.
-    const double height =
-        cells ? std::max(plot_.width() / columns, highest_of(y_ticks_))
-              : std::max(kRow * letters_, row.label.height + kRowPadding * letters_);
+    const double height = cells ? std::max(plot_.width() / columns, highest_of(y_ticks_))
+                                : std::max(lowest * letters_, label + kRowPadding * letters_);
     row_middles_.push_back(bottom + height / 2.0);
     bottom += height;
+    row_bottoms_.push_back(bottom);
   }
   plot_.setBottom(bottom);
 }
@@ -229,7 +253,7 @@ void FigureLayout::lay_names() {
   if (!figure_.y.places.empty()) {
     lay_rows();
   } else if (figure_.shape == FigureShape::square) {
-    plot_.setHeight(plot_.width());
+    plot_.setHeight(plot_.width() * height_of_width(figure_));
   } else {
     plot_.setHeight(std::clamp(kHeightOfWidth * plot_.width(), kLowestPlot * letters_,
                                kHighestPlot * letters_));
@@ -258,6 +282,7 @@ void FigureLayout::lay_names() {
 void FigureLayout::place_ticks() {
   for (LaidTick& tick : x_ticks_) tick.at = x_of(tick.at);
   for (LaidTick& tick : y_ticks_) tick.at = y_of(tick.at);
+  for (LaidTick& tick : far_ticks_) tick.at = y_of(tick.at);
 }
 
 double FigureLayout::x_of(double value) const {

@@ -45,9 +45,13 @@ class FigureLayout final {
   double x_of(double value) const;
   /// Numbers increase upwards, places downwards.
   double y_of(double value) const;
+  /// Of a place of the vertical axis.
+  double bottom_of_row(std::size_t row) const { return row_bottoms_[row]; }
 
   const std::vector<LaidTick>& x_ticks() const noexcept { return x_ticks_; }
   const std::vector<LaidTick>& y_ticks() const noexcept { return y_ticks_; }
+  /// Of the far places of the vertical axis, to the right of the plot.
+  const std::vector<LaidTick>& far_ticks() const noexcept { return far_ticks_; }
   const TextLines& x_name() const noexcept { return x_name_; }
   const TextLines& y_name() const noexcept { return y_name_; }
   bool has_upright_x_labels() const noexcept { return upright_x_labels_; }
@@ -79,8 +83,10 @@ class FigureLayout final {
   QRectF shades_{};
   bool upright_x_labels_ = false;
   std::vector<double> row_middles_{};  ///< of the places of the vertical axis
+  std::vector<double> row_bottoms_{};
   std::vector<LaidTick> x_ticks_{};
   std::vector<LaidTick> y_ticks_{};
+  std::vector<LaidTick> far_ticks_{};
   TextLines x_name_{};
   TextLines y_name_{};
   TextLines sentence_{};

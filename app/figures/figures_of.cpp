@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "app/figures/figure_kinds.h"
@@ -104,6 +105,39 @@ void add_times(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   }
 }
 
+/// Of one scale a row per item; of several a profile, which follows the answer for the last of them,
+/// and their components.
+void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
+  const auto named = [&outcome](const char* name) {
+    const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                    [&](const NamedTable& one) { return one.name == name; });
+    return found == outcome.tables.end() ? nullptr : &*found;
+  };
+  const char* const analysis = "ratings";
+  const NamedTable* const ratings = named(analysis);
+  if (ratings == nullptr || ratings->table.rows.empty()) return;
+  std::string question{};
+  for (const AnsweredQuestion& asked : outcome.questions) {
+    if (asked.table == ratings->name) question = asked.name;
+  }
+  std::set<Cell> scales{};
+  for (const std::vector<Cell>& row : ratings->table.rows) scales.insert(row.front());
+  if (scales.size() > 1) {
+    figures.push_back(profile_figure(*ratings, named("scales")));
+  } else {
+    std::vector<Finding> means = part_of(outcome.findings, analysis);
+    for (Finding& mean : means) mean.key.erase(0, mean.key.find('|') + 1);  // the scale
+    figures.push_back(rating_figure(FoundNumbers(means)));
+    figures.back().table = ratings->name;
+  }
+  figures.back().question = question;
+  const NamedTable* const loadings = named("loadings");
+  if (loadings == nullptr) return;
+  const std::vector<Finding> components = part_of(outcome.findings, "components");
+  figures.push_back(biplot_figure(FoundNumbers(components)));
+  figures.back().table = loadings->name;
+}
+
 /// Sets the question of the study that each figure answers.
 void name_questions(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   static const std::vector<std::pair<std::string, std::vector<std::string>>> kAnswers{
@@ -171,6 +205,7 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
     figures.push_back(similarity_map(found));
     figures.back().table = "map";
   }
+  add_ratings(outcome, figures);
   add_sexes(outcome, figures);
   add_groups(outcome, figures);
   add_times(outcome, figures);
@@ -188,6 +223,7 @@ std::vector<Figure> figures_of(const std::string& family, const TidyInput& input
   if (family == "paired") return {scale_figure("preference", bradley_terry(), found)};
   if (family == "ranking") return {scale_figure("preference", plackett_luce(), found)};
   if (family == "rating") return {rating_figure(found)};
+  if (family == "components") return {biplot_figure(found)};
   if (family == "group") return group_figures(shares_of_groups(), found);
   if (family == "response_times") return {response_times_figure(found)};
   if (family == "learning") {

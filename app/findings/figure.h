@@ -13,7 +13,8 @@ namespace asperity {
 
 enum class AxisScale { linear, log10 };
 
-/// One axis of a plot. With `places` its numbers are 0, 1, 2, … and are labelled with these names.
+/// One axis of a plot. With `places` its numbers are 0, 1, 2, … and are labelled with these names;
+/// those of `far_places` label the same places at their other ends, to the right of rows.
 struct FigureAxis {
   Phrase name{};
   std::string unit{};  ///< as SI writes it; empty for a pure number
@@ -21,6 +22,7 @@ struct FigureAxis {
   double low = 0.0;  ///< the range shown, from here
   double high = 1.0;
   std::vector<Phrase> places{};
+  std::vector<Phrase> far_places{};  ///< as many as places, or none
 };
 
 struct FigureSpan {
@@ -43,6 +45,12 @@ struct FigurePlace {
   double y = 0.0;
 };
 
+/// From the origin of both axes.
+struct FigureArrow {
+  FigurePlace to{};
+  Phrase label{};  ///< beyond its head
+};
+
 /// A series of marks. `style` determines its colour, the shape of its points and its line style
 /// together, so that no information depends on colour alone. The legend has an entry for every
 /// name, where there is more than one; a series without a name belongs to the named one of its
@@ -54,6 +62,7 @@ struct FigureSeries {
   bool single = false;  ///< for single participants: small and pale, behind all others
   std::vector<FigurePoint> points{};
   std::vector<std::vector<FigurePlace>> lines{};  ///< each connects several places
+  std::vector<FigureArrow> arrows{};
 };
 
 /// A dashed line across the plot, for example at chance level.
@@ -74,11 +83,15 @@ struct FigureCell {
   bool framed = false;
 };
 
+/// Rows with several marks, one above the other, are higher by this distance than their marks, in
+/// units of the distance between two marks.
+inline constexpr double kRoomBetweenRows = 1.2;
+
 /// The height of a figure in relation to its width.
 enum class FigureShape {
   rows,    ///< as its rows, the places of the vertical axis, require
   wide,    ///< 3 : 5
-  square,  ///< both axes have one scale
+  square,  ///< both axes have the same units; a square if their ranges are equal
 };
 
 /// The complete input of drawing (draw_figure.h) and of SVG, PNG and PDF files (figure_files.h).
@@ -92,7 +105,8 @@ struct Figure {
   Phrase instead{};
   FigureShape shape = FigureShape::wide;
   FigureAxis x{};
-  FigureAxis y{};  ///< with `places`, from the top down
+  FigureAxis y{};                 ///< with `places`, from the top down
+  std::size_t marks_per_row = 1;  ///< one above the other, of a place of the vertical axis
   std::vector<FigureSeries> series{};
   std::vector<FigureReference> references{};
   std::vector<FigureCell> cells{};

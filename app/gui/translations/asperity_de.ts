@@ -3419,6 +3419,98 @@
         <source>proportion of choices of the target, mean with its %1 % CI</source>
         <translation>Anteil des Ziels an den Wahlen, Mittelwert mit %1-%-KI</translation>
     </message>
+    <message>
+        <source>%1 (%2 % of the variance)</source>
+        <translation>%1 (%2 % der Varianz)</translation>
+    </message>
+    <message>
+        <source>Points are the scores of the items, arrows the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
+        <translation>Punkte sind die Komponentenwerte der Items, Pfeile die Ladungen der Skalen: ihre Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, hat ein Item in der Richtung eines Pfeils auf dieser Skala hohe Werte.</translation>
+    </message>
+    <message>
+        <source>Points are the scores of the items, arrows %1 times the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
+        <translation>Punkte sind die Komponentenwerte der Items, Pfeile das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, hat ein Item in der Richtung eines Pfeils auf dieser Skala hohe Werte.</translation>
+    </message>
+    <message>
+        <source>%1 Parallel analysis retains no component: both may be due to chance.</source>
+        <translation>%1 Die Parallelanalyse behält keine Komponente bei: Beide können zufällig sein.</translation>
+    </message>
+    <message>
+        <source>%1 Parallel analysis retains only the first component: the second may be due to chance.</source>
+        <translation>%1 Die Parallelanalyse behält nur die erste Komponente bei: Die zweite kann zufällig sein.</translation>
+    </message>
+    <message>
+        <source>Biplot of the first two principal components</source>
+        <translation>Biplot der ersten beiden Hauptkomponenten</translation>
+    </message>
+    <message>
+        <source>There are no components: %1.</source>
+        <translation>Es gibt keine Komponenten: %1.</translation>
+    </message>
+    <message>
+        <source>There are fewer than two components: there is nothing to show.</source>
+        <translation>Es gibt weniger als zwei Komponenten: Es gibt nichts zu zeigen.</translation>
+    </message>
+    <message>
+        <source>The mean ratings vary along one component only: there is no second axis.</source>
+        <translation>Die mittleren Urteile variieren nur entlang einer Komponente: Es gibt keine zweite Achse.</translation>
+    </message>
+    <message>
+        <source>items</source>
+        <translation>Items</translation>
+    </message>
+    <message>
+        <source>scales (loadings)</source>
+        <translation>Skalen (Ladungen)</translation>
+    </message>
+    <message>
+        <source>scales (loadings × %1)</source>
+        <translation>Skalen (Ladungen × %1)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>mean rating with its 95 % CI</source>
+        <translation>mittleres Urteil mit 95-%-KI</translation>
+    </message>
+    <message>
+        <source>mean rating</source>
+        <translation>mittleres Urteil</translation>
+    </message>
+    <message>
+        <source>%1, in % of the scale</source>
+        <translation>%1, in % der Skala</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Points are means of the participants&apos; own means (n = %1), shifted within their row, bars their t-based 95 % CIs. Lines guide the eye.</source>
+        <translation>Punkte sind Mittelwerte der individuellen Mittelwerte der Versuchspersonen (n = %1), innerhalb ihrer Zeile versetzt, Balken ihre t-basierten 95-%-Konfidenzintervalle. Linien dienen nur der Orientierung.</translation>
+    </message>
+    <message>
+        <source>Points are means of the participants&apos; own means (n = %1), shifted within their row; there are no CIs. Lines guide the eye.</source>
+        <translation>Punkte sind Mittelwerte der individuellen Mittelwerte der Versuchspersonen (n = %1), innerhalb ihrer Zeile versetzt; es gibt keine Konfidenzintervalle. Linien dienen nur der Orientierung.</translation>
+    </message>
+    <message>
+        <source>%1 The scales have different ranges: each row is drawn over the range of its scale.</source>
+        <translation>%1 Die Skalen haben verschiedene Wertebereiche: Jede Zeile ist über den Wertebereich ihrer Skala gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Profiles of the items: mean ratings on each scale</source>
+        <translation>Profile der Items: mittlere Urteile auf jeder Skala</translation>
+    </message>
+    <message>
+        <source>The profiles of %1 items could not be distinguished in one figure (at most %2); the table has their means.</source>
+        <translation>Die Profile von %1 Items ließen sich in einer Abbildung nicht unterscheiden (höchstens %2); ihre Mittelwerte stehen in der Tabelle.</translation>
+    </message>
+    <message>
+        <source>%1 An arrow marks a CI that continues beyond the end of the scale.</source>
+        <translation>%1 Ein Pfeil kennzeichnet ein Konfidenzintervall, das über das Ende der Skala hinausreicht.</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>

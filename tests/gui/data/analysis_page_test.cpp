@@ -109,6 +109,59 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   EXPECT_FALSE(canvas->accessibleName().isEmpty());
 }
 
+/// Six participants rate three items on two scales.
+void add_ratings_of_items(MadeUpStudy& made) {
+  const std::int64_t protocol = made.add_protocol("attributes", "rating", R"({"kind": "rating",
+      "blocks": {"only": {"questions": [
+        {"name": "rough", "prompt": "How rough?",
+         "scale": {"minimum": 1, "maximum": 7, "points": 7, "labels": ["smooth", "rough"]}},
+        {"name": "hard", "prompt": "How hard?",
+         "scale": {"minimum": 1, "maximum": 7, "points": 7, "labels": ["soft", "hard"]}}]}}})");
+  const std::vector<std::pair<std::string, std::pair<int, int>>> items{
+      {"brick", {5, 5}}, {"metal", {2, 6}}, {"wood", {4, 3}}};
+  for (int person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(10 + person);
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials{};
+    for (const auto& [item, scores] : items) {
+      MadeUpTrial trial{};
+      trial.surfaces = {surface_of(item, "height_map", item)};
+      trial.questions = {"rough", "hard"};
+      trial.answers = {std::to_string(scores.first + person % 3 - 1),
+                       std::to_string(scores.second + person % 2 - 1)};
+      trials.push_back(trial);
+    }
+    made.add_session(label, protocol, trials);
+  }
+}
+
+TEST(AnalysisPage, ShowsTheProfileAndTheBiplotOfRatingsAboveTheirTables) {
+  MadeUpStudy made;
+  add_ratings_of_items(made);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  page.resize(1366, 768);
+  for (const auto& [name, of] : {std::pair{"figure_profile", "table_ratings"},
+                                 std::pair{"figure_biplot", "table_loadings"}}) {
+    const auto* view = page.findChild<FigureView*>(name);
+    const auto* table = page.findChild<QTableView*>(of);
+    ASSERT_NE(view, nullptr) << name;
+    ASSERT_NE(table, nullptr) << of;
+    EXPECT_TRUE(view->figure().is_drawn()) << view->figure().instead.english();
+    EXPECT_LT(view->mapTo(&page, QPoint()).y(), table->mapTo(&page, QPoint()).y());
+    EXPECT_NE(view->findChild<QPushButton*>("save_figure"), nullptr);
+  }
+  const Figure& profile = page.findChild<FigureView*>("figure_profile")->figure();
+  EXPECT_EQ(profile.y.places.front().english(), "smooth");
+  EXPECT_EQ(profile.y.far_places.front().english(), "rough");
+  EXPECT_EQ(profile.x.low, 1.0);
+  EXPECT_EQ(profile.x.high, 7.0);
+  take_screenshot(page, "data-analysis-ratings");
+}
+
 // Rows are as high whatever their width; curves are not.
 TEST(FigureOfCurves, IsAsHighAsItNeedsAtEveryWidth) {
   Figure figure{};
@@ -288,6 +341,31 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   confusion.table.columns = {"felt", "share"};
   EXPECT_EQ(AnalysisWords::of_heading(confusion, "felt"), "<stimulus>");
   EXPECT_EQ(AnalysisWords::of_heading(confusion, "share"), "share");
+  QCoreApplication::removeTranslator(&brackets);
+}
+
+TEST(AnalysisPage, NamesTheColumnsOfRatingsInTheLanguageOfTheWindows) {
+  Brackets brackets;
+  QCoreApplication::installTranslator(&brackets);
+  MadeUpStudy made;
+  add_ratings_of_items(made);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  EXPECT_TRUE(refreshed.wait(kPatience_ms));
+  for (const char* name : {"ratings", "scales", "agreement", "components", "loadings"}) {
+    const auto* table = page.findChild<QTableView*>(QString("table_") + name);
+    ASSERT_NE(table, nullptr) << name;
+    for (int i = 0; i < table->model()->columnCount(); ++i) {
+      const QString heading = table->model()->headerData(i, Qt::Horizontal).toString();
+      EXPECT_TRUE(heading.startsWith("<")) << name << ": " << heading.toStdString();
+    }
+  }
+  // These ratings are too regular for the cumulative link model.
+  for (const char* heading : {"reference", "log_odds", "log_odds 95 %", "z"}) {
+    EXPECT_TRUE(AnalysisWords::of_heading({}, heading).startsWith("<")) << heading;
+  }
   QCoreApplication::removeTranslator(&brackets);
 }
 
