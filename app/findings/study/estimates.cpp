@@ -51,7 +51,8 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
     const std::optional<double> estimate =
         number_in(gathered.word(gathered.reply_of(answer).answer));
     if (!spacing_m || !estimate || *spacing_m <= 0.0 || *estimate <= 0.0) continue;
-    const std::string& condition = gathered.word(answer.column);
+    const std::string& condition =
+        gathered.word(gathered.level(answer, gathered.estimation.condition));
     estimates.push_back({.person = answer.person,
                          .condition = condition.empty() ? kOneCondition : condition,
                          .spacing = number_text(*spacing_m),

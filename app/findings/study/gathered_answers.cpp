@@ -21,13 +21,6 @@ namespace asperity {
 
 namespace {
 
-std::string factor_level(const std::string& factors_json, std::string_view factor) {
-  const nlohmann::json factors = nlohmann::json::parse(factors_json);
-  const auto level = factors.find(factor);
-  if (level == factors.end()) return {};
-  return level->is_string() ? level->get<std::string>() : text_of_number(level->get<double>());
-}
-
 /// Whether the observer's responses are declared to be guesses. Numbers require no expectation.
 bool is_guessing(const SessionRow& session, const std::string& kind) {
   const nlohmann::json observer = nlohmann::json::parse(session.observer_json);
@@ -98,6 +91,8 @@ std::map<std::string, QuestionsOfKind> questions_by_kind(const StoredProtocol& p
 /// Collects the responses of a group to questions of one kind from its sessions.
 class Gathering {
  public:
+  Gathering() { gathered.words.place(""); }
+
   GatheredAnswers gathered{};
 
   /// `questions`: those of this kind, by block.
@@ -223,32 +218,23 @@ class Gathering {
     }
   };
 
-  struct Levels {
-    std::uint32_t column = 0;
-    std::uint32_t spacing = 0;
-  };
-
   std::uint32_t word(Session& session, std::uint32_t place) {
     std::optional<std::uint32_t>& own = session.words[place];
     if (!own) own = gathered.words.place(session.answers.words[place]);
     return *own;
   }
 
-  Levels levels(Session& session, std::uint32_t factors_json) {
+  std::uint32_t factors(Session& session, std::uint32_t factors_json) {
     std::optional<std::uint32_t>& own = session.factors[factors_json];
-    if (!own) {
-      own = static_cast<std::uint32_t>(levels_.size());
-      const std::string& text = session.answers.words[factors_json];
-      const std::string_view column = gathered.has_estimates()
-                                          ? std::string_view(gathered.estimation.condition)
-                                          : kColumnFactor;
-      levels_.push_back({.column = gathered.words.place(factor_level(text, column))});
-      if (gathered.has_estimates()) {
-        levels_.back().spacing =
-            gathered.words.place(factor_level(text, gathered.estimation.spacing));
-      }
+    if (own) return *own;
+    own = static_cast<std::uint32_t>(gathered.factor_levels.size());
+    auto& levels = gathered.factor_levels.emplace_back();
+    const auto stored = nlohmann::json::parse(session.answers.words[factors_json]);
+    for (const auto& [factor, level] : stored.items()) {
+      levels[factor] = gathered.words.place(
+          level.is_string() ? level.get<std::string>() : text_of_number(level.get<double>()));
     }
-    return levels_[*own];
+    return *own;
   }
 
   std::uint32_t options(Session& session, std::uint32_t options_json) {
@@ -300,13 +286,12 @@ class Gathering {
     const std::size_t first_surface = gathered.surfaces.size();
     const auto surfaces = session.answers.surfaces_of(attempt);
     for (const SessionAnswers::Surface& surface : surfaces) add_surface(session, surface);
-    const Levels level = levels(session, planned.factors_json);
+    const std::uint32_t levels = factors(session, planned.factors_json);
     for (const RepliesToQuestion& to : by_question) {
       const std::optional<double>& time_s = to.replies.back().from_cue_s;
       gathered.answers.push_back({.person = person,
                                   .question = word(session, to.question),
-                                  .column = level.column,
-                                  .spacing = level.spacing,
+                                  .factors = levels,
                                   .options = options(session, to.replies.back().options_json),
                                   .repetition = planned.repetition,
                                   .continues_trial = &to != by_question.data(),
@@ -336,7 +321,6 @@ class Gathering {
   std::set<std::string> participants_{};
   std::set<std::string> sources_{};
   std::vector<std::string> texts_of_sources_{};
-  std::vector<Levels> levels_{};
   std::map<std::string, std::uint32_t> option_lists_{};
 };
 
@@ -415,9 +399,15 @@ std::optional<std::uint32_t> Words::find(const std::string& word) const {
 }
 
 std::optional<double> GatheredAnswers::spacing_m(const GatheredAnswer& answer) const {
-  const std::string& level = word(answer.spacing);
-  const auto known = estimation.spacing_m.find(level);
-  return known == estimation.spacing_m.end() ? number_in(level) : known->second;
+  const std::string& spacing = word(level(answer, estimation.spacing));
+  const auto known = estimation.spacing_m.find(spacing);
+  return known == estimation.spacing_m.end() ? number_in(spacing) : known->second;
+}
+
+std::uint32_t GatheredAnswers::level(const GatheredAnswer& answer, std::string_view factor) const {
+  const auto& levels = factor_levels[answer.factors];
+  const auto found = levels.find(factor);
+  return found == levels.end() ? kNoWord : found->second;
 }
 
 std::vector<GatheredAnswers> gather_answers(const Study& study,

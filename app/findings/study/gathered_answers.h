@@ -46,6 +46,12 @@ class Words final {
   std::unordered_map<std::string, std::uint32_t> places_{};
 };
 
+/// The empty word, which every group has.
+inline constexpr std::uint32_t kNoWord = 0;
+
+/// The factor whose levels are the columns of the chapter's tables.
+inline constexpr std::string_view kColumnFactor = "column";
+
 /// One surface that was felt before the response, as indices of words.
 struct FeltSurface {
   std::uint32_t item = 0;  ///< the item that it counts as in the responses
@@ -63,10 +69,7 @@ struct GatheredReply {
 struct GatheredAnswer {
   std::uint32_t person = 0;  ///< index in `people`
   std::uint32_t question = 0;  ///< word of its name
-  /// Word of the level of the factor `column`, or of the condition of a magnitude; the empty word
-  /// without either.
-  std::uint32_t column = 0;
-  std::uint32_t spacing = 0;  ///< of a magnitude: word of the level of its spacing
+  std::uint32_t factors = 0;   ///< index in `factor_levels`
   std::uint32_t options = 0;  ///< index in `option_lists`
   int repetition = 1;         ///< of the block, as planned
   /// Not the first answer of its trial: the trial asks several questions.
@@ -132,6 +135,8 @@ struct GatheredAnswers {
   Words words{};
   std::vector<AnsweringPerson> people{};                 ///< with a response, by label
   std::vector<std::vector<std::string>> option_lists{};  ///< as shown, each order once
+  /// The words of the levels of a trial, by factor: each combination once.
+  std::vector<std::map<std::string, std::uint32_t, std::less<>>> factor_levels{};
   std::vector<GatheredAnswer> answers{};                 ///< by participant and session
   std::vector<FeltSurface> surfaces{};
   std::vector<GatheredReply> replies{};
@@ -150,6 +155,12 @@ struct GatheredAnswers {
     return replies[answer.first_reply];
   }
   const std::string& word(std::uint32_t place) const { return words.at(place); }
+  /// The word of the level of a factor in the trial of the answer; `kNoWord` in a trial without it.
+  std::uint32_t level(const GatheredAnswer& answer, std::string_view factor) const;
+  /// That of the factor whose levels are the columns of the chapter's tables.
+  std::uint32_t column_of(const GatheredAnswer& answer) const {
+    return level(answer, kColumnFactor);
+  }
   /// The spacing of a magnitude in metres; nothing where its level is not a length and the protocol
   /// declares none.
   std::optional<double> spacing_m(const GatheredAnswer& answer) const;
@@ -163,8 +174,5 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
 
 /// The response of a participant who does not choose, where the protocol allows it.
 inline constexpr std::string_view kCannotTell = "cannot_tell";
-
-/// The factor whose levels are the columns of the chapter's tables.
-inline constexpr std::string_view kColumnFactor = "column";
 
 }  // namespace asperity

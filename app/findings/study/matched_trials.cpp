@@ -44,7 +44,7 @@ std::vector<RepeatedScore> repeated_scores(const GatheredAnswers& gathered) {
     const auto right = std::count_if(replies.begin(), replies.end(),
                                      [](const GatheredReply& reply) { return *reply.correct; });
     scores.push_back({.person = answer.person,
-                      .column = answer.column,
+                      .column = gathered.column_of(answer),
                       .repetition = answer.repetition,
                       .score = static_cast<double>(right) / static_cast<double>(replies.size())});
   }
@@ -85,7 +85,8 @@ std::vector<MatchedTrial> matched_trials(const GatheredAnswers& gathered,
     }
     std::sort(pairs.begin(), pairs.end());
     name.clear();
-    for (const std::uint32_t part : {answer.person, answer.column, answer.options}) name += part;
+    for (const std::uint32_t part : {answer.person, gathered.column_of(answer), answer.options})
+      name += part;
     for (const auto& [felt, chosen] : pairs) {
       name += felt;
       name += chosen;
@@ -94,7 +95,7 @@ std::vector<MatchedTrial> matched_trials(const GatheredAnswers& gathered,
     if (is_new) {
       MatchedTrial& made = assignments.emplace_back();
       made.person = answer.person;
-      made.column = answer.column;
+      made.column = gathered.column_of(answer);
       made.options = answer.options;
       for (const auto& [felt, chosen] : pairs) {
         made.felt.push_back(felt);

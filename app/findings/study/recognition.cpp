@@ -43,8 +43,10 @@ void add_recognition_tables(const GatheredAnswers& gathered,
     all.count(person, one.right, outcomes);
     by_texture[one.felt].count(person, one.right, outcomes);
     confusions.count(one.felt, one.chosen);
-    right.count(
-        {.column = one.answer->column, .person = person, .hit = one.right, .outcomes = outcomes});
+    right.count({.column = gathered.column_of(*one.answer),
+                 .person = person,
+                 .hit = one.right,
+                 .outcomes = outcomes});
   }
   right.add("table_3", phrase("Analysis", "Correct responses (counts)"),
             chance_note(all, phrase("Analysis", "Chance level: 1/%1 of the responses correct.")),
@@ -255,7 +257,8 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   std::vector<TextureResponse> responses{};
   for (const JudgedAnswer& one : judged) {
     const GatheredAnswer& answer = *one.answer;
-    scores.push_back({answer.person, answer.column, answer.repetition, one.right ? 1.0 : 0.0});
+    scores.push_back(
+        {answer.person, gathered.column_of(answer), answer.repetition, one.right ? 1.0 : 0.0});
     responses.push_back({.person = answer.person, .texture = one.felt, .is_hit = one.right});
   }
   if (pictures.always_the_same) {

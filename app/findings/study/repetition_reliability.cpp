@@ -124,8 +124,9 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
 
 bool has_repetitions(const GatheredAnswers& gathered) {
   return std::any_of(gathered.answers.begin(), gathered.answers.end(),
-                     [&first = gathered.answers.front()](const GatheredAnswer& one) {
-                       return one.column != first.column || one.repetition != first.repetition;
+                     [&gathered, &first = gathered.answers.front()](const GatheredAnswer& one) {
+                       return gathered.column_of(one) != gathered.column_of(first) ||
+                              one.repetition != first.repetition;
                      });
 }
 

@@ -75,19 +75,23 @@ std::string common_texture(const GatheredAnswers& gathered, const GatheredAnswer
 
 /// The factors with at least two levels.
 std::vector<TrialFactor> factors_of(const GatheredAnswers& gathered) {
-  const auto column = [&gathered](const GatheredAnswer& answer) {
-    return gathered.word(answer.column);
+  const auto level_of = [&gathered](std::string_view factor) {
+    return [&gathered, factor](const GatheredAnswer& answer) {
+      return gathered.word(gathered.level(answer, factor));
+    };
   };
   std::vector<TrialFactor> factors{};
   if (gathered.has_estimates()) {
-    factors.push_back(trial_factor("condition", gathered, gathered.estimation.conditions, column));
+    factors.push_back(trial_factor("condition", gathered, gathered.estimation.conditions,
+                                   level_of(gathered.estimation.condition)));
     factors.push_back(
         trial_factor("spacing_m", gathered, {}, [&gathered](const GatheredAnswer& answer) {
           const std::optional<double> spacing_m = gathered.spacing_m(answer);
           return spacing_m ? number_text(*spacing_m) : std::string();
         }));
   } else {
-    factors.push_back(trial_factor(std::string(kColumnFactor), gathered, {}, column));
+    factors.push_back(
+        trial_factor(std::string(kColumnFactor), gathered, {}, level_of(kColumnFactor)));
     factors.push_back(trial_factor(
         "texture", gathered, gathered.pictures,
         [&gathered](const GatheredAnswer& answer) { return common_texture(gathered, answer); }));

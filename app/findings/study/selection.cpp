@@ -41,7 +41,8 @@ SelectionCounts::SelectionCounts(const Selection& selection, const ChapterCells&
   for (const GatheredAnswer& answer : selection.gathered.answers) {
     const auto surfaces = selection.gathered.surfaces_of(answer);
     const std::size_t chosen = selection.chosen(answer);
-    const std::array<std::size_t, 2> columns = cells.columns_of(answer.column);
+    const std::array<std::size_t, 2> columns =
+        cells.columns_of(selection.gathered.column_of(answer));
     choices.count(answer.person, true, surfaces.size());
     for (std::size_t i = columns[0] == columns[1] ? 1 : 0; i < 2; ++i) {
       const std::size_t column = columns[i];

@@ -139,7 +139,7 @@ Phrase chance_note(const Tally& tally, const Phrase& at_chance) {
 ChapterCells::ChapterCells(const GatheredAnswers& gathered)
     : column_of_word_(gathered.words.size(), 0) {
   std::set<std::uint32_t> levels{};
-  for (const GatheredAnswer& answer : gathered.answers) levels.insert(answer.column);
+  for (const GatheredAnswer& answer : gathered.answers) levels.insert(gathered.column_of(answer));
   for (const std::uint32_t level : levels) {
     if (!gathered.word(level).empty()) columns_.push_back(gathered.word(level));
   }

@@ -39,7 +39,8 @@ void ask_target_choices(const Selection& selection, AnalysisOutcome& outcome) {
     const std::size_t chosen = selection.chosen(answer);
     if (chosen == kNoChoice) continue;
     const bool is_target = selection.items[chosen] == selection.target();
-    scores.push_back({answer.person, answer.column, answer.repetition, is_target ? 1.0 : 0.0});
+    scores.push_back({answer.person, selection.gathered.column_of(answer), answer.repetition,
+                      is_target ? 1.0 : 0.0});
     responses.push_back({.person = answer.person,
                          .texture = selection.gathered.surfaces_of(answer)[0].texture,
                          .is_hit = is_target});
