@@ -74,7 +74,8 @@ void Meaning::check_analysis() {
   }
   std::vector<std::string> tests{};
   std::string kinds{};
-  for (const ExperimentKind* const kind : kinds_) {
+  const std::vector<const ExperimentKind*> analysed = analysed_kinds_of(protocol_);
+  for (const ExperimentKind* const kind : analysed) {
     kinds += (kinds.empty() ? "" : " or a ") + std::string(kind->id);
     for (const KindTest& test : kind->tests) {
       if (std::find(tests.begin(), tests.end(), test.name) == tests.end()) {
@@ -82,11 +83,10 @@ void Meaning::check_analysis() {
       }
     }
   }
-  const auto needs_target = [this](const std::string& name) {
-    return std::any_of(kinds_.begin(), kinds_.end(), [&name](const ExperimentKind* kind) {
-      return std::any_of(kind->tests.begin(), kind->tests.end(), [&name](const KindTest& test) {
-        return test.needs_target && test.name == name;
-      });
+  const auto needs_target = [&analysed](const std::string& name) {
+    return std::any_of(analysed.begin(), analysed.end(), [&name](const ExperimentKind* kind) {
+      const KindTest* const test = find_test(*kind, name);
+      return test != nullptr && test->needs_target;
     });
   };
   for (std::size_t i = 0; i < declared.family.size(); ++i) {

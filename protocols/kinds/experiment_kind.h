@@ -97,6 +97,9 @@ struct ExperimentKind {
   VirtualResponse (*judge)(const Judgement& judgement) = nullptr;
 };
 
+/// Null where the kind has no test of this name.
+const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noexcept;
+
 /// All kinds, in the order in which documents list them.
 std::span<const ExperimentKind* const> experiment_kinds();
 
@@ -113,5 +116,7 @@ const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
                                        const AnswerForm& form) noexcept;
 /// The kinds of the blocks of a protocol, in the order of the registry.
 std::vector<const ExperimentKind*> kinds_of(const Protocol& protocol);
+/// The kinds of the questions of its main blocks, in the same order: those whose responses are analysed.
+std::vector<const ExperimentKind*> analysed_kinds_of(const Protocol& protocol);
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <stdexcept>
 
 #include "protocols/kinds/experiment_kind.h"
@@ -27,6 +28,12 @@ const ExperimentKind* find_kind(std::string_view id) noexcept {
   return found == kinds.end() ? nullptr : *found;
 }
 
+const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noexcept {
+  const auto found = std::find_if(kind.tests.begin(), kind.tests.end(),
+                                  [name](const KindTest& test) { return test.name == name; });
+  return found == kind.tests.end() ? nullptr : &*found;
+}
+
 const ExperimentKind& kind_named(std::string_view id) {
   if (const ExperimentKind* const kind = find_kind(id)) return *kind;
   throw std::logic_error("there is no kind of experiment \"" + std::string(id) + "\"");
@@ -41,6 +48,22 @@ const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
     if (kind->asks_several && kind->form.index() == form.index()) return kind;
   }
   return nullptr;
+}
+
+std::vector<const ExperimentKind*> analysed_kinds_of(const Protocol& protocol) {
+  std::set<const ExperimentKind*> asked{};
+  for (const auto& [name, block] : protocol.blocks) {
+    const ExperimentKind* const of_block = find_kind(block.kind);
+    if (of_block == nullptr || block.phase != Phase::main) continue;
+    for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+      asked.insert(kind_of_question(*of_block, question.form));
+    }
+  }
+  std::vector<const ExperimentKind*> kinds{};
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    if (asked.contains(kind)) kinds.push_back(kind);
+  }
+  return kinds;
 }
 
 std::vector<const ExperimentKind*> kinds_of(const Protocol& protocol) {

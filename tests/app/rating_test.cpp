@@ -111,5 +111,66 @@ TEST_F(Ratings, HaveTablesAndAQuestionForEachScale) {
   EXPECT_THAT(ratings.questions[1].answer.english(), HasSubstr("lowest for stone, 2.00"));
 }
 
+/// Six participants rate stone above wood on one scale, in a session that also has a recognition.
+std::vector<AnalysisOutcome> six_who_agree(const std::string& analysis) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("agreed", "rating",
+                                                  R"({"kind": "rating", "blocks": {
+    "only": {"question": {"name": "rough", "prompt": "How rough?", "scale": {"points": 7}}},
+    "last": {"kind": "recognition", "question": {"name": "which", "prompt": "Which?", "pictures": ["a", "b"]}}},
+    "analysis": )" + analysis + "}");
+  for (int person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    const auto rated_rough = [](const std::string& item, const std::string& point) {
+      MadeUpTrial trial{};
+      trial.surfaces = {surface_of(item, "height_map", item)};
+      trial.questions = {"rough"};
+      trial.answers = {point};
+      return trial;
+    };
+    MadeUpTrial recognised{};
+    recognised.block = "last";
+    recognised.surfaces = {surface_of("a", "height_map", "a")};
+    recognised.answers = {"a"};
+    recognised.right = {"a"};
+    recognised.options = {"a", "b"};
+    made.add_session(label, protocol,
+                     {rated_rough("wood", std::to_string(1 + person % 2)),
+                      rated_rough("stone", std::to_string(5 + person % 2)), recognised});
+  }
+  return analyze_study(made.study(), std::nullopt, {});
+}
+
+const AnalysisOutcome& outcome_of_kind(const std::vector<AnalysisOutcome>& outcomes,
+                                       const std::string& kind) {
+  return *std::find_if(outcomes.begin(), outcomes.end(),
+                       [&kind](const AnalysisOutcome& each) { return each.kind == kind; });
+}
+
+TEST(RatedPairs, AreReportedInTheirDirection) {
+  const auto outcomes = six_who_agree(R"({"family": ["rated_pairs"]})");
+  const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
+  const auto sentence =
+      std::find_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
+                   [](const TestSentence& each) { return each.test == "rated_pairs"; });
+  ASSERT_NE(sentence, ratings.test_sentences.end());
+  // The pair is stone|wood, in the order of the names.
+  EXPECT_THAT(sentence->text, HasSubstr("stone was rated significantly higher than wood"));
+}
+
+TEST(DeclaredFamily, IsThatOfTheKindWhoseTestsItNames) {
+  const auto outcomes = six_who_agree(R"({"family": ["right"]})");
+  const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
+  const AnalysisOutcome& recognition = outcome_of_kind(outcomes, "recognition");
+  EXPECT_EQ(recognition.family, FamilyDeclaration::declared);
+  EXPECT_EQ(ratings.family, FamilyDeclaration::of_other_kinds);
+  const auto tests = std::find_if(ratings.tables.begin(), ratings.tables.end(),
+                                  [](const NamedTable& each) { return each.name == "tests"; });
+  ASSERT_NE(tests, ratings.tables.end());
+  EXPECT_THAT(tests->note.english(), HasSubstr("only tests of its other tasks"));
+  EXPECT_THAT(tests->note.english(), testing::Not(HasSubstr("declares no family")));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -96,6 +96,7 @@ TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
   EXPECT_THAT(text, HasSubstr("Task of the recognition: in each trial"));
   for (const char* const kind : {"rating", "recognition", "selection"}) {
     EXPECT_THAT(text, HasSubstr("Results (" + std::string(kind) + ")"));
+    EXPECT_THAT(text, HasSubstr("Statistics (" + std::string(kind) + ")")) << "for a paper";
   }
 }
 

@@ -145,5 +145,28 @@ TEST(Questions, AreRefusedAtTheirPlace) {
   EXPECT_THAT(problem_at(protocol, block), HasSubstr("needs the key \"question\""));
 }
 
+// A recognition whose trials also have a scale has ratings to test.
+TEST(Questions, OfAScaleMakeTheTestsOfRatingsAvailable) {
+  json protocol = attributes();
+  protocol["kind"] = "recognition";
+  protocol["blocks"].erase("ratings");
+  protocol["blocks"].erase("familiarisation");
+  json flow = json::array();
+  for (const json& step : protocol["flow"]) {
+    const std::string run = step.value("run", "recognition");
+    if (run == "recognition") flow.push_back(step);
+  }
+  protocol["flow"] = flow;
+  json& block = protocol["blocks"]["recognition"];
+  const json question = block["question"];
+  block.erase("question");
+  block["questions"] = {
+      question, {{"name", "sure"}, {"prompt", "How sure are you?"}, {"scale", {{"points", 5}}}}};
+  protocol["analysis"] = {{"family", {"right", "ratings"}}};
+  valid_protocol(protocol);
+  block["questions"].erase(1);
+  EXPECT_THAT(problem_at(protocol, "/analysis/family/1"), HasSubstr("has no test \"ratings\""));
+}
+
 }  // namespace
 }  // namespace asperity

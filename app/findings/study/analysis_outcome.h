@@ -83,7 +83,12 @@ inline FindingName name_of(const Finding& finding) {
 }
 
 /// Whether the protocol declares a family of tests before data collection.
-enum class FamilyDeclaration { none, declared, differs_between_files };
+enum class FamilyDeclaration {
+  none,
+  declared,
+  of_other_kinds,  ///< it names tests, but none of this kind
+  differs_between_files,
+};
 
 /// The analysis of the responses of one group to one version of one protocol.
 struct AnalysisOutcome {

@@ -10,6 +10,7 @@
 #include "app/findings/study/response_times.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/study_files/study_condition.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -101,6 +102,15 @@ std::string names_in(const Study& study) {
   return text.empty() ? "no sessions" : "sessions of " + text;
 }
 
+/// Whether one of the tests is a test of this kind; so every test of a kind that this program does not have.
+bool has_test_of(const std::vector<std::string>& family, const std::string& kind) {
+  const ExperimentKind* const known = find_kind(kind);
+  return known == nullptr ||
+         std::any_of(family.begin(), family.end(), [known](const std::string& name) {
+           return find_test(*known, name) != nullptr;
+         });
+}
+
 std::vector<AnalysisOutcome> outcomes_of(const Study& study,
                                          const std::optional<std::string>& protocol,
                                          const std::stop_token& stop) {
@@ -115,9 +125,10 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     outcome.group = gathered.group;
     outcome.count = gathered.count;
     const std::vector<std::string>& family = gathered.declared.family;
-    outcome.family = !gathered.declared_alike ? FamilyDeclaration::differs_between_files
-                     : family.empty()         ? FamilyDeclaration::none
-                                              : FamilyDeclaration::declared;
+    outcome.family = !gathered.declared_alike             ? FamilyDeclaration::differs_between_files
+                     : family.empty()                     ? FamilyDeclaration::none
+                     : has_test_of(family, gathered.kind) ? FamilyDeclaration::declared
+                                                          : FamilyDeclaration::of_other_kinds;
     outcome.declares_sexes = std::find(family.begin(), family.end(), "sexes") != family.end();
     outcome.answers = gathered.answers.size();
     remark_on_counts(gathered, outcome);

@@ -425,7 +425,11 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   keep_findings(of_scores, outcome,
                 [](const Finding& finding) { return !finding.quantity.starts_with("wilcoxon."); });
   tests.add("preference", "", found_scores, "friedman.p");
-  tests.leave_out(scores.left_out);
+  tests.leave_out(
+      scores.left_out,
+      phrase("Analysis",
+             "Participants who did not compare every pair equally often are left out of "
+             "the test of the preference"));
 
   const std::vector<Finding> of_positions = analysis_of(
       "position", "selection",

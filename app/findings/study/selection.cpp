@@ -219,7 +219,10 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
     return;
   }
   tests.add("textures", "", found, "relabel.exact.p");
-  tests.leave_out(participants - tests.tests().back().n);
+  tests.leave_out(participants - tests.tests().back().n,
+                  phrase("Analysis",
+                         "Participants who never chose the target cannot contribute to the test of "
+                         "textures and are not counted in its n"));
   keep_findings(findings, outcome, [](const Finding& finding) {
     return finding.quantity.starts_with("relabel.exact") ||
            finding.quantity.starts_with("signflip");

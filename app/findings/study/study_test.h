@@ -26,6 +26,7 @@ struct StudyTest {
   /// Participants who responded and do not contribute, because they have nothing that can be
   /// exchanged.
   std::size_t left_out = 0;
+  Phrase why_left_out{};  ///< a sentence without its end
   std::optional<double> p{};
   FindingName source{};  ///< the finding that has its p
   /// The smallest attainable p, Holm-corrected for a test of the family: above 5 %, significance

@@ -205,12 +205,11 @@ StudyTests::StudyTests(const GatheredAnswers& gathered)
   const ExperimentKind* const kind = find_kind(gathered.kind);
   // The family names the tests of all kinds of the protocol.
   if (kind != nullptr) {
-    std::erase_if(family_, [kind](const std::string& name) {
-      return std::none_of(kind->tests.begin(), kind->tests.end(),
-                          [&name](const KindTest& test) { return test.name == name; });
-    });
+    std::erase_if(family_,
+                  [kind](const std::string& name) { return find_test(*kind, name) == nullptr; });
   }
   is_declared_ = !family_.empty();
+  is_of_other_kinds_ = family_.empty() && !gathered.declared.family.empty();
   if (family_.empty() && kind != nullptr) family_.emplace_back(kind->tests.front().name);
   for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
 }
@@ -270,7 +269,10 @@ void StudyTests::add_untested(const std::string& name, const std::string& about,
 
 void StudyTests::state_chance(double chance) { tests_.back().chance = chance; }
 
-void StudyTests::leave_out(std::size_t participants) { tests_.back().left_out = participants; }
+void StudyTests::leave_out(std::size_t participants, const Phrase& why) {
+  tests_.back().left_out = participants;
+  tests_.back().why_left_out = why;
+}
 
 const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view about) const {
   const auto found = std::find_if(tests_.begin(), tests_.end(), [&](const Test& test) {
@@ -283,30 +285,37 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
   const Phrase family = words_of_cell("family", name_);
   const bool is_any_adjusted =
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.adjusted; });
+  const Phrase undeclared =
+      is_of_other_kinds_
+          ? phrase(
+                "Analysis",
+                "The protocol declares only tests of its other tasks, so that no test of this one "
+                "is confirmatory.")
+          : phrase("Analysis",
+                   "The protocol declares no family of tests, so that no test is confirmatory.");
   Phrase note =
       !is_any_adjusted
           ? phrase("Analysis", "No test of the family (%1) could be computed.").with(family)
-      : tests == 1
-          ? (is_declared_
-                 ? phrase("Analysis",
-                          "The family that the protocol declares has one test (%1), the only "
-                          "confirmatory one; no correction is needed.")
-                 : phrase("Analysis",
-                          "The protocol declares no family of tests, so that no test is "
-                          "confirmatory. The usual family of this kind of protocol has one test "
-                          "(%1); no correction is needed."))
+      : tests == 1 && is_declared_
+          ? phrase("Analysis",
+                   "The family that the protocol declares has one test (%1), the only confirmatory "
+                   "one; no correction is needed.")
                 .with(family)
-          : (is_declared_
-                 ? phrase("Analysis",
-                          "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that "
-                          "the protocol declares (%2); a test that cannot be computed counts as p "
-                          "= 1.")
-                 : phrase(
-                       "Analysis",
-                       "The protocol declares no family of tests, so that no test is confirmatory. "
-                       "p, Holm: Holm-corrected over the %1 tests of the usual family of this kind "
-                       "of protocol (%2); a test that cannot be computed counts as p = 1."))
-                .with(std::to_string(tests), family);
+      : tests == 1
+          ? phrase("Analysis",
+                   "%1 The usual family of this kind of protocol has one test (%2); no correction "
+                   "is needed.")
+                .with(undeclared, family)
+      : is_declared_
+          ? phrase("Analysis",
+                   "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the "
+                   "protocol declares (%2); a test that cannot be computed counts as p = 1.")
+                .with(std::to_string(tests), family)
+          : phrase(
+                "Analysis",
+                "%1 p, Holm: Holm-corrected over the %2 tests of the usual family of this kind of "
+                "protocol (%3); a test that cannot be computed counts as p = 1.")
+                .with(undeclared, std::to_string(tests), family);
   note =
       (is_declared_
            ? phrase("Analysis",
@@ -319,10 +328,9 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
           .with(note, note_on_columns(left_out));
   for (const Test& test : tests_) {
     if (test.left_out == 0) continue;
-    note = phrase("Analysis",
-                  "%1 Participants who never chose the target cannot contribute to the test of "
-                  "textures and are not counted in its n: %2 of %3.")
-               .with(note, std::to_string(test.left_out), std::to_string(test.n + test.left_out));
+    note = phrase("Analysis", "%1 %2: %3 of %4.")
+               .with(note, test.why_left_out, std::to_string(test.left_out),
+                     std::to_string(test.n + test.left_out));
   }
   return note;
 }

@@ -35,8 +35,9 @@ class StudyTests final {
            std::string_view p, std::string_view key = {});
   /// A test that cannot be made. `reason`: a code of cell_words.h, or a sentence.
   void add_untested(const std::string& name, const std::string& about, const std::string& reason);
-  /// Sets the number of participants left out of the test that was added last.
-  void leave_out(std::size_t participants);
+  /// Sets the number of participants left out of the test that was added last. `why`: a sentence without its end, which
+  /// the number follows.
+  void leave_out(std::size_t participants, const Phrase& why);
   /// Sets the proportion expected under guessing for the same test.
   void state_chance(double chance);
   /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares
@@ -63,6 +64,7 @@ class StudyTests final {
   std::vector<std::string> family_{};
   std::string name_{};
   bool is_declared_ = false;
+  bool is_of_other_kinds_ = false;  ///< the declared family, which has no test of this kind
   std::vector<Test> tests_{};
 };
 

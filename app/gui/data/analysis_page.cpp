@@ -14,6 +14,7 @@
 #include "app/exports/export_study.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/gui/base/open_study.h"
+#include "app/gui/base/shown_text.h"
 #include "app/gui/data/figure_saver.h"
 #include "app/gui/data/outcome_view.h"
 #include "app/gui/data/report_saving.h"
@@ -57,6 +58,15 @@ QString group_text(AnswerGroup group) {
       return AnalysisPage::tr("virtual participants");
   }
   return {};
+}
+
+/// Whether the responses to this version of a protocol are of several kinds, each with its outcome.
+bool is_one_of_several_kinds(const AnalysisOutcome& outcome,
+                             const std::vector<AnalysisOutcome>& all) {
+  return std::any_of(all.begin(), all.end(), [&outcome](const AnalysisOutcome& other) {
+    return other.protocol == outcome.protocol && other.version == outcome.version &&
+           other.group == outcome.group && other.kind != outcome.kind;
+  });
 }
 
 }  // namespace
@@ -163,10 +173,13 @@ void AnalysisPage::show_analysis(Analysis analysis) {
   running_ = std::move(analysis.running);
   list_->clear();
   for (const AnalysisOutcome& outcome : outcomes_) {
+    const QString responses = answers_text(static_cast<int>(outcome.answers));
     list_->addItem(tr("%1 %2\n%3 · %4")
                        .arg(QString::fromStdString(outcome.protocol),
                             QString::fromStdString(outcome.version), group_text(outcome.group),
-                            answers_text(static_cast<int>(outcome.answers))));
+                            is_one_of_several_kinds(outcome, outcomes_)
+                                ? tr("%1 · %2").arg(text_of_kind(outcome.kind), responses)
+                                : responses));
   }
   stack_->setCurrentIndex(outcomes_.empty() ? 0 : 1);
   show_whether_exportable();
@@ -195,9 +208,10 @@ void AnalysisPage::show_outcome(int index) {
             .arg(QString::fromStdString(outcome.protocol))));
     return;
   }
-  const auto name_of = [start = outcome.protocol + '_' + outcome.version](const Figure& figure) {
-    return start + '_' + figure.name;
-  };
+  const std::string kind =
+      is_one_of_several_kinds(outcome, outcomes_) ? '_' + outcome.kind : std::string();
+  const auto name_of = [start = outcome.protocol + '_' + outcome.version +
+                                kind](const Figure& figure) { return start + '_' + figure.name; };
   area_->setWidget(make_outcome(
       outcome, {.save =
                     [this, name_of](const Figure& figure, double width_mm) {

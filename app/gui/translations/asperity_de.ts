@@ -800,14 +800,6 @@
         <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht durchführbarer Test zählt als p = 1.</translation>
     </message>
     <message>
-        <source>The protocol declares no family of tests, so that no test is confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual family of this kind of protocol (%2); a test that cannot be computed counts as p = 1.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. p, Holm: Holm-korrigiert über die %1 Tests der üblichen Familie dieser Art von Protokoll (%2); ein nicht durchführbarer Test zählt als p = 1.</translation>
-    </message>
-    <message>
-        <source>%1 Participants who never chose the target cannot contribute to the test of textures and are not counted in its n: %2 of %3.</source>
-        <translation>%1 Versuchspersonen, die das Ziel nie gewählt haben, können zum Test der Texturen nichts beitragen und sind in seinem n nicht enthalten: %2 von %3.</translation>
-    </message>
-    <message>
         <source>%1 This test is exploratory.</source>
         <translation>%1 Dieser Test ist explorativ.</translation>
     </message>
@@ -958,10 +950,6 @@
     <message>
         <source>The family that the protocol declares has one test (%1), the only confirmatory one; no correction is needed.</source>
         <translation>Die Familie, die das Protokoll festlegt, hat einen Test (%1), den einzigen konfirmatorischen; eine Korrektur ist nicht nötig.</translation>
-    </message>
-    <message>
-        <source>The protocol declares no family of tests, so that no test is confirmatory. The usual family of this kind of protocol has one test (%1); no correction is needed.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. Die übliche Familie dieser Art von Protokoll hat einen Test (%1); eine Korrektur ist nicht nötig.</translation>
     </message>
     <message>
         <source>%1 All other tests are exploratory and uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
@@ -1558,6 +1546,34 @@
     <message>
         <source>The ends of each scale as numbers and as labelled for participants; without points it is a line.</source>
         <translation>Die Enden jeder Skala als Zahlen und mit den Beschriftungen, die die Versuchspersonen sehen; ohne Stufen ist sie eine Linie.</translation>
+    </message>
+    <message>
+        <source>Participants who did not compare every pair equally often are left out of the test of the preference</source>
+        <translation>Versuchspersonen, die nicht jedes Paar gleich oft verglichen haben, bleiben im Test der Präferenz unberücksichtigt</translation>
+    </message>
+    <message>
+        <source>Participants who never chose the target cannot contribute to the test of textures and are not counted in its n</source>
+        <translation>Versuchspersonen, die das Ziel nie gewählt haben, können zum Test der Texturen nichts beitragen und sind in seinem n nicht enthalten</translation>
+    </message>
+    <message>
+        <source>The protocol declares only tests of its other tasks, so that no test of this one is confirmatory.</source>
+        <translation>Das Protokoll legt nur Tests seiner anderen Aufgaben fest; daher ist kein Test dieser Aufgabe konfirmatorisch.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests, so that no test is confirmatory.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch.</translation>
+    </message>
+    <message>
+        <source>%1 The usual family of this kind of protocol has one test (%2); no correction is needed.</source>
+        <translation>%1 Die übliche Familie dieser Art von Protokoll hat einen Test (%2); eine Korrektur ist nicht nötig.</translation>
+    </message>
+    <message>
+        <source>%1 p, Holm: Holm-corrected over the %2 tests of the usual family of this kind of protocol (%3); a test that cannot be computed counts as p = 1.</source>
+        <translation>%1 p, Holm: Holm-korrigiert über die %2 Tests der üblichen Familie dieser Art von Protokoll (%3); ein nicht durchführbarer Test zählt als p = 1.</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4.</source>
+        <translation>%1 %2: %3 von %4.</translation>
     </message>
 </context>
 <context>
@@ -5855,6 +5871,10 @@
     <message>
         <source>Export tables…</source>
         <translation>Tabellen exportieren…</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>

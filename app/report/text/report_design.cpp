@@ -45,6 +45,10 @@ std::string order_text(const Protocol::Block& block) {
   if (!block.drawn.empty()) {
     text += ", " + listed(block.drawn) + " drawn at random in each trial";
   }
+  if (block.all_pairs) {
+    text += ", all pairs of the levels of " + block.all_pairs->factor;
+    if (block.all_pairs->in_both_orders) return text + " in both orders";
+  }
   if (block.presented.size() < 2) return text;
   switch (block.positions) {
     case Protocol::Block::Positions::as_listed:
@@ -120,6 +124,10 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     if (std::any_of(questions.begin(), questions.end(),
                     [](const auto& question) { return question.allow_cannot_tell; })) {
       text += " “Cannot tell” is also a response option.";
+    }
+    if (std::any_of(questions.begin(), questions.end(),
+                    [](const auto& question) { return !question.tie.empty(); })) {
+      text += " A tie is also a response option.";
     }
     if (!block.allow_revisit) text += " Surfaces cannot be presented again.";
     text += unmet_text(run->block, facts);

@@ -69,6 +69,8 @@ std::string declaration_text(FamilyDeclaration family) {
   switch (family) {
     case FamilyDeclaration::none:
       return "No test was declared in advance: all tests are exploratory.";
+    case FamilyDeclaration::of_other_kinds:
+      return "No test of these responses was declared in advance: all of them are exploratory.";
     case FamilyDeclaration::differs_between_files:
       return "The files of the protocol declare different tests: all tests are treated as "
              "exploratory.";
@@ -137,10 +139,10 @@ std::string methods_text(std::span<const TestSentence> printed, Sources& sources
   return (all.size() == 1 ? "Test: " : "Tests: ") + text + '.';
 }
 
-std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
-                       std::span<const TestSentence> printed, Sources& sources) {
-  std::vector<std::string> sentences{facts.attempts > 0 ? analysed_text(facts) : "",
-                                     correction_text(outcome, sources)};
+/// The statistics of one kind of responses.
+std::string paper_statistics(const AnalysisOutcome& outcome, std::span<const TestSentence> printed,
+                             Sources& sources) {
+  std::vector<std::string> sentences{correction_text(outcome, sources)};
   const auto is_any = [&printed](const auto& is_so) {
     return std::any_of(printed.begin(), printed.end(), is_so);
   };
@@ -199,21 +201,34 @@ std::string with_sentences(const std::vector<std::string>& sentences) {
   return text;
 }
 
-ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* outcome,
+ReportSection paper_section(const ReportFacts& facts,
+                            std::span<const AnalysisOutcome* const> outcomes,
                             const StudyMetadata& metadata) {
   ReportSection section{"Text for a paper", {}};
   Sources sources{};
+  const auto add = [&section](const std::string& heading, const std::string& text) {
+    if (text.empty()) return;
+    section.parts.emplace_back(ReportText{heading, ReportText::Tone::lead});
+    section.parts.emplace_back(ReportText{text});
+  };
+  const auto of_kind = [&outcomes](const AnalysisOutcome& outcome) {
+    return outcomes.size() > 1 ? " (" + outcome.kind + ")" : std::string();
+  };
   std::vector<std::string> methods = paper_procedure(facts, metadata, sources);
-  const std::vector<TestSentence> printed =
-      outcome == nullptr ? std::vector<TestSentence>{} : printed_sentences(*outcome);
-  methods.push_back(outcome == nullptr ? withheld_text(facts)
-                                       : paper_data(facts, *outcome, printed, sources));
-  section.parts.emplace_back(ReportText{"Methods", ReportText::Tone::lead});
-  section.parts.emplace_back(ReportText{with_sentences(methods)});
-  const std::string results = outcome == nullptr ? "" : results_paragraph(*outcome, printed);
-  if (!results.empty()) {
-    section.parts.emplace_back(ReportText{"Results", ReportText::Tone::lead});
-    section.parts.emplace_back(ReportText{results});
+  if (outcomes.empty()) methods.push_back(withheld_text(facts));
+  if (!outcomes.empty() && facts.attempts > 0) methods.push_back(analysed_text(facts));
+  if (outcomes.size() == 1) {
+    methods.push_back(
+        paper_statistics(*outcomes.front(), printed_sentences(*outcomes.front()), sources));
+  }
+  add("Methods", with_sentences(methods));
+  for (const AnalysisOutcome* const outcome : outcomes) {
+    if (outcomes.size() == 1) break;
+    add("Statistics" + of_kind(*outcome),
+        paper_statistics(*outcome, printed_sentences(*outcome), sources));
+  }
+  for (const AnalysisOutcome* const outcome : outcomes) {
+    add("Results" + of_kind(*outcome), results_paragraph(*outcome, printed_sentences(*outcome)));
   }
   if (!sources.empty()) {
     ReportList entries{};

@@ -195,32 +195,37 @@ const Factor* factor_within_trials(const Protocol& protocol) {
   return within;
 }
 
-/// "In each trial, three stimuli were presented, one for each level of model"; the number only
-/// where every answered trial had the same.
-std::string presented_text(const ReportFacts& facts) {
-  const bool is_one = facts.surfaces == std::set<std::size_t>{1};
-  const std::string number =
-      facts.surfaces.size() == 1 ? count_in_words(*facts.surfaces.begin()) : "several";
-  std::string text =
-      "In each trial, " + number + (is_one ? " stimulus was" : " stimuli were") + " presented";
+/// ", one for each level of model", where every answered trial had that many stimuli.
+std::string within_text(const ReportFacts& facts) {
   const Factor* within = factor_within_trials(*facts.file.protocol);
-  if (within != nullptr && facts.surfaces == std::set<std::size_t>{within->levels.size()}) {
-    text += ", one for each level of " + words_of_parameter(within->name);
-  }
-  return text;
+  if (within == nullptr || facts.surfaces != std::set<std::size_t>{within->levels.size()})
+    return {};
+  return ", one for each level of " + words_of_parameter(within->name);
 }
 
+std::string stimuli_were_presented(const std::set<std::size_t>& counts) {
+  if (counts == std::set<std::size_t>{1}) return "one stimulus was presented";
+  return (counts.size() == 1 ? count_in_words(*counts.begin()) : "several") +
+         " stimuli were presented";
+}
+
+/// "In each trial, three stimuli were presented, one for each level of model, …"; with several kinds of blocks a sentence
+/// for each, with the numbers of the protocol.
 std::string paper_task(const ReportFacts& facts) {
   const Protocol& protocol = *facts.file.protocol;
-  std::string text = presented_text(facts) + find_analysis(protocol.kind)->task_for_paper(protocol);
-  for (const ExperimentKind* const kind : kinds_of(protocol)) {
-    if (kind->id == protocol.kind) continue;
-    const bool is_one =
-        std::all_of(protocol.blocks.begin(), protocol.blocks.end(), [kind](const auto& each) {
-          return each.second.kind != kind->id || each.second.presented.size() == 1;
-        });
-    text += " In further trials (" + std::string(kind->id) + "), " +
-            (is_one ? "one stimulus was" : "several stimuli were") + " presented" +
+  const std::vector<const ExperimentKind*> kinds = kinds_of(protocol);
+  if (kinds.size() == 1) {
+    return "In each trial, " + stimuli_were_presented(facts.surfaces) + within_text(facts) +
+           find_analysis(kinds.front()->id)->task_for_paper(protocol);
+  }
+  std::string text{};
+  for (const ExperimentKind* const kind : kinds) {
+    std::set<std::size_t> counts{};
+    for (const auto& [name, block] : protocol.blocks) {
+      if (block.kind == kind->id) counts.insert(block.presented.size());
+    }
+    text += (text.empty() ? "In each trial of the " : " In each trial of the ") +
+            find_analysis(kind->id)->name.english() + ", " + stimuli_were_presented(counts) +
             find_analysis(kind->id)->task_for_paper(protocol);
   }
   return text;

@@ -49,9 +49,10 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
 /// For reference: tests and numbers that are in no table, and where to find the rest.
 ReportSection numbers_section(const AnalysisOutcome& outcome);
 
-/// Methods and results in paragraphs for a paper, with the publications that they cite. `outcome`:
-/// null where the results are withheld or there are none.
-ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* outcome,
+/// Methods and results in paragraphs for a paper, with the publications that they cite. `outcomes`:
+/// one for each kind of responses; empty where the results are withheld or there are none.
+ReportSection paper_section(const ReportFacts& facts,
+                            std::span<const AnalysisOutcome* const> outcomes,
                             const StudyMetadata& metadata);
 
 /// The stored sample, each text empty where nothing is stored: "3 female and 3 male", "M = 22.3

@@ -202,10 +202,11 @@ ReportChapter chapter_of(const ReportFacts& facts, const std::vector<ReportedOut
   }
   chapter.sections.push_back(exploration_section(facts));
   chapter.sections.push_back(presentation_section(facts));
-  // The text for a paper has the results of the protocol's own kind.
-  const AnalysisOutcome* const own =
-      is_held_back(facts) || outcomes.empty() ? nullptr : outcomes.front().outcome;
-  chapter.sections.push_back(paper_section(facts, own, metadata));
+  std::vector<const AnalysisOutcome*> shown{};
+  for (const ReportedOutcome& each : outcomes) {
+    if (!is_held_back(facts)) shown.push_back(each.outcome);
+  }
+  chapter.sections.push_back(paper_section(facts, shown, metadata));
   chapter.sections.push_back(making_section(facts));
   return chapter;
 }

@@ -60,8 +60,7 @@ std::string paper_task_of_pairs(const Protocol& protocol) {
   const PairedQuestions asked = paired_questions(protocol);
   std::string text = ", and one of them";
   if (asked.have_ties) text += ", or a tie,";
-  text += " was to be chosen";
-  return asked.prompts.empty() ? text + '.' : text + " (" + listed(asked.prompts) + ").";
+  return text + " was to be chosen.";
 }
 
 }  // namespace
