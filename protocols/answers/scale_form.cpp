@@ -14,21 +14,19 @@ namespace asperity {
 
 namespace {
 
-/// The value of a step; the right end has `maximum`, which rounding could exceed.
-double value_of(const ScaleForm& form, int step) {
-  return step == form.steps() ? form.maximum : form.value_at(step);
-}
-
 /// The step whose value is stored as this text.
 std::optional<int> stored_step(const ScaleForm& form, const std::string& text) {
   const std::optional<double> number = stored_number(text);
-  if (!number || *number < form.minimum || *number > form.maximum) return {};
-  const double steps = (*number - form.minimum) / (form.maximum - form.minimum) * form.steps();
-  const int step = static_cast<int>(std::lround(steps));
-  return number_text(value_of(form, step)) == text ? std::optional(step) : std::nullopt;
+  const std::optional<int> step = number ? form.step_near(*number) : std::nullopt;
+  return step && number_text(form.value_at(*step)) == text ? step : std::nullopt;
 }
 
 }  // namespace
+
+std::optional<int> ScaleForm::step_near(double value) const noexcept {
+  if (!(value >= minimum && value <= maximum)) return {};
+  return static_cast<int>(std::lround((value - minimum) / (maximum - minimum) * steps()));
+}
 
 std::vector<AnsweredItem> items_of(const TrialQuestion& question, const ScaleForm& form,
                                    const ScalePoint& answer) {
@@ -36,7 +34,7 @@ std::vector<AnsweredItem> items_of(const TrialQuestion& question, const ScaleFor
     throw std::out_of_range("the scale of the question " + question.name + " has no step " +
                             std::to_string(answer.step));
   }
-  const double value = value_of(form, answer.step);
+  const double value = form.value_at(answer.step);
   return {{.answer = number_text(value), .number = value}};
 }
 

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,9 +33,11 @@ struct ScaleForm {
   }
   /// The value that is stored for a step from 0 to steps().
   double value_at(int step) const noexcept {
-    // The division comes last: whole values stay whole.
-    return minimum + (maximum - minimum) * step / steps();
+    // The division comes last: whole values stay whole. Rounding must not exceed the right end.
+    return step == steps() ? maximum : minimum + (maximum - minimum) * step / steps();
   }
+  /// The step whose value is next to a value from `minimum` to `maximum`; nothing outside them.
+  std::optional<int> step_near(double value) const noexcept;
   bool operator==(const ScaleForm&) const = default;
 };
 

@@ -13,8 +13,7 @@ namespace asperity {
 std::string ScaleDialogue::introduction() const {
   std::string lines{};
   const auto add = [&lines, this](int step, const std::string& label) {
-    const double value = step == form_.steps() ? form_.maximum : form_.value_at(step);
-    lines += "  " + number_text(value) + (label.empty() ? "" : "  " + label) + '\n';
+    lines += "  " + number_text(form_.value_at(step)) + (label.empty() ? "" : "  " + label) + '\n';
   };
   if (form_.labels_every_point()) {
     for (int step = 0; step <= form_.steps(); ++step) {
@@ -30,13 +29,14 @@ std::string ScaleDialogue::introduction() const {
 
 std::variant<NextLine, Answer> ScaleDialogue::take(const std::string& typed) {
   const std::optional<double> number = number_in(with_decimal_point(trimmed(typed)));
-  if (number && *number >= form_.minimum && *number <= form_.maximum) {
-    const double steps =
-        (*number - form_.minimum) / (form_.maximum - form_.minimum) * form_.steps();
-    const int step = static_cast<int>(std::lround(steps));
+  const std::optional<int> step = number ? form_.step_near(*number) : std::nullopt;
+  if (step) {
     // A line without points takes every number, rounded to its steps; a scale only its points.
-    constexpr double kSame = 1e-6;
-    if (form_.points == 0 || std::abs(steps - step) < kSame) return Answer(ScalePoint{step});
+    constexpr double kSame = 1e-6;  // of the distance of two points
+    const double apart = form_.value_at(1) - form_.value_at(0);
+    if (form_.points == 0 || std::abs(*number - form_.value_at(*step)) < kSame * apart) {
+      return Answer(ScalePoint{*step});
+    }
   }
   std::string complaint = "Please enter a number from " + number_text(form_.minimum) + " to " +
                           number_text(form_.maximum);
