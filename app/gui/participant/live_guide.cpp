@@ -9,8 +9,9 @@
 #include <QtGui/QPolygonF>
 
 #include "analysis/compliance.h"
-#include "app/gui/participant/participant_layout.h"
-#include "app/gui/participant/participant_painter.h"
+#include "app/gui/participant/pages/guide_rows.h"
+#include "app/gui/participant/pages/participant_brush.h"
+#include "app/gui/participant/pages/participant_font.h"
 #include "app/session/layout.h"
 #include "renderers/servo/servo_thread.h"
 

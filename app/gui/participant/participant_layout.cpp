@@ -1,55 +1,63 @@
 #include "app/gui/participant/participant_layout.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include <QtGui/QFontDatabase>
+#include <QtCore/Qt>
 
-#include "app/gui/participant/participant_page.h"
+#include "app/gui/participant/pages/page_for.h"
+#include "app/gui/participant/pages/page_frame.h"
 
 namespace asperity {
 
-QFont participant_font(int size_px, bool bold) {
-  QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
-  font.setPixelSize(std::max(1, size_px));
-  font.setBold(bold);
-  return font;
+namespace {
+
+/// An arrow moves the mark of a scale, and among the letters of a field for text.
+bool arrow_turns(const PageFrame& frame, const ParticipantPage& page) {
+  const bool has_field =
+      frame.page() == frame.pages() && page.typing(frame.scene()) == ParticipantPage::Typing::text;
+  return !has_field && !page.action_of_key(frame.scene(), Qt::Key_Left, {});
 }
 
-GuideRows guide_rows(const Exploration& asked) {
-  using Guidance = Exploration::Guidance;
-  const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
-  GuideRows rows{};
-  if (asked.guidance != Guidance::bars && asked.guidance != Guidance::moving_target) return rows;
-  rows.force = bounded(asked.normal_force_N);
-  rows.speed = asked.guidance == Guidance::bars && bounded(asked.speed_m_per_s);
-  if (asked.guidance == Guidance::moving_target) {
-    const bool goes_away =
-        std::abs(std::sin(asked.direction_rad)) > std::abs(std::cos(asked.direction_rad));
-    rows.track = goes_away ? 4 : 2;
-  }
-  return rows;
+void begin_page(PageFrame& frame, const ParticipantPage& page, int number) {
+  frame.begin_page(number);
+  if (number == frame.pages()) page.add_controls(frame);
+  frame.add_turning_controls(arrow_turns(frame, page));
 }
 
-double height_of_guide_numbers(double letters_px) { return std::ceil(1.2 * letters_px); }
-
-std::vector<double> guide_ticks(double end) {
-  constexpr int kMost = 5;  // beside 0
-  constexpr double kRounding = 1e-9;
-  if (!(end > 0.0) || !std::isfinite(end)) return {};
-  const double decade = std::pow(10.0, std::floor(std::log10(end)) - 1.0);
-  double step = decade;
-  for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
-    step = factor * decade;
-    if (end / step < kMost + 1.0 - kRounding) break;
-  }
-  std::vector<double> ticks{};
-  for (int i = 0; i * step <= end * (1.0 + kRounding); ++i) ticks.push_back(i * step);
-  return ticks;
-}
+}  // namespace
 
 std::vector<ParticipantItem> lay_out(const ParticipantScene& scene,
                                      const ParticipantLayoutInputs& inputs) {
-  return ParticipantPage(scene, inputs).lay_out();
+  PageFrame frame(scene, inputs);
+  const ParticipantPage& page = page_for(scene);
+  if (scene.kind == ParticipantScene::Kind::blank) {
+    // The ground stays empty but for a cue, where it stands in other scenes.
+    begin_page(frame, page, 1);
+    frame.clear();
+    frame.end_controls(frame.controls_top());
+    frame.cue();
+    return frame.take_items();
+  }
+  for (;;) {
+    const int pages = frame.pages();
+    const int answer_page = frame.answer_page();
+    // On every page of a text the words have the same room: that which the fullest row of controls
+    // leaves.
+    double top = inputs.size.height();
+    for (const int number : {1, std::min(2, pages), pages}) {
+      begin_page(frame, page, number);
+      top = std::min(top, frame.controls_top());
+    }
+    frame.clear();
+    const int last = answer_page > 0 ? answer_page : pages;
+    begin_page(frame, page, inputs.page == 0 ? last : std::clamp(inputs.page, 1, pages));
+    frame.end_controls(top);
+    page.lay_out(frame);
+    frame.cue();
+    // More pages take more room for the controls that turn them, never less: it comes to an end.
+    if (frame.pages() == pages && frame.answer_page() == answer_page) return frame.take_items();
+    frame.clear();
+  }
 }
 
 }  // namespace asperity

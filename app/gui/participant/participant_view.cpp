@@ -12,6 +12,9 @@
 #include <QtWidgets/QPlainTextEdit>
 
 #include "app/gui/participant/live_guide.h"
+#include "app/gui/participant/pages/page_for.h"
+#include "app/gui/participant/pages/participant_font.h"
+#include "app/gui/participant/participant_keys.h"
 #include "app/gui/participant/participant_painter.h"
 #include "app/gui/participant/type_size.h"
 #include "renderers/servo/servo_thread.h"
@@ -27,19 +30,18 @@ using Scene = ParticipantScene;
 constexpr int kSceneLook_ms = 16;
 constexpr std::chrono::seconds kCueShown{5};
 constexpr std::int64_t kTwoDigits_ns = 1'000'000'000;  // between the digits of one key
-constexpr qsizetype kLongestNumber = 24;               // to be seen; not all of it can be an answer
 constexpr QSizeF kUsualPage(1366.0, 768.0);
-// Of the keys 1 … 9, 0 above the letters, under xcb and Wayland alike.
-constexpr quint32 kScanCodeOf1 = 10;
-constexpr quint32 kScanCodeOf0 = 19;
 
 bool same_question(const Scene& one, const Scene& other) {
   const auto name = [](const Scene& scene) {
     return scene.question ? scene.question->name : std::string();
   };
+  const auto is_number = [](const Scene& scene) {
+    return scene.kind == Scene::Kind::question &&
+           page_for(scene).typing(scene) == ParticipantPage::Typing::number;
+  };
   // A number that is to be checked stays in its field under other words.
-  const bool same_text = one.text == other.text ||
-                         (one.is_answered_by<NumberForm>() && other.is_answered_by<NumberForm>());
+  const bool same_text = one.text == other.text || (is_number(one) && is_number(other));
   return one.kind == other.kind && same_text && name(one) == name(other);
 }
 
@@ -170,24 +172,10 @@ bool ParticipantView::waits() const {
 }
 
 bool ParticipantView::would_leave_out() const {
-  if (scene_->kind != Scene::Kind::form || !scene_->question || !scene_->question->optional) {
-    return false;
-  }
-  switch (scene_->question->form) {
-    case Question::Form::choice:
-      return !draft_.option;
-    case Question::Form::number:
-      return draft_.number.isEmpty();
-    case Question::Form::text:
-      return draft_.text.trimmed().isEmpty();
-  }
-  return false;
+  return scene_page().would_leave_out(*scene_, draft_);
 }
 
-bool ParticipantView::is_text_form() const {
-  return scene_->kind == Scene::Kind::form && scene_->question &&
-         scene_->question->form == Question::Form::text;
-}
+const ParticipantPage& ParticipantView::scene_page() const { return page_for(*scene_); }
 
 // --- looking and drawing ---
 
@@ -274,12 +262,11 @@ const ParticipantItem* ParticipantView::turned_by(int key) const {
   const bool back = key == Qt::Key_Left || key == Qt::Key_PageUp;
   if (!on && !back) return nullptr;
   const bool is_arrow = key == Qt::Key_Right || key == Qt::Key_Left;
-  if (is_arrow && scene_->kind == Scene::Kind::question && scene_->is_answered_by<ScaleForm>()) {
-    return nullptr;  // it moves the mark
-  }
+  if (is_arrow && action_of_key(*scene_, key, {})) return nullptr;  // it moves a mark
   for (const Item& item : items_) {
     // The way on is filled, the way back is not.
-    if (item.action && item.action->what == Action::What::turn_to && item.ready == on) return &item;
+    const bool turns = item.action && item.action->what == ParticipantAction::What::turn_to;
+    if (turns && item.ready == on) return &item;
   }
   return nullptr;
 }
@@ -353,9 +340,9 @@ void ParticipantView::place(QWidget* widget, const ParticipantItem* item) {
 
 void ParticipantView::prepare_pictures() {
   if (!facts_->plan) return;
+  letters_shown_px_ = letters_px();
   std::map<int, std::vector<QString>> by_side{};
   std::set<std::vector<QString>> seen{};
-  letters_shown_px_ = letters_px();
   ParticipantLayoutInputs of_answer = layout_inputs();
   of_answer.page = 0;
   for (const Trial& trial : facts_->plan->trials) {
@@ -393,10 +380,10 @@ void ParticipantView::paintEvent(QPaintEvent*) {
   const bool all_there = pictures_are_there();
   painter.translate(page_offset());
   painter.scale(page_scale(), page_scale());
-  drawn_texts_ =
-      paint(painter, items_, colors, [this, all_there](const QString& name, double side) {
-        return all_there ? shelf_.picture(name, side_px(side)) : QPixmap();
-      });
+  drawn_texts_ = paint(painter, scene_page(), items_, colors,
+                       [this, all_there](const QString& name, double side) {
+                         return all_there ? shelf_.picture(name, side_px(side)) : QPixmap();
+                       });
   if (press_ && press_->dragging) {
     paint_dragged(painter, press_->letter, pointer_,
                   std::max(1.0, std::min(width() / 1366.0, height() / 768.0)), colors);
@@ -439,26 +426,19 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
   if (const std::optional<std::size_t> item = item_at(at)) {
     const Item& pressed = items_[*item];
     press_ = Press{.item = pressed, .at = at, .time_ns = time_ns};
-    if (pressed.kind == Item::Kind::scale) {
-      mark_scale(at, time_ns);
-      return;
-    }
-    if (!scene_->is_answered_by<AssignmentForm>() || scene_->kind != Scene::Kind::question) return;
-    press_->letter = pressed.kind == Item::Kind::chip ? pressed.text : pressed.given_to;
+    press_->letter = scene_page().carried_from(pressed);
+    set_by_pointer(at, time_ns);
   }
 }
 
 void ParticipantView::mouseMoveEvent(QMouseEvent* event) {
   event_clock_.happened_ns(event->timestamp(), monotonic_now_ns());
   pointer_ = to_page(event->position());
-  if (press_ && press_->item.kind == Item::Kind::scale) {
-    mark_scale(pointer_, time_of_ns(event->timestamp()));
-    return;
-  }
   if (!press_) {
     setCursor(item_at(pointer_) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     return;
   }
+  set_by_pointer(pointer_, time_of_ns(event->timestamp()));
   if (!press_->letter.isEmpty() &&
       (pointer_ - press_->at).manhattanLength() >= QApplication::startDragDistance()) {
     press_->dragging = true;
@@ -476,80 +456,41 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
   update();
   const std::optional<std::size_t> item = item_at(to_page(event->position()));
   if (press.dragging) {
-    drop(press, item, released_ns);
-  } else if (press.item.kind == Item::Kind::scale) {
-    // Its marks have been told.
+    auto input = scene_page().dropped(*scene_, press.item, item ? &items_[*item] : nullptr);
+    if (input) tell(*std::move(input), released_ns, "mouse");
+  } else if (press.set) {
+    // It has been told.
   } else if (item && items_[*item].action == press.item.action) {
     act(Action(*press.item.action), press.time_ns, "mouse");
   } else {
     return;
   }
-  if (is_typed()) return;
+  if (scene_page().is_private()) return;
   tell({.kind = ParticipantInput::Kind::released,
         .text = "mouse button",
         .held_s = static_cast<double>(released_ns - press.time_ns) * 1e-9},
        press.time_ns, "mouse");
 }
 
-void ParticipantView::mark_scale(QPointF at, std::int64_t time_ns) {
-  const Item& item = press_->item;
-  const double length = item.rect.width() - 2.0 * item.side;
-  const double position = std::clamp((at.x() - item.rect.left() - item.side) / length, 0.0, 1.0);
-  const int step = static_cast<int>(std::lround(position * item.scale->form.steps()));
-  if (press_->step == step) return;
-  press_->step = step;
-  tell({.kind = ParticipantInput::Kind::mark,
-        .number = item.action->number,
-        .position = static_cast<double>(step) / item.scale->form.steps()},
-       time_ns, "mouse");
-}
-
-/// A surface's letter let go over a picture is given to it; drawn off its picture, it is taken back.
-void ParticipantView::drop(const Press& press, std::optional<std::size_t> item,
-                           std::int64_t time_ns) {
-  const Item& from = press.item;
-  ParticipantInput input{.kind = ParticipantInput::Kind::assign};
-  if (item && items_[*item].kind == Item::Kind::picture) {
-    if (items_[*item].action == from.action) return;
-    input.number = items_[*item].action->number;
-    for (std::size_t i = 0; i < scene_->surfaces.size(); ++i) {
-      if (QString::fromStdString(scene_->surfaces[i].code) == press.letter) {
-        input.surface = static_cast<int>(i) + 1;
-      }
-    }
-  } else if (from.kind == Item::Kind::picture) {
-    input.number = from.action->number;
-  } else {
-    return;
-  }
-  tell(std::move(input), time_ns, "mouse");
-}
-
-/// What a key types; on a keyboard whose row of digits types other signs (French), the digit that
-/// stands on it.
-QString ParticipantView::sign_of(const QKeyEvent& event) const {
-  const quint32 code = event.nativeScanCode();
-  if (code < kScanCodeOf1 || code > kScanCodeOf0) return event.text();
-  if (action_of_key(*scene_, event.key(), event.text())) return event.text();
-  // Digits that are typed without Shift are what the row is for; with it, "/" of a German keyboard is no 7.
-  const bool shifted = (event.modifiers() & Qt::ShiftModifier) != 0;
-  if (shifted && takes_typed_number(*scene_)) return event.text();
-  return QString::number((code - kScanCodeOf1 + 1) % 10);
+void ParticipantView::set_by_pointer(QPointF at, std::int64_t time_ns) {
+  auto input = scene_page().set_by_pointer(press_->item, at);
+  if (!input || press_->set == input->position) return;
+  press_->set = input->position;
+  tell(*std::move(input), time_ns, "mouse");
 }
 
 bool ParticipantView::has_use_for(const QKeyEvent& event) const {
-  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  if (is_command_key(event)) return false;
   if (turned_by(event.key()) != nullptr) return true;
-  if (action_of_key(*scene_, event.key(), sign_of(event))) return true;
-  if (sign_amiss(*scene_, sign_of(event))) return true;
-  if (!is_text_form()) return false;
+  if (action_of_key(*scene_, event.key(), sign_of_key(*scene_, event))) return true;
+  if (scene_page().typing(*scene_) != ParticipantPage::Typing::text) return false;
   const QString text = event.text();
   return (!text.isEmpty() && text.front().isPrint()) || event.key() == Qt::Key_Backspace ||
          event.key() == Qt::Key_Delete;
 }
 
 bool ParticipantView::repeats(const QKeyEvent& event) const {
-  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  if (is_command_key(event)) return false;
   const std::optional<Action> action = action_of_key(*scene_, event.key(), {});
   return action && action->what == Action::What::step;
 }
@@ -560,18 +501,15 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
     turn_to(turning->action->number);
     return true;
   }
-  const QString sign = sign_of(event);
+  const QString sign = sign_of_key(*scene_, event);
   std::optional<Action> action = action_of_key(*scene_, event.key(), sign);
-  if (!action) action = sign_amiss(*scene_, sign);
   if (!action) {
     if (field_->isHidden()) turn_to(0);
     QApplication::sendEvent(field_, &event);
     return true;
   }
-  // The second digit of a key of two ("12") corrects the choice that the first one made.
-  const bool is_choice =
-      action->what == Action::What::choose && !scene_->is_answered_by<AssignmentForm>();
-  if (is_choice && pressed_ns - typed_ns_ < kTwoDigits_ns) {
+  const bool can_correct = action->what == Action::What::choose && scene_page().takes_two_digits();
+  if (can_correct && pressed_ns - typed_ns_ < kTwoDigits_ns) {
     const std::string both = (typed_ + sign).toStdString();
     for (std::size_t i = 0; i < scene_->choices.size(); ++i) {
       if (scene_->choices[i].key == both) action->number = static_cast<int>(i) + 1;
@@ -583,18 +521,24 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   return true;
 }
 
-bool ParticipantView::holds_no_number() const {
-  return takes_typed_number(*scene_) && is_no_number(*scene_, draft_.number);
+void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
+                          const char* source) {
+  if (action.what == Action::What::turn_to) {
+    turn_to(action.number);
+    return;
+  }
+  ActionEffect effect = scene_page().act(*scene_, action, draft_);
+  if (effect.told) {
+    tell(*std::move(effect.told), time_ns, source);
+  } else if (effect.shows_answer) {
+    turn_to(0);
+  } else {
+    arrange();
+  }
 }
 
-bool ParticipantView::is_typed() const {
-  return scene_->kind == Scene::Kind::form ||
-         (scene_->kind == Scene::Kind::question && scene_->is_answered_by<NumberForm>());
-}
-
-// What is typed into a form may be private.
 void ParticipantView::release(const QString& key, std::int64_t pressed_ns, double held_s) {
-  if (is_typed()) return;
+  if (scene_page().is_private()) return;
   tell({.kind = ParticipantInput::Kind::released, .text = key.toStdString(), .held_s = held_s},
        pressed_ns, "keyboard");
 }
@@ -603,133 +547,6 @@ void ParticipantView::tell(ParticipantInput input, std::int64_t time_ns, const c
   input.time_ns = time_ns;
   input.source = source;
   emit acted(std::move(input));
-}
-
-void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
-                          const char* source) {
-  using Kind = ParticipantInput::Kind;
-  if (action.what == Action::What::turn_to) {
-    turn_to(action.number);
-    return;
-  }
-  if (scene_->kind == Scene::Kind::form) {
-    act_on_form(action, time_ns, source);
-    return;
-  }
-  const bool pairs =
-      scene_->kind == Scene::Kind::question && scene_->is_answered_by<AssignmentForm>();
-  switch (action.what) {
-    case Action::What::choose:
-      if (pairs && draft_.surface) {
-        tell({.kind = Kind::assign, .number = action.number, .surface = *draft_.surface}, time_ns,
-             source);
-      } else {
-        tell({.kind = Kind::option, .number = action.number}, time_ns, source);
-      }
-      return;
-    case Action::What::surface:
-      if (!pairs) {
-        tell({.kind = Kind::surface, .number = action.number}, time_ns, source);
-        return;
-      }
-      if (draft_.surface == action.number) {
-        draft_.surface.reset();
-      } else {
-        draft_.surface = action.number;
-      }
-      arrange();
-      return;
-    case Action::What::next:
-      if (pairs && scene_->can_switch && draft_.surface) {
-        tell({.kind = Kind::surface, .number = *draft_.surface}, time_ns, source);
-      } else {
-        tell({.kind = Kind::next}, time_ns, source);
-      }
-      return;
-    case Action::What::confirm:
-      if (holds_no_number()) return;
-      if (is_typed()) {
-        tell({.kind = Kind::text, .text = draft_.number.toStdString()}, time_ns, source);
-      } else {
-        tell({.kind = Kind::confirm}, time_ns, source);
-      }
-      return;
-    case Action::What::mark:  // told where it was pressed
-      return;
-    case Action::What::step:
-      tell({.kind = Kind::step, .number = action.number}, time_ns, source);
-      return;
-    case Action::What::select:
-      tell({.kind = Kind::select, .number = action.number}, time_ns, source);
-      return;
-    case Action::What::write:
-    case Action::What::erase:
-      write_number(action);
-      return;
-    case Action::What::turn_to:
-      return;
-  }
-}
-
-void ParticipantView::write_number(const ParticipantAction& action) {
-  if (action.what == Action::What::erase) {
-    draft_.number.chop(1);
-  } else if (action.text == "-" && may_be_negative(*scene_) &&
-             !draft_.number.endsWith('e', Qt::CaseInsensitive)) {
-    // A minus changes the sign, wherever it is pressed.
-    draft_.number = draft_.number.startsWith('-') ? draft_.number.mid(1) : '-' + draft_.number;
-  } else if (draft_.number.size() < kLongestNumber) {
-    draft_.number += action.text;
-  }
-  turn_to(0);
-}
-
-void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t time_ns,
-                                  const char* source) {
-  if (!scene_->question) return;
-  const Question& question = *scene_->question;
-  switch (action.what) {
-    case Action::What::choose:
-      if (question.optional && draft_.option == action.number) {
-        draft_.option.reset();
-      } else {
-        draft_.option = action.number;
-      }
-      turn_to(0);
-      return;
-    case Action::What::write:
-    case Action::What::erase:
-      write_number(action);
-      return;
-    case Action::What::confirm: {
-      if (holds_no_number()) return;
-      QString text{};
-      switch (question.form) {
-        case Question::Form::choice:
-          if (draft_.option &&
-              static_cast<std::size_t>(*draft_.option) <= question.options.size()) {
-            text = QString::fromStdString(
-                question.options[static_cast<std::size_t>(*draft_.option - 1)]);
-          }
-          break;
-        case Question::Form::number:
-          text = draft_.number;
-          break;
-        case Question::Form::text:
-          if (field_ != nullptr) text = field_->toPlainText().trimmed();
-          break;
-      }
-      tell({.kind = ParticipantInput::Kind::text, .text = text.toStdString()}, time_ns, source);
-      return;
-    }
-    case Action::What::surface:
-    case Action::What::next:
-    case Action::What::mark:
-    case Action::What::step:
-    case Action::What::select:
-    case Action::What::turn_to:
-      return;
-  }
 }
 
 // The text field writes the scene's answer, so its Return is the scene's; Shift+Return is a new line.

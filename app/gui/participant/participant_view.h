@@ -27,6 +27,7 @@ class QPlainTextEdit;
 namespace asperity {
 
 class LiveGuide;
+class ParticipantPage;
 
 /// Draws the scene of the monitor, one thing at a time. Everything in it can be done with the mouse
 /// alone and, through `ResponseKeys`, with the keyboard alone.
@@ -115,7 +116,7 @@ class ParticipantView final : public QWidget {
     std::int64_t time_ns = 0;
     QString letter{};  ///< of the surface that a drag from here carries; empty: none
     bool dragging = false;
-    std::optional<int> step{};  ///< of a scale: the one that was told last
+    std::optional<double> set{};  ///< of an item that the pointer sets: the position told last
   };
 
   void look();
@@ -125,7 +126,6 @@ class ParticipantView final : public QWidget {
   ParticipantLayoutInputs layout_inputs() const;
   void prepare_pictures();
   int side_px(double side) const;
-  QString sign_of(const QKeyEvent& event) const;
   QSizeF page_size() const;
   double letters_px() const;
   /// The item that turns the page by this key, if there is one.
@@ -135,21 +135,13 @@ class ParticipantView final : public QWidget {
   QPointF page_offset() const;
   std::int64_t session_now_ns() const;
   int rest_left_s() const;
-  /// Of the pressed scale, where the pointer is; told where its mark would stand elsewhere.
-  void mark_scale(QPointF at, std::int64_t time_ns);
-  void drop(const Press& press, std::optional<std::size_t> item, std::int64_t time_ns);
+  /// The pressed item, where the pointer is; told where that is another position of it.
+  void set_by_pointer(QPointF at, std::int64_t time_ns);
   std::optional<std::size_t> item_at(QPointF page_point) const;
   QPointF to_page(QPointF point) const;
   void act(const ParticipantAction& action, std::int64_t time_ns, const char* source);
-  /// Into a number that is being typed.
-  void write_number(const ParticipantAction& action);
-  /// What was typed cannot become a number: nothing is confirmed until it is corrected.
-  bool holds_no_number() const;
-  /// What is typed is the answer and nothing else of it is told.
-  bool is_typed() const;
-  void act_on_form(const ParticipantAction& action, std::int64_t time_ns, const char* source);
   void tell(ParticipantInput input, std::int64_t time_ns, const char* source);
-  bool is_text_form() const;
+  const ParticipantPage& scene_page() const;  ///< of the scene
 
   const SessionMonitor& monitor_;
   Role role_ = Role::participant;

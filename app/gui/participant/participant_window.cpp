@@ -10,7 +10,7 @@
 #include <QtWidgets/QBoxLayout>
 
 #include "app/gui/look/controls.h"
-#include "app/gui/participant/participant_painter.h"
+#include "app/gui/participant/pages/participant_brush.h"
 
 namespace asperity {
 

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/settings.h"
+#include "app/gui/participant/pages/participant_font.h"
+#include "app/gui/participant/participant_keys.h"
 #include "app/gui/participant/type_size.h"
 #include "tests/gui/participant/scenes.h"
 

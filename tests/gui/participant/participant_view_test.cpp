@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/participant/live_guide.h"
+#include "app/gui/participant/pages/guide_rows.h"
 #include "app/gui/participant/picture_shelf.h"
 #include "app/gui/participant/response_keys.h"
 #include "app/gui/participant/type_size.h"

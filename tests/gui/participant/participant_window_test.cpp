@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/look/controls.h"
-#include "app/gui/participant/participant_painter.h"
+#include "app/gui/participant/pages/participant_brush.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/widgets.h"
 

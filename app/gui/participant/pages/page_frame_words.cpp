@@ -2,7 +2,7 @@
 
 #include <QtCore/QTextBoundaryFinder>
 
-#include "app/gui/participant/participant_page.h"
+#include "app/gui/participant/pages/page_frame.h"
 
 namespace asperity {
 
@@ -22,8 +22,7 @@ std::vector<QString> pieces_of(const QString& text, QTextBoundaryFinder::Boundar
 
 }  // namespace
 
-QRectF ParticipantPage::place_of(const QString& text, int size_px, bool bold,
-                                 const QRectF& room) const {
+QRectF PageFrame::place_of(const QString& text, int size_px, bool bold, const QRectF& room) const {
   const double height = height_of(text, size_px, bold, room.width());
   double fits = room.width();
   double too_narrow = width_of_longest_word(text, size_px);
@@ -36,7 +35,7 @@ QRectF ParticipantPage::place_of(const QString& text, int size_px, bool bold,
   return QRectF(room.center().x() - fits / 2.0, room.top(), fits, height);
 }
 
-double ParticipantPage::width_of_longest_word(const QString& text, int size_px) const {
+double PageFrame::width_of_longest_word(const QString& text, int size_px) const {
   double longest = 0.0;
   for (const QString& word : pieces_of(text, QTextBoundaryFinder::Line)) {
     longest = std::max(longest, width_of(word.trimmed(), size_px, false));
@@ -44,8 +43,8 @@ double ParticipantPage::width_of_longest_word(const QString& text, int size_px) 
   return longest;
 }
 
-std::vector<QString> ParticipantPage::parts_of(const QString& text, int size_px, bool bold,
-                                               QSizeF room) const {
+std::vector<QString> PageFrame::parts_of(const QString& text, int size_px, bool bold,
+                                         QSizeF room) const {
   const auto fits = [&](const QString& words) {
     return height_of(words.trimmed(), size_px, bold, room.width()) <= room.height();
   };
@@ -70,15 +69,15 @@ std::vector<QString> ParticipantPage::parts_of(const QString& text, int size_px,
   return parts;
 }
 
-void ParticipantPage::prompt(const QString& text, int size_px) {
+void PageFrame::prompt(const QString& text, int size_px) {
   if (text.isEmpty()) return;
   const QRectF rect = place_of(text, size_px, true, column());
   add({.rect = rect, .text = text, .size_px = size_px, .bold = true});
   body_.setTop(rect.bottom() + px(kGap));
 }
 
-bool ParticipantPage::question_over(const QString& text,
-                                    const std::function<bool(double height)>& is_enough) {
+bool PageFrame::question_over(const QString& text,
+                              const std::function<bool(double height)>& is_enough) {
   question_pages_ = 0;
   if (text.isEmpty()) return true;
   const double width = column().width();
@@ -112,7 +111,7 @@ bool ParticipantPage::question_over(const QString& text,
   return true;
 }
 
-void ParticipantPage::words(const QString& text, const QString& below) {
+void PageFrame::words(const QString& text, const QString& below) {
   const QRectF room = column();
   const double gap = below.isEmpty() ? 0.0 : px(2 * kGap);
   const auto height_left = [&](int size_px) {
@@ -137,7 +136,7 @@ void ParticipantPage::words(const QString& text, const QString& below) {
   if (number <= parts.size()) part_of_words(parts[number - 1], below, size_px);
 }
 
-void ParticipantPage::part_of_words(const QString& text, const QString& below, int size_px) {
+void PageFrame::part_of_words(const QString& text, const QString& below, int size_px) {
   const double gap = below.isEmpty() ? 0.0 : px(2 * kGap);
   QRectF left = column();
   const double first = height_of(text, size_px, false, left.width());

@@ -1,4 +1,4 @@
-#include "app/gui/participant/participant_words.h"
+#include "app/gui/participant/pages/participant_words.h"
 
 #include "app/gui/look/words.h"
 

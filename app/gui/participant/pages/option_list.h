@@ -1,0 +1,25 @@
+// A list of options in words, in columns, on as many pages as it takes.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QtCore/QString>
+
+#include "app/gui/participant/pages/participant_item.h"
+
+namespace asperity {
+
+class PageFrame;
+
+/// The question of the scene and its options, which are pressed as What::choose. `chosen` is from 1.
+void lay_out_options(PageFrame& frame, const std::vector<QString>& options,
+                     std::optional<int> chosen);
+
+/// What is pressed for an option of a list: "1" … "9", then "A" ….
+QString key_of_listed_option(int number);
+/// The choice of one of `count` options by its key.
+std::optional<ParticipantAction> key_of_option_list(const QString& typed, int count);
+
+}  // namespace asperity
