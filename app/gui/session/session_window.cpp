@@ -1,6 +1,5 @@
 #include "app/gui/session/session_window.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <QtCore/QTime>
@@ -9,7 +8,6 @@
 #include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
 #include <QtWidgets/QBoxLayout>
-#include <QtWidgets/QLabel>
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/look/controls.h"
@@ -18,18 +16,16 @@
 #include "app/gui/session/end_summary.h"
 #include "app/gui/session/health_line.h"
 #include "app/gui/session/live_plots.h"
+#include "app/gui/session/mirror_frame.h"
 #include "app/gui/session/notes_panel.h"
 #include "app/gui/session/plan_table.h"
 #include "app/gui/session/reason_form.h"
-#include "app/gui/session/session_clock.h"
 #include "app/gui/session/session_controls.h"
 #include "app/gui/session/session_header.h"
 #include "app/gui/session/session_parts.h"
 #include "app/gui/session/session_questions.h"
-#include "app/gui/session/session_text.h"
 #include "app/gui/session/session_troubles.h"
 #include "app/gui/session/window_place.h"
-#include "app/session/rig/clock.h"
 #include "app/words/offered_reasons.h"
 
 namespace asperity {
@@ -40,14 +36,6 @@ namespace {
 constexpr int kSessionFrame_ms = 16;
 // What the narrowest form needs in German.
 constexpr QSize kSmallest{672, 560};
-constexpr int kReadable_ms = 250;  // numbers that change faster cannot be read
-
-QLabel* make_small_heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setFont(text_font(TextSize::small, true));
-  label->setProperty("role", "muted");
-  return label;
-}
 
 }  // namespace
 
@@ -138,35 +126,14 @@ void SessionWindow::make_middle() {
   plots_ = new LivePlots(pages_);
   answers_ = new AnswersPanel(pages_);
   notes_ = new NotesPanel(pages_);
+  mirror_ = new MirrorFrame(pages_);
   parts_ = new SessionParts(
-      {.plan = plan_, .plots = plots_, .sight = make_sight(), .answers = answers_, .notes = notes_},
+      {.plan = plan_, .plots = plots_, .sight = mirror_, .answers = answers_, .notes = notes_},
       pages_);
   pages_->addWidget(parts_);
 }
 
-QWidget* SessionWindow::make_sight() {
-  auto* sight = new QWidget(pages_);
-  auto* rows = new QVBoxLayout(sight);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(kGrid / 2);
-  rows->addWidget(make_small_heading(tr("PARTICIPANT'S VIEW"), sight));
-  QVBoxLayout* frame = nullptr;
-  QFrame* screen = make_card(sight, frame);
-  frame->setContentsMargins(1, 1, 1, 1);
-  screen->setMinimumHeight(72);
-  mirror_place_ = frame;
-  mirror_ = make_text(tr("The participant's window is not open."), screen, true);
-  static_cast<QLabel*>(mirror_)->setAlignment(Qt::AlignCenter);
-  mirror_place_->addWidget(mirror_);
-  rows->addWidget(screen, 1);
-  return sight;
-}
-
-void SessionWindow::set_mirror(QWidget* mirror) {
-  delete mirror_;
-  mirror_ = mirror;
-  mirror_place_->addWidget(mirror_);
-}
+void SessionWindow::set_mirror(QWidget* mirror) { mirror_->set_mirror(mirror); }
 
 void SessionWindow::set_participant_window(bool there) { controls_->set_participant_window(there); }
 
@@ -314,182 +281,6 @@ void SessionWindow::lock_fields() {
   notes_->lock(why);
   questions_->lock(why);
 }
-
-// --- what the monitor says -----------------------------------------------------------------------
-
-bool SessionWindow::is_running() const { return facts_ != nullptr && !ended_ && !failed_; }
-
-bool SessionWindow::is_preparing() const { return facts_ == nullptr && !ended_ && !failed_; }
-
-bool SessionWindow::is_in_trial() const {
-  return shown_.phase == SessionPhase::fore || shown_.phase == SessionPhase::contact ||
-         shown_.phase == SessionPhase::response;
-}
-
-/// The one under way; between trials the one that comes, as far as the experimenter has not asked for
-/// another.
-int SessionWindow::trial_to_come() const {
-  if (shown_.phase == SessionPhase::ended) return 0;
-  if (is_in_trial()) return shown_.trial;
-  const SessionRequests::Pending pending = requests_.pending();
-  if (pending.stop == StopAfter::trial) return 0;
-  if (pending.repeat_last && shown_.last_done != 0) return shown_.last_done;
-  const Trial* next = trial_now();
-  if (pending.stop == StopAfter::block && next != nullptr && !shown_.attempts->empty() &&
-      next->block_ordinal != shown_.block) {
-    return 0;
-  }
-  return shown_.trial;
-}
-
-const Trial* SessionWindow::trial_now() const {
-  if (facts_ == nullptr || facts_->plan == nullptr || shown_.trial < 1) return nullptr;
-  const auto& trials = facts_->plan->trials;
-  const auto number = static_cast<std::size_t>(shown_.trial);
-  return number <= trials.size() ? &trials[number - 1] : nullptr;
-}
-
-void SessionWindow::refresh() {
-  SessionSnapshot snapshot = monitor_.snapshot();
-  const bool changed = !has_shown_ || snapshot.version != shown_.version;
-  if (changed) {
-    shown_ = std::move(snapshot);
-    has_shown_ = true;
-    if (auto facts = monitor_.facts(); facts != facts_) take_facts(std::move(facts));
-    take_snapshot();
-  }
-  write_moving_texts();
-  write_pending();
-  write_controls();
-  if (!since_health_.isValid() || since_health_.elapsed() > kReadable_ms) {
-    since_health_.start();
-    write_health();
-    write_left();
-  }
-  plots_->set_hand(shown_.hand);
-  plots_->take_bins(monitor_);
-  troubles_->look_again();
-  if (shown_.phase == SessionPhase::ended && !ended_) end();
-}
-
-void SessionWindow::take_facts(std::shared_ptr<const SessionFacts> facts) {
-  facts_ = std::move(facts);
-  if (facts_ == nullptr || facts_->plan == nullptr || facts_->protocol == nullptr) return;
-  header_->set_facts(facts_);
-  setWindowTitle(tr("%1 – Asperity").arg(header_->title()));
-  band_->set_mode(facts_->row.mode);
-  troubles_->set_facts(facts_);
-  plan_->set_facts(facts_);
-  notes_->show_earlier(facts_->earlier_notes);
-  plots_->set_patch(facts_->protocol->patch);
-  explored_trial_ = -1;
-  write_blindness();
-}
-
-void SessionWindow::take_snapshot() {
-  if (facts_ == nullptr && shown_.phase != SessionPhase::ended) {
-    header_->show_preparation(shown_.compared);
-  } else {
-    header_->show_progress(shown_);
-  }
-  plan_->model().set_attempts(shown_.attempts);
-  write_answers();
-  show_exploration();
-  lock_fields();
-  if (shown_.expected_left_s != left_s_) {
-    left_s_ = shown_.expected_left_s;
-    left_since_ns_ = shown_.now_ns;
-  }
-  write_left();
-  troubles_->show_snapshot(shown_);
-}
-
-void SessionWindow::show_exploration() {
-  if (shown_.trial == explored_trial_) return;
-  // Between trials the plots have what was felt last, and the bands in which that was to be.
-  if (explored_trial_ > 0 && !is_in_trial()) return;
-  explored_trial_ = shown_.trial;
-  std::optional<Exploration> exploration{};
-  if (const Trial* trial = trial_now()) {
-    if (facts_->protocol->blocks.contains(trial->block)) {
-      exploration = exploration_of(*facts_->protocol, *trial);
-    }
-  }
-  plots_->set_exploration(exploration);
-}
-
-void SessionWindow::write_moving_texts() {
-  const std::int64_t time_ns = now_ns(shown_, facts_.get());
-  const double in_phase_s = seconds_between(shown_.phase_began_ns, time_ns);
-  if (facts_ == nullptr) {
-    header_->show_now(shown_.phase == SessionPhase::ended ? tr("The session did not begin")
-                                                          : tr("Preparing the session"));
-  } else {
-    header_->show_now(SessionText::of_now(shown_, trial_now(), trial_to_come(),
-                                          plan_->model().condition(shown_.trial, shown_.surface),
-                                          in_phase_s));
-  }
-  plan_->set_now(trial_to_come(), SessionText::of_phase(shown_, in_phase_s));
-  header_->show_elapsed(
-      facts_ == nullptr ? 0.0 : facts_->earlier_s + seconds_between(shown_.began_ns, time_ns));
-}
-
-/// A simulated clock runs at its own pace: there, no time of day can be said.
-void SessionWindow::write_left() {
-  if (shown_.phase == SessionPhase::ended) return header_->show_left({});
-  if (!left_s_ || facts_ == nullptr || facts_->row.pacing != "real_time") {
-    return header_->show_left(SessionText::of_left(left_s_, {}));
-  }
-  const std::int64_t time_ns = now_ns(shown_, facts_.get());
-  const bool stands_still =
-      shown_.phase == SessionPhase::paused || shown_.phase == SessionPhase::fault;
-  if (stands_still) left_since_ns_ = time_ns;
-  const std::int64_t end_ns =
-      std::max(time_ns, left_since_ns_ + static_cast<std::int64_t>(1e9 * *left_s_));
-  header_->show_left(SessionText::of_left(seconds_between(time_ns, end_ns),
-                                          text_of_clock(end_ns, shown_, facts_.get())));
-}
-
-void SessionWindow::write_pending() {
-  const SessionRequests::Pending pending = requests_.pending();
-  QStringList words{};
-  if (is_running()) {
-    if (shown_.phase == SessionPhase::paused) {
-      words += pending.pause ? tr("Paused since %1; resume with F5")
-                                   .arg(text_of_clock(shown_.phase_began_ns, shown_, facts_.get()))
-                             : tr("Resuming");
-    } else if (pending.pause) {
-      words += tr("Pausing after this trial");
-    }
-    if (pending.stop == StopAfter::trial) words += tr("Stopping after this trial");
-    if (pending.stop == StopAfter::block) words += tr("Stopping after this block");
-    if (pending.repeat_last) words += tr("Repeating the last trial next");
-    if (troubles_->is_clearing()) words += tr("Clearing the fault");
-  }
-  header_->show_pending(words.join(" · "));
-}
-
-void SessionWindow::write_controls() {
-  const SessionRequests::Pending pending = requests_.pending();
-  ControlState state{};
-  state.running = is_running();
-  state.preparing = is_preparing();
-  state.cancelling = is_preparing() && cancelling_;
-  state.paused = shown_.phase == SessionPhase::paused;
-  state.pause_pending = pending.pause;
-  state.stop_pending = pending.stop;
-  state.repeat_pending = pending.repeat_last;
-  state.trial_done = !shown_.attempts->empty();
-  state.in_trial = is_in_trial();
-  state.in_fault = shown_.phase == SessionPhase::fault;
-  state.note_locked = notes_->is_locked();
-  controls_->show_state(state);
-  header_->set_running(state.running);
-}
-
-void SessionWindow::write_answers() { answers_->show_answers(*shown_.attempts, plan_->model()); }
-
-void SessionWindow::write_health() { health_->show_health(shown_, facts_.get()); }
 
 // --- the end -------------------------------------------------------------------------------------
 

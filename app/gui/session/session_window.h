@@ -12,14 +12,13 @@
 
 #include "app/gui/base/session_keys.h"
 #include "app/gui/session/bad_moments.h"
+#include "app/gui/session/time_left.h"
 #include "app/session/conductor.h"
 #include "app/session/session_monitor.h"
 #include "app/session/session_requests.h"
 
-class QLabel;
 class QScreen;
 class QStackedWidget;
-class QVBoxLayout;
 
 namespace asperity {
 
@@ -27,6 +26,7 @@ class AnswersPanel;
 class EndSummary;
 class HealthLine;
 class LivePlots;
+class MirrorFrame;
 class ModeBand;
 class NotesPanel;
 class PlanTable;
@@ -107,7 +107,6 @@ class SessionWindow final : public QWidget {
 
  private:
   void make_middle();
-  QWidget* make_sight();
   void fit_form();
   void connect_parts();
   void do_verb(SessionVerb verb);
@@ -132,9 +131,6 @@ class SessionWindow final : public QWidget {
   void screen_left(QScreen* screen);
   bool is_running() const;
   bool is_preparing() const;
-  bool is_in_trial() const;
-  int trial_to_come() const;
-  const Trial* trial_now() const;
 
   SessionMonitor& monitor_;
   SessionRequests& requests_;
@@ -153,8 +149,7 @@ class SessionWindow final : public QWidget {
   bool closed_ = false;
   std::optional<SessionEnd> end_{};
   QElapsedTimer since_health_{};
-  std::optional<double> left_s_{};  ///< as last expected
-  std::int64_t left_since_ns_ = 0;  ///< and when
+  TimeLeft time_left_{};
   int explored_trial_ = -1;
 
   WindowPlace* place_ = nullptr;
@@ -167,8 +162,7 @@ class SessionWindow final : public QWidget {
   SessionParts* parts_ = nullptr;
   PlanTable* plan_ = nullptr;
   LivePlots* plots_ = nullptr;
-  QVBoxLayout* mirror_place_ = nullptr;
-  QWidget* mirror_ = nullptr;
+  MirrorFrame* mirror_ = nullptr;
   AnswersPanel* answers_ = nullptr;
   NotesPanel* notes_ = nullptr;
   EndSummary* summary_ = nullptr;

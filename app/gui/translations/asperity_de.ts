@@ -7605,6 +7605,17 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::MirrorFrame</name>
+    <message>
+        <source>PARTICIPANT&apos;S VIEW</source>
+        <translation>ANSICHT DER VERSUCHSPERSON</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window is not open.</source>
+        <translation>Das Fenster der Versuchsperson ist nicht offen.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ModeBand</name>
     <message>
         <source>PILOT: not study data</source>
@@ -9430,14 +9441,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Session – Asperity</source>
         <translation>Sitzung – Asperity</translation>
-    </message>
-    <message>
-        <source>PARTICIPANT&apos;S VIEW</source>
-        <translation>ANSICHT DER VERSUCHSPERSON</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s window is not open.</source>
-        <translation>Das Fenster der Versuchsperson ist nicht offen.</translation>
     </message>
     <message>
         <source>The session has ended</source>
