@@ -106,8 +106,8 @@ void add_withdraw(CLI::App& program, Job& job) {
   command
       ->add_option(
           "--by", options->by,
-          "Name of the person who decided the withdrawal (default: the user of this computer)")
-      ->transform(not_blank("the name of the person who decided the withdrawal"));
+          "Name of the person who decided on the withdrawal (default: the user of this computer)")
+      ->transform(not_blank("the name of the person who decided on the withdrawal"));
   command->callback([options, &job] {
     job = [options] {
       Study study = Study::open(options->study, Access::read_write);

@@ -57,7 +57,7 @@ Figure rating_figure(const FoundNumbers& found) {
       .name = "ratings",
       .title = phrase("Figures", "Scores by item"),
       .note = phrase("Figures",
-                     "Points are means over the participants who scored every item, bars their "
+                     "Points are means over the participants who rated every item, bars their "
                      "t-based %1 % CIs. The accompanying tests use only the ranks of the scores.")
                   .with(percent_of(means)),
       .shape = FigureShape::rows};
@@ -75,7 +75,7 @@ Figure rating_figure(const FoundNumbers& found) {
   }
   if (points.points.empty()) {
     figure.instead =
-        phrase("Figures", "No participant scored every item: there are no means to show.");
+        phrase("Figures", "No participant rated every item: there are no means to show.");
     return figure;
   }
   widen(figure.x);

@@ -246,7 +246,7 @@ Figure profile_figure(const NamedTable& ratings, const NamedTable* shown) {
                                     [](const RatedMean& mean) { return mean.mean.has_value(); });
   if (!has_mean) {
     figure.instead =
-        phrase("Figures", "No participant scored every item: there are no means to show.");
+        phrase("Figures", "No participant rated every item: there are no means to show.");
     return figure;
   }
   std::vector<std::string> items{};

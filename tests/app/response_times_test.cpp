@@ -100,7 +100,7 @@ TEST(ResponseTimes, StateHowManyTrialsHaveNone) {
       analyze_recognition_of({{timed_trial(1, "metal", 2.0), timed_trial(1, "stone", {})},
                               {timed_trial(1, "metal", 4.0), timed_trial(1, "stone", 0.0)}});
   EXPECT_THAT(times_in(outcome).note.english(),
-              EndsWith("Trials without a time, which are left out: 2 of 4."));
+              EndsWith("Trials without a response time, which are left out: 2 of 4."));
   EXPECT_EQ(times_row(outcome, "texture", "stone")[3], Cell{std::int64_t{0}});
   EXPECT_EQ(times_row(outcome, "texture", "stone")[4], Cell{});
 }

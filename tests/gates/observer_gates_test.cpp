@@ -57,6 +57,7 @@ std::map<std::string, double> effects_in_a_study(const ObserverDeclaration& decl
   GatheredAnswers gathered{};
   gathered.kind = "magnitude";
   gathered.estimation = {.spacing = "texture", .condition = "tip"};
+  gathered.words.place("");
   for (std::uint32_t person = 0; person < 8; ++person) {
     gathered.people.push_back({.label = "P" + std::to_string(person)});
     const Random of_person = study.split(person);
@@ -68,8 +69,9 @@ std::map<std::string, double> effects_in_a_study(const ObserverDeclaration& decl
       felt.shaking_m_per_s2 = 1.0 + static_cast<double>(spacing) + static_cast<double>(condition);
       VirtualObserver observer(declared, of_person.split("trial").split(trial));
       GatheredAnswer answer{.person = person, .reply_count = 1};
-      answer.column = gathered.words.place(kConditions.at(condition));
-      answer.spacing = gathered.words.place(kSpacings.at(spacing));
+      answer.factors = static_cast<std::uint32_t>(gathered.factor_levels.size());
+      gathered.factor_levels.push_back({{"tip", gathered.words.place(kConditions.at(condition))},
+                                        {"texture", gathered.words.place(kSpacings.at(spacing))}});
       answer.first_reply = gathered.replies.size();
       gathered.replies.push_back(
           {gathered.words.place(number_text(observer.estimate(felt, habit))), {}});

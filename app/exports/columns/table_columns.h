@@ -12,7 +12,7 @@ inline constexpr const char* kMissedInContact =
     "ticks that missed their deadline while a surface was touched; only these affect whether an "
     "attempt counts";
 inline constexpr const char* kNotCountedApart =
-    "the attempt was made by version 0.1, which did not count them separately";
+    "the attempt was recorded by version 0.1, which did not count them separately";
 
 Columns participant_columns(const StudyVocabulary& vocabulary);
 Columns session_columns(const StudyVocabulary& vocabulary);

@@ -69,9 +69,10 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   }
   if (count.guessing_sessions > 0) {
     outcome.remarks.push_back(
-        phrase("Analysis",
-               "Sessions of virtual observers that ignore the surface or have no expectation, so "
-               "that their responses are guesses: %1.")
+        phrase(
+            "Analysis",
+            "Sessions of virtual participants that ignore the surface or have no expectations, so "
+            "that their responses are guesses: %1.")
             .with(std::to_string(count.guessing_sessions)));
   }
   Phrase not_counted{};

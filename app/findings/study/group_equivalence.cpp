@@ -72,8 +72,8 @@ Phrase equivalence_answer(const ParticipantPair& pair, const FoundNumbers& found
   const std::optional<double> supported = found.value("equivalence.margin");
   if (!supported) {
     return phrase("Analysis",
-                  "This cannot be assessed: a group has one participant, or the participants of "
-                  "each group do not differ.");
+                  "This cannot be assessed: a group has one participant, or all participants "
+                  "of each group have the same value.");
   }
   const Finding& difference = *found.find("diff");
   const Phrase numbers =

@@ -127,8 +127,8 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
       [](const std::vector<Cell>& row) { return row.front() == Cell{"time_per_10_trials"}; });
   if (has_slope) {
     add(phrase("Analysis",
-               "Ratio per 10 trials: from the least-squares lines of the logarithm over the trial "
-               "number."));
+               "Ratio per 10 trials: from each participant's least-squares regression of log "
+               "response time on trial number."));
   }
   if (has_proportions) add(phrase("Analysis", "Proportions: second minus first half."));
   if (!has_cells(changes, "change_low")) return note;

@@ -102,7 +102,8 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
         outcome, "right", question,
         phrase("Analysis",
                "On average %1 of a participant's responses were correct (%2), compared with a "
-               "chance level of %3; the participants do not differ, so there is no test.")
+               "chance level of %3; all participants have the same proportion correct, so there is "
+               "no test.")
             .with(percent(*mean->value), interval_text(*mean), chance),
         method, "shares", mean);
     return;

@@ -129,7 +129,7 @@ Phrase note_on_times(const Table& times, std::size_t untimed, std::size_t trials
                .with(note);
   }
   if (untimed == 0) return note;
-  return phrase("Analysis", "%1 Trials without a time, which are left out: %2 of %3.")
+  return phrase("Analysis", "%1 Trials without a response time, which are left out: %2 of %3.")
       .with(note, std::to_string(untimed), std::to_string(trials));
 }
 

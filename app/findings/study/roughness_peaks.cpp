@@ -124,8 +124,8 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
       one = p ? phrase("Analysis", "%1 without a significant interior maximum (%2)")
                     .with(condition, reading_p(*p))
               : phrase("Analysis",
-                       "%1 without a test for an interior maximum, because the "
-                       "participants do not differ")
+                       "%1 without a test for an interior maximum, because all "
+                       "participants have the same curve")
                     .with(condition);
     } else if (peak != nullptr && peak->value && peak->low && peak->high) {
       one = phrase("Analysis",

@@ -112,9 +112,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     if (outcomes) {
       const double chance = 1.0 / static_cast<double>(*outcomes);
       test.value = number("p.two");
-      std::string words = shares.quantity;
-      std::replace(words.begin(), words.end(), '_', ' ');
-      test.method = "exact two-sided binomial test of " + words + " against the chance level 1/" +
+      test.method = "exact two-sided binomial test of the proportion against the chance level 1/" +
                     std::to_string(*outcomes);
       cells.insert(cells.end(), {chance, *test.value});
       outcome.tests_in_tables.insert(name_of(test));

@@ -190,7 +190,7 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
   add_ratio("half.ratio", ratios, "geometric mean of the ratios second over first half");
   add_ratio("slope.ratio", slopes,
             "geometric mean of the participants' change of response time per 10 trials, by "
-            "least-squares lines of ln t over the number of the trial");
+            "least-squares regression of log response time on trial number");
   for (std::size_t block = 0; block < of_blocks.size(); ++block) {
     add_time("block", blocks.name(block), of_blocks[block],
              "geometric mean time in a range of trials");

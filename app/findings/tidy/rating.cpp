@@ -16,8 +16,8 @@ namespace asperity {
 namespace {
 
 struct Scores {
-  Eigen::MatrixXd complete{};  ///< a row per participant who scored every item
-  std::size_t incomplete = 0;  ///< participants who did not score every item
+  Eigen::MatrixXd complete{};  ///< a row per participant who rated every item
+  std::size_t incomplete = 0;  ///< participants who did not rate every item
 };
 
 Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) {
@@ -62,7 +62,7 @@ void add_left_out(const Scores& scores, FindingList& findings) {
   if (scores.incomplete > 0) {
     findings.count("n.incomplete", "", scores.incomplete,
                    {.n = scores.incomplete,
-                    .method = "participants without a score for every item, who are left out"});
+                    .method = "participants without a rating of every item, who are left out"});
   }
 }
 
@@ -108,12 +108,12 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   const Eigen::MatrixXd& scores = given.complete;
   const auto n = static_cast<std::size_t>(scores.rows());
   FindingList findings{};
-  findings.count("n.complete", "", n, {.n = n, .method = "participants who scored every item"});
+  findings.count("n.complete", "", n, {.n = n, .method = "participants who rated every item"});
   add_left_out(given, findings);
   const FriedmanTest test = friedman_test(scores);
   add_friedman(test,
                {.n = n,
-                .none = "no participant scored every item",
+                .none = "no participant rated every item",
                 .one = "agreement requires at least two participants: add participants",
                 .concordance = concordance_interval(scores, input.options.confidence()),
                 .confidence = input.options.confidence()},
@@ -128,7 +128,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
     findings.number("mean.rank", items[i], test.mean_rank[i],
                     {.n = n,
                      .method = "within participants, 1 for the lowest score",
-                     .undefined = "no participant scored every item"});
+                     .undefined = "no participant rated every item"});
   }
   add_pairs(items, scores, findings);
   return findings.take();

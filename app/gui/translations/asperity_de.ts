@@ -236,8 +236,8 @@
         <translation>Werden Texturen überzufällig häufig erkannt?</translation>
     </message>
     <message>
-        <source>On average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; the participants do not differ, so there is no test.</source>
-        <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; die Versuchspersonen unterscheiden sich nicht, also gibt es keinen Test.</translation>
+        <source>On average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; all participants have the same proportion correct, so there is no test.</source>
+        <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; alle Versuchspersonen haben denselben Anteil richtiger Antworten, also gibt es keinen Test.</translation>
     </message>
     <message>
         <source>Yes: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
@@ -404,7 +404,7 @@
         <translation>%1 nicht rechtzeitig beantwortet</translation>
     </message>
     <message>
-        <source>Sessions of virtual observers that ignore the surface or have no expectation, so that their responses are guesses: %1.</source>
+        <source>Sessions of virtual participants that ignore the surface or have no expectations, so that their responses are guesses: %1.</source>
         <translation>Sitzungen virtueller Beobachter, die die Oberfläche nicht beachten oder keine Erwartung haben, sodass ihre Antworten geraten sind: %1.</translation>
     </message>
     <message>
@@ -760,8 +760,8 @@
         <translation>%1 ohne signifikantes inneres Maximum (%2)</translation>
     </message>
     <message>
-        <source>%1 without a test for an interior maximum, because the participants do not differ</source>
-        <translation>%1 ohne Test auf ein inneres Maximum, weil sich die Versuchspersonen nicht unterscheiden</translation>
+        <source>%1 without a test for an interior maximum, because all participants have the same curve</source>
+        <translation>%1 ohne Test auf ein inneres Maximum, weil alle Versuchspersonen dieselbe Kurve haben</translation>
     </message>
     <message>
         <source>The maximum of the mean of the participants&apos; parabolas, in logarithms; CI by the delta method. It is reported where the test for an interior maximum by Lind and Mehlum is significant: the mean curve rises at the smallest and falls at the largest spacing.</source>
@@ -976,8 +976,8 @@
         <translation>Aus Durchgängen geschätzt, als wären sie unabhängig: %1.</translation>
     </message>
     <message>
-        <source>%1 Trials without a time, which are left out: %2 of %3.</source>
-        <translation>%1 Weggelassene Durchgänge ohne Zeit: %2 von %3.</translation>
+        <source>%1 Trials without a response time, which are left out: %2 of %3.</source>
+        <translation>%1 Weggelassene Durchgänge ohne Reaktionszeit: %2 von %3.</translation>
     </message>
     <message>
         <source>No trial has a stored response time.</source>
@@ -1008,8 +1008,8 @@
         <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeweils auf dem 5-%-Niveau: Sie zeigen Äquivalenz, wenn das 90-%-Konfidenzintervall innerhalb der Äquivalenzgrenzen liegt. %1</translation>
     </message>
     <message>
-        <source>This cannot be assessed: a group has one participant, or the participants of each group do not differ.</source>
-        <translation>Das lässt sich nicht beurteilen: Eine Gruppe hat nur eine Versuchsperson, oder die Versuchspersonen jeder Gruppe unterscheiden sich nicht.</translation>
+        <source>This cannot be assessed: a group has one participant, or all participants of each group have the same value.</source>
+        <translation>Das lässt sich nicht beurteilen: Eine Gruppe hat nur eine Versuchsperson, oder alle Versuchspersonen einer Gruppe haben denselben Wert.</translation>
     </message>
     <message>
         <source>The 90 % CI lies within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
@@ -1076,8 +1076,8 @@
         <translation>Die Ergebnisse sind explorativ: Sie werden nicht getestet und nicht für die Bedingungen der Durchgänge adjustiert. Die gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, werden in Hälften geteilt; bei ungerader Anzahl entfällt der mittlere, und ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
     </message>
     <message>
-        <source>Ratio per 10 trials: from the least-squares lines of the logarithm over the trial number.</source>
-        <translation>Verhältnis je 10 Durchgänge: nach den Ausgleichsgeraden des Logarithmus über der Nummer des Durchgangs.</translation>
+        <source>Ratio per 10 trials: from each participant&apos;s least-squares regression of log response time on trial number.</source>
+        <translation>Verhältnis je 10 Durchgänge: aus der linearen Regression der logarithmierten Antwortzeit auf die Nummer des Durchgangs bei jeder Versuchsperson.</translation>
     </message>
     <message>
         <source>Proportions: second minus first half.</source>
@@ -1101,7 +1101,7 @@
     </message>
     <message>
         <source>%1 The CI of the normalised mean is a within-participant CI (Cousineau and Morey): it serves to compare cells and does not include the differences between participants.</source>
-        <translation>%1 Das Konfidenzintervall des normierten Mittelwerts gilt innerhalb der Versuchspersonen (Cousineau und Morey): Es dient dem Vergleich von Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
+        <translation>%1 Das Konfidenzintervall des normierten Mittelwerts ist ein Konfidenzintervall innerhalb der Versuchspersonen (Cousineau und Morey): Es dient dem Vergleich von Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
     </message>
     <message>
         <source>%1 The total of correctly matched items is compared with its exact permutation null distribution: the pictures are relabelled once per participant, in all trials alike, so that the test is also valid for participants who guess one assignment and keep it.</source>
@@ -2571,7 +2571,7 @@
     </message>
     <message>
         <source>When a force that is not finite was requested, exactly 0 N was sent in the same tick.</source>
-        <translation>Als eine Kraft angefordert wurde, die keine Zahl ist, wurden im selben Takt genau 0 N gesendet.</translation>
+        <translation>Als eine Kraft angefordert wurde, die keine endliche Zahl ist, wurden im selben Takt genau 0 N gesendet.</translation>
     </message>
     <message>
         <source>Without a heartbeat from the program the force faded to 0 N (a session waits for %1 s).</source>
@@ -2944,11 +2944,11 @@
         <translation>Bewertungen je Item</translation>
     </message>
     <message>
-        <source>Points are means over the participants who scored every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the scores.</source>
+        <source>Points are means over the participants who rated every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the scores.</source>
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
-        <source>No participant scored every item: there are no means to show.</source>
+        <source>No participant rated every item: there are no means to show.</source>
         <translation>Keine Versuchsperson hat alle Items bewertet: Es gibt keine Mittelwerte.</translation>
     </message>
     <message>
@@ -3304,8 +3304,8 @@
         <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm berechnen ließe.</translation>
     </message>
     <message>
-        <source>Points are log-worths. There are no CIs, because the participants do not differ or are too few.</source>
-        <translation>Punkte sind Log-Nutzwerte. Konfidenzintervalle gibt es nicht, weil sich die Versuchspersonen nicht unterscheiden oder zu wenige sind.</translation>
+        <source>Points are log-worths. There are no CIs, because all participants made the same choices or there are too few of them.</source>
+        <translation>Punkte sind Log-Nutzwerte. Konfidenzintervalle gibt es nicht, weil alle Versuchspersonen dieselbe Kurve haben oder zu wenige sind.</translation>
     </message>
     <message>
         <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no CIs over participants.</source>
@@ -4306,7 +4306,7 @@
     </message>
     <message>
         <source>Zero force instead of a force that is not finite</source>
-        <translation>Kraft null statt einer Kraft, die keine Zahl ist</translation>
+        <translation>Kraft null statt einer Kraft, die keine endliche Zahl ist</translation>
     </message>
 </context>
 <context>
@@ -4832,7 +4832,7 @@
         <translation>Das Gerät meldet eine Störung: %1.</translation>
     </message>
     <message>
-        <source>Fix the device, then check again.</source>
+        <source>Fix the problem with the device, then check again.</source>
         <translation>Das Problem am Gerät beheben, dann erneut prüfen.</translation>
     </message>
     <message>
@@ -4913,7 +4913,7 @@
     </message>
     <message>
         <source>Make sure that the disk has room for the recordings.</source>
-        <translation>Sicherstellen, dass Platz für die Aufzeichnungen ist.</translation>
+        <translation>Sicherstellen, dass auf dem Datenträger genug Platz für die Aufzeichnungen ist.</translation>
     </message>
     <message>
         <source>Fix the problem, then check again.</source>
@@ -6529,7 +6529,7 @@
     </message>
     <message>
         <source>Keep hands away: the handle is pushed softly. A stop, a force that is not finite and an unresponsive program are then tested; each has to end in zero force.</source>
-        <translation>Hände fernhalten: Der Griff wird leicht angestoßen. Danach werden ein Halt, eine Kraft, die keine Zahl ist, und ein Programm, das nicht reagiert, getestet; jeder dieser Fälle muss mit der Kraft null enden.</translation>
+        <translation>Hände fernhalten: Der Griff wird leicht angestoßen. Danach werden ein Halt, eine Kraft, die keine endliche Zahl ist, und ein Programm, das nicht reagiert, getestet; jeder dieser Fälle muss mit der Kraft null enden.</translation>
     </message>
 </context>
 <context>

@@ -55,7 +55,7 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
     zero.state = State::stop;
     zero.text =
         phrase("SessionChecks", "The device reported a fault: %1.").with(phrase_of(trial.fault));
-    zero.remedy = phrase("SessionChecks", "Fix the device, then check again.");
+    zero.remedy = phrase("SessionChecks", "Fix the problem with the device, then check again.");
   } else if (trial.strongest_N > 0.0) {
     zero.state = State::stop;
     zero.text =
