@@ -67,15 +67,16 @@ Phrase note_of_biplot(const FoundNumbers& found, double length) {
   const Phrase marks =
       length == 1.0
           ? phrase("Figures",
-                   "Points are the scores of the items, arrows the loadings of the scales: their "
-                   "correlations with the components. As far as the two components "
-                   "represent the ratings, an item in the direction of an arrow was rated high on "
-                   "that scale.")
-          : phrase("Figures",
-                   "Points are the scores of the items, arrows %1 times the loadings of the "
+                   "Points are the standardised scores of the items, arrows the loadings of the "
                    "scales: their correlations with the components. As far as the two components "
                    "represent the ratings, an item in the direction of an arrow was rated high on "
                    "that scale.")
+          : phrase(
+                "Figures",
+                "Points are the standardised scores of the items, arrows %1 times the loadings of "
+                "the scales: their correlations with the components. As far as the two components "
+                "represent the ratings, an item in the direction of an arrow was rated high on "
+                "that scale.")
                 .with(number_text(length));
   const double retained = found.value("retained").value_or(0.0);
   if (retained < 1.0) {
@@ -98,7 +99,7 @@ Figure biplot_figure(const FoundNumbers& found) {
   Figure figure{.name = "biplot",
                 .title = phrase("Figures", "Biplot of the first two principal components"),
                 .shape = FigureShape::square};
-  const std::vector<PlacedName> items = places_in_plane(found, "score");
+  std::vector<PlacedName> items = places_in_plane(found, "score");
   const std::vector<PlacedName> scales = places_in_plane(found, "loading");
   if (items.empty() || scales.empty()) {
     const Finding* const none = found.find("eigenvalue");
@@ -113,6 +114,10 @@ Figure biplot_figure(const FoundNumbers& found) {
         "Figures", "The mean ratings vary along one component only: there is no second axis.");
     return figure;
   }
+  // Scores of unit variance: their products with the loadings, over all components, are the standardised ratings.
+  const double first_sd = std::sqrt(found.value("eigenvalue", kFirst).value_or(1.0));
+  const double second_sd = std::sqrt(*found.value("eigenvalue", kSecond));
+  for (PlacedName& item : items) item.at = {item.at.x / first_sd, item.at.y / second_sd};
   const double length = length_of_arrows(farthest(items), farthest(scales));
   figure.note = note_of_biplot(found, length);
   FigureSeries points{.name = phrase("Figures", "items")};

@@ -57,12 +57,13 @@ QRectF LabelPlaces::take(const QPointF& named, std::span<const QRectF> candidate
 
 double LabelPlaces::disturbance(const QPointF& named, const QRectF& place) const {
   constexpr double kOutside = 100.0;
-  constexpr double kMark = 10.0;
+  constexpr double kMarkOfPoint = 10.0;
   double covered =
       within_.contains(place) ? 0.0 : kOutside * (1.0 - area_of(place & within_) / area_of(place));
   for (const QRectF& mark : marks_) {
     // However small the common part is, it is worse than a line.
-    if (mark.intersects(place)) covered += kMark * (1.0 + area_of(mark & place) / area_of(mark));
+    if (mark.intersects(place))
+      covered += kMarkOfPoint * (1.0 + area_of(mark & place) / area_of(mark));
   }
   for (const QRectF& head : heads_) {
     if (head.intersects(place)) covered += 1.0 + area_of(head & place) / area_of(head);

@@ -117,7 +117,7 @@ void label_rows(const std::vector<ShownScale>& scales, FigureAxis& axis) {
   }
 }
 
-bool has_intervals(const std::vector<RatedMean>& means) {
+bool profile_has_intervals(const std::vector<RatedMean>& means) {
   return std::any_of(means.begin(), means.end(),
                      [](const RatedMean& mean) { return mean.mean && mean.interval; });
 }
@@ -128,8 +128,8 @@ enum class ProfileAxis { one_scale, percent_of_range, scores };
 
 ProfileAxis lay_axis(const std::vector<ShownScale>& scales, const std::vector<RatedMean>& means,
                      FigureAxis& axis) {
-  axis.name = has_intervals(means) ? phrase("Figures", "mean rating with its 95 % CI")
-                                   : phrase("Figures", "mean rating");
+  axis.name = profile_has_intervals(means) ? phrase("Figures", "mean rating with its 95 % CI")
+                                           : phrase("Figures", "mean rating");
   const auto has_range = [](const ShownScale& scale) {
     return scale.range && scale.range->low < scale.range->high;
   };
@@ -207,7 +207,7 @@ Phrase persons_of(const std::vector<RatedMean>& means) {
 
 Phrase note_of_profile(const std::vector<RatedMean>& means, ProfileAxis drawn_on) {
   const Phrase marks =
-      (has_intervals(means)
+      (profile_has_intervals(means)
            ? phrase("Figures",
                     "Points are means of the participants' own means (n = %1), shifted within "
                     "their row, bars their t-based 95 % CIs. Lines guide the eye.")

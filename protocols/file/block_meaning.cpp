@@ -171,6 +171,11 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
 /// The two surfaces of a pair are one stimulus with two levels of the factor.
 void Meaning::check_pairs(const Block& block, const std::string& pointer) {
   if (!block.all_pairs) return;
+  if (kind_of(block).role != "alternative") {
+    report_key(pointer + "/all_pairs",
+               "a " + block.kind + " does not compare surfaces; remove this key");
+    return;
+  }
   const std::string& name = block.all_pairs->factor;
   const std::string at_factor = pointer + "/all_pairs/factor";
   const auto factor = protocol_.factors.find(name);
@@ -203,9 +208,16 @@ void Meaning::check_pairs(const Block& block, const std::string& pointer) {
                           ", so that the two surfaces of a pair would be the same; bind its model, "
                           "texture, a body or a parameter to the factor");
   }
-  if (block.all_pairs->in_both_orders && block.positions != Block::Positions::as_listed) {
+  const bool is_as_listed = block.positions == Block::Positions::as_listed;
+  if (block.all_pairs->in_both_orders && !is_as_listed) {
     report(pointer + "/positions",
            "in_both_orders presents each pair in both orders; remove this key");
+  }
+  if (!block.all_pairs->in_both_orders && is_as_listed && block.phase == Phase::main) {
+    report(pointer + "/all_pairs",
+           "the same level of each pair would always be presented first, so that an effect of the "
+           "order could not be told from a difference; set \"in_both_orders\" to true, or "
+           "\"positions\" to \"balanced\" or \"shuffle\"");
   }
 }
 

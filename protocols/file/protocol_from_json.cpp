@@ -335,7 +335,7 @@ Block block_of(const std::string& name, const json& object, const std::string& k
     read(member, "item", presented.item);
     block.presented.push_back(std::move(presented));
   }
-  if (block.all_pairs && block.presented.size() == 1) {
+  if (block.all_pairs && block.presented.size() == 1 && kind.role == "alternative") {
     block.presented.push_back(block.presented.front());
   }
   read_choice(object, "positions", block.positions,

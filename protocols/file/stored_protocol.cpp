@@ -99,6 +99,7 @@ std::optional<std::string> parameter_at(const std::string& place) {
 /// The parameters in which the surfaces of a block differ; nullopt if they differ in anything else.
 std::optional<std::set<std::string>> parameters_compared(const Json& protocol, const Json& block) {
   const Json& surfaces = member_of(block, "presented");
+  const std::string paired = text_in(member_of(block, "all_pairs"), "factor");
   std::map<std::string, std::set<Json>> values{};
   std::map<std::string, std::size_t> present{};
   if (!surfaces.is_array()) return std::nullopt;
@@ -111,7 +112,9 @@ std::optional<std::set<std::string>> parameters_compared(const Json& protocol, c
   }
   std::set<std::string> parameters{};
   for (const auto& [place, different] : values) {
-    if (different.size() == 1 && present[place] == surfaces.size()) continue;
+    const bool varies_in_pairs =
+        !paired.empty() && place.ends_with("/factor") && different.contains(Json(paired));
+    if (!varies_in_pairs && different.size() == 1 && present[place] == surfaces.size()) continue;
     const std::optional<std::string> parameter = parameter_at(place);
     if (!parameter) return std::nullopt;
     parameters.insert(*parameter);

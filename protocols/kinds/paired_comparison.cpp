@@ -27,24 +27,46 @@ std::string item_of_pair(const StimulusDescription& stimulus) {
   return stimulus.texture.empty() ? stimulus.model : stimulus.texture;
 }
 
-/// Choices in different blocks are analysed together, so that they have to answer one question.
+/// The factor and the stimulus of the pairs of a block; empty without `all_pairs`.
+std::string items_of_pairs(const Protocol::Block& block) {
+  return block.all_pairs ? block.all_pairs->factor + " of " + block.presented.front().stimulus
+                         : std::string();
+}
+
+/// Choices in different blocks are analysed together, so that they have to answer one question about the same items.
 void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
+  const Protocol::Block* first_block = nullptr;
   const Protocol::TrialQuestionTemplate* first = nullptr;
   for (const auto& [name, block] : protocol.blocks) {
     if (block.phase != Phase::main || block.kind != paired_comparison_kind().id) continue;
+    const std::string pointer = pointer_to("/blocks", name);
     for (std::size_t i = 0; i < block.questions.size(); ++i) {
       const Protocol::TrialQuestionTemplate& question = block.questions[i];
       if (!std::holds_alternative<ChoiceForm>(question.form)) continue;
-      if (first == nullptr) first = &question;
-      if (question.name == first->name) continue;
-      const std::string pointer = pointer_to("/blocks", name);
-      problems.report((block.has_question_list ? pointer_to(pointer + "/questions", i)
-                                               : pointer + "/question") +
-                          "/name",
-                      "the main blocks of a paired_comparison are analysed together, and another "
-                      "one asks " +
-                          in_quotes(first->name) +
-                          "; give both questions this name, or write a protocol for each question");
+      if (first == nullptr) {
+        first = &question;
+        first_block = &block;
+        continue;
+      }
+      const std::string at_question =
+          block.has_question_list ? pointer_to(pointer + "/questions", i) : pointer + "/question";
+      if (question.name != first->name || question.prompt != first->prompt ||
+          question.tie != first->tie) {
+        problems.report(at_question,
+                        "the main blocks of a paired_comparison are analysed together, and the "
+                        "block " +
+                            in_quotes(first_block->name) +
+                            " asks another question; give both questions the same name, prompt and "
+                            "tie, or write a protocol for each of them");
+      }
+      if (items_of_pairs(block) != items_of_pairs(*first_block)) {
+        problems.report(pointer + "/presented",
+                        "the main blocks of a paired_comparison are analysed together, and the "
+                        "block " +
+                            in_quotes(first_block->name) +
+                            " compares other surfaces; give both blocks the same stimulus and "
+                            "all_pairs, or write a protocol for each of them");
+      }
     }
   }
 }
@@ -56,6 +78,13 @@ void check_block_of_pairs(const BlockOfKind& checked, ProblemSink& problems) {
     problems.report(checked.pointer + "/presented",
                     "a paired_comparison presents exactly two surfaces per trial; for all pairs of "
                     "the levels of a factor, add \"all_pairs\" and list one surface");
+  }
+  if (!checked.block.all_pairs && checked.block.phase == Phase::main &&
+      checked.block.positions == Protocol::Block::Positions::as_listed) {
+    problems.report(checked.pointer + "/presented",
+                    "the same surface would always be presented first, so that an effect of the "
+                    "order could not be told from a difference; set \"positions\" to "
+                    "\"balanced\" or \"shuffle\"");
   }
   if (!question.pictures.empty()) {
     problems.report(place + "/pictures",

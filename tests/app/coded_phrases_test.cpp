@@ -83,7 +83,7 @@ TEST(CodedPhrases, StandInsideOthers) {
   EXPECT_EQ(
       loud(phrase_of(words)),
       "THE DEVICE FAILED BETWEEN TRIALS: THE DEVICE IS NOT READY: ITS SERVO LOOP IS NOT RUNNING; "
-      "EVERY FINISHED TRIAL IS STORED; RESUME WITH --RESUME");
+      "EVERY COMPLETED TRIAL IS STORED; RESUME WITH --RESUME");
   EXPECT_EQ(codes_of(words), "device_failed_between_trials; finished_trials_stored");
 }
 

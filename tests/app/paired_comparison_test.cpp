@@ -119,7 +119,20 @@ TEST_F(Pairs, HaveAScaleOnlyWhereEveryItemAlsoLoses) {
   ASSERT_EQ(scale.rows.size(), 3U);
   EXPECT_GT(std::get<double>(scale.rows[0][1]), std::get<double>(scale.rows[1][1]));
   EXPECT_GT(std::get<double>(scale.rows[1][1]), std::get<double>(scale.rows[2][1]));
-  EXPECT_TRUE(has_paired_table(outcome, "paired_model"));
+  // Each part of the model has the row of its own number.
+  const FoundNumbers found(outcome.findings);
+  const Table& model = paired_table(outcome, "paired_model").table;
+  ASSERT_EQ(model.rows.size(), 3U) << "without ties";
+  EXPECT_EQ(model.rows[0][0], Cell(std::string("order_effect")));
+  EXPECT_EQ(model.rows[0][1], cell_of(found.value("model.order")));
+  const Finding& order = *found.find("model.order");
+  EXPECT_NEAR(*order.high - *order.value, *order.value - *order.low, 1e-12);
+  EXPECT_GT(*order.high, *order.value);
+  EXPECT_EQ(model.rows[0][5], Cell(std::int64_t{1}));
+  EXPECT_EQ(model.rows[1][0], Cell(std::string("equal_items")));
+  EXPECT_EQ(model.rows[1][5], Cell(std::int64_t{2})) << "three items";
+  EXPECT_EQ(model.rows[2][0], Cell(std::string("goodness_of_fit")));
+  EXPECT_EQ(found.find("model.fit.lr")->n, 18U) << "responses";
 
   MadeUpStudy alike{};
   const std::int64_t protocol = alike.add_protocol("rougher", "paired_comparison", kRougher);
@@ -174,6 +187,83 @@ TEST(RoundsOfPairs, AreTakenInTheOrderOfTheComparisonsOfEveryPair) {
   EXPECT_EQ(table.rows[0][1], Cell(std::int64_t{2}));
   EXPECT_EQ(table.rows[0][3], Cell(1.0));
   EXPECT_EQ(table.rows[0][4], Cell(0.5625)) << "two rounds without one: 0.75²";
+}
+
+// a > b and b > c with one texture, c > a with another: that is no circular triad.
+TEST(RoundsOfPairs, AreOfOneLevelOfEveryOtherFactor) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("rougher", "paired_comparison", kRougher);
+  made.add_person("p1", "");
+  std::vector<MadeUpTrial> trials{compared("a", "b", "a"), compared("b", "c", "b"),
+                                  compared("a", "c", "c"), compared("a", "b", "b"),
+                                  compared("b", "c", "b"), compared("a", "c", "a")};
+  const std::array kTexturesOfTrials{"wood", "wood", "metal", "metal", "metal", "wood"};
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].factors_json = std::string(R"({"texture": ")") + kTexturesOfTrials[i] + "\"}";
+  }
+  made.add_session("p1", protocol, trials);
+  const AnalysisOutcome outcome = outcome_of_pairs(made);
+  const Table& table = paired_table(outcome, "consistency").table;
+  EXPECT_EQ(table.rows[0][1], Cell(std::int64_t{2}));
+  EXPECT_EQ(table.rows[0][2], Cell(0.0));
+}
+
+TEST_F(Pairs, StateWhyAPairOrTheItemsAreNotTested) {
+  MadeUpStudy tied{};
+  const std::int64_t protocol = tied.add_protocol("rougher", "paired_comparison", kRougher);
+  for (const char* const label : {"p1", "p2"}) {
+    tied.add_person(label, "");
+    tied.add_session(label, protocol, {compared("a", "b", "tie"), compared("b", "c", "b")});
+  }
+  const AnalysisOutcome outcome = outcome_of_pairs(tied);
+  const Table& tests = paired_table(outcome, "tests").table;
+  std::string reasons{};
+  for (const std::vector<Cell>& row : tests.rows) {
+    for (const Cell& cell : row) {
+      if (const auto* text = std::get_if<std::string>(&cell)) reasons += *text + '\n';
+    }
+  }
+  EXPECT_THAT(reasons, HasSubstr("only_ties"));
+  EXPECT_THAT(reasons, HasSubstr("pairs_incomplete"));
+  EXPECT_THAT(paired_question(outcome, "preference").answer.english(),
+              HasSubstr("fewer than two participants compared every pair"));
+  EXPECT_FALSE(has_paired_table(outcome, "consistency"));
+}
+
+// A participant whose only comparison of b and c was a tie contributes nothing to the test of b and c.
+TEST_F(Pairs, CountWhoIsLeftOutOfATest) {
+  made_.add_person("p7", "");
+  made_.add_session("p7", 1,
+                    {compared("a", "b", "a"), compared("b", "c", "tie"), compared("c", "a", "a"),
+                     compared("b", "a", "a")});
+  const std::string note = paired_table(outcome_of_pairs(made_), "tests").note.english();
+  EXPECT_THAT(note, HasSubstr("Participants who tied b and c in every comparison are left out of "
+                              "the test of this pair: 1 of 7."));
+  EXPECT_THAT(note,
+              HasSubstr("did not compare every pair equally often are left out of the test of "
+                        "the preference: 1 of 7."));
+}
+
+// With two items the comparisons of everybody for one of them are all won: the interval ends at 1.
+TEST(PairedScores, LieBetweenZeroAndOne) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("rougher", "paired_comparison", kRougher);
+  for (int person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    made.add_session(label, protocol,
+                     {compared("a", "b", "a"), compared("b", "a", person == 0 ? "b" : "a")});
+  }
+  const AnalysisOutcome outcome = outcome_of_pairs(made);
+  const FoundNumbers found(outcome.findings);
+  EXPECT_EQ(found.find("mean.score", "a")->high, 1.0);
+  EXPECT_EQ(found.find("mean.score", "b")->low, 0.0);
+  EXPECT_TRUE(std::none_of(outcome.questions.begin(), outcome.questions.end(),
+                           [](const AnsweredQuestion& each) { return each.name == "fit"; }))
+      << "two items always lie on one scale";
+  for (const AnsweredQuestion& each : outcome.questions) {
+    EXPECT_TRUE(each.table.empty() || has_paired_table(outcome, each.table)) << each.name;
+  }
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(AllPairs, AreCombinedWithEveryLevelOfACrossedFactor) {
   protocol["factors"]["model"] = {{"levels", {"height_map", "sinusoid"}}};
   protocol["stimuli"]["rendered"]["model"] = {{"factor", "model"}};
   comparisons_block(protocol)["crossed"] = {"texture"};
-  comparisons_block(protocol)["all_pairs"] = {{"factor", "model"}};
+  comparisons_block(protocol)["all_pairs"] = {{"factor", "model"}, {"in_both_orders", true}};
   protocol["blocks"]["familiarisation"]["crossed"] = {"model"};
   std::set<std::string> textures{};
   int trials = 0;
@@ -110,11 +110,12 @@ TEST(AllPairs, AreCombinedWithEveryLevelOfACrossedFactor) {
     if (trial.phase != Phase::main) continue;
     ++trials;
     textures.insert(text_of(trial.factors.at("texture")));
-    EXPECT_EQ(trial.presentations[0].item, "height_map") << "the level names the surface";
-    EXPECT_EQ(trial.presentations[1].item, "sinusoid");
+    EXPECT_EQ(trial.presentations[0].item, trial.presentations[0].stimulus.model)
+        << "the level names the surface";
+    EXPECT_NE(trial.presentations[0].item, trial.presentations[1].item);
     EXPECT_EQ(trial.presentations[0].stimulus.texture, trial.presentations[1].stimulus.texture);
   }
-  EXPECT_EQ(trials, 4 * 3);
+  EXPECT_EQ(trials, 4 * 2 * 3);
   EXPECT_EQ(textures.size(), 4U);
 }
 
@@ -124,7 +125,7 @@ TEST(AllPairs, NameSurfacesByLevelsThatAreNumbers) {
   protocol["stimuli"]["rendered"] = {{"model", "height_map"},
                                      {"texture", "wood"},
                                      {"parameters", {{"height_scale", {{"factor", "scale"}}}}}};
-  comparisons_block(protocol)["all_pairs"] = {{"factor", "scale"}};
+  comparisons_block(protocol)["all_pairs"] = {{"factor", "scale"}, {"in_both_orders", true}};
   protocol["blocks"]["familiarisation"]["all_pairs"] = {{"factor", "scale"}};
   std::set<std::string> items{};
   for (const Trial& trial : plan_of_valid(protocol).trials) {
@@ -213,15 +214,54 @@ TEST(PairedComparison, RefusesWhatIsNoChoiceBetweenTwoSurfaces) {
   EXPECT_THAT(problem_in_block(selection, "/question/tie"), HasSubstr("has no ties"));
 }
 
-TEST(PairedComparison, AsksOneQuestionInAllItsMainBlocks) {
+TEST(PairedComparison, AsksOneQuestionAboutOneSetOfItemsInAllItsMainBlocks) {
   json protocol = pairs_of_textures();
   protocol["blocks"]["second"] = protocol["blocks"]["comparisons"];
-  protocol["blocks"]["second"]["question"]["name"] = "harder";
   protocol["flow"].push_back({{"run", "second"}});
-  EXPECT_THAT(problem_in_block(protocol, "//blocks/second/question/name"),
-              HasSubstr("another one asks \"rougher\""));
-  protocol["blocks"]["second"]["phase"] = "practice";
-  EXPECT_EQ(problem_in_block(protocol, "//blocks/second/question/name"), "");
+  const std::string at_question = "//blocks/second/question";
+  EXPECT_EQ(problem_in_block(protocol, at_question), "");
+  for (const char* const key : {"name", "prompt"}) {
+    json other = protocol;
+    other["blocks"]["second"]["question"][key] = "harder";
+    EXPECT_THAT(problem_in_block(other, at_question), HasSubstr("asks another question")) << key;
+  }
+  json without_tie = protocol;
+  without_tie["blocks"]["second"]["question"].erase("tie");
+  EXPECT_THAT(problem_in_block(without_tie, at_question), HasSubstr("asks another question"));
+  without_tie["blocks"]["second"]["phase"] = "practice";
+  EXPECT_EQ(problem_in_block(without_tie, at_question), "");
+  json other_items = protocol;
+  other_items["stimuli"]["other"] = other_items["stimuli"]["rendered"];
+  other_items["blocks"]["second"]["presented"][0]["stimulus"] = "other";
+  EXPECT_THAT(problem_in_block(other_items, "//blocks/second/presented"),
+              HasSubstr("compares other surfaces"));
+}
+
+TEST(PairedComparison, RefusesOneOrderOfEveryPair) {
+  json protocol = pairs_of_textures();
+  comparisons_block(protocol)["all_pairs"].erase("in_both_orders");
+  EXPECT_THAT(problem_in_block(protocol, "/all_pairs"), HasSubstr("always be presented first"));
+  comparisons_block(protocol)["positions"] = "shuffle";
+  EXPECT_EQ(problem_in_block(protocol, "/all_pairs"), "");
+  json listed = pairs_of_textures();
+  comparisons_block(listed).erase("all_pairs");
+  comparisons_block(listed)["presented"] = {
+      {{"stimulus", "rendered"}, {"with", {{"texture", "wood"}}}},
+      {{"stimulus", "rendered"}, {"with", {{"texture", "metal"}}}}};
+  EXPECT_THAT(problem_in_block(listed, "/presented"), HasSubstr("always be presented first"));
+  comparisons_block(listed)["positions"] = "shuffle";
+  EXPECT_EQ(problem_in_block(listed, "/presented"), "");
+}
+
+TEST(AllPairs, BelongToKindsThatCompareSurfaces) {
+  json protocol = pairs_of_textures();
+  protocol["kind"] = "rating";
+  for (const char* const name : {"familiarisation", "comparisons"}) {
+    protocol["blocks"][name]["question"].erase("tie");
+    protocol["blocks"][name]["question"]["scale"] = json::object();
+  }
+  EXPECT_THAT(problem_in_block(protocol, "/all_pairs"), HasSubstr("does not compare surfaces"));
+  EXPECT_EQ(problem_in_block(protocol, "/presented"), "");
 }
 
 TEST(PairedComparison, CanBeMadeAgainstAPhysicalSampleOfEachTexture) {
@@ -230,7 +270,7 @@ TEST(PairedComparison, CanBeMadeAgainstAPhysicalSampleOfEachTexture) {
   protocol["stimuli"]["rendered"]["model"] = {{"factor", "model"}};
   for (const char* const name : {"familiarisation", "comparisons"}) {
     protocol["blocks"][name]["crossed"] = {"texture"};
-    protocol["blocks"][name]["all_pairs"] = {{"factor", "model"}};
+    protocol["blocks"][name]["all_pairs"] = {{"factor", "model"}, {"in_both_orders", true}};
     protocol["blocks"][name].erase("positions");
     protocol["blocks"][name]["question"]["experimenter_prompt"] = "Place sample {code}.";
   }

@@ -196,7 +196,7 @@ const Fault kForm[] = {
     {"unknown_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "zebra": 1,)", R"("zebra")",
      "/zebra", "there is no key"},
     {"unknown_kind", R"("kind": "selection")", R"("kind": "ranking")", R"("ranking")", "/kind",
-     R"("selection", "matching", "recognition", "magnitude" or "rating")"},
+     R"("selection", "matching", "recognition", "magnitude", "rating" or "paired_comparison")"},
     {"near_choice", R"("order": "shuffle")", R"("order": "shufle")", R"("shufle")",
      "/blocks/main/order", R"(did you mean "shuffle"?)"},
     {"version", R"("version": "1.0.0")", R"("version": "1.0")", R"("1.0")", "/version",
@@ -359,7 +359,7 @@ const Fault kMeaning[] = {
     {"analysis_of_no_kind", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"family": ["pears"]},)", R"("pears")",
      "/analysis/family/0",
-     "it has \"pairs\", \"target_pairs\", \"preference\", \"position\", \"textures\" or "
+     "use \"pairs\", \"target_pairs\", \"preference\", \"position\", \"textures\" or "
      "\"groups\""},
     {"analysis_without_target", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"family": ["target_pairs"]},)",

@@ -1,10 +1,12 @@
 // The analysis of paired comparisons.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,8 @@ constexpr const char* kScores = "scores";
 constexpr const char* kScale = "scale";
 constexpr const char* kModel = "paired_model";
 constexpr const char* kConsistency = "consistency";
+/// The quantity of the scale.
+constexpr const char* kLogWorth = "bt.ability.sumzero.cluster";
 
 /// How often a participant compared two items, and the choices of the first and the second.
 struct PairCount {
@@ -49,12 +53,21 @@ struct PairedStudy {
       by_person{};                    ///< of the gathered people, in their order
   std::map<PairKey, Tally> shares{};  ///< choices of the first, without ties
   std::map<PairKey, PairCount> counts{};
-  /// The comparisons of each participant in rounds: the k-th comparison of every pair belongs to round k.
-  std::map<std::pair<std::uint32_t, std::size_t>, std::vector<Comparison>> rounds{};
+  /// The comparisons of each participant in rounds: the k-th comparison of every pair with the same levels of the other
+  /// factors belongs to round k of these levels.
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::size_t>, std::vector<Comparison>> rounds{};
+  std::array<Tally, 2> positions{};
   std::size_t ties = 0;
+
+  std::size_t people_who_compared(const PairKey& pair) const {
+    return static_cast<std::size_t>(
+        std::count_if(by_person.begin(), by_person.end(),
+                      [&pair](const auto& own) { return own.contains(pair); }));
+  }
 };
 
 PairedStudy::PairedStudy(const Selection& of) : choices(of), by_person(of.gathered.people.size()) {
+  std::map<std::tuple<std::uint32_t, std::uint32_t, PairKey>, std::size_t> times{};
   for (const GatheredAnswer& answer : of.gathered.answers) {
     const auto surfaces = of.gathered.surfaces_of(answer);
     if (surfaces.size() != 2) continue;
@@ -65,18 +78,19 @@ PairedStudy::PairedStudy(const Selection& of) : choices(of), by_person(of.gather
     const auto count = [&](PairCount& counted) {
       ++(chosen == kNoChoice ? counted.ties : chosen == key.first ? counted.first : counted.second);
     };
-    PairCount& own = by_person[answer.person][key];
-    const std::size_t round = own.all();
-    count(own);
+    count(by_person[answer.person][key]);
     count(counts[key]);
     if (chosen == kNoChoice) {
       ++ties;
     } else {
       shares[key].count(answer.person, chosen == key.first, 2);
+      positions[0].count(answer.person, chosen == one, 2);
+      positions[1].count(answer.person, chosen == other, 2);
     }
+    const std::size_t round = times[{answer.person, answer.factors, key}]++;
     Comparison comparison{.first = one, .second = other};
     if (chosen != kNoChoice) comparison.winner = chosen;
-    rounds[{answer.person, round}].push_back(comparison);
+    rounds[{answer.person, answer.factors, round}].push_back(comparison);
   }
 }
 
@@ -95,6 +109,19 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
     pairs.rows.push_back({{items[key.first], items[key.second]}, tally});
   }
   add_shares(pairs, outcome);
+  ShareTable positions{"positions",
+                       phrase("Analysis", "Proportion of choices of each position"),
+                       phrase("Analysis",
+                              "The position is the place of a surface in the order of "
+                              "presentation. Ties are left out."),
+                       {"position"},
+                       "chosen",
+                       "share_of_position",
+                       {}};
+  for (std::size_t place = 0; place < study.positions.size(); ++place) {
+    positions.rows.push_back({{std::to_string(place + 1)}, study.positions[place]});
+  }
+  add_shares(positions, outcome);
   if (study.ties == 0) return;
   NamedTable ties{
       "ties", phrase("Analysis", "Ties"), {{"item", "against", "responses", "ties"}, {}}, {}};
@@ -159,7 +186,8 @@ void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOut
       {{"item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
       phrase("Analysis",
              "Means over the participants who compared every pair equally often, with t-based "
-             "95 % CIs; a tie counts half. Mean rank: 1 for the item that a participant chose "
+             "95 % CIs, cut at 0 and 1; a tie counts half. Mean rank: 1 for the item that a "
+             "participant chose "
              "least often.")};
   for (const std::string& item : study.choices.items) {
     const Finding* const mean = found.find("mean.score", item);
@@ -172,14 +200,13 @@ void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOut
 }
 
 void add_pair_scale(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
-  constexpr const char* kLogWorth = "bt.ability.sumzero.cluster";
   const std::vector<std::string>& items = study.choices.items;
   if (found.find(kLogWorth, items.front()) == nullptr) {
     outcome.remarks.push_back(
         phrase("Analysis",
-               "The items cannot be placed on a scale: some of them were always or never chosen in "
-               "the comparisons with the others, or were never compared with them, so that their "
-               "distance has no finite estimate."));
+               "The items cannot be placed on a scale by maximum likelihood: some of them were "
+               "always or never chosen in the comparisons with the others, or were never compared "
+               "with them, so that their distance has no finite estimate."));
     return;
   }
   const Phrase intervals =
@@ -218,20 +245,30 @@ Phrase model_name(const FoundNumbers& found) {
 }
 
 /// Order effect, ties and fit of the scale.
-void add_model(const FoundNumbers& found, AnalysisOutcome& outcome) {
+void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
   if (found.find("model.fit.lr") == nullptr) return;
-  NamedTable model{
-      kModel,
-      phrase("Analysis", "Order effect, ties and goodness of fit of the scale"),
-      {{"measure", "value", "value_low", "value_high", "statistic", "df", "p"}, {}},
-      phrase(
-          "Analysis",
-          "%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: the log odds that "
-          "being presented first adds. Ties: ln ν, where ν is the odds of a tie between equal "
-          "items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. "
-          "All responses are taken as independent, although those of one participant may not "
-          "be: the p values are approximate.")
-          .with(model_name(found))};
+  Phrase note =
+      phrase("Analysis",
+             "%1, by maximum likelihood (Davidson and Beaver 1977), with Wald 95 % CIs and "
+             "likelihood-ratio tests. All responses are taken as independent, although "
+             "those of one participant may not be: the p values are approximate.")
+          .with(model_name(found));
+  const auto add = [&note](const Phrase& sentence) {
+    note = phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  if (found.find("model.order") != nullptr) {
+    add(phrase("Analysis", "Order effect: the log odds that being presented first adds."));
+  }
+  if (found.find("model.tie") != nullptr) {
+    add(phrase(
+        "Analysis",
+        "Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice "
+        "of one of them."));
+  }
+  NamedTable model{kModel,
+                   phrase("Analysis", "Order effect, ties and goodness of fit of the scale"),
+                   {{"measure", "value", "value_low", "value_high", "statistic", "df", "p"}, {}},
+                   note};
   struct Row {
     const char* shown;
     const char* quantity;
@@ -241,6 +278,8 @@ void add_model(const FoundNumbers& found, AnalysisOutcome& outcome) {
         Row{"equal_items", "model.equal"}, Row{"goodness_of_fit", "model.fit"}}) {
     const std::string quantity = quantity_of_row;
     if (found.find(quantity) == nullptr && found.find(quantity + ".lr") == nullptr) continue;
+    // Two items always lie on one scale.
+    if (quantity == "model.fit" && study.choices.items.size() < 3) continue;
     const auto [low, high] = found.interval(quantity);
     model.table.rows.push_back({std::string(shown), found.cell(quantity), low, high,
                                 found.cell(quantity + ".lr"), found.count(quantity + ".df"),
@@ -265,7 +304,7 @@ ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOut
   };
   std::map<std::uint32_t, Rounds> of_people{};
   for (const auto& [of, comparisons] : study.rounds) {
-    Rounds& rounds = of_people[of.first];
+    Rounds& rounds = of_people[std::get<0>(of)];
     const WinsOfJudge wins = wins_of_judge(comparisons, items);
     if (wins.problem) continue;
     const Consistency own = consistency(wins.wins);
@@ -282,11 +321,12 @@ ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOut
       phrase("Analysis", "Consistency of the participants"),
       {{"participant", "rounds", "circular_triads", "zeta", "p"}, {}},
       phrase("Analysis",
-             "A round is one comparison of every pair; rounds with a tie or without one of the "
-             "pairs are left out. A triad is circular if a is chosen over b, b over c, and c over "
+             "A round is one comparison of every pair, with the same levels of all other factors; "
+             "rounds with a tie or without one of the pairs are left out. A triad is circular if a "
+             "is chosen over b, b over c, and c over "
              "a: number per round. ζ, the coefficient of consistence: 1 without circular triads, 0 "
              "with as many as possible, %1 on average under guessing. p: exact probability of at "
-             "most as many circular triads in these rounds under guessing.")
+             "most as many circular triads in these rounds under guessing, uncorrected.")
           .with(reading_bounded(found.under_guessing))};
   for (const auto& [person, rounds] : of_people) {
     std::vector<Cell> row{study.choices.gathered.people[person].label,
@@ -303,7 +343,7 @@ ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOut
     }
     table.table.rows.push_back(std::move(row));
   }
-  outcome.tables.push_back(std::move(table));
+  if (!found.zetas.empty()) outcome.tables.push_back(std::move(table));
   return found;
 }
 
@@ -324,10 +364,21 @@ void ask_items(const PairedStudy& study, const FoundNumbers& found, const StudyT
   }
   const StudyTests::Test* const test = tests.find("preference");
   if (most == nullptr || test == nullptr || !test->p) {
-    add_question(
-        outcome, "preference", question,
-        phrase("Analysis", "Not tested: too few participants compared every pair equally often."),
-        method, "pairs", nullptr);
+    add_question(outcome, "preference", question,
+                 study.by_person.size() == 1
+                     ? phrase("Analysis", "This cannot be tested with one participant.")
+                     : phrase("Analysis",
+                              "Not tested: fewer than two participants compared every pair equally "
+                              "often."),
+                 method, "pairs", nullptr);
+    return;
+  }
+  constexpr double kRounding = 1e-12;  // of means of the same proportions in a different order
+  if (*most->value - *least->value < kRounding) {
+    add_question(outcome, "preference", question,
+                 phrase("Analysis", "No: all items were chosen equally often. Friedman test: %1.")
+                     .with(p_text(*test)),
+                 method, kScores, most);
     return;
   }
   const auto with_numbers = [&](const Phrase& words) {
@@ -347,7 +398,8 @@ void ask_items(const PairedStudy& study, const FoundNumbers& found, const StudyT
   add_question(outcome, "preference", question, said_of(*test, sayings), method, kScores, most);
 }
 
-void ask_fit(const FoundNumbers& found, AnalysisOutcome& outcome) {
+void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
+  if (study.choices.items.size() < 3) return;
   const Finding* const fit = found.find("model.fit.lr");
   const std::optional<double> p = found.value("model.fit.p");
   if (fit == nullptr || !p) return;
@@ -362,9 +414,13 @@ void ask_fit(const FoundNumbers& found, AnalysisOutcome& outcome) {
                     "one scale do not describe them completely.")
            : phrase("Analysis", "The comparisons do not differ significantly from the %1: %2, %3."))
           .with(model_name(found), statistic, reading_p(*p)),
-      phrase("Analysis",
-             "Likelihood-ratio test against a separate probability of each outcome for every "
-             "ordered pair; all responses are taken as independent. Exploratory."),
+      phrase(
+          "Analysis",
+          "Likelihood-ratio test against a separate probability of each outcome for every pair, "
+          "and for either order where the model has an order effect; all responses are taken as "
+          "independent. Exploratory. The smallest expected count is %1; below about 5 the p value "
+          "is only approximate.")
+          .with(reading_number(found.value("model.fit.smallest_expected").value_or(0.0))),
       kModel, fit, CountedUnit::answers);
 }
 
@@ -414,17 +470,42 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   const FoundNumbers found_pairs(of_pairs);
   keep_findings(of_pairs, outcome);
   for (const ItemPair& pair : pairs_offered(choices)) {
-    const std::string about = both(choices.items[pair.first], choices.items[pair.second]);
+    const std::string& first = choices.items[pair.first];
+    const std::string& second = choices.items[pair.second];
+    const std::string about = both(first, second);
+    if (!study.shares.contains({pair.first, pair.second})) {
+      tests.add_untested("pairs", about, "only_ties");
+      continue;
+    }
     tests.add("pairs", about, found_pairs, "signflip.p.two", about);
+    const std::size_t compared = study.people_who_compared({pair.first, pair.second});
+    tests.leave_out(
+        compared - std::min(compared, tests.tests().back().n),
+        phrase("Analysis",
+               "Participants who tied %1 and %2 in every comparison are left out of the "
+               "test of this pair")
+            .with(first, second));
   }
 
   PairScores scores = pair_scores_of(study);
-  const std::vector<Finding> of_scores = analysis_of(kScores, "rating", std::move(scores.input));
+  std::vector<Finding> of_scores = analysis_of(kScores, "rating", std::move(scores.input));
+  for (Finding& finding : of_scores) {
+    if (finding.quantity != "mean.score" || !finding.low || !finding.high) continue;
+    finding.low = std::max(*finding.low, 0.0);
+    finding.high = std::min(*finding.high, 1.0);
+  }
   const FoundNumbers found_scores(of_scores);
-  // The pairs are tested by their own comparisons.
-  keep_findings(of_scores, outcome,
-                [](const Finding& finding) { return !finding.quantity.starts_with("wilcoxon."); });
-  tests.add("preference", "", found_scores, "friedman.p");
+  if (study.by_person.size() < scores.left_out + 2) {
+    tests.add_untested(
+        "preference", "",
+        study.by_person.size() == 1 ? StudyTests::kOneParticipantAlone : "pairs_incomplete");
+  } else {
+    // The pairs are tested by their own comparisons.
+    keep_findings(of_scores, outcome, [](const Finding& finding) {
+      return !finding.quantity.starts_with("wilcoxon.");
+    });
+    tests.add("preference", "", found_scores, "friedman.p");
+  }
   tests.leave_out(
       scores.left_out,
       phrase("Analysis",
@@ -437,17 +518,26 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
           choices, numbers_up_to(2),
           [&choices](const GatheredAnswer& answer) { return choices.position(answer); }, "1"));
   const FoundNumbers found_positions(of_positions);
-  keep_findings(of_positions, outcome);
+  // Those of single textures concern the item that was presented first.
+  keep_findings(of_positions, outcome, [](const Finding& finding) {
+    return finding.key.empty() || finding.quantity.starts_with("subj.");
+  });
   tests.add("position", "", found_positions, "relabel.exact.p");
 
-  const std::vector<Finding> of_scale = analysis_of(kScale, "paired", comparisons_of(choices));
+  std::vector<Finding> of_scale = analysis_of(kScale, "paired", comparisons_of(choices));
+  const bool has_scale = FoundNumbers(of_scale).find(kLogWorth, choices.items.front()) != nullptr;
+  // Ties can make the model finite where the scale, which leaves them out, is not.
+  if (!has_scale) {
+    std::erase_if(of_scale,
+                  [](const Finding& finding) { return finding.quantity.starts_with("model."); });
+  }
   const FoundNumbers found_scale(of_scale);
   keep_findings(of_scale, outcome);
 
   add_pair_tables(study, outcome);
   add_scores(study, found_scores, outcome);
   add_pair_scale(study, found_scale, outcome);
-  add_model(found_scale, outcome);
+  add_model(study, found_scale, outcome);
   const ConsistencyOfPeople people = add_people_consistency(study, outcome);
   tests.finish(outcome);
 
@@ -465,7 +555,7 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
                       "Permutation test of the numbers of choices of the two positions, which are "
                       "exchanged within each participant; ties are left out."),
                found_positions, tests, outcome);
-  ask_fit(found_scale, outcome);
+  ask_fit(study, found_scale, outcome);
   ask_consistency(people, outcome);
   remark_on_pooling(gathered.answers.size(), gathered.people.size(), outcome);
 }

@@ -28,4 +28,9 @@ const StudyAnalysis* find_analysis(std::string_view kind) noexcept {
   return found == analyses.end() ? nullptr : *found;
 }
 
+std::string name_of_kind(std::string_view kind) {
+  const StudyAnalysis* const analysis = find_analysis(kind);
+  return analysis == nullptr ? std::string(kind) : analysis->name.english();
+}
+
 }  // namespace asperity

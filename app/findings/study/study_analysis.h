@@ -53,4 +53,7 @@ std::span<const StudyAnalysis* const> study_analyses();
 /// Null for a kind that this program does not have.
 const StudyAnalysis* find_analysis(std::string_view kind) noexcept;
 
+/// "paired comparison" in English; the id of a kind that this program does not have.
+std::string name_of_kind(std::string_view kind);
+
 }  // namespace asperity

@@ -70,6 +70,7 @@ Phrase interval_text(const Finding& share) {
   if (share.low && share.high) {
     return phrase("Analysis", "95 % CI [%1, %2]").with(percent(*share.low), percent(*share.high));
   }
+  if (share.n > 1) return phrase("Analysis", "no CI, because all participants have the same value");
   return phrase("Analysis", "no CI, because there is only one participant");
 }
 

@@ -205,7 +205,8 @@ void add_davidson(const Paired& read, FindingList& findings) {
 /// and `model.fit` with their tests (`.lr`, `.df`, `.p`). Without a finite estimate `model.status`.
 void add_pair_model(const Paired& read, FindingList& findings) {
   const std::size_t items = read.items.size();
-  const std::size_t n = read.participants.size();
+  std::size_t n = 0;  // judgements, which count as independent here
+  for (const Comparison& one : read.comparisons) n += one.times;
   const bool has_ties = read.counts.ties.sum() > 0.0;
   const PairTerms without_order{.ties = has_ties};
   const PairAnswer plain = paired_model(read.comparisons, items, without_order);

@@ -1472,10 +1472,6 @@
         <translation>Liegen die Items auf einer Skala?</translation>
     </message>
     <message>
-        <source>Likelihood-ratio test against a separate probability of each outcome for every ordered pair; all responses are taken as independent. Exploratory.</source>
-        <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes geordnete Paar; alle Antworten gelten als unabhängig. Explorativ.</translation>
-    </message>
-    <message>
         <source>ζ = %1</source>
         <translation>ζ = %1</translation>
     </message>
@@ -1574,6 +1570,10 @@
     <message>
         <source>%1 %2: %3 of %4.</source>
         <translation>%1 %2: %3 von %4.</translation>
+    </message>
+    <message>
+        <source>Likelihood-ratio test against a separate probability of each outcome for every ordered pair; all responses are taken as independent. Exploratory. The smallest expected count is %1; below about 5 the p value is only approximate.</source>
+        <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes geordnete Paar; alle Antworten gelten als unabhängig. Explorativ. Die kleinste erwartete Häufigkeit beträgt %1; unter etwa 5 ist der p-Wert nur eine Näherung.</translation>
     </message>
 </context>
 <context>

@@ -90,7 +90,7 @@ std::string tasks_text(const Protocol& protocol) {
     std::string task = find_analysis(kind->id)->task(protocol);
     constexpr std::string_view kHead = "Task: ";
     if (kinds.size() > 1 && task.starts_with(kHead)) {
-      task.replace(0, kHead.size(), "Task of the " + std::string(kind->id) + ": ");
+      task.replace(0, kHead.size(), "Task of the " + name_of_kind(kind->id) + ": ");
     }
     text += (text.empty() ? "" : " ") + task;
   }

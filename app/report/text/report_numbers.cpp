@@ -107,7 +107,7 @@ bool is_another_form(const std::string& quantity) {
 /// The subject of a part of the analysis; its name where there is no text for it.
 std::string words_of_analysis(const std::string& analysis) {
   static const std::map<std::string, std::string> kWords{
-      {"anova", "analysis of variance"}, {"choice", "models"},
+      {"anova", "analysis of variance"}, {"choice", "choices"},
       {"glmm", "mixed model"},           {"groups", "groups"},
       {"groups_equivalence", "groups"},  {"position", "positions"},
       {"sexes", "women, men"},           {"sexes_equivalence", "women, men"},

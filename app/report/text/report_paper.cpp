@@ -212,7 +212,7 @@ ReportSection paper_section(const ReportFacts& facts,
     section.parts.emplace_back(ReportText{text});
   };
   const auto of_kind = [&outcomes](const AnalysisOutcome& outcome) {
-    return outcomes.size() > 1 ? " (" + outcome.kind + ")" : std::string();
+    return outcomes.size() > 1 ? " (" + name_of_kind(outcome.kind) + ")" : std::string();
   };
   std::vector<std::string> methods = paper_procedure(facts, metadata, sources);
   if (outcomes.empty()) methods.push_back(withheld_text(facts));

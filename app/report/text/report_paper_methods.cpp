@@ -213,7 +213,7 @@ std::string stimuli_were_presented(const std::set<std::size_t>& counts) {
 /// for each, with the numbers of the protocol.
 std::string paper_task(const ReportFacts& facts) {
   const Protocol& protocol = *facts.file.protocol;
-  const std::vector<const ExperimentKind*> kinds = kinds_of(protocol);
+  const std::vector<const ExperimentKind*> kinds = analysed_kinds_of(protocol);
   if (kinds.size() == 1) {
     return "In each trial, " + stimuli_were_presented(facts.surfaces) + within_text(facts) +
            find_analysis(kinds.front()->id)->task_for_paper(protocol);
@@ -222,10 +222,14 @@ std::string paper_task(const ReportFacts& facts) {
   for (const ExperimentKind* const kind : kinds) {
     std::set<std::size_t> counts{};
     for (const auto& [name, block] : protocol.blocks) {
-      if (block.kind == kind->id) counts.insert(block.presented.size());
+      const bool asks = std::any_of(block.questions.begin(), block.questions.end(),
+                                    [&block = block, kind](const auto& each) {
+                                      return kind_of_question(kind_of(block), each.form) == kind;
+                                    });
+      if (block.phase == Phase::main && asks) counts.insert(block.presented.size());
     }
     text += (text.empty() ? "In each trial of the " : " In each trial of the ") +
-            find_analysis(kind->id)->name.english() + ", " + stimuli_were_presented(counts) +
+            name_of_kind(kind->id) + ", " + stimuli_were_presented(counts) +
             find_analysis(kind->id)->task_for_paper(protocol);
   }
   return text;

@@ -8,6 +8,7 @@
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/study_analysis.h"
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_sexes.h"
 #include "app/study_files/program.h"
@@ -155,7 +156,7 @@ std::vector<ReportedOutcome> outcomes_of(const std::vector<AnalysisOutcome>& out
 /// A section about one kind names it where the chapter has several.
 ReportSection of_kind(ReportSection section, const ReportedOutcome& of,
                       const std::vector<ReportedOutcome>& all) {
-  if (all.size() > 1) section.heading += " (" + of.outcome->kind + ")";
+  if (all.size() > 1) section.heading += " (" + name_of_kind(of.outcome->kind) + ")";
   return section;
 }
 

@@ -53,7 +53,9 @@ std::string task_of_pairs(const Protocol& protocol) {
   std::string text = "Task: in each trial, two surfaces are presented, and one of them";
   if (asked.have_ties) text += ", or a tie,";
   text += " is to be chosen";
-  return asked.prompts.empty() ? text + '.' : text + ": " + listed(asked.prompts) + '.';
+  if (asked.prompts.empty()) return text + '.';
+  const std::string prompts = listed(asked.prompts);
+  return text + ": " + prompts + (prompts.ends_with("?”") ? "" : ".");
 }
 
 std::string paper_task_of_pairs(const Protocol& protocol) {

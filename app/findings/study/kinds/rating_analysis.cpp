@@ -41,12 +41,11 @@ std::string on_scales(const Protocol& protocol) {
 }
 
 std::string task_of_rating(const Protocol& protocol) {
-  return "Task: in each trial, one surface is presented, and it is rated " + on_scales(protocol) +
-         ".";
+  return "Task: in each trial, ratings are given " + on_scales(protocol) + ".";
 }
 
 std::string paper_task_of_rating(const Protocol& protocol) {
-  return ", and it was rated " + on_scales(protocol) + ".";
+  return ", and ratings were given " + on_scales(protocol) + ".";
 }
 
 }  // namespace
