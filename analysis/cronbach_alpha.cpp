@@ -16,7 +16,7 @@ CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>>
                              double confidence) {
   static_cast<void>(normal_limit(confidence));  // refuses a confidence that is not a probability
   if (scores.empty())
-    throw std::invalid_argument("scores: number of respondents 0; it must be at least 1");
+    throw std::invalid_argument("scores is empty; at least one respondent is needed");
   CronbachAlpha answer{.items = scores.front().size()};
   if (answer.items < 2) {
     throw std::invalid_argument("scores: number of items " + std::to_string(answer.items) +
@@ -26,8 +26,8 @@ CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>>
   for (const auto& row : scores) {
     if (row.size() != answer.items) {
       throw std::invalid_argument("scores: a respondent has " + std::to_string(row.size()) +
-                                  " items; it must have " + std::to_string(answer.items) +
-                                  " like the first one");
+                                  " items; all respondents must have " +
+                                  std::to_string(answer.items) + ", as the first one has");
     }
     for (const std::optional<double>& score : row) {
       if (score && !std::isfinite(*score)) {

@@ -261,7 +261,8 @@ OrdinalLikelihood::Curvature OrdinalLikelihood::curvature(const OrdinalParameter
 }
 
 void OrdinalLikelihood::refuse_impossible() const {
-  if (responses_.empty()) throw std::invalid_argument("responses: number 0; it must be at least 1");
+  if (responses_.empty())
+    throw std::invalid_argument("responses is empty; at least one response is needed");
   if (model_.categories < 2) {
     throw std::invalid_argument("categories: " + std::to_string(model_.categories) +
                                 "; it must be at least 2");

@@ -62,8 +62,7 @@ LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index co
 LeastSquares least_squares(const MagnitudeCurves& curves, Eigen::Index coefficients) {
   if (curves.log10.rows() < 2) {
     throw std::invalid_argument("log10: number of participants " +
-                                std::to_string(curves.log10.rows()) +
-                                "; curves are compared over at least two");
+                                std::to_string(curves.log10.rows()) + "; at least 2 are needed");
   }
   return least_squares_of_any(curves, coefficients);
 }

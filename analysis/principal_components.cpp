@@ -109,7 +109,7 @@ ParallelAnalysis parallel_analysis(const Eigen::VectorXd& eigenvalues, Eigen::In
 ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
                                      std::span<const Eigen::VectorXd> of_noise, double percentile) {
   if (of_noise.empty())
-    throw std::invalid_argument("of_noise: number of data sets 0; it must be at least 1");
+    throw std::invalid_argument("of_noise is empty; at least one data set is needed");
   if (!(percentile > 0.0 && percentile < 1.0)) {
     throw std::invalid_argument("percentile: " + number_text(percentile) +
                                 "; it must lie between 0 and 1");

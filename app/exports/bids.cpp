@@ -80,7 +80,7 @@ std::vector<ExportColumn> BidsDataset::beh_columns(const StudyVocabulary& vocabu
   run.type = "integer";
   run.description = "the run whose _physio.tsv.gz contains the ticks of this attempt";
   run.minimum = 1.0;
-  run.missing = "the attempt was not recorded";
+  run.missing = "no ticks were recorded in the attempt";
   columns.push_back(std::move(run));
   return columns;
 }
@@ -301,9 +301,10 @@ std::string BidsDataset::readme() const {
   if (!authors.empty() || metadata_.license || metadata_.ethics_approval) text += "\n";
   return text +
          "Responses to haptic textures by session (_beh.tsv), and presentations and events "
-         "(_events.tsv), with the meaning of every column in the .json file next to it. Onsets are "
-         "relative to the beginning of the session.\n\nAnalyses include the rows of _beh.tsv with "
-         "counts_in_analyses 1; rows with flagged 1 should be inspected.\nA text that a "
+         "(_events.tsv), with the meanings of their columns in the .json files next to them. "
+         "Onsets are relative to the beginning of the session.\n\nAnalyses include the rows of "
+         "_beh.tsv with counts_in_analyses 1; rows with flagged 1 should be inspected.\nA text "
+         "that a "
          "spreadsheet would read as a formula is preceded by an apostrophe; the same applies to a "
          "text that begins with an apostrophe. Remove one apostrophe to restore the text.\n";
 }

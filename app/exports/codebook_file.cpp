@@ -23,7 +23,7 @@ std::vector<ExportColumn> columns_about_columns() {
        {"minimum", "smallest declared or observed value"},
        {"maximum", "largest declared or observed value"},
        {"missing", "when a cell is missing"},
-       {"publication", "how it appears in a public export"},
+       {"publication", "how the column appears in a public export"},
        {"source", "source of the description: the program, a force model, a place in a protocol"}}};
   std::vector<ExportColumn> columns{};
   for (const auto& [name, meaning] : kMeanings) {

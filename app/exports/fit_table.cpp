@@ -41,7 +41,7 @@ Columns FitTable::columns() {
   };
   add("condition", "text",
       "data of one psychometric function: participant, protocol, question, what is counted, and "
-      "the levels of all factors but x and the repetition (column)");
+      "the levels of all factors except x and column (the repetition)");
   add("x", "number", "level of the numeric factor named in the column factor, in its unit");
   add("k", "integer",
       "responses at this level that are counted (see the column counted), in completed sessions; "
@@ -87,8 +87,8 @@ std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
   }
   if (curves_.empty()) {
     return phrase("FitTable",
-                  "%1 was not written: no factor of the trials has numbers as levels. A repetition "
-                  "(column) is not a level.")
+                  "%1 was not written: no factor of the trials has numbers as levels. The levels "
+                  "of the factor column are repetitions.")
         .with(name);
   }
   if (std::none_of(curves_.begin(), curves_.end(),

@@ -46,8 +46,8 @@ std::string publication_text(const std::vector<ExportFile>& files) {
          columns[Publication::without_questionnaires].sentence(
              "n/a for answers to questionnaires, unless named by --with-questions") +
          columns[Publication::without_free_text].sentence(
-             "Without texts entered by hand or reported by a driver: n/a instead (columns of "
-             "codes: \"typed\"; columns of data: without the members that contain them)") +
+             "n/a for texts entered by hand or reported by a driver (columns of codes: \"typed\"; "
+             "columns of data: without the members that contain such texts)") +
          columns[Publication::kept].sentence("Kept for each participant") +
          "Check whether these columns could identify a participant before publishing them.\n";
 }

@@ -77,10 +77,11 @@ Columns StimulusTable::columns() {
       "field is a plane");
   add("presentations", "integer", "1", "number of presentations");
   add("matched_texture_force_N", "number", "N",
-      "intended RMS of the texture force on the prescribed path", "no equal force was requested");
+      "intended RMS of the texture force on the prescribed path",
+      "the stimulus has no equal_force");
   add("achieved_presentations", "integer", "1",
-      "presentations in the following two columns: touched for long enough, in attempts that "
-      "analyses include");
+      "number of presentations used for the following two columns: those touched for long enough, "
+      "in attempts that analyses include");
   add("achieved_texture_force_mean_N", "number", "N",
       "RMS of the texture force along the participants' own paths: mean over presentations",
       "no such presentation");

@@ -67,7 +67,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
        "the surface was not presented", &PresentationRow::offset_ns);
   add(at_least(0, column("contact_s", "number", "s", "time in contact",
                          [](const Place& at) { return at.presentation->contact_s; })));
-  add(missing("no equal force was requested",
+  add(missing("the stimulus has no equal_force",
               at_least(0, column("matched_texture_force_N", "number", "N",
                                  "intended RMS of the texture force on the prescribed path",
                                  [](const Place& at) {

@@ -42,14 +42,14 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
                      "the response as a number: an estimate, or a point of a scale",
                      [](const Place& at) { return optional_cell(at.response->answer_number); })));
   columns.back().publication = Publication::without_questionnaires;
-  add(missing("no response is correct or incorrect",
+  add(missing("the protocol declares no correct response",
               column("correct", "boolean", "", "1: correct response",
                      [](const Place& at) { return optional_boolean(at.response->correct); })));
   add(column("options_json", "json", "", "the options in the order in which they were shown",
              [](const Place& at) { return at.response->options_json; }));
   add(column("time_s", "number", "s", "time of the response, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.response->time_ns); }));
-  add(missing("there was no contact before",
+  add(missing("there was no contact before the response",
               at_least(0, column("from_contact_s", "number", "s",
                                  "time from the first contact of the attempt to the response",
                                  [](const Place& at) {
@@ -64,18 +64,19 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              "how the response was given: keyboard; virtual, by a virtual participant; "
              "virtual_guess, by one that ignores the surface or has no expectation",
              [](const Place& at) { return at.response->source; }));
-  add(missing("the estimate was not re-elicited",
-              column("doubted_estimate", "number", "",
-                     "the first estimate, where the magnitude was re-elicited because the estimate "
-                     "was at least ten times, or at most a tenth of, an earlier one for the same "
-                     "stimulus; the response is the second estimate",
-                     [](const Place& at) { return optional_cell(at.doubted_estimate); })));
   add(missing(
-      "the response is not an estimate of a magnitude, or the participant has none in some cell",
+      "the estimate was not re-elicited",
+      column(
+          "doubted_estimate", "number", "",
+          "the first estimate, which was re-elicited because it was at least ten times, or at most "
+          "a tenth of, an earlier one for the same stimulus; the response is the second estimate",
+          [](const Place& at) { return optional_cell(at.doubted_estimate); })));
+  add(missing(
+      "the response is not a magnitude estimate, or the participant has a cell without estimates",
       column("normalised_estimate", "number", "",
-             "the estimate of a magnitude with the participant's own scale removed: multiplied by "
-             "the geometric mean of all participants and divided by that of the participant; both "
-             "of this protocol, version and kind of session, over valid attempts of the main "
+             "the magnitude estimate with the participant's own scale removed: multiplied by the "
+             "geometric mean of all participants and divided by that of the participant; both of "
+             "this protocol, version and kind of session, over valid attempts of the main "
              "phase, without excluded attempts and anchors",
              [](const Place& at) -> Cell {
                if (!at.own_scale || !at.response->answer_number) return {};

@@ -15,7 +15,8 @@ using Place = ExportPlace;
 // texture whose distance the protocol declares.
 ExportColumn texture_spacing(const StudyVocabulary& vocabulary) {
   ExportColumn made = missing(
-      "the protocol requests no magnitudes, or specifies no spacing of the trial's texture",
+      "the trial does not belong to a magnitude estimation, or the protocol does not specify the "
+      "spacing of its texture",
       column("texture_spacing_m", "number", "m", "spacing of the elements of the texture",
              [estimations = vocabulary.estimations](const Place& at) -> Cell {
                const auto estimation = estimations.find(at.protocol->source_sha256);

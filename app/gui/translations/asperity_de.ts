@@ -3535,8 +3535,8 @@
         <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Wahlen, die in Auswertungen zählen.</translation>
     </message>
     <message>
-        <source>%1 was not written: no factor of the trials has numbers as levels. A repetition (column) is not a level.</source>
-        <translation>%1 wurde nicht geschrieben: Kein Faktor der Durchgänge hat Zahlen als Stufen. Eine Wiederholung (column) ist keine Stufe.</translation>
+        <source>%1 was not written: no factor of the trials has numbers as levels. The levels of the factor column are repetitions.</source>
+        <translation>%1 wurde nicht geschrieben: Kein Faktor der Durchgänge hat Zahlen als Stufen. Die Stufen des Faktors column sind Wiederholungen.</translation>
     </message>
     <message>
         <source>%1 was not written: no participant has choices at two levels of a factor that has numbers as levels.</source>
