@@ -41,7 +41,8 @@ struct BradleyTerry {
   double deviance = 0.0;          ///< against a probability for each pair
   std::size_t df = 0;             ///< compared pairs − (K − 1)
   double likelihood_ratio = 0.0;  ///< against equal abilities, K − 1 degrees of freedom
-  /// The log odds that being presented first adds; nothing where it cannot be told from abilities.
+  /// The increase in the log odds of being chosen for the item presented first; nothing where it
+  /// cannot be separated from the abilities.
   struct Order {
     double advantage = 0.0;
     double standard_error = 0.0;

@@ -437,7 +437,7 @@ Figure matching_forest(const FoundNumbers& found) {
                 .title = phrase("Figures", "Proportion of correct matches of each texture"),
                 .note = phrase("Figures",
                                "Proportions of the trials with that texture, with Wilson 95 % CIs; "
-                               "the rows of one trial depend on each other.")};
+                               "the rows are not independent of each other.")};
   std::vector<ForestRow> rows = rows_of(found, "texture.prop");
   // Keys "n=4;k=0", "n=4;k=1", … up to all items.
   const std::size_t outcomes = found.all("null.pmf").size();

@@ -55,10 +55,10 @@ Figure rating_figure(const FoundNumbers& found) {
   const std::vector<const Finding*> means = found.all("mean.score");
   Figure figure{
       .name = "ratings",
-      .title = phrase("Figures", "Scores by item"),
+      .title = phrase("Figures", "Ratings by item"),
       .note = phrase("Figures",
                      "Points are means over the participants who rated every item, bars their "
-                     "t-based %1 % CIs. The accompanying tests use only the ranks of the scores.")
+                     "t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.")
                   .with(percent_of(means)),
       .shape = FigureShape::rows};
   bool is_first = true;
@@ -79,7 +79,7 @@ Figure rating_figure(const FoundNumbers& found) {
     return figure;
   }
   widen(figure.x);
-  figure.x.name = phrase("Figures", "score, mean with its %1 % CI").with(percent_of(means));
+  figure.x.name = phrase("Figures", "rating, mean with its %1 % CI").with(percent_of(means));
   figure.series.push_back(std::move(points));
   return figure;
 }

@@ -131,7 +131,7 @@ Figure response_times_figure(const FoundNumbers& found) {
                 .title = phrase("Figures", "Response times by condition"),
                 .shape = FigureShape::rows};
   if (means.empty()) {
-    figure.instead = phrase("Figures", "No response has a time.");
+    figure.instead = phrase("Figures", "No trial has a stored response time.");
     return figure;
   }
   const auto singles = singles_by_condition(found.all("subject.geomean"));

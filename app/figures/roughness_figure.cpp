@@ -54,7 +54,7 @@ Phrase roughness_note(const std::vector<FigureSeries>& means,
                 .with(percent)
           : phrase("Figures", "Filled symbols: geometric means of normalised estimates.");
   if (has_curves(means)) {
-    note = phrase("Figures", "%1 Curves: mean parabolas of the logarithms.").with(note);
+    note = phrase("Figures", "%1 Curves: mean parabolas of the log estimates.").with(note);
   }
   if (peaks.empty()) return note;
   return (has_any_interval(peaks)

@@ -49,8 +49,8 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
                          "clusters. Overlapping CIs are not a test of a difference.");
   } else if (is_over_participants) {
     figure.note = phrase("Figures",
-                         "Points are log-worths. There are no CIs, because all participants made "
-                         "the same choices or there are too few of them.");
+                         "Points are log-worths. There are no CIs, because there are too few "
+                         "participants or all of them made the same choices.");
   } else {
     figure.note = phrase("Figures",
                          "Points are log-worths with Firth's bias reduction, relative to the first "

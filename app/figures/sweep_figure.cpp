@@ -111,11 +111,11 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
   Figure figure{
       .name = "sweep",
       .title = sweep_title(sweep.order.varied),
-      .note =
-          phrase("Figures",
-                 "Filled symbols: strokes of the held tool. Small open symbols: strokes left out "
-                 "because of their status. Curves: parabolas fitted to the logarithms. Large open "
-                 "symbols: their peaks within the range, with 95 % Fieller intervals of the fit."),
+      .note = phrase(
+          "Figures",
+          "Filled symbols: strokes of the held tool. Small open symbols: strokes left out "
+          "because of their status. Curves: parabolas fitted on logarithmic axes. Large open "
+          "symbols: their peaks within the range, with 95 % Fieller intervals of the fit."),
       .x = {.name = phrase("Figures", "texture frequency"),
             .unit = "1/m",
             .scale = AxisScale::log10},

@@ -140,7 +140,7 @@ TEST(ReliabilityOfSelections, HasAStatusWithoutATarget) {
   EXPECT_EQ(asked(outcome), nullptr);
   const Finding& none = reliability_in(outcome, "icc", "");
   EXPECT_FALSE(none.value);
-  EXPECT_EQ(none.status, "the protocol declares no target whose choices could be compared");
+  EXPECT_EQ(none.status, "the protocol declares no target");
 }
 
 /// Estimates of two surfaces in repetitions from 1 on, as logarithms.

@@ -65,7 +65,7 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
   if (means.empty()) return {};
   constexpr int kDecimals = 2;
   return {.text = (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
-                  " of the log estimates over the log spacing (exponent of a power function) " +
+                  " of log estimate on log spacing (exponent of a power function) " +
                   (means.size() == 1 ? "was " : "were ") +
                   all_estimates(means, "all",
                                 [](double value) { return reading_signed(value, kDecimals); }) +

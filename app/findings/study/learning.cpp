@@ -134,7 +134,7 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
   if (!has_cells(changes, "change_low")) return note;
   add(phrase(
       "Analysis",
-      "95 % CI: t-based over participants, of times on the logarithmic scale; in simulations "
+      "95 % CI: t-based over participants, for times on the logarithmic scale; in simulations "
       "with 2 to 20 participants it contained the true value in at least 93 % of the "
       "studies."));
   const bool has_cut =
@@ -161,10 +161,11 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
                            : phrase("Analysis", "Proportions refer to correct responses."));
   }
   if (has_cells(course, "share_low")) {
-    add(phrase("Analysis",
-               "95 % CI: t-based over participants, of times on the logarithmic and of proportions "
-               "on the logit scale; in simulations with 2 to 20 participants and proportions of 5 "
-               "to 98 % it contained the true mean in at least 91 % of the studies."));
+    add(phrase(
+        "Analysis",
+        "95 % CI: t-based over participants, for times on the logarithmic and for proportions on "
+        "the logit scale; in simulations with 2 to 20 participants and proportions of 5 "
+        "to 98 % it contained the true mean in at least 91 % of the studies."));
   } else if (has_cells(course, "time_s_low")) {
     add(phrase("Analysis", "95 % CI: t-based over participants, on the logarithmic scale."));
   }

@@ -72,12 +72,12 @@ Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
 Phrase method_of_effect(bool is_corrected, bool states_factor) {
   const Phrase anova = is_corrected
                            ? phrase("Analysis",
-                                    "Repeated-measures ANOVA of the logarithms, the degrees of "
+                                    "Repeated-measures ANOVA of the log estimates, the degrees of "
                                     "freedom corrected by Greenhouse–Geisser ε.")
-                           : phrase("Analysis", "Repeated-measures ANOVA of the logarithms.");
+                           : phrase("Analysis", "Repeated-measures ANOVA of the log estimates.");
   if (!states_factor) return anova;
   return phrase("Analysis",
-                "%1 Roughness ratios are computed from the participants' mean logarithms; the "
+                "%1 Roughness ratios are computed from the participants' mean log estimates; the "
                 "ratio of two levels has a t-based CI, the ratio of the extremes of several levels "
                 "has none.")
       .with(anova);
@@ -92,10 +92,10 @@ const char* p_of(const FoundNumbers& found, const std::string& effect) {
 void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
   NamedTable table{
       kAnova,
-      phrase("Analysis", "Analysis of variance of the logarithms"),
+      phrase("Analysis", "Repeated-measures ANOVA of the log estimates"),
       {{"effect", "df1", "df2", "F", "epsilon", "p", "partial_eta_squared"}, {}},
       phrase("Analysis",
-             "Each participant has a value in every cell; replicates are averaged. p: "
+             "Each participant has a value in every cell; repetitions are averaged. p: "
              "Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.")};
   for (const auto& [name, effect] : kEffects) {
     const Finding* p = found.find(p_of(found, effect), effect);

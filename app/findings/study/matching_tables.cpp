@@ -59,7 +59,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
                              found.cell("prop.correct"), 1.0 / static_cast<double>(items),
                              share("relabel.null.lower"), share("relabel.null.upper"), p});
   finding.value = found.value("prop.correct");
-  finding.method = "correctly matched items of all items; chance level 1/" + std::to_string(items);
+  finding.method = "proportion of correctly matched items; chance level 1/" + std::to_string(items);
   outcome.findings.push_back(finding);
   finding.quantity = "p";
   finding.value = p;

@@ -257,7 +257,9 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };
   if (found.find("model.order") != nullptr) {
-    add(phrase("Analysis", "Order effect: the log odds that being presented first adds."));
+    add(phrase("Analysis",
+               "Order effect: increase in the log odds of being chosen for the item presented "
+               "first."));
   }
   if (found.find("model.tie") != nullptr) {
     add(phrase(

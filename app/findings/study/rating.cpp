@@ -189,11 +189,12 @@ void add_components(const std::vector<RatedScale>& scales, AnalysisOutcome& outc
       kComponents,
       phrase("Analysis", "Principal components of the scales"),
       {{"component", "eigenvalue", "proportion", "limit", "retained"}, {}},
-      phrase("Analysis",
-             "The components are those of the correlations of the scales over the items' mean "
-             "ratings. A component is retained if its eigenvalue, and those of all before it, "
-             "exceed the limit: the 95th percentile of the eigenvalues of tables of random "
-             "numbers of the same size (parallel analysis).")};
+      phrase(
+          "Analysis",
+          "The components are those of the correlations of the scales over the items' mean "
+          "ratings. A component is retained if its eigenvalue and those of all components before "
+          "it exceed the limit: the 95th percentile of the eigenvalues of tables of random "
+          "numbers of the same size (parallel analysis).")};
   const double retained = found.value("retained").value_or(0.0);
   for (const Finding* const eigenvalue : eigenvalues) {
     const auto number = static_cast<double>(components.table.rows.size() + 1);
@@ -225,8 +226,8 @@ NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<Ra
                    phrase("Analysis", "The scales"),
                    {{"scale", "minimum", "low_label", "maximum", "high_label", "points"}, {}},
                    phrase("Analysis",
-                          "The ends of each scale as numbers and as labelled for participants; "
-                          "without points it is a line.")};
+                          "The ends of each scale as numbers and as labelled for participants; a "
+                          "scale without points is a continuous line.")};
   // Whole numbers are displayed without decimals.
   const auto whole_cell = [](const std::optional<double>& number) {
     return number && std::floor(*number) == *number
@@ -364,9 +365,9 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       phrase("Analysis", "Cumulative link model of the ratings on each scale"),
       {{"scale", "item", "reference", "log_odds", "log_odds_low", "log_odds_high", "z", "p"}, {}},
       phrase("Analysis",
-             "Log odds ratio of a higher rating than that of the reference, with Wald 95 % CIs: "
+             "Log odds ratio of a higher rating, relative to the reference, with Wald 95 % CIs: "
              "proportional odds, items as fixed effects, participants as random intercepts. "
-             "Every response counts. The p values are not corrected.")};
+             "Every response counts. The p values are uncorrected.")};
   StudyTests tests(gathered);
   std::vector<std::pair<const RatedScale*, std::vector<Finding>>> all{};
   for (const RatedScale& scale : scales) {

@@ -119,7 +119,7 @@ Phrase note_on_times(const Table& times, std::size_t untimed, std::size_t trials
   Phrase note = phrase(
       "Analysis",
       "Response times are measured from the cue (the first question after the last surface) to the "
-      "response and include any surface that is presented again. Geometric means over "
+      "response and include repeated presentations. Geometric means over "
       "participants of each participant's geometric mean.");
   if (has_cells(times, "time_s_low")) {
     note = phrase("Analysis",

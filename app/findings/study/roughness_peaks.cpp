@@ -50,7 +50,7 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
        {}},
       phrase(
           "Analysis",
-          "Parabolas of the logarithms over the logarithm of the spacing, one per participant; "
+          "Parabolas of log estimate on log spacing, one per participant; "
           "the maximum is that of their mean, with CIs by the delta method and by Fieller's "
           "method. It is reported where the test for an interior maximum (Lind and Mehlum: the "
           "mean curve rises at the smallest and falls at the largest spacing, one-sided t tests "

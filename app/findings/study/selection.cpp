@@ -151,8 +151,8 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
     outcome.remarks.push_back(
         phrase("Analysis",
                "The models cannot be placed on a scale: one of them was always or never chosen "
-               "when it was presented, or was never presented with the others, so that the "
-               "best-fitting distance is not finite."));
+               "when it was presented, or was never presented with the others, so that its "
+               "distance has no finite estimate."));
     return;
   }
   const bool has_intervals =

@@ -22,8 +22,7 @@ void ask_target_choices(const Selection& selection, AnalysisOutcome& outcome) {
   const bool is_repeated = has_repetitions(selection.gathered);
   if (!selection.has_target()) {
     if (!is_repeated) return;
-    add_no_reliability("no_target",
-                       "the protocol declares no target whose choices could be compared", outcome);
+    add_no_reliability("no_target", "the protocol declares no target", outcome);
     return;
   }
   if (!selection.all_offered) {

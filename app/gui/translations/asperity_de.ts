@@ -284,8 +284,8 @@
         <translation>Die Position ist der Platz einer Oberfläche in der Reihenfolge der Darbietung, unabhängig von ihrem Modell. Wenn die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
     </message>
     <message>
-        <source>The models cannot be placed on a scale: one of them was always or never chosen when it was presented, or was never presented with the others, so that the best-fitting distance is not finite.</source>
-        <translation>Die Modelle lassen sich nicht auf einer Skala anordnen: Eines wurde immer oder nie gewählt, wenn es dargeboten wurde, oder nie zusammen mit den anderen dargeboten, sodass der am besten passende Abstand nicht endlich ist.</translation>
+        <source>The models cannot be placed on a scale: one of them was always or never chosen when it was presented, or was never presented with the others, so that its distance has no finite estimate.</source>
+        <translation>Die Modelle lassen sich nicht auf einer Skala anordnen: Eines wurde immer oder nie gewählt, wenn es dargeboten wurde, oder nie zusammen mit den anderen dargeboten, sodass es für seinen Abstand keine endliche Schätzung gibt.</translation>
     </message>
     <message>
         <source>The models on one scale</source>
@@ -472,11 +472,11 @@
         <translation>Verhältnis des Abstands beim ersten Maximum zu dem beim zweiten, mit denselben Versuchspersonen; Delta-Methode. p ist unkorrigiert.</translation>
     </message>
     <message>
-        <source>Analysis of variance of the logarithms</source>
-        <translation>Varianzanalyse der Logarithmen</translation>
+        <source>Repeated-measures ANOVA of the log estimates</source>
+        <translation>Varianzanalyse der logarithmierten Schätzungen mit Messwiederholung</translation>
     </message>
     <message>
-        <source>Each participant has a value in every cell; replicates are averaged. p: Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.</source>
+        <source>Each participant has a value in every cell; repetitions are averaged. p: Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.</source>
         <translation>Jede Versuchsperson hat einen Wert in jeder Zelle; Wiederholungen sind gemittelt. p: Greenhouse-Geisser-korrigiert, wenn ein Effekt mehr als einen Freiheitsgrad hat.</translation>
     </message>
     <message>
@@ -752,8 +752,8 @@
         <translation>Konfusionsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
     </message>
     <message>
-        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller&apos;s method. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t tests over participants, the larger p) has p &lt; .05. R²: fit of the mean parabola to the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
-        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das der mittleren Parabel, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es ist angegeben, wenn der Test auf ein inneres Maximum (Lind und Mehlum: Die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand; einseitiger t-Test über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: Anpassung der mittleren Parabel an die Zellmittel. „Fallend“, „umgekehrtes U“ und „andere“: Anzahlen der individuellen Kurven der Versuchspersonen.</translation>
+        <source>Parabolas of log estimate on log spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller&apos;s method. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t tests over participants, the larger p) has p &lt; .05. R²: fit of the mean parabola to the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
+        <translation>Parabeln der logarithmierten Schätzungen über dem logarithmierten Abstand, eine je Versuchsperson; das Maximum ist das der mittleren Parabel, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es ist angegeben, wenn der Test auf ein inneres Maximum (Lind und Mehlum: Die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand; einseitiger t-Test über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: Anpassung der mittleren Parabel an die Zellmittel. „Fallend“, „umgekehrtes U“ und „andere“: Anzahlen der individuellen Kurven der Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1 without a significant interior maximum (%2)</source>
@@ -1020,16 +1020,16 @@
         <translation>Das 90-%-Konfidenzintervall liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Repeated-measures ANOVA of the logarithms, the degrees of freedom corrected by Greenhouse–Geisser ε.</source>
-        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, die Freiheitsgrade mit ε nach Greenhouse und Geisser korrigiert.</translation>
+        <source>Repeated-measures ANOVA of the log estimates, the degrees of freedom corrected by Greenhouse–Geisser ε.</source>
+        <translation>Varianzanalyse der logarithmierten Schätzungen mit Messwiederholung, die Freiheitsgrade mit ε nach Greenhouse und Geisser korrigiert.</translation>
     </message>
     <message>
-        <source>Repeated-measures ANOVA of the logarithms.</source>
-        <translation>Varianzanalyse der Logarithmen mit Messwiederholung.</translation>
+        <source>Repeated-measures ANOVA of the log estimates.</source>
+        <translation>Varianzanalyse der logarithmierten Schätzungen mit Messwiederholung.</translation>
     </message>
     <message>
-        <source>%1 Roughness ratios are computed from the participants&apos; mean logarithms; the ratio of two levels has a t-based CI, the ratio of the extremes of several levels has none.</source>
-        <translation>%1 Verhältnisse der Rauheit sind aus den mittleren Logarithmen der Versuchspersonen berechnet; das Verhältnis zweier Stufen hat ein t-basiertes Konfidenzintervall, das der Extreme mehrerer Stufen hat keines.</translation>
+        <source>%1 Roughness ratios are computed from the participants&apos; mean log estimates; the ratio of two levels has a t-based CI, the ratio of the extremes of several levels has none.</source>
+        <translation>%1 Verhältnisse der Rauheit sind aus den Mittelwerten der logarithmierten Schätzungen der Versuchspersonen berechnet; das Verhältnis zweier Stufen hat ein t-basiertes Konfidenzintervall, das der Extreme mehrerer Stufen hat keines.</translation>
     </message>
     <message>
         <source>Similarities, MDS configuration and dendrogram rest on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
@@ -1077,7 +1077,7 @@
     </message>
     <message>
         <source>Ratio per 10 trials: from each participant&apos;s least-squares regression of log response time on trial number.</source>
-        <translation>Verhältnis je 10 Durchgänge: aus der linearen Regression der logarithmierten Antwortzeit auf die Nummer des Durchgangs bei jeder Versuchsperson.</translation>
+        <translation>Verhältnis je 10 Durchgänge: aus der linearen Regression der logarithmierten Reaktionszeit auf die Nummer des Durchgangs bei jeder Versuchsperson.</translation>
     </message>
     <message>
         <source>Proportions: second minus first half.</source>
@@ -1136,8 +1136,8 @@
         <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „kann es nicht sagen“ geben kein Bild an und sind hier weggelassen; in der Tabelle der Anteile zählen sie als falsch.</translation>
     </message>
     <message>
-        <source>Response times are measured from the cue (the first question after the last surface) to the response and include any surface that is presented again. Geometric means over participants of each participant&apos;s geometric mean.</source>
-        <translation>Reaktionszeiten werden vom Signal (der ersten Frage nach der letzten Oberfläche) bis zur Antwort gemessen, einschließlich erneut dargebotener Oberflächen. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson.</translation>
+        <source>Response times are measured from the cue (the first question after the last surface) to the response and include repeated presentations. Geometric means over participants of each participant&apos;s geometric mean.</source>
+        <translation>Reaktionszeiten werden vom Signal (der ersten Frage nach der letzten Oberfläche) bis zur Antwort gemessen, einschließlich wiederholter Darbietungen. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson.</translation>
     </message>
     <message>
         <source>%1 Equal choice probabilities are tested by a within-participant permutation test: the models are exchanged within each participant&apos;s choices, so that the test is valid however the choices of a participant depend on each other.</source>
@@ -1192,11 +1192,11 @@
         <translation>%1 95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
     </message>
     <message>
-        <source>95 % CI: t-based over participants, of times on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 93 % of the studies.</source>
+        <source>95 % CI: t-based over participants, for times on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 93 % of the studies.</source>
         <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 93 % der Studien.</translation>
     </message>
     <message>
-        <source>95 % CI: t-based over participants, of times on the logarithmic and of proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 % it contained the true mean in at least 91 % of the studies.</source>
+        <source>95 % CI: t-based over participants, for times on the logarithmic and for proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 % it contained the true mean in at least 91 % of the studies.</source>
         <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
     </message>
     <message>
@@ -1332,7 +1332,7 @@
         <translation>Hauptkomponenten der Skalen</translation>
     </message>
     <message>
-        <source>The components are those of the correlations of the scales over the items&apos; mean ratings. A component is retained if its eigenvalue, and those of all before it, exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis).</source>
+        <source>The components are those of the correlations of the scales over the items&apos; mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis).</source>
         <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Urteile der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller vorhergehenden über der Grenze liegen: dem 95. Perzentil der Eigenwerte gleich großer Tabellen aus Zufallszahlen (Parallelanalyse).</translation>
     </message>
     <message>
@@ -1392,7 +1392,7 @@
         <translation>Kumulatives Link-Modell der Urteile auf jeder Skala</translation>
     </message>
     <message>
-        <source>Log odds ratio of a higher rating than that of the reference, with Wald 95 % CIs: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. The p values are not corrected.</source>
+        <source>Log odds ratio of a higher rating, relative to the reference, with Wald 95 % CIs: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. The p values are uncorrected.</source>
         <translation>Logarithmiertes Chancenverhältnis eines höheren Urteils gegenüber der Referenz, mit 95-%-Konfidenzintervallen nach Wald: proportionale Chancen, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind unkorrigiert.</translation>
     </message>
     <message>
@@ -1524,7 +1524,7 @@
         <translation>Bradley-Terry-Modell</translation>
     </message>
     <message>
-        <source>%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: the log odds that being presented first adds. Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. All responses are taken as independent, although those of one participant may not be: the p values are approximate.</source>
+        <source>%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: increase in the log odds of being chosen for the item presented first. Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. All responses are taken as independent, although those of one participant may not be: the p values are approximate.</source>
         <translation>%1, Maximum-Likelihood-Schätzung (Davidson und Beaver 1977). Reihenfolgeeffekt: Vorteil der zuerst dargebotenen Oberfläche in logarithmierten Odds. Gleichstände: ln ν, wobei ν die Odds eines Gleichstands zwischen gleichen Items gegenüber der Wahl eines von ihnen sind. 95-%-KI nach Wald; Likelihood-Quotienten-Tests. Alle Antworten gelten als unabhängig, obwohl die einer Versuchsperson abhängig sein können: Die p-Werte sind Näherungen.</translation>
     </message>
     <message>
@@ -1540,8 +1540,8 @@
         <translation>Die Skalen</translation>
     </message>
     <message>
-        <source>The ends of each scale as numbers and as labelled for participants; without points it is a line.</source>
-        <translation>Die Enden jeder Skala als Zahlen und mit den Beschriftungen, die die Versuchspersonen sehen; ohne Stufen ist sie eine Linie.</translation>
+        <source>The ends of each scale as numbers and as labelled for participants; a scale without points is a continuous line.</source>
+        <translation>Die Enden jeder Skala als Zahlen und mit den Beschriftungen, die die Versuchspersonen sehen; eine Skala ohne Stufen ist eine durchgehende Linie.</translation>
     </message>
     <message>
         <source>Participants who did not compare every pair equally often are left out of the test of the preference</source>
@@ -2864,8 +2864,8 @@
         <translation>Geschätzte Rauheit nach Abstand</translation>
     </message>
     <message>
-        <source>%1 Curves: mean parabolas of the logarithms.</source>
-        <translation>%1 Kurven: mittlere Parabeln der Logarithmen.</translation>
+        <source>%1 Curves: mean parabolas of the log estimates.</source>
+        <translation>%1 Kurven: mittlere Parabeln der logarithmierten Schätzungen.</translation>
     </message>
     <message>
         <source>probe %1</source>
@@ -2940,11 +2940,11 @@
         <translation>kein Unterschied</translation>
     </message>
     <message>
-        <source>Scores by item</source>
+        <source>Ratings by item</source>
         <translation>Bewertungen je Item</translation>
     </message>
     <message>
-        <source>Points are means over the participants who rated every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the scores.</source>
+        <source>Points are means over the participants who rated every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.</source>
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
@@ -2996,7 +2996,7 @@
         <translation>Zuordnung, Mallows’ Modell</translation>
     </message>
     <message>
-        <source>paired t</source>
+        <source>paired t test</source>
         <translation>gepaarter t-Test</translation>
     </message>
     <message>
@@ -3100,8 +3100,8 @@
         <translation>Leistung relativ zur Schwelle</translation>
     </message>
     <message>
-        <source>Filled symbols: strokes of the held tool. Small open symbols: strokes left out because of their status. Curves: parabolas fitted to the logarithms. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
-        <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs. Kleine offene Zeichen: Striche, die wegen ihres Status ausgeschlossen sind. Kurven: Parabeln der Logarithmen. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
+        <source>Filled symbols: strokes of the held tool. Small open symbols: strokes left out because of their status. Curves: parabolas fitted on logarithmic axes. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
+        <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs. Kleine offene Zeichen: Striche, die wegen ihres Status ausgeschlossen sind. Kurven: auf logarithmischen Achsen angepasste Parabeln. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
         <source>%1 (no effect by construction)</source>
@@ -3252,8 +3252,8 @@
         <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu schmal sind, wenn eine Versuchsperson mehrmals gewählt hat. Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
     </message>
     <message>
-        <source>Proportions of the trials with that texture, with Wilson 95 % CIs; the rows of one trial depend on each other.</source>
-        <translation>Anteile an den Durchgängen mit dieser Textur und ihre 95-%-KI nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
+        <source>Proportions of the trials with that texture, with Wilson 95 % CIs; the rows are not independent of each other.</source>
+        <translation>Anteile an den Durchgängen mit dieser Textur und ihre 95-%-KI nach Wilson; die Zeilen sind nicht unabhängig voneinander.</translation>
     </message>
     <message>
         <source>Circles are proportions of the trials with that stimulus, with Wilson 95 % CIs that treat trials as independent. The square is the mean of the participants&apos; own proportions with a t-based 95 % CI on the logit scale.</source>
@@ -3276,12 +3276,12 @@
         <translation>%1 − %2 mit %3-%-KI</translation>
     </message>
     <message>
-        <source>score, mean with its %1 % CI</source>
+        <source>rating, mean with its %1 % CI</source>
         <translation>Bewertung, Mittelwert mit %1-%-KI</translation>
     </message>
     <message>
-        <source>χ² against equal proportions</source>
-        <translation>χ² gegen gleiche Anteile</translation>
+        <source>χ² test of equal proportions</source>
+        <translation>χ²-Test auf gleiche Anteile</translation>
     </message>
     <message>
         <source>proportion correct at a d′</source>
@@ -3304,8 +3304,8 @@
         <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm berechnen ließe.</translation>
     </message>
     <message>
-        <source>Points are log-worths. There are no CIs, because all participants made the same choices or there are too few of them.</source>
-        <translation>Punkte sind Log-Nutzwerte. Konfidenzintervalle gibt es nicht, weil alle Versuchspersonen dieselbe Kurve haben oder zu wenige sind.</translation>
+        <source>Points are log-worths. There are no CIs, because there are too few participants or all of them made the same choices.</source>
+        <translation>Punkte sind Log-Nutzwerte. Konfidenzintervalle gibt es nicht, weil es zu wenige Versuchspersonen sind oder alle dieselben Wahlen getroffen haben.</translation>
     </message>
     <message>
         <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no CIs over participants.</source>
@@ -3368,8 +3368,8 @@
         <translation>Reaktionszeiten nach Bedingung</translation>
     </message>
     <message>
-        <source>No response has a time.</source>
-        <translation>Keine Antwort hat eine Zeit.</translation>
+        <source>No trial has a stored response time.</source>
+        <translation>Für keinen Durchgang ist eine Reaktionszeit gespeichert.</translation>
     </message>
     <message>
         <source>response time, with its %1 % CI</source>
