@@ -489,7 +489,7 @@ std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
   std::vector<Figure> figures{};
   const Phrase note = phrase("Figures",
                              "Proportions with Wilson 95 % CIs, one choice per participant and "
-                             "experiment; all experiments together are treated as independent.");
+                             "experiment; choices in all experiments are treated as independent.");
   figures.push_back({.name = "table_1",
                      .title = phrase("Figures", "Choices of the most realistic rendering"),
                      .note = note});

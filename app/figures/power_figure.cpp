@@ -34,11 +34,11 @@ Phrase words_of_kind(const std::string& kind) {
       {"binom_two", phrase("Figures", "exact binomial test, two-sided")},
       {"chisq_uniform_exact", phrase("Figures", "χ² test of equal proportions")},
       {"fisher_two", phrase("Figures", "Fisher's exact test")},
-      {"mafc_dprime", phrase("Figures", "proportion correct at a d′")},
+      {"mafc_dprime", phrase("Figures", "proportion correct for a given d′")},
       {"matching_known", phrase("Figures", "matching, some items known")},
       {"matching_mallows", phrase("Figures", "matching, Mallows' model")},
       {"paired_t", phrase("Figures", "paired t test")},
-      {"rm_anova", phrase("Figures", "one factor within participants")}};
+      {"rm_anova", phrase("Figures", "repeated-measures ANOVA")}};
   const auto found = kWords.find(kind);
   return found == kWords.end() ? Phrase(kind) : found->second;
 }

@@ -983,7 +983,7 @@ TEST(Recognition, StatesThatResponsesAreCorrectLessOftenThanByChance) {
     made.add_session(person(i), protocol, trials);
   }
   EXPECT_THAT(question_of(analyze_study(made.study()).front(), "right").answer.english(),
-              testing::StartsWith("No, less often than by chance: on average 1 %"));
+              testing::StartsWith("No, significantly below chance: on average 1 %"));
 }
 
 // Three participants keep one assignment each through six trials: everything right, one right, nothing right. Of one

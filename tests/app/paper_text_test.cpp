@@ -307,12 +307,13 @@ TEST(PaperText, NamesFactorsLevelsAndTheTask) {
   made.add_session("p1", made.add_protocol("tools_matching", "matching", std::string(tools->text)),
                    {trial, trial});
   const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
-  EXPECT_THAT(methods,
-              HasSubstr(" The factor was file (fine, medium and coarse). In each trial, three "
-                        "stimuli were presented, one for each level of file, and each was to "
-                        "be assigned to one of as many pictures. The question was “Which "
-                        "picture belongs to which tool?” A session was planned with 2 "
-                        "experimental trials. Trials were presented in "));
+  EXPECT_THAT(
+      methods,
+      HasSubstr(" The factor was file (fine, medium and coarse). In each trial, three "
+                "stimuli were presented, one for each level of file, and each was to "
+                "be assigned to one of an equal number of pictures. The question was “Which "
+                "picture belongs to which tool?” A session was planned with 2 "
+                "experimental trials. Trials were presented in "));
   EXPECT_THAT(methods, HasSubstr(" 12 repetitions"));
   EXPECT_THAT(methods, HasSubstr("; attempts outside these limits were "));
   EXPECT_THAT(methods, HasSubstr(" An attempt at a trial was invalid if more than "));

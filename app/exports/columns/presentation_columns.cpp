@@ -103,7 +103,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                        numeric ? parameter.unit.value_or(unit_at_end_of(name).value_or("1")) : "",
                        meaning + "parameter of the force model as rendered; models: " + of,
                        [name = name](const Place& at) { return member_of(at.parameters, name); }));
-    made.source = parameter.meanings.empty() ? "what was rendered" : "force model";
+    made.source = parameter.meanings.empty() ? "parameters as rendered" : "force model";
     made.minimum = parameter.minimum;
     made.maximum = parameter.maximum;
     made.levels.assign(parameter.levels.begin(), parameter.levels.end());

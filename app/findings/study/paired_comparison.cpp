@@ -100,7 +100,7 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
                    phrase("Analysis", "Choices of each item in the comparisons with another one"),
                    phrase("Analysis",
                           "Ties are left out. The chance level is 1/2. p: exact binomial test, "
-                          "two-sided, uncorrected, all responses taken as independent."),
+                          "two-sided, uncorrected, all responses treated as independent."),
                    {"item", "against"},
                    "chosen",
                    "share_of_pair",
@@ -250,7 +250,7 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
   Phrase note =
       phrase("Analysis",
              "%1, by maximum likelihood (Davidson and Beaver 1977), with Wald 95 % CIs and "
-             "likelihood-ratio tests. All responses are taken as independent, although "
+             "likelihood-ratio tests. All responses are treated as independent, although "
              "those of one participant may not be: the p values are approximate.")
           .with(model_name(found));
   const auto add = [&note](const Phrase& sentence) {
@@ -419,7 +419,7 @@ void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcom
       phrase(
           "Analysis",
           "Likelihood-ratio test against a separate probability of each outcome for every pair, "
-          "and for either order where the model has an order effect; all responses are taken as "
+          "and for either order where the model has an order effect; all responses are treated as "
           "independent. Exploratory. The smallest expected count is %1; below about 5 the p value "
           "is only approximate.")
           .with(reading_number(found.value("model.fit.smallest_expected").value_or(0.0))),

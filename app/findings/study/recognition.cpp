@@ -123,7 +123,7 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
       : *mean->value < level
           ? with_numbers(
                 phrase("Analysis",
-                       "No, less often than by chance: on average %1 of a participant's responses "
+                       "No, significantly below chance: on average %1 of a participant's responses "
                        "were correct (%2), compared with a chance level of %3; %4."))
       : holds_in_interval(*mean, level)
           ? with_numbers(

@@ -282,7 +282,7 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
        {}},
       phrase("Analysis",
              "Equal RMS does not mean equal perceived intensity, which also depends on frequency. "
-             "The force achieved depends on how the device was pressed and moved.")};
+             "The force achieved depends on how the participant pressed and moved the handle.")};
   for (const auto& [model, forces] : gathered.forces) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.insert(cells.end(), {model, count_cell(forces.surfaces)});
@@ -320,13 +320,13 @@ void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome
       persons == 1
           ? phrase("Analysis",
                    "Proportions of all responses pool several trials of one participant (%1 in "
-                   "total). They need not be independent: the CIs of these proportions may be too "
-                   "narrow, and their p values too small.")
+                   "total). The trials need not be independent: the CIs of these proportions may "
+                   "be too narrow, and their p values too small.")
           : phrase("Analysis",
                    "Proportions of all responses pool several trials of the same participants (%1 "
-                   "trials of %2 participants in total). They need not be independent: the CIs of "
-                   "these proportions may be too narrow, and their p values too small. For means "
-                   "over the participants, the participant is the unit of analysis.");
+                   "trials of %2 participants in total). The trials need not be independent: the "
+                   "CIs of these proportions may be too narrow, and their p values too small. For "
+                   "means over the participants, the participant is the unit of analysis.");
   outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
 }
 

@@ -117,7 +117,8 @@ void within(const Scenario& plan, double error, PowerList& list) {
                                           .epsilon = plan.number("eps"),
                                           .error = error});
   list.number("lambda", power.noncentrality, "f²·n·K·ε/(1 − ρ)");
-  list.number("power", power.power, "one factor within participants, noncentral F distribution");
+  list.number("power", power.power,
+              "repeated-measures ANOVA of one factor, noncentral F distribution");
 }
 
 void forced_choice(const Scenario& plan, double error, PowerList& list) {

@@ -168,8 +168,8 @@
         <translation>%1: %2.</translation>
     </message>
     <message>
-        <source>Equal RMS does not mean equal perceived intensity, which also depends on frequency. The force achieved depends on how the device was pressed and moved.</source>
-        <translation>Gleiche Effektivwerte bedeuten nicht gleiche wahrgenommene Stärke; diese hängt auch von der Frequenz ab. Die erreichte Kraft hängt davon ab, wie das Gerät gedrückt und bewegt wurde.</translation>
+        <source>Equal RMS does not mean equal perceived intensity, which also depends on frequency. The force achieved depends on how the participant pressed and moved the handle.</source>
+        <translation>Gleiche Effektivwerte bedeuten nicht gleiche wahrgenommene Stärke; diese hängt auch von der Frequenz ab. Die erreichte Kraft hängt davon ab, wie die Versuchsperson den Griff gedrückt und bewegt hat.</translation>
     </message>
     <message>
         <source>These files declare different tests: no test counts as declared before data collection.</source>
@@ -1040,12 +1040,12 @@
         <translation>Bei nur einer Versuchsperson gibt es kein Konfidenzintervall.</translation>
     </message>
     <message>
-        <source>Proportions of all responses pool several trials of one participant (%1 in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small.</source>
-        <translation>Anteile an allen Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein.</translation>
+        <source>Proportions of all responses pool several trials of one participant (%1 in total). The trials need not be independent: the CIs of these proportions may be too narrow, and their p values too small.</source>
+        <translation>Anteile an allen Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Die Durchgänge sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein.</translation>
     </message>
     <message>
-        <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small. For means over the participants, the participant is the unit of analysis.</source>
-        <translation>Anteile an allen Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein. Bei Mittelwerten über die Versuchspersonen ist die Versuchsperson die Analyseeinheit.</translation>
+        <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). The trials need not be independent: the CIs of these proportions may be too narrow, and their p values too small. For means over the participants, the participant is the unit of analysis.</source>
+        <translation>Anteile an allen Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Die Durchgänge sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein. Bei Mittelwerten über die Versuchspersonen ist die Versuchsperson die Analyseeinheit.</translation>
     </message>
     <message>
         <source>%1 (N = %2)</source>
@@ -1236,8 +1236,8 @@
         <translation>Nicht gesichert: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
-        <source>No, less often than by chance: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
-        <translation>Nein, seltener als beim Raten: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
+        <source>No, significantly below chance: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
+        <translation>Nein, signifikant unter dem Zufallsniveau: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>Not established: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
@@ -1404,7 +1404,7 @@
         <translation>Wahlen jedes Items in den Vergleichen mit einem anderen</translation>
     </message>
     <message>
-        <source>Ties are left out. The chance level is 1/2. p: exact binomial test, two-sided, uncorrected, all responses taken as independent.</source>
+        <source>Ties are left out. The chance level is 1/2. p: exact binomial test, two-sided, uncorrected, all responses treated as independent.</source>
         <translation>Ohne Gleichstände. Das Zufallsniveau ist 1/2. p: exakter Binomialtest, zweiseitig, unkorrigiert; alle Antworten gelten als unabhängig.</translation>
     </message>
     <message>
@@ -1524,7 +1524,7 @@
         <translation>Bradley-Terry-Modell</translation>
     </message>
     <message>
-        <source>%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: increase in the log odds of being chosen for the item presented first. Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. All responses are taken as independent, although those of one participant may not be: the p values are approximate.</source>
+        <source>%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: increase in the log odds of being chosen for the item presented first. Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. All responses are treated as independent, although those of one participant may not be: the p values are approximate.</source>
         <translation>%1, Maximum-Likelihood-Schätzung (Davidson und Beaver 1977). Reihenfolgeeffekt: Vorteil der zuerst dargebotenen Oberfläche in logarithmierten Odds. Gleichstände: ln ν, wobei ν die Odds eines Gleichstands zwischen gleichen Items gegenüber der Wahl eines von ihnen sind. 95-%-KI nach Wald; Likelihood-Quotienten-Tests. Alle Antworten gelten als unabhängig, obwohl die einer Versuchsperson abhängig sein können: Die p-Werte sind Näherungen.</translation>
     </message>
     <message>
@@ -3000,8 +3000,8 @@
         <translation>gepaarter t-Test</translation>
     </message>
     <message>
-        <source>one factor within participants</source>
-        <translation>ein Faktor innerhalb der Versuchspersonen</translation>
+        <source>repeated-measures ANOVA</source>
+        <translation>Varianzanalyse mit Messwiederholung</translation>
     </message>
     <message>
         <source>%1 = %2</source>
@@ -3260,8 +3260,8 @@
         <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz, Balken ihre 95-%-KI nach Wilson, die die Durchgänge als unabhängig behandeln. Das Quadrat ist der Mittelwert der individuellen Anteile der Versuchspersonen mit t-basiertem 95-%-KI auf der Logit-Skala.</translation>
     </message>
     <message>
-        <source>Proportions with Wilson 95 % CIs, one choice per participant and experiment; all experiments together are treated as independent.</source>
-        <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; alle Experimente zusammen werden als unabhängig behandelt.</translation>
+        <source>Proportions with Wilson 95 % CIs, one choice per participant and experiment; choices in all experiments are treated as independent.</source>
+        <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; die Wahlen in allen Experimenten werden als unabhängig behandelt.</translation>
     </message>
     <message>
         <source>The bar is Welch&apos;s %1 % CI of the difference of the participants&apos; means; the permutation test of group labels makes fewer assumptions.</source>
@@ -3284,8 +3284,8 @@
         <translation>χ²-Test auf gleiche Anteile</translation>
     </message>
     <message>
-        <source>proportion correct at a d′</source>
-        <translation>Anteil richtiger Antworten bei einem d′</translation>
+        <source>proportion correct for a given d′</source>
+        <translation>Anteil richtiger Antworten bei gegebenem d′</translation>
     </message>
     <message>
         <source>Proportion correct by level</source>

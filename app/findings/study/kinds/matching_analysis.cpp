@@ -36,12 +36,11 @@ constexpr std::array kMatchingClaims{
 
 std::string task_of_matching(const Protocol&) {
   return "Task: in each trial, several textures are presented, and each is to be assigned to one "
-         "of "
-         "as many pictures.";
+         "of an equal number of pictures.";
 }
 
 std::string paper_task_of_matching(const Protocol&) {
-  return ", and each was to be assigned to one of as many pictures.";
+  return ", and each was to be assigned to one of an equal number of pictures.";
 }
 
 }  // namespace
