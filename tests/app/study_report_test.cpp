@@ -526,13 +526,15 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
   const std::string words = conditions();
   EXPECT_THAT(
       words,
-      HasSubstr("The protocol requests pink noise of 65 dB(A) at the ear to mask the sound of the "
-                "device. The program played masking noise in 2 of 6 sessions (level at the ear, as "
-                "measured in 1 of 6 sessions: 64.5 dB(A)). Masking noise came from another source "
-                "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
-                "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
-                "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; that version "
-                "of the program did not store it in terminal sessions, in which none was played."));
+      HasSubstr(
+          "The protocol requests pink noise of 65 dB(A) at the ear to mask the sound of the "
+          "device. The program played masking noise in 2 of 6 sessions (level at the ear, as "
+          "measured in 1 of 6 sessions: 64.5 dB(A)). Masking noise came from another source "
+          "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
+          "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
+          "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the version of the "
+          "program used then did not store it in terminal sessions, in which none was "
+          "played."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
@@ -594,10 +596,9 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
               HasSubstr("Session 1 of p1 began on falcon Novint Falcon, serial number 7, then was "
                         "resumed on mouse pointer of a window."));
   add_session(kFalcon, {began(), resumed()});
-  EXPECT_THAT(
-      conditions(),
-      HasSubstr("The device after resuming is not recorded in part of 1 of 2 sessions: that "
-                "version of the program stored only the first device."));
+  EXPECT_THAT(conditions(),
+              HasSubstr("The device after resuming is not recorded in part of 1 of 2 sessions: the "
+                        "version of the program used then stored only the first device."));
 }
 
 TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {

@@ -289,7 +289,7 @@ TEST(TestsOfAStudy, AreReadWithStatisticAndEffectInOneCellEach) {
       words_of_cell("method", row_of(pairs, "target_pairs", "new|old").text("method")).english(),
       "sign-flip (randomisation) test, exact");
   EXPECT_THAT(tests_of(of_pairs).note.english(),
-              HasSubstr("D: difference of the numbers of choices; d_z: Cohen’s d of paired"));
+              HasSubstr("D: difference in the number of choices; d_z: Cohen’s d of paired"));
 }
 
 // Two tests of .0625 at least are .125 in a family of two: neither can show anything.

@@ -54,7 +54,8 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
       HasSubstr("all estimates of Anna are 0"));
   EXPECT_EQ(family_refusal("psyfit", "condition,x,n,k\nc,0,10,1\nc,1,10,2\nc,2,10,5\n",
                            R"({"shape": "weibull", "gamma": 0, "lambda": 0, "pt": 0.5})"),
-            "t.csv:2:4: k is 1 at x 0, where a weibull with gamma 0 has no hits; set gamma to the "
+            "t.csv:2:4: k is 1 at x 0, where a Weibull function with gamma 0 has no hits; set "
+            "gamma to the "
             "rate of hits without a stimulus, or to free, or correct the row");
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\nA,q,2\n", kWithin),
               HasSubstr("t.csv:3:2: \"q\" is not a level of s"));
@@ -70,13 +71,13 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
 TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n",
                            R"({"items": ["a", "b"]})"),
-            "t.csv:4:2: A has already scored \"a\"; remove one of the rows: a participant "
-            "scores an item once");
+            "t.csv:4:2: A has already rated \"a\"; remove one of the rows: a participant "
+            "rates an item once");
   EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,\nA,b,2\nA,a,1\nA,b,\n",
                            R"({"items": ["a", "b"]})"),
             "")
       << "no score is none";
-  const std::string once = "; there must be one row per participant, who is in one group";
+  const std::string once = "; there must be one row per participant, with one group";
   EXPECT_EQ(
       family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
       "t.csv:4:1: \"A\" occurs a second time" + once);
@@ -120,7 +121,7 @@ TEST(TidyRefusals, TakeARepetitionWhoseNumberStandsTwiceForAReplicate) {
   EXPECT_EQ(
       replicates(once + "A,1,1.0,1,4\n"),
       "unequal: A has 2 values in the cell 1|1, while 3 of 4 cells have 1 value. The values of a "
-      "cell are averaged: check whether a row occurs twice, or names another participant or cell");
+      "cell are averaged: check whether a row occurs twice, or has the wrong participant or cell");
 }
 
 TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
@@ -410,7 +411,7 @@ TEST(TidyRefusals, SayThatAFixedLapseRateMovesTheThreshold) {
   EXPECT_THAT(family_refusal("psyfit", rows,
                              R"({"shape": "logistic", "gamma": 0, "lambda": 0, "pt": 0.5,
                                  "bootstrap": 2.5})"),
-              HasSubstr("\"bootstrap\" is 2.5; it must be a number of draws"));
+              HasSubstr("\"bootstrap\" is 2.5; it must be a whole number of draws"));
 }
 
 // A threshold outside the levels rests on the form of the function alone.
@@ -544,7 +545,7 @@ TEST(TidyFamilies, RefuseAnOptionThatTheyDoNotHaveAndSayWhichIsMeant) {
   };
   EXPECT_EQ(refusal("rating", "item"), "rating has no option \"item\"; did you mean \"items\"?");
   EXPECT_EQ(refusal("rating", "target"),
-            "rating has no option \"target\"; it has: items (all that were scored), conf");
+            "rating has no option \"target\"; it has: items (all that were rated), conf");
   EXPECT_EQ(refusal("power", "conf"), "power has no option \"conf\"; it takes none");
   EXPECT_EQ(refusal("rating", "items"), "");
 }

@@ -111,4 +111,4 @@ with tempfile.TemporaryDirectory() as folder:
     asperity("report", study, "--out", folder / "report.html")
     report = (folder / "report.html").read_text(encoding="utf-8")
     assert "four participants were withdrawn" in report and "no sessions yet" not in report, report[:3000]
-    assert "No data: all participants with sessions have withdrawn" in report and "No data yet" not in report, report[:3000]
+    assert "No data: all participants with sessions were withdrawn" in report and "No data yet" not in report, report[:3000]

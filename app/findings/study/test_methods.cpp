@@ -204,7 +204,7 @@ std::span<const TestMethod> test_methods() {
                  .name = phrase("TestMethods", "sign-flip (randomisation) test"),
                  .unit = kUnitOfParticipants,
                  .symbol = "D",
-                 .symbol_name = phrase("TestMethods", "difference of the numbers of choices"),
+                 .symbol_name = phrase("TestMethods", "difference in the number of choices"),
                  .statistic = "signflip.diff",
                  .draws = "signflip.draws",
                  .smallest = "signflip.smallest",

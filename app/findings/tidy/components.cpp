@@ -45,11 +45,16 @@ std::vector<Finding> components_findings(const TidyInput& input) {
     return findings.take();
   };
   if (rows < 3 || columns < 2) {
-    return refuse("too_few", "components require at least three items and two scales");
+    return refuse(
+        "too_few",
+        "principal components require at least three items and two scales: add items or scales");
   }
-  if (values.hasNaN()) return refuse("incomplete", "an item has no score on a scale");
+  if (values.hasNaN())
+    return refuse("incomplete",
+                  "an item has no score on a scale: each item needs a score on each scale");
   const std::optional<PrincipalComponents> found = principal_components(values);
-  if (!found) return refuse("no_variance", "all items have the same score on a scale");
+  if (!found)
+    return refuse("no_variance", "all items have the same score on a scale: leave this scale out");
   const ParallelAnalysis noise = parallel_analysis(found->eigenvalues, rows);
   const Basis limit{.n = n,
                     .method = "parallel analysis: 95th percentile of " +

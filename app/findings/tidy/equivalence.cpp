@@ -212,14 +212,14 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
   Basis basis{.n = comparison.n, .method = comparison.method};
   if (comparison.n == 0 || std::isnan(comparison.difference)) {
     findings.word("diff", "", "no_data",
-                  "a mean has no participants, so that no comparison is possible", basis);
+                  "a sample has no participants, so that no comparison is possible", basis);
     return findings.take();
   }
   if (!comparison.estimate) {
     findings.number("diff", "", comparison.difference, basis);
     findings.word("tost.p", "", "undefined_zero_variance",
-                  "the standard error of the difference is undefined: a mean is based on one "
-                  "participant, or the participants of each mean do not differ",
+                  "the standard error of the difference is undefined: a sample has one "
+                  "participant, or all participants of each sample have the same value",
                   basis);
     return findings.take();
   }

@@ -72,7 +72,7 @@ void add_mean_share(const std::string& quantity, const std::string& key,
                     const MeanShareQuestion& question, FindingList& findings) {
   Basis basis{.n = participants.size(),
               .method = method + "; t interval on the logit scale",
-              .undefined = "there is no participant with a proportion"};
+              .undefined = "there are no participants"};
   double mean = kUndefined;
   if (!participants.empty()) {
     std::vector<double> shares{};
@@ -89,7 +89,7 @@ bool add_geometric_mean(const std::string& quantity, const std::string& key,
                         FindingList& findings) {
   const GeometricMean mean = geometric_mean(of_participants, scale.confidence);
   Basis basis{.n = mean.n,
-              .method = scale.method + "; t interval of the mean logarithm",
+              .method = scale.method + "; t interval on the log scale",
               .unit = scale.unit,
               .interval = mean.interval};
   if (mean.interval) basis.confidence = scale.confidence;

@@ -129,13 +129,15 @@ ProblemWords crossed_problem_words(CrossedProblem problem) {
               "the intercepts of participants and items can predict every response, so that the "
               "likelihood has no maximum"};
     case CrossedProblem::no_participant_variance:
-      return {"no_participant_variance",
-              "the participants' standard deviation is estimated as 0: fit with the option "
-              "random=item"};
+      return {
+          "no_participant_variance",
+          "the standard deviation of the participants' intercepts is estimated as 0: fit with the "
+          "option random=item"};
     case CrossedProblem::no_item_variance:
       return {
           "no_item_variance",
-          "the items' standard deviation is estimated as 0: fit with the option random=subject"};
+          "the standard deviation of the items' intercepts is estimated as 0: fit with the option "
+          "random=subject"};
     case CrossedProblem::no_variance:
       return {"no_variance",
               "both standard deviations are estimated as 0: neither participants nor items differ "

@@ -37,7 +37,7 @@ Groups read_groups(const TidyInput& input) {
                              std::to_string(groups.names.size()));
   }
   const TidyTable& table = input.table();
-  refuse_repeated(table, "subject", "one row per participant, who is in one group");
+  refuse_repeated(table, "subject", "one row per participant, with one group");
   const LabelColumn subjects = table.labels("subject");
   const LabelColumn group = table.labels("group", groups.names);
   const std::vector<std::uint64_t> hits = table.counts("correct");
@@ -157,8 +157,8 @@ class GroupComparison final {
     effect(
         "or.haldane", haldane.odds_ratio,
         ConfidenceInterval{.low = haldane.odds_ratio / factor, .high = haldane.odds_ratio * factor},
-        "½ added to every cell; Wald interval of the logarithm" + independent);
-    number("or.haldane.selog", haldane.log_standard_error, "of the logarithm");
+        "½ added to every cell; Wald interval of the log odds ratio" + independent);
+    number("or.haldane.selog", haldane.log_standard_error, "standard error of the log odds ratio");
     const ShareDifference difference = newcombe_difference(table, confidence_);
     Basis newcombe = basis("first − second; Newcombe interval" + independent);
     newcombe.interval = difference.interval;
@@ -206,10 +206,11 @@ class GroupComparison final {
       effect("hedges.g", welch->g, bias_corrected(*welch, limits),
              "d corrected for bias, exact J; interval from the noncentral t distribution");
     } else {
-      list_.word("welch.t", "", "undefined_zero_variance",
-                 "a group has a single participant, or the participants of a group do not differ: "
-                 "t is undefined",
-                 basis("Welch's t over participants"));
+      list_.word(
+          "welch.t", "", "undefined_zero_variance",
+          "a group has a single participant, or all participants of each group have the same "
+          "proportion: t is undefined",
+          basis("Welch's t over participants"));
     }
     const SplitTest splits = permutation_test(samples);
     number("perm.p.two", splits.p,
@@ -218,7 +219,8 @@ class GroupComparison final {
     add_splits("perm", "", splits, groups_.participants.size(), list_);
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U,
-           "Mann–Whitney U: pairs of participants won, ties counted as half");
+           "Mann–Whitney U: pairs in which the participant of this group has the higher "
+           "proportion, ties counted as half");
     if (ranks.p_exact) {
       number("mannwhitney.exact.p.two", *ranks.p_exact,
              "exact Mann–Whitney U test with midranks, two-sided");
@@ -295,7 +297,7 @@ std::vector<Finding> group_findings(const TidyInput& input) {
     if ((i == 0 ? groups.first : groups.second).empty()) {
       FindingList list{};
       list.word("status", groups.names[i], "no_data",
-                "this group has no participants: there is nothing to compare with");
+                "this group has no participants: no comparison is possible");
       return list.take();
     }
   }

@@ -12,8 +12,8 @@ namespace asperity {
 namespace {
 
 struct RatedTargets {
-  Eigen::MatrixXd complete{};  ///< targets with a score from every rater × raters
-  std::size_t incomplete = 0;  ///< targets without a score from every rater
+  Eigen::MatrixXd complete{};  ///< targets rated by every rater × raters
+  std::size_t incomplete = 0;  ///< targets not rated by every rater
 };
 
 RatedTargets rated_targets(const TidyTable& table) {
@@ -76,13 +76,13 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
   const double confidence = input.options.confidence();
   const auto n = static_cast<std::size_t>(rated.complete.rows());
   FindingList findings{};
-  findings.count("n.targets", "", n, {.n = n, .method = "targets with a score from every rater"});
+  findings.count("n.targets", "", n, {.n = n, .method = "targets rated by every rater"});
   findings.count("n.raters", "", static_cast<std::uint64_t>(rated.complete.cols()),
                  {.n = n, .method = "raters, or repetitions"});
   if (rated.incomplete > 0) {
-    findings.count("n.incomplete", "", rated.incomplete,
-                   {.n = rated.incomplete,
-                    .method = "targets without a score from every rater, which are left out"});
+    findings.count(
+        "n.incomplete", "", rated.incomplete,
+        {.n = rated.incomplete, .method = "targets not rated by every rater, which are left out"});
   }
   const Basis basis{.n = n, .method = "intraclass correlation"};
   if (n < 2 || rated.complete.cols() < 2) {
@@ -94,8 +94,7 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
   const std::optional<Reliability> reliability = reliability_of(rated.complete, confidence);
   if (!reliability) {
     findings.word("icc", "", "undefined_zero_variance",
-                  "all targets have the same scores: there are no differences whose reliability "
-                  "could be estimated",
+                  "all targets have the same ratings, so that reliability cannot be estimated",
                   basis);
     return findings.take();
   }
@@ -110,8 +109,8 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
     findings.number("icc", key, one.value, shown);
     const Basis test{.n = n,
                      .method = "F test of " + method +
-                               " against 0; in simulations of proportions p was at most .05 in up "
-                               "to 7 % of the tables of participants who do not differ"};
+                               " against 0; in simulations of proportions without differences "
+                               "between participants p was at most .05 in up to 7 % of the tables"};
     findings.number("icc.F", key, one.F, test);
     findings.number("icc.df1", key, one.df1, test);
     findings.number("icc.df2", key, one.df2, test);

@@ -158,20 +158,20 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
     if (const std::optional<double> change = change_per_trials(own, ordered, logarithms)) {
       slopes.push_back(*change);
       add_single("subject.slope.ratio", name, *change,
-                 "exp(10·slope of ln t over the number of the trial) of a participant");
+                 "exp(10·slope of log response time on trial number) of a participant");
     }
     const auto by_block = rows_by_block(own, ordered, blocks);
     for (std::size_t block = 0; block < by_block.size(); ++block) {
       if (by_block[block].empty()) continue;
       of_blocks[block].push_back(geometric_mean_of(by_block[block], logarithms));
       add_single("subject.block", both(name, blocks.name(block)), of_blocks[block].back(),
-                 "geometric mean of a participant's times in a range of trials", "s");
+                 "geometric mean of a participant's response times in a range of trials", "s");
     }
   }
   FindingList findings{};
   findings.count("n.untimed", "",
                  static_cast<std::uint64_t>(std::count(is_timed.begin(), is_timed.end(), false)),
-                 {.n = ordered.participants.size(), .method = "responses without a time"});
+                 {.n = ordered.participants.size(), .method = "responses without a response time"});
   const auto add_time = [&](const char* quantity, const std::string& key,
                             const std::vector<double>& of, const char* method) {
     if (of.empty()) return;
@@ -185,15 +185,17 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
     const bool has_interval = add_geometric_mean(quantity, "", of, scale, findings);
     if (!has_interval) add_no_interval(quantity, "", of.size(), findings);
   };
-  add_time("half.first", "", first, "geometric mean time, first half of the trials");
-  add_time("half.second", "", second, "geometric mean time, second half of the trials");
-  add_ratio("half.ratio", ratios, "geometric mean of the ratios second over first half");
+  add_time("half.first", "", first, "geometric mean response time, first half of the trials");
+  add_time("half.second", "", second, "geometric mean response time, second half of the trials");
+  add_ratio(
+      "half.ratio", ratios,
+      "geometric mean of the participants' ratios of response times, second half over first half");
   add_ratio("slope.ratio", slopes,
             "geometric mean of the participants' change of response time per 10 trials, by "
             "least-squares regression of log response time on trial number");
   for (std::size_t block = 0; block < of_blocks.size(); ++block) {
     add_time("block", blocks.name(block), of_blocks[block],
-             "geometric mean time in a range of trials");
+             "geometric mean response time in a range of trials");
   }
   std::vector<Finding> all = findings.take();
   for (Finding& one : single.take()) all.push_back(std::move(one));

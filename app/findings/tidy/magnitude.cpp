@@ -278,9 +278,9 @@ class MagnitudeList final {
         const bool is_within = normalisation_ == Normalisation::grand_mean;
         Basis shown =
             basis(is_within ? "geometric mean of normalised estimates; within-participant "
-                              "interval of logarithms (Cousineau and Morey)"
-                            : "geometric mean of normalised estimates; t interval of "
-                              "logarithms");
+                              "interval on the log scale (Cousineau and Morey)"
+                            : "geometric mean of normalised estimates; t interval on the "
+                              "log scale");
         if (has_spread) {
           shown.interval = is_within ? wider : ends;
           shown.confidence = confidence_;
@@ -294,8 +294,8 @@ class MagnitudeList final {
                                 "participant: add participants";
           list_.number(quantity, key, value, of_limit);
         };
-        limit("geomean.ci.lower", ends.low, "t interval of logarithms");
-        limit("geomean.ci.upper", ends.high, "t interval of logarithms");
+        limit("geomean.ci.lower", ends.low, "t interval on the log scale");
+        limit("geomean.ci.upper", ends.high, "t interval on the log scale");
         if (is_within) {
           limit("geomean.ci.lower.morey", wider.low,
                 "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
@@ -376,7 +376,7 @@ class MagnitudeList final {
       for (std::size_t j = 0; j < 3; ++j) {
         number("quad.cov", probe + '|' + names[i] + '|' + names[j],
                fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
-               "covariance of the mean coefficients between participants");
+               "covariance of the mean coefficients, from the differences between participants");
       }
     }
     number("pooled.quad.r2", probe, fit.pooled_r2, "curve through the means");
@@ -501,7 +501,7 @@ class MagnitudeList final {
     if (!found) return;
     const ConfidenceInterval ends{.low = std::pow(10.0, found->interval.low),
                                   .high = std::pow(10.0, found->interval.high)};
-    Basis shown = basis("peak of the first over that of the second; delta interval");
+    Basis shown = basis("ratio of the peaks, first over second; delta interval");
     shown.interval = ends;
     shown.confidence = confidence_;
     list_.number("peakratio", key, std::pow(10.0, found->difference), shown);

@@ -220,7 +220,8 @@ void add_totals(const Matching& read, FindingList& findings) {
   number("null.mean", chance.mean(), "of the total, expected under guessing");
   number("null.sd", sd, "of the total, expected under guessing");
   const CountInterval usual = central_interval(chance, read.confidence);
-  const std::string holds = "the narrowest range of totals with this probability under guessing";
+  const std::string holds =
+      "limit of the narrowest range of totals with at least the probability conf under guessing";
   number("null.lower", static_cast<double>(usual.low), holds);
   number("null.upper", static_cast<double>(usual.high), holds);
   number("exact.p.greater", chance.upper_tail(total), "exact, one-sided: " + method);
@@ -254,7 +255,7 @@ void add_whole(const Matching& read, FindingList& findings) {
   }
   findings.count("perfect.trials", "", whole.hits, {.n = whole.trials, .method = basis.method});
   if (whole.trials == 0) return;
-  const Basis wilson{.n = whole.trials, .method = "Wilson interval, of permutation trials"};
+  const Basis wilson{.n = whole.trials, .method = "permutation trials only; Wilson interval"};
   findings.number("perfect.wilson.lower", "", basis.interval->low, wilson);
   findings.number("perfect.wilson.upper", "", basis.interval->high, wilson);
   std::vector<HitCount> own(read.participants.size());
@@ -342,10 +343,11 @@ void add_relabelled_items(const Matching& read, FindingList& findings) {
   add_relabelling_test("relabel", "", right, own, "correctly matched items", findings);
   const IntegerDistribution chance = sum_of_all(own);
   const CountInterval usual = central_interval(chance, read.confidence);
-  const Basis basis{.n = own.size(),
-                    .method =
-                        "the narrowest range of totals with this probability in the permutation "
-                        "distribution, one relabelling per participant"};
+  const Basis basis{
+      .n = own.size(),
+      .method =
+          "limit of the narrowest range of totals with at least the probability conf in the "
+          "permutation distribution, one relabelling per participant"};
   findings.count("relabel.null.lower", "", usual.low, basis);
   findings.count("relabel.null.upper", "", usual.high, basis);
   findings.number(
@@ -420,7 +422,7 @@ void add_textures(const Matching& read, FindingList& findings) {
         {.n = count.trials,
          .method =
              "exact, one-sided against 1 divided by the number of items in the trial; the tests of "
-             "different textures depend on each other"});
+             "different textures are not independent"});
     if (!read.equal_size) continue;
     add_cohen_h("texture.h", name, count,
                 {.chance = item_chance(read.items), .confidence = read.confidence}, findings);

@@ -77,7 +77,7 @@ Problem problem_in_words(CumulativeLinkProblem problem) {
     case CumulativeLinkProblem::no_participant_variance:
     case CumulativeLinkProblem::no_item_variance:
     case CumulativeLinkProblem::no_variance:
-      return {"no_variance", "the variance of the participants is estimated as 0"};
+      return {"no_variance", "the variance of the participants' intercepts is estimated as 0"};
     case CumulativeLinkProblem::unbounded_variance:
       return {"unbounded_variance",
               "the participants differ so much that their variance is not determined; more "
@@ -101,7 +101,7 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
   const std::size_t n = table.participants;
   findings.count("n.responses", "", table.responses.size(), {.n = n, .method = "responses"});
   findings.count("n.categories", "", table.categories.size(),
-                 {.n = n, .method = "number of different scores"});
+                 {.n = n, .method = "number of different ratings"});
   const Basis basis{.n = n,
                     .method = "cumulative link model (proportional odds, logit link), items as fixed "
                               "effects, participants as random intercepts, Laplace approximation"};
@@ -111,7 +111,7 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
     return findings.take();
   };
   if (table.categories.size() < 2) {
-    return refuse("one_category", "all responses are the same: there is nothing to model");
+    return refuse("one_category", "all responses are the same, so that no model can be fitted");
   }
   const Eigen::MatrixXd design = design_of_items(table.responses, items.size());
   for (Eigen::Index item = 0; item < design.cols(); ++item) {
@@ -131,7 +131,8 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
   if (vary && full.problem == CumulativeLinkProblem::no_participant_variance && !full.fit) {
     vary = false;
     full = fitted(design, false);
-    used.method += "; their estimated variance is 0, and the model without them was used";
+    used.method +=
+        "; the variance of the intercepts is estimated as 0, and the model without them was used";
   }
   if (!full.fit) {
     const Problem problem = problem_in_words(full.problem);

@@ -38,8 +38,8 @@ Paired paired_in(const TidyInput& input) {
   }
   if (std::find(read.items.begin(), read.items.end(), kTie) != read.items.end()) {
     throw std::runtime_error(
-        "the option \"items\" names \"tie\", which as a winner means neither item; give this item "
-        "another name");
+        "the option \"items\" names \"tie\", but \"tie\" as a winner means that neither item won; "
+        "give this item another name");
   }
   const LabelColumn participants = table.all_labels("subject");
   const LabelColumn first = table.labels("first", read.items);
@@ -59,9 +59,9 @@ Paired paired_in(const TidyInput& input) {
                    .times = times[row]};
     if (one.first == LabelColumn::kMissing || one.second == LabelColumn::kMissing ||
         one.first == one.second) {
-      table.refuse(
-          row, "second",
-          "first and second are missing or the same; a judgement needs two different items");
+      table.refuse(row, "second",
+                   "first or second is missing, or both are the same; a judgement needs two "
+                   "different items");
     }
     if (winner.codes[row] < read.items.size()) {
       one.winner = winner.codes[row];

@@ -81,7 +81,7 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
     interval("cp", clopper_pearson_interval(count, confidence), "Clopper–Pearson interval");
     interval("jeffreys", jeffreys_interval(count, confidence), "Jeffreys interval");
     interval("agresticoull", agresti_coull_interval(count, confidence), "Agresti–Coull interval");
-    const std::string against = "against chance " + number_text(chance);
+    const std::string against = "against the chance level " + number_text(chance);
     number("p.greater", binomial_upper_tail(count, chance),
            "exact binomial test, one-sided " + against);
     number("p.less", binomial_lower_tail(count, chance),

@@ -41,10 +41,11 @@ std::vector<Condition> read_conditions(const TidyTable& table, const Psychometri
     }
     const PsychometricBlock block{.x = levels[row], .trials = trials[row], .hits = hits[row]};
     if (is_impossible(block, model)) {
-      table.refuse(row, "k",
-                   "k is " + std::to_string(block.hits) +
-                       " at x 0, where a weibull with gamma 0 has no hits; set gamma to the rate "
-                       "of hits without a stimulus, or to free, or correct the row");
+      table.refuse(
+          row, "k",
+          "k is " + std::to_string(block.hits) +
+              " at x 0, where a Weibull function with gamma 0 has no hits; set gamma to the rate "
+              "of hits without a stimulus, or to free, or correct the row");
     }
     conditions[names.codes[row]].blocks.push_back(block);
   }
@@ -132,7 +133,7 @@ std::size_t draws_of(const FamilyOptions& options) {
     return static_cast<std::size_t>(draws);
   }
   throw std::runtime_error("the option \"bootstrap\" is " + number_text(draws) +
-                           "; it must be a number of draws from 0 (none) to 1000000");
+                           "; it must be a whole number of draws from 0 (none) to 1000000");
 }
 
 class PsychometricList final {
@@ -232,9 +233,8 @@ class PsychometricList final {
     number("deviance.df", fit.deviance_df, "number of blocks minus number of parameters");
     number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
     number("deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
-           "χ² test of the deviance; indicative only: in simulations p was at most .05 in up to 8 "
-           "% of the "
-           "tables that the function fitted");
+           "χ² test of the deviance; indicative only: in simulations of the fitted function p was "
+           "at most .05 in up to 8 % of the tables");
   }
 
   void overdispersion(const PsychometricFit& fit) {
@@ -339,7 +339,7 @@ class PsychometricList final {
       return;
     }
     list_.word(quantity, key_, "unbounded",
-               std::string("the likelihood ratio test does not reject any ") + side +
+               std::string("the likelihood-ratio test does not reject any ") + side +
                    " alpha: a function that is constant over the levels fits nearly "
                    "as well; present more trials, or levels on both sides of the threshold",
                basis("profile interval"));

@@ -35,8 +35,8 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
     const std::size_t item = codes.codes[row];
     if (all[person][item]) {
       table.refuse(row, "item",
-                   participants.names[person] + " has already scored \"" + items[item] +
-                       "\"; remove one of the rows: a participant scores an item once");
+                   participants.names[person] + " has already rated \"" + items[item] +
+                       "\"; remove one of the rows: a participant rates an item once");
     }
     all[person][item] = scores[row];
   }
@@ -70,7 +70,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
                FindingList& findings) {
   std::vector<std::string> pairs{};
   std::vector<double> p{};
-  const std::string method = "Wilcoxon signed-rank test, equal scores dropped";
+  const std::string method = "Wilcoxon signed-rank test, equal ratings dropped";
   for (Eigen::Index a = 0; a < scores.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < scores.cols(); ++b) {
       const std::string key =
@@ -87,7 +87,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       findings.number("wilcoxon.rankbiserial", key, test.rank_biserial,
                       {.n = test.n,
                        .method = "rank-biserial correlation",
-                       .undefined = "no participant scored the two items differently"});
+                       .undefined = "no participant rated the two items differently"});
     }
   }
   const std::vector<double> adjusted = holm_adjusted(p);
@@ -127,7 +127,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     findings.number("mean.rank", items[i], test.mean_rank[i],
                     {.n = n,
-                     .method = "within participants, 1 for the lowest score",
+                     .method = "within participants, 1 for the lowest rating",
                      .undefined = "no participant rated every item"});
   }
   add_pairs(items, scores, findings);

@@ -230,8 +230,8 @@ class Recognition final {
                                     .high = choice.dprime(wilson.high)};
     const double dprime = choice.dprime(proportion(right_));
     Basis estimate = of_trials(
-        "d′ of m alternatives without response bias; interval from the Wilson limits of pc; n "
-        "counts responses");
+        "d′ of m alternatives without response bias; interval from the Wilson limits of pc; n: "
+        "number of responses");
     estimate.interval = limits;
     estimate.confidence = confidence_;
     list_.number("dprime", "", dprime, estimate);
@@ -272,7 +272,7 @@ class Recognition final {
     list_.number(
         "G.p", "", it.p.value_or(kUndefined),
         of_trials("χ² test of G, trials treated as independent; p is too small with few trials: in "
-                  "simulations of 24 to 144 trials without information p was at "
+                  "simulations of 24 to 144 trials without transmitted information p was at "
                   "most .05 in 6 to 12 % of the tables"));
     permutations();
     bits("IT.from.pc", equal_error_bits(proportion(right_), trials_.labels.size()),
@@ -309,7 +309,7 @@ class Recognition final {
     list_.count("scm.confusions", "", pairs.confusions, of_trials("incorrect responses"));
     list_.count("scm.pairs", "", pairs.pairs, of_trials("pairs of stimuli"));
     list_.count("scm.pairs.never", "", pairs.never_confused,
-                of_trials("pairs that were never confused: their dissimilarity is that of the ½ "
+                of_trials("pairs that were never confused: their dissimilarity is set by the ½ "
                           "added to every count"));
     list_.truth("scm.too.few", "", pairs.are_too_few(),
                 of_trials("whether half of the pairs or more were never confused"));

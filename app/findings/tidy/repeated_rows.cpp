@@ -62,7 +62,7 @@ void add_replicates(std::span<const CellRows> cells, std::size_t participants,
                     (other->rows > most->first ? "occurs twice"
                                                : "is missing or has no value that "
                                                  "counts") +
-                    ", or names another participant or cell",
+                    ", or has the wrong participant or cell",
                 told);
 }
 

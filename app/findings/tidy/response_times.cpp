@@ -45,21 +45,21 @@ void add_condition(const std::string& key, const std::vector<std::string>& parti
     if (own) means.push_back(*own);
   }
   findings.count("responses", key, times.responses(),
-                 {.n = means.size(), .method = "responses with a time"});
+                 {.n = means.size(), .method = "responses with a response time"});
   if (means.empty()) return;
   const bool has_interval = add_geometric_mean(
       "geomean", key, means,
       {.confidence = confidence,
        .unit = "s",
-       .method = "geometric mean over participants of their geometric mean times"},
+       .method = "geometric mean over participants of their geometric mean response times"},
       findings);
   if (!has_interval) add_no_interval("geomean", key, means.size(), findings);
   for (std::size_t i = 0; i < participants.size(); ++i) {
     const std::optional<double> own = times.geometric_mean_of(i);
     if (!own) continue;
-    findings.number("subject.geomean", key.empty() ? participants[i] : both(participants[i], key),
-                    *own,
-                    {.n = 1, .method = "geometric mean of a participant's times", .unit = "s"});
+    findings.number(
+        "subject.geomean", key.empty() ? participants[i] : both(participants[i], key), *own,
+        {.n = 1, .method = "geometric mean of a participant's response times", .unit = "s"});
   }
 }
 
@@ -81,9 +81,10 @@ std::vector<Finding> response_times_findings(const TidyInput& input) {
   }
   FindingList findings{};
   findings.count("n.untimed", "", untimed,
-                 {.n = participants.names.size(), .method = "responses without a time"});
+                 {.n = participants.names.size(), .method = "responses without a response time"});
   if (all.responses() == 0) {
-    findings.word("status", "", "no_data", "no response has a time", {.method = "response times"});
+    findings.word("status", "", "no_data", "no response has a response time",
+                  {.method = "response times"});
     return findings.take();
   }
   add_condition("", participants.names, all, confidence, findings);

@@ -58,9 +58,9 @@ std::vector<std::size_t> codes_of(const TidyTable& table, const DesignFactor& fa
     const std::optional<std::size_t> level = level_of(column.names[name], factor.second);
     if (!level) {
       const auto first = std::find(column.codes.begin(), column.codes.end(), name);
-      table.refuse(
-          static_cast<std::size_t>(first - column.codes.begin()), factor.first,
-          '"' + column.names[name] + "\" is not a level of " + factor.first + " in the options");
+      table.refuse(static_cast<std::size_t>(first - column.codes.begin()), factor.first,
+                   '"' + column.names[name] + "\" is not a level of " + factor.first +
+                       " in the options; correct the cell or add the level to the options");
     }
     of_names.push_back(*level);
   }
@@ -260,7 +260,8 @@ class AnovaList final {
   void effect(const AnovaEffect& effect, double all_errors) {
     const std::string key = name_of(effect);
     number("SS", key, effect.sum_of_squares, "sum of squares");
-    number("SS.error", key, effect.error_sum_of_squares, "of the effect's own error");
+    number("SS.error", key, effect.error_sum_of_squares,
+           "sum of squares of the effect's error term");
     number("df1", key, effect.df1, "degrees of freedom");
     number("df2", key, effect.df2, "degrees of freedom of the error");
     number("F", key, effect.F, "F");
@@ -279,7 +280,8 @@ class AnovaList final {
         "ges", key, effect.ges, generalised,
         "generalised η², all factors manipulated; interval from the noncentral F distribution");
     if (!design_.between.empty()) {
-      number("ges.observed", key, effect.ges_observed, "generalised η², between factor measured");
+      number("ges.observed", key, effect.ges_observed,
+             "generalised η², between-participants factor measured");
     }
     number("omega2.partial", key, effect.omega2, "partial ω²");
     if (effect.sphericity) sphericity(key, *effect.sphericity);

@@ -153,7 +153,7 @@ void add_most_consistent(const ChoiceTable& table, FindingList& findings) {
   const RelabellingTest relabelling = relabelling_test(choices);
   findings.number("t1.nested.relabel.p", "", relabelling.p,
                   {.n = n,
-                   .method = "permutation test within participants, " +
+                   .method = "within-participant permutation test, " +
                              way_of_counting(relabelling.drawn) + ',' + consistent});
   std::vector<HitCount> own{};
   for (Eigen::Index row = 0; row < choices.rows(); ++row) {

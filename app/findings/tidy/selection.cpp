@@ -285,7 +285,7 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
               .method = "Kendall's W of the participants' counts, corrected for ties",
               .undefined = counts.rows() < 2
                                ? "agreement requires at least two participants: add participants"
-                               : "no participant prefers one to another"};
+                               : "no participant chose one alternative more often than another"};
   if (counts.rows() >= kFewest) basis.interval = concordance_interval(judgements, confidence);
   if (basis.interval) {
     basis.confidence = confidence;
@@ -312,7 +312,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
       const auto second = static_cast<std::uint64_t>(counts.col(b).sum());
       findings.number("signflip.diff", key,
                       static_cast<double>(first) - static_cast<double>(second),
-                      {.n = n, .method = "difference of the counts"});
+                      {.n = n, .method = "difference in the number of choices"});
       const SignFlipTest flips = sign_flip_test(differences);
       findings.number("signflip.p.two", key, flips.two_sided,
                       {.n = n, .method = method + ", " + way_of_counting(flips.drawn)});
@@ -337,7 +337,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   const RelabellingTest relabelling = relabelling_test(counts);
   findings.number("relabel.exact.p", "", relabelling.p,
                   {.n = n,
-                   .method = "permutation test within participants, sum of squared totals, " +
+                   .method = "within-participant permutation test, sum of squared totals, " +
                              way_of_counting(relabelling.drawn)});
   findings.number(
       "relabel.exact.smallest", "", relabelling.smallest,
@@ -405,7 +405,7 @@ void add_cochran(const Choices& read, FindingList& findings) {
   // Cochran's test uses one choice of every participant per sample; a relabelling test uses them
   // all.
   const std::string first_only =
-      repeated > 0 ? ", of several choices with a sample, only the first is used" : "";
+      repeated > 0 ? ", only the first of several choices with a sample is used" : "";
   const Basis basis{
       .n = first.size(),
       .method =
@@ -426,7 +426,7 @@ void add_cochran(const Choices& read, FindingList& findings) {
     findings.number(
         "cochran.exact.p", target, test.exact_p,
         {.n = first.size(),
-         .method = "permutation test within participants, " + way_of_counting(test.drawn)});
+         .method = "within-participant permutation test, " + way_of_counting(test.drawn)});
   }
   for (Eigen::Index a = 0; a < answers.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < answers.cols(); ++b) {

@@ -35,9 +35,10 @@ constexpr std::array kFamilies{
                "there is none",
                "conf", icc_findings, "conf"},
     TidyFamily{"learning",
-               "subject,trial,time_s: one response per row, time_s empty where it has no time; or "
+               "subject,trial,time_s: one response per row, time_s empty where there is no "
+               "response time; or "
                "subject,trial,correct,items: correct responses of a trial; trials numbered from 1 "
-               "within each subject",
+               "for each participant",
                "blocks: largest number of ranges of trials, 12 if absent; conf", learning_findings,
                "blocks,conf"},
     TidyFamily{
@@ -55,12 +56,12 @@ constexpr std::array kFamilies{
         "for several, times",
         "conf; parts: all, summary, totals", matching_findings, "conf,parts"},
     TidyFamily{"ordinal", "subject,item,score: one response per row, on ordered categories",
-               "items (all that were scored; effects refer to the first), conf", ordinal_findings,
+               "items (all that were rated; effects refer to the first), conf", ordinal_findings,
                "items,conf"},
     TidyFamily{
         "paired",
         "subject,first,second,winner: the item that was preferred to the other, or tie, empty "
-        "where nothing was judged; and, where rows stand for several judgements, times",
+        "where there is no judgement; and, where rows stand for several judgements, times",
         "items (all that were compared), conf", paired_findings, "items,conf"},
     TidyFamily{
         "power",
@@ -69,7 +70,7 @@ constexpr std::array kFamilies{
         "", power_findings, ""},
     TidyFamily{
         "proportion",
-        "id,k,n,p0: hits k of n trials each, chance p0; and conf, if it differs between rows",
+        "id,k,n,p0: hits k of n trials each, chance level p0; and conf, if it differs between rows",
         "conf, unless the table has this column", proportion_findings, "conf"},
     TidyFamily{"psyfit",
                "condition,x,n,k: k correct of n trials at level x; and b,k1,k2,...: resampled k of "
@@ -87,12 +88,12 @@ constexpr std::array kFamilies{
     TidyFamily{
         "rating",
         "subject,item,score: one score per subject and item, the larger the better, ties allowed",
-        "items (all that were scored), conf", rating_findings, "items,conf"},
+        "items (all that were rated), conf", rating_findings, "items,conf"},
     TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no response",
                "labels: names of the stimuli, in order; conf", recognition_findings, "labels,conf"},
     TidyFamily{"response_times",
                "subject,time_s and one column per factor: one response per row, time_s empty where "
-               "it has no time",
+               "there is no response time",
                "factors: columns with their levels, as {\"texture\": [\"wood\", \"metal\"]}; "
                "conf",
                response_times_findings, "factors,conf"},

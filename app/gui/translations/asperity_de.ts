@@ -5565,7 +5565,7 @@
         <translation>Mallows’ θ</translation>
     </message>
     <message>
-        <source>difference of the numbers of choices</source>
+        <source>difference in the number of choices</source>
         <translation>Differenz der Wahlhäufigkeiten</translation>
     </message>
     <message>

@@ -94,7 +94,7 @@ std::string devices_text(const ReportFacts& facts) {
   if (unknown.is_any()) {
     text += (text.empty() ? "" : " ") + std::string("The device after resuming is not recorded ") +
             unknown.text_after_not() +
-            ": that version of the program stored only the first device.";
+            ": the version of the program used then stored only the first device.";
   }
   return text;
 }
@@ -141,9 +141,10 @@ std::string recorded_noise_text(const ReportFacts& facts) {
                         unknown.text_after_not() + '.');
   }
   if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
-    sentences.push_back("No masking noise is recorded " + unstored.text_after_not() +
-                        "; that version of the program did not store it in terminal sessions, "
-                        "in which none was played.");
+    sentences.push_back(
+        "No masking noise is recorded " + unstored.text_after_not() +
+        "; the version of the program used then did not store it in terminal sessions, "
+        "in which none was played.");
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

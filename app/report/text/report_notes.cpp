@@ -47,9 +47,8 @@ ReportSection notes_section(const ReportFacts& facts) {
   ReportTable table{};
   table.is_reference = true;
   table.title = "The experimenter’s notes and decisions";
-  table.columns = {{"participant", false}, {"session", true},
-                   {"time (min:s)", true}, {"trial", true},
-                   {"what", false},        {"in the experimenter’s words", false}};
+  table.columns = {{"participant", false}, {"session", true}, {"time (min:s)", true},
+                   {"trial", true},        {"what", false},   {"note or reason", false}};
   std::size_t left_out = 0;
   const auto add = [&](std::vector<std::string> row) {
     if (table.rows.size() < kMostNotes) {

@@ -49,10 +49,10 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"mallows.lr", {"likelihood ratio of Mallows’ θ against θ = 0", number}},
       {"mallows.se", {"standard error of Mallows’ θ", number}},
       {"mds.shepard.gof2", {"fit of the MDS configuration in two dimensions", number}},
-      {"mixed.sigma", {"SD of the random intercept", number}},
-      {"n", {"responses that name a picture", count}},
+      {"mixed.sigma", {"SD of the random intercepts", number}},
+      {"n", {"trials with a response", count}},
       {"n.missing", {"trials without a response, left out", count}},
-      {"n.stages", {"choices in the scale", count}},
+      {"n.stages", {"choices on which the scale is based", count}},
       {"n.trials", {"trials", count}},
       {"n.trials.permutation", {"trials in which every picture was assigned once", count}},
       {"n.valid", {"choices", count}},
@@ -74,9 +74,9 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"pooled.se.cluster", {"cluster-robust standard error of the proportion chosen", number}},
       {"precision", {"precision (positive predictive value)", share}},
       {"scm.bias", {"response bias b (sum 1)", number}},
-      {"signflip.diff", {"difference of choices (first − second)", count}},
+      {"signflip.diff", {"difference in the number of choices (first − second)", count}},
       {"subj.diff", {"difference of mean proportions correct (first − second)", number}},
-      {"subj.n", {"participants who chose", count}},
+      {"subj.n", {"participants with at least one choice", count}},
       {"thurstone.firstchoice.mu", {"Thurstone scale value of first choices (mean 0)", number}},
       {"total.items", {"items", count}}};
   return kKnown;
@@ -179,7 +179,8 @@ std::string note_on_columns(const ReportTable& table) {
     return std::any_of(table.columns.begin(), table.columns.end(),
                        [&heading](const auto& column) { return column.heading == heading; });
   };
-  std::string note = has("Holm") ? "Holm: Holm-corrected over the tests of the same name." : "";
+  std::string note =
+      has("Holm") ? "Holm: p value, Holm-corrected over the tests of the same name." : "";
   if (has("n")) {
     note += std::string(note.empty() ? "" : " ") +
             "n: number of participants, responses or trials in the analysis, as in the output of "

@@ -300,7 +300,7 @@ ReportSection exploration_section(const ReportFacts& facts) {
   section.parts.emplace_back(ReportText{text + explored_by_text(facts)});
   table.note =
       "surfaces: number presented, over all attempts; mean: mean of the surfaces' means; 5 % to "
-      "95 %: range of the middle 90 % of these means; in band: mean fraction inside the band (of "
+      "95 %: range of the middle 90 % of these means; in band: mean proportion within the band (of "
       "the contact time for the force, of the strokes for their speed and length); passed: number "
       "explored as required. Force: surfaces that were touched; speed and length: surfaces with a "
       "stroke.";

@@ -64,7 +64,7 @@ std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals
   }
   if (days.empty() && made_up) return "Data from sessions on a simulated clock, which has no date";
   if (days.empty()) {
-    return has_withdrawals ? "No data: all participants with sessions have withdrawn"
+    return has_withdrawals ? "No data: all participants with sessions were withdrawn"
                            : "No data yet";
   }
   std::string text = days.size() == 1 ? "Data of " + *days.begin()
@@ -84,7 +84,7 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
       return chapter;
     }
     section.parts.emplace_back(ReportText{
-        "All participants with sessions have withdrawn: there are no results to report."});
+        "All participants with sessions were withdrawn: there are no results to report."});
     section.parts.emplace_back(withdrawals_text(withdrawals));
     return chapter;
   }
@@ -193,7 +193,7 @@ ReportChapter chapter_of(const ReportFacts& facts, const std::vector<ReportedOut
     chapter.sections.push_back(
         {"Results",
          {ReportText{"A session of this protocol is running, and its experimenter is blind: create "
-                     "the report again after the session to see the results by name.",
+                     "the report again after the session to see the results.",
                      ReportText::Tone::notice}}});
   } else {
     for (const ReportedOutcome& each : outcomes) {
