@@ -171,7 +171,8 @@ TEST(TidyRefusals, NameATrialThatStandsTwice) {
   EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),
             "the option \"blocks\" must be a whole number above 0");
   EXPECT_EQ(family_refusal("learning", "subject,trial,correct,items\nA,1,3,2\n", "{}"),
-            "t.csv:2:3: 3 correct of 2 items is not a proportion; leave out rows without items");
+            "t.csv:2:3: 3 correct of 2 items is not a proportion; correct the counts, or leave out "
+            "rows without items");
   EXPECT_EQ(
       word_of(findings_of("learning", columns + "A,1,1.5\nA,2,1\n", "{}"), "half.ratio.status"),
       "too_few");
@@ -188,7 +189,8 @@ TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
             "no_item_variance");
   EXPECT_EQ(word_of(findings_of("glmm", columns, "{}"), "glmm.status"), "no_data");
   EXPECT_EQ(family_refusal("glmm", columns + "A,x,4,3\n", "{}"),
-            "t.csv:2:3: 4 correct of 3 trials is not a proportion; leave out rows without trials");
+            "t.csv:2:3: 4 correct of 3 trials is not a proportion; correct the counts, or leave "
+            "out rows without trials");
   EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"random": ["texture"]})"),
               HasSubstr("\"random\" names \"texture\"; it must be subject, item, or both"));
   EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"link": "log"})"),

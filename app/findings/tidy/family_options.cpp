@@ -47,7 +47,7 @@ std::string option_text(const OptionValue& option, const std::string& name) {
   if (const auto* text = std::get_if<std::string>(&option.value)) return *text;
   if (const auto* number = std::get_if<double>(&option.value)) return number_text(*number);
   if (const auto* truth = std::get_if<bool>(&option.value)) return *truth ? "TRUE" : "FALSE";
-  refuse_option(name, "must be a text");
+  refuse_option(name, "must be text");
 }
 
 template <class Item>

@@ -71,8 +71,8 @@ CrossedTable crossed_table(const TidyInput& input) {
   std::vector<LabelColumn> codes{};
   for (auto& [name, levels] : input.options.levels("fixed")) {
     if (levels.size() < 2) {
-      throw std::runtime_error("the option \"fixed\" gives " + name +
-                               " one level; a factor needs at least two");
+      throw std::runtime_error("the option \"fixed\" names one level of " + name +
+                               "; a factor needs at least two");
     }
     codes.push_back(table.labels(name, levels));
     read.factors.push_back({.name = name, .levels = levels, .first_column = columns});
@@ -82,9 +82,10 @@ CrossedTable crossed_table(const TidyInput& input) {
   read.model.design.col(0).setOnes();
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (trials[row] == 0 || hits[row] > trials[row]) {
-      table.refuse(row, "correct",
-                   std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
-                       " trials is not a proportion; leave out rows without trials");
+      table.refuse(
+          row, "correct",
+          std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
+              " trials is not a proportion; correct the counts, or leave out rows without trials");
     }
     read.responses.push_back({.count = {.hits = hits[row], .trials = trials[row]},
                               .participant = participants.codes[row],

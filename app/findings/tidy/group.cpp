@@ -49,7 +49,8 @@ Groups read_groups(const TidyInput& input) {
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
                    std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
-                       " trials is not a proportion; leave out participants without trials");
+                       " trials is not a proportion; correct the counts, or leave out participants "
+                       "without trials");
     }
     const HitCount count{.hits = hits[row], .trials = trials[row]};
     const bool is_second = group.codes[row] == 1;

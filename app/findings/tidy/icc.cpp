@@ -86,9 +86,10 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
   }
   const Basis basis{.n = n, .method = "intraclass correlation"};
   if (n < 2 || rated.complete.cols() < 2) {
-    findings.word(
-        "icc", "", "too_few",
-        "reliability requires at least 2 targets that were all rated by at least 2 raters", basis);
+    findings.word("icc", "", "too_few",
+                  "reliability requires at least 2 targets that were all rated by at least 2 "
+                  "raters: add targets or raters",
+                  basis);
     return findings.take();
   }
   const std::optional<Reliability> reliability = reliability_of(rated.complete, confidence);

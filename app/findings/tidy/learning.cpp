@@ -219,9 +219,10 @@ std::vector<HitCount> results_in(const TidyTable& table) {
   std::vector<HitCount> results{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (items[row] == 0 || correct[row] > items[row]) {
-      table.refuse(row, "correct",
-                   std::to_string(correct[row]) + " correct of " + std::to_string(items[row]) +
-                       " items is not a proportion; leave out rows without items");
+      table.refuse(
+          row, "correct",
+          std::to_string(correct[row]) + " correct of " + std::to_string(items[row]) +
+              " items is not a proportion; correct the counts, or leave out rows without items");
     }
     results.push_back({.hits = correct[row], .trials = items[row]});
   }

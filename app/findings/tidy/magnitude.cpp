@@ -191,7 +191,7 @@ class MagnitudeList final {
         basis("participants left out"));
     n_ = cells.complete.size();
     for (const std::size_t one : cells.complete) names_.push_back(read_.participants[one]);
-    list_.count("n.subjects", "", n_, basis("participants with all cells"));
+    list_.count("n.subjects", "", n_, basis("participants with an estimate in every cell"));
     replicates(cells);
     const Eigen::VectorXd own = participant_means(cells);
     for (std::size_t i = 0; i < n_; ++i) {
@@ -289,7 +289,7 @@ class MagnitudeList final {
         const auto limit = [&](const char* quantity, double value, std::string method) {
           Basis of_limit = basis(std::move(method));
           of_limit.undefined =
-              cell.half_width ? "with a single cell all normalised estimates are the grand mean"
+              cell.half_width ? "with a single cell, all normalised estimates equal the grand mean"
                               : "differences between participants cannot be estimated from one "
                                 "participant: add participants";
           list_.number(quantity, key, value, of_limit);

@@ -171,7 +171,7 @@ void add_thurstone(const Paired& read, FindingList& findings) {
   }
   const auto fit = thurstone_least_squares(read.counts);
   if (!fit) return;
-  const Basis basis{.n = n, .method = "Thurstone Case V by least squares, sum 0"};
+  const Basis basis{.n = n, .method = "Thurstone Case V by least squares, mean 0"};
   for (std::size_t i = 0; i < read.items.size(); ++i) {
     findings.number("thurstone.ls", read.items[i], fit->scale(static_cast<Eigen::Index>(i)), basis);
   }

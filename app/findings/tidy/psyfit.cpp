@@ -203,7 +203,7 @@ class PsychometricList final {
     const ConfidenceInterval ends = boot.percentile.value_or(none);
     number("boot.perc.lower", ends.low, method + ", quantile of type 7");
     number("boot.perc.upper", ends.high, method + ", quantile of type 7");
-    number("boot.se", boot.standard_error.value_or(kUndefined), method + ", their spread");
+    number("boot.se", boot.standard_error.value_or(kUndefined), method + ", SD of the thresholds");
   }
 
   std::vector<Finding> take() { return list_.take(); }

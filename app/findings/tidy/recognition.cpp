@@ -312,7 +312,7 @@ class Recognition final {
                 of_trials("pairs that were never confused: their dissimilarity is set by the ½ "
                           "added to every count"));
     list_.truth("scm.too.few", "", pairs.are_too_few(),
-                of_trials("whether half of the pairs or more were never confused"));
+                of_trials("whether at least half of the pairs were never confused"));
     if (!model.parameters) {
       list_.word("scm.status", "", "boundary",
                  "the maximum-likelihood similarities are 0 or infinite: collect more responses",

@@ -180,13 +180,14 @@ class AnovaList final {
                dropped.empty() ? "ok" : "these participants have an empty cell and were left out",
                basis("participants left out"));
     list_.count("n.subjects", "", design_.participants.size(),
-                basis("participants with all cells"));
+                basis("participants with a value in every cell"));
     add_replicates(design_.rows, design_.participants.size(), list_);
     if (design_.participants.size() <= design_.data.groups) {
       list_.word(
           "status", "", "too_few_participants",
-          "an error term requires more participants with all cells than groups: add participants",
-          basis("participants with all cells"));
+          "an error term requires more participants with a value in every cell than groups: add "
+          "participants",
+          basis("participants with a value in every cell"));
       return list_.take();
     }
     for (std::size_t group = 0; group < design_.data.groups; ++group) {
@@ -194,8 +195,9 @@ class AnovaList final {
       if (std::count(of.begin(), of.end(), group) == 0) {
         list_.word(
             "status", design_.between.front().second[group], "empty_group",
-            "no participant of this group has all cells: add participants, or leave the group out",
-            basis("participants with all cells"));
+            "no participant of this group has a value in every cell: add participants, or leave "
+            "the group out",
+            basis("participants with a value in every cell"));
         return list_.take();
       }
     }

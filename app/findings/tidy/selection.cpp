@@ -132,7 +132,7 @@ double add_block(const Choices& read, const std::string& block,
   const std::vector<double> means = first_choice_means(luce.share);
   for (std::size_t j = 0; j < counts.size(); ++j) {
     number("thurstone.firstchoice.mu", both(block, read.renderers[j]), n > 0 ? means[j] : kNoNumber,
-           "Thurstone scale value of first choices, sum 0");
+           "Thurstone scale value of first choices, mean 0");
   }
   return p;
 }
@@ -316,8 +316,9 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
       const SignFlipTest flips = sign_flip_test(differences);
       findings.number("signflip.p.two", key, flips.two_sided,
                       {.n = n, .method = method + ", " + way_of_counting(flips.drawn)});
-      findings.number("signflip.smallest", key, flips.smallest,
-                      {.n = n, .method = "smallest attainable p: all differences of one sign"});
+      findings.number(
+          "signflip.smallest", key, flips.smallest,
+          {.n = n, .method = "smallest attainable p: all differences with the same sign"});
       findings.count(
           "signflip.draws", key, flips.drawn,
           {.n = n, .method = "patterns of signs drawn at random; 0 if all were enumerated"});
@@ -341,7 +342,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                              way_of_counting(relabelling.drawn)});
   findings.number(
       "relabel.exact.smallest", "", relabelling.smallest,
-      {.n = n, .method = "smallest attainable p: all participants' counts in one order"});
+      {.n = n, .method = "smallest attainable p: all participants' counts in the same order"});
   findings.count("relabel.draws", "", relabelling.drawn,
                  {.n = n,
                   .method = "permutations within participants drawn at random; 0 if all were "

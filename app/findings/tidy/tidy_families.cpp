@@ -44,7 +44,8 @@ constexpr std::array kFamilies{
     TidyFamily{
         "magnitude",
         "subject,probe,spacing,estimate and optionally rep: one estimate per row, empty where "
-        "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "
+        "there is none; the estimates of a cell are averaged as logarithms; and b,s1,s2,...: "
+        "resampled "
         "participants",
         "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
         "standard_spacing; modulus; conf",
@@ -89,7 +90,8 @@ constexpr std::array kFamilies{
         "rating",
         "subject,item,score: one score per subject and item, the larger the better, ties allowed",
         "items (all that were rated), conf", rating_findings, "items,conf"},
-    TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no response",
+    TidyFamily{"recognition",
+               "subject,stimulus,response: one trial per row, response empty where there is none",
                "labels: names of the stimuli, in order; conf", recognition_findings, "labels,conf"},
     TidyFamily{"response_times",
                "subject,time_s and one column per factor: one response per row, time_s empty where "

@@ -129,7 +129,7 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
                     [](const auto& question) { return !question.tie.empty(); })) {
       text += " A tie is also a response option.";
     }
-    if (!block.allow_revisit) text += " Surfaces cannot be presented again.";
+    if (!block.allow_revisit) text += " Participants cannot return to a surface within a trial.";
     text += unmet_text(run->block, facts);
     list.items.push_back(text);
   }

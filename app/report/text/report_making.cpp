@@ -128,9 +128,8 @@ ReportSection making_section(const ReportFacts& facts) {
   for (const std::string& sha256 : facts.sources) add("SHA-256 of the protocol’s file", sha256);
   if (facts.group == AnswerGroup::virtual_participants) add("virtual observer", observer.text());
   if (mirrored > 0) {
-    add("laid out for a left hand", reading_count(mirrored) +
-                                        (mirrored == 1 ? " session" : " sessions") + " of " +
-                                        reading_count(facts.sessions.size()));
+    add("left-handed layout", reading_count(mirrored) + (mirrored == 1 ? " session" : " sessions") +
+                                  " of " + reading_count(facts.sessions.size()));
   }
   if (!files.empty()) {
     section.parts.emplace_back(ReportText{

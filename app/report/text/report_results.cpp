@@ -262,7 +262,7 @@ std::string refused_quantity(std::string quantity) {
 /// The subject of a complete analysis that could not be made.
 std::string words_of_analysis_without_numbers(const std::string& analysis) {
   if (analysis == "anova") return "the analysis of variance";
-  return analysis == "roughness" ? "the curves of roughness" : "a part of the analysis";
+  return analysis == "roughness" ? "the roughness curves" : "a part of the analysis";
 }
 
 /// "the test of the mean proportion of height_map", or empty for an intermediate result.
@@ -426,7 +426,7 @@ ReportSection numbers_section(const AnalysisOutcome& outcome) {
   if (!numbers.rows.empty()) section.parts.emplace_back(std::move(numbers));
   section.parts.emplace_back(ReportText{
       "Not all numbers are printed: asperity analyze STUDY --protocol " + outcome.protocol +
-      " --json prints each number in full precision with its n, and with its interval and method "
+      " --json prints each number at full precision with its n, and with its interval and method "
       "where it has them."});
   return section;
 }

@@ -49,7 +49,7 @@ std::string chapter_heading(const ReportFacts& facts) {
   return facts.protocol.name + ' ' + facts.protocol.version + ": " + group_text(facts.group);
 }
 
-/// "Data of 2026-03-02 to 2026-04-17 (UTC)". Sessions on a simulated clock have no date.
+/// "Data from 2026-03-02 to 2026-04-17 (UTC)". Sessions on a simulated clock have no date.
 std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals) {
   std::set<std::string> days{};
   bool made_up = false;
@@ -67,8 +67,8 @@ std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals
     return has_withdrawals ? "No data: all participants with sessions were withdrawn"
                            : "No data yet";
   }
-  std::string text = days.size() == 1 ? "Data of " + *days.begin()
-                                      : "Data of " + *days.begin() + " to " + *days.rbegin();
+  std::string text = days.size() == 1 ? "Data from " + *days.begin()
+                                      : "Data from " + *days.begin() + " to " + *days.rbegin();
   return text +
          (made_up ? " (UTC), and from sessions on a simulated clock, which has no date" : " (UTC)");
 }
