@@ -242,7 +242,7 @@ TEST(TableFindings, SayWhyThereIsNoNumber) {
 TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
   EXPECT_EQ(refusal_of<std::runtime_error>(
                 [] { proportion_findings(input_of("id,k,n,p0\na,3,2,0.5\n", "{}")); }),
-            "table.csv:2:2: k is 3 of n 2; hits cannot exceed trials");
+            "table.csv:2:2: k is 3 and n is 2; hits cannot exceed trials");
   EXPECT_EQ(refusal_of<std::runtime_error>([] {
               paired_findings(input_of("subject,first,second,winner\nx,a,b,c\n",
                                        R"({"items": ["a", "b", "c"]})"));

@@ -64,7 +64,7 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
   EXPECT_THAT(family_refusal("power", "id,kind,n,alpha,p0\none,binom_two,9,0.05,\n", "[]"),
               HasSubstr("t.csv:2:5: p0 is missing"));
   EXPECT_THAT(family_refusal("power", "id,kind,n,alpha\none,luck,9,0.05\n", "[]"),
-              HasSubstr("there is no kind of plan \"luck\""));
+              HasSubstr("the kind of plan \"luck\" is unknown"));
 }
 
 // None of these can be told from a table that was pasted twice, and each would be an n too large.

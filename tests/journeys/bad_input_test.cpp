@@ -473,7 +473,7 @@ TEST(BadTable, IsRefusedWithItsPlaceAndWhatWouldBeRight) {
   expect_table_refused("proportion", head + "a,NaN,10,0.5,0.95\n", {},
                        {"table.csv:2:2", "NaN", "leave the cell empty"});
   expect_table_refused("proportion", head + "a,5,10,0.5\n", {}, {"4 cells", "5 columns"});
-  expect_table_refused("proportion", head + "a,11,10,0.5,0.95\n", {}, {"11 of n 10"});
+  expect_table_refused("proportion", head + "a,11,10,0.5,0.95\n", {}, {"k is 11 and n is 10"});
 }
 
 TEST(BadOption, OfATableIsToldFromOneThatTheDataHaveNoUseFor) {

@@ -150,7 +150,7 @@ class MagnitudeList final {
     if (cells.complete.empty()) {
       list_.word("status", "", "no_data",
                  "no participant has an estimate in every cell: nothing can be compared",
-                 basis("complete participants"));
+                 basis("participants with an estimate in every cell"));
       return list_.take();
     }
     const std::vector<Eigen::MatrixXd> normalised = normalise(cells);
@@ -159,7 +159,7 @@ class MagnitudeList final {
       list_.word("status", "", "one_participant",
                  "differences between participants cannot be estimated from one participant: add "
                  "participants for intervals and tests",
-                 basis("complete participants"));
+                 basis("participants with an estimate in every cell"));
       return list_.take();
     }
     curves(normalised);
@@ -429,7 +429,7 @@ class MagnitudeList final {
                 basis(how + "falls at the smallest and the largest spacing"));
     list_.count("curve.inverted_u", probe, counts[CurveType::inverted_u],
                 basis(how + "rises at the smallest and falls at the largest spacing"));
-    list_.count("curve.other", probe, counts[CurveType::other], basis(how + "does neither"));
+    list_.count("curve.other", probe, counts[CurveType::other], basis(how + "has another form"));
   }
 
   void peak(const std::string& probe, const QuadraticFit& fit) {

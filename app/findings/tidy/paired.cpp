@@ -253,7 +253,7 @@ void add_pair_model(const Paired& read, FindingList& findings) {
   }
   if (model.tie) parameter("model.tie", *model.tie, "ln ν of ties");
   test("model.equal", model.equal_abilities, static_cast<double>(items - 1),
-       "likelihood ratio against equal items");
+       "likelihood ratio against equal abilities");
   test("model.fit", model.fit.deviance, static_cast<double>(model.fit.df),
        "deviance from the saturated model");
   const Basis fit{.n = n, .method = method + ": fit"};

@@ -193,10 +193,10 @@ void plan_findings(const Scenario& plan, const std::string& kind, PowerList& lis
   } else if (kind == "betabinom_pool") {
     pooled(plan, error, list);
   } else {
-    plan.refuse(
-        "there is no kind of plan \"" + kind +
-        "\"; it must be one of binom_greater, binom_two, chisq_uniform_exact, matching_mallows, "
-        "matching_known, paired_t, rm_anova, fisher_two, mafc_dprime, betabinom_pool");
+    plan.refuse("the kind of plan \"" + kind +
+                "\" is unknown; it must be one of binom_greater, binom_two, chisq_uniform_exact, "
+                "matching_mallows, matching_known, paired_t, rm_anova, fisher_two, mafc_dprime, "
+                "betabinom_pool");
   }
 }
 

@@ -21,8 +21,8 @@ void refuse_wrong(const TidyTable& table, std::size_t row, const HitCount& count
                   double confidence) {
   if (count.hits > count.trials) {
     table.refuse(row, "k",
-                 "k is " + std::to_string(count.hits) + " of n " + std::to_string(count.trials) +
-                     "; hits cannot exceed trials");
+                 "k is " + std::to_string(count.hits) + " and n is " +
+                     std::to_string(count.trials) + "; hits cannot exceed trials");
   }
   if (!(chance >= 0.0 && chance <= 1.0)) {
     table.refuse(row, "p0",

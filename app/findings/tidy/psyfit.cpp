@@ -36,8 +36,8 @@ std::vector<Condition> read_conditions(const TidyTable& table, const Psychometri
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (hits[row] > trials[row]) {
       table.refuse(row, "k",
-                   "k is " + std::to_string(hits[row]) + " of n " + std::to_string(trials[row]) +
-                       "; hits cannot exceed trials");
+                   "k is " + std::to_string(hits[row]) + " and n is " +
+                       std::to_string(trials[row]) + "; hits cannot exceed trials");
     }
     const PsychometricBlock block{.x = levels[row], .trials = trials[row], .hits = hits[row]};
     if (is_impossible(block, model)) {

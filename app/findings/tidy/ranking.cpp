@@ -75,10 +75,10 @@ Rankings rankings_in(const TidyInput& input) {
     if (items.codes[row] == LabelColumn::kMissing)
       table.refuse(row, "item", "the item is missing; every row needs one");
     if (ranks[row] && (*ranks[row] < 1.0 || *ranks[row] != std::round(*ranks[row]))) {
-      table.refuse(
-          row, "rank",
-          "rank is " + number_text(*ranks[row]) +
-              "; it must be a whole number from 1, or empty for items ranked behind all others");
+      table.refuse(row, "rank",
+                   "rank is " + number_text(*ranks[row]) +
+                       "; it must be a whole number of at least 1, or empty for items ranked "
+                       "behind all others");
     }
     const std::pair name{participants.codes[row], trials.codes[row]};
     const auto [found, first] = place.emplace(name, offers.size());

@@ -34,27 +34,26 @@ constexpr std::array kFamilies{
                "target,rater,score: one rating per target and rater (or repetition), empty where "
                "there is none",
                "conf", icc_findings, "conf"},
-    TidyFamily{"learning",
-               "subject,trial,time_s: one response per row, time_s empty where there is no "
-               "response time; or "
-               "subject,trial,correct,items: correct responses of a trial; trials numbered from 1 "
-               "for each participant",
-               "blocks: largest number of ranges of trials, 12 if absent; conf", learning_findings,
-               "blocks,conf"},
+    TidyFamily{
+        "learning",
+        "subject,trial,time_s: one response per row, time_s empty where there is no "
+        "response time; or subject,trial,correct,items: correct responses of a trial; trials "
+        "numbered from 1 for each participant",
+        "blocks: largest number of ranges of trials, 12 if absent; conf", learning_findings,
+        "blocks,conf"},
     TidyFamily{
         "magnitude",
         "subject,probe,spacing,estimate and optionally rep: one estimate per row, empty where "
         "there is none; the estimates of a cell are averaged as logarithms; and b,s1,s2,...: "
-        "resampled "
-        "participants",
+        "resampled participants",
         "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
         "standard_spacing; modulus; conf",
         magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf", 2},
     TidyFamily{
         "matching",
-        "subject,trial,stimulus,response and, where there are groups, group: one row per "
-        "place of a trial, response empty where it was left blank; and, where a trial stands "
-        "for several, times",
+        "subject,trial,stimulus,response and optionally group: one row per "
+        "place of a trial, response empty where it was left blank; and optionally times: number of "
+        "identical trials",
         "conf; parts: all, summary, totals", matching_findings, "conf,parts"},
     TidyFamily{"ordinal", "subject,item,score: one response per row, on ordered categories",
                "items (all that were rated; effects refer to the first), conf", ordinal_findings,
@@ -62,7 +61,7 @@ constexpr std::array kFamilies{
     TidyFamily{
         "paired",
         "subject,first,second,winner: the item that was preferred to the other, or tie, empty "
-        "where there is no judgement; and, where rows stand for several judgements, times",
+        "where there is no judgement; and optionally times: number of identical judgements",
         "items (all that were compared), conf", paired_findings, "items,conf"},
     TidyFamily{
         "power",
@@ -82,8 +81,8 @@ constexpr std::array kFamilies{
                psyfit_findings, "shape,gamma,lambda,lambda_max,pt,bootstrap,conf", 2},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was presented and "
-               "ranks behind all that were ranked; an item that was not presented has no row; and, "
-               "where a trial stands for several, times",
+               "ranks behind all that were ranked; an item that was not presented has no row; and "
+               "optionally times: number of identical trials",
                "items (all that were presented in any trial), conf", ranking_findings,
                "items,conf"},
     TidyFamily{
