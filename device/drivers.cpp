@@ -170,7 +170,7 @@ AttachedDevice choose_attached(const std::string& product,
                });
   if (fitting.empty()) {
     throw std::runtime_error("no " + product + " has the serial number or place \"" + which +
-                             "\"; attached: " + tags_of(attached));
+                             "\"; choose one that is attached: " + tags_of(attached));
   }
   if (fitting.size() > 1) {
     throw std::runtime_error(std::to_string(fitting.size()) + " devices are attached (" + product +

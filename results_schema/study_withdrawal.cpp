@@ -253,9 +253,9 @@ WithdrawalRow Study::counts_of_participant(const std::string& label) const {
 WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& withdrawal) {
   Database& database = store_->writable();
   if (withdrawal.decided_by.empty()) {
-    refuse_withdrawal(
-        store_->folder,
-        "cannot store a withdrawal without the name of the person who decided it; enter that name");
+    refuse_withdrawal(store_->folder,
+                      "cannot store a withdrawal without the name of the person who decided on it; "
+                      "enter that name");
   }
   WithdrawalRow row = withdrawal;
   count_rows(database, label);  // before a lock is made for a label that is not there

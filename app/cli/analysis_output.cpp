@@ -127,7 +127,7 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
   text += counted(outcome.count.participants, "participant") + ", " +
           counted(outcome.count.sessions, "session") + ", " +
           counted(outcome.count.planned_trials, "planned trial") + " of the main phase, " +
-          counted(outcome.answers, "answer") + " counted\n";
+          counted(outcome.answers, "response") + " counted\n";
   for (const Phrase& remark : outcome.remarks) text += paragraph("! ", remark.english());
   for (const AnsweredQuestion& question : outcome.questions) {
     text += '\n' + paragraph("", question.question.english());

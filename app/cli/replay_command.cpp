@@ -61,7 +61,7 @@ void add_replay(CLI::App& program, Job& job) {
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command
       ->add_option("--attempt", options->attempt,
-                   "Row number of the exported attempts.tsv, or PARTICIPANT/SESSION/TRIAL/ATTEMPT")
+                   "Row number in the exported attempts.tsv, or PARTICIPANT/SESSION/TRIAL/ATTEMPT")
       ->required();
   command->add_option("--surface", options->surface, "Number of the surface in the trial")
       ->capture_default_str();

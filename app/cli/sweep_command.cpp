@@ -116,7 +116,7 @@ void add_sweep(CLI::App& program, Job& job) {
       ->option_text("probe_diameter|applied_force|exploratory_speed REQUIRED");
   command->add_option(
       "--values", options->values,
-      "Values of that quantity, V,V,…, in m, N or m/s (default: three typical values)");
+      "Values of the varied quantity, V,V,…, in m, N or m/s (default: three typical values)");
   command
       ->add_option("--spacings", options->spacings,
                    "Spacings of the texture, FROM:TO:COUNT in metres, logarithmically spaced")

@@ -115,7 +115,7 @@ StudyBeside study_beside(const SweepOptions& options, const ModelRegistry& model
           sweep_beside(options.order, protocol_of(study, outcome, models), study.folder());
       require_estimates(figure, beside.conditions);
       say("estimates in the figure: " + outcome.protocol + " " + outcome.version + ", " +
-          text_of(outcome.group) + ", " + counted(outcome.answers, "answer"));
+          text_of(outcome.group) + ", " + counted(outcome.answers, "response"));
       for (const std::string& remark : beside.remarks) {
         say("asperity: warning: " + remark);
       }

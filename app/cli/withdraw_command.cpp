@@ -29,7 +29,7 @@ std::string held(const WithdrawalRow& counts) {
     return counted(static_cast<std::size_t>(count), thing);
   };
   return of(counts.sessions, "session") + ", " + of(counts.attempts, "attempt") + ", " +
-         of(counts.answers, "answer") + ", " + of(counts.recordings, "recording");
+         of(counts.answers, "response") + ", " + of(counts.recordings, "recording");
 }
 
 /// A mistyped label would delete the data of another participant: it is given twice, by --confirm or at a terminal.

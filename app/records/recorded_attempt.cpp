@@ -137,7 +137,7 @@ AttemptRow find_attempt(const Study& study, const std::string& what) {
     }
   }
   throw std::runtime_error("there is no attempt " + what + " in " + study.folder().string() +
-                           ": give a row number of the exported attempts.tsv, 1 to " +
+                           ": give a row number in the exported attempts.tsv, 1 to " +
                            std::to_string(number) + ", or PARTICIPANT/SESSION/TRIAL/ATTEMPT");
 }
 

@@ -117,10 +117,10 @@ void Conductor::pause_without_noise() {
   publish_trouble(course_.has_masked()
                       ? phrase("Troubles",
                                "The masking noise has stopped, and the session is paused. Fix the "
-                               "sound, then resume.")
+                               "problem with the sound, then resume.")
                       : phrase("Troubles",
                                "The masking noise cannot start: the sound card does not play. The "
-                               "session is paused. Fix the sound, then resume."),
+                               "session is paused. Fix the problem with the sound, then resume."),
                   SessionTrouble::Remedy::resume);
   course_.event(course_.has_masked() ? "masking_noise_lost" : "masking_noise_missing", "");
 }

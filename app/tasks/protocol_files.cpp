@@ -234,8 +234,8 @@ std::string never_touched(const StimulusDescription& stimulus, const TexturedMes
   };
   if (ends_before(end_m) || ends_before(-end_m)) {
     sentence +=
-        "; it ends before the strokes do: make it longer, or reduce `stroke_length_m` of the "
-        "exploration";
+        "; the strokes extend beyond the surface: make the surface longer, or reduce "
+        "`stroke_length_m` of the exploration";
   }
   return sentence;
 }

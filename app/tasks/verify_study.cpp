@@ -130,7 +130,7 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       };
       const TrialQuestion* const question = find_question(planned, name);
       if (question == nullptr) {
-        problems.push_back(item() + "the planned trial does not ask the question " + name);
+        problems.push_back(item() + "the planned trial has no question " + name);
         continue;
       }
       if (answers.words[reply.options_json] != options_json_of(*question)) {

@@ -33,7 +33,7 @@ DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper,
   capability.maximum_rate_Hz = kFastestOrders_Hz;
   capability.buttons = gripper == Gripper::yes ? 2 : 1;
   capability.remarks =
-      "Force and workspace are CHAI3D's figures for this model, not measured; resolution and "
+      "Force and workspace are CHAI3D's values for this model, not measured; resolution and "
       "continuous force are unknown. The manufacturer's software adds the force that supports the "
       "weight of the handle." +
       more;
@@ -67,7 +67,7 @@ std::optional<DhdModel> dhd_model_of(int system_type) {
     case 108:
     case 109:
       return model_of({"lambda.7", 12.0, 0.075}, Turns::actuated, Gripper::yes,
-                      " No figures for lambda.7 were available: the limits of sigma.7 are used.");
+                      " No values for lambda.7 were available: the limits of sigma.7 are used.");
     case 60:
       return model_of({"Falcon", 8.0, 0.04}, Turns::no, Gripper::no);
     default:

@@ -61,7 +61,7 @@ Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& pla
   require_no_stop_at(place, stop);
   std::optional<Inverse3Inventory> inventory = message ? inventory_from(*message) : std::nullopt;
   if (!inventory) {
-    throw std::runtime_error("The program that answers at " + place.text() +
+    throw std::runtime_error("The program at " + place.text() +
                              " is not Haply's Inverse Service: it does not list devices. Name the "
                              "address of the service "
                              "with --service HOST:PORT.");

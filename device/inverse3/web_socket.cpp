@@ -124,7 +124,8 @@ WebSocket::WebSocket(const std::string& host, int port, std::chrono::millisecond
   settings.fd_limit_per_thread = kMostFiles;
   connection_->context = lws_create_context(&settings);
   if (connection_->context == nullptr) {
-    throw std::runtime_error("No connection to " + place + " can be prepared.");
+    throw std::runtime_error("A connection to " + place +
+                             " cannot be created. Close other programs, then try again.");
   }
   lws_client_connect_info target{};
   target.context = connection_->context;
@@ -148,7 +149,7 @@ WebSocket::WebSocket(const std::string& host, int port, std::chrono::millisecond
   }
   if (!connection_->is_open) {
     const std::string& failure = connection_->failure;
-    throw std::runtime_error("No service answers at " + place +
+    throw std::runtime_error("No service responds at " + place +
                              (failure.empty() ? "" : " (" + failure + ")") + ".");
   }
 }

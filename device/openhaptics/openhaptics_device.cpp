@@ -181,7 +181,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   capability.remarks =
       "Forces and workspace are those that the device reports; its resolution is unknown. The "
       "position is that of the gimbal's centre. Velocity is the slope of the last five positions. "
-      "The manufacturer's scheduler keeps the time, and its clamping of forces is on.";
+      "The manufacturer's scheduler is the timing source, and its clamping of forces is on.";
 
   unsigned int calibration = hd.hdCheckCalibration();
   int styles = 0;

@@ -117,7 +117,8 @@ class SpaceMousePort::Hidapi final {
   Hidapi() {
     const std::lock_guard lock(mutex());
     if (ports() == 0 && hid_init() != 0) {
-      throw std::runtime_error("USB devices cannot be opened: hidapi cannot be initialised");
+      throw std::runtime_error(
+          "USB devices cannot be opened: hidapi cannot be initialised; check its installation");
     }
     ++ports();
   }

@@ -103,7 +103,8 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
   const std::string place = pointer + "/anchor";
   if (!kind_of(block).has_anchors) {
     report_key(place,
-               "only a magnitude has an anchor with which others are compared; remove this key");
+               "only a magnitude estimation has an anchor with which others are compared; remove "
+               "this key");
     return;
   }
   if (!block.drawn.empty()) {
@@ -267,9 +268,10 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   const std::size_t rows = row_count(protocol_, block);
   const std::size_t trials = rows * static_cast<std::size_t>(block.repetitions);
   if (trials > kMaximumTrials) {
-    report(pointer,
-           "this block has more than " + std::to_string(kMaximumTrials) +
-               " trials, too many for a participant; reduce the repetitions or the levels");
+    report(
+        pointer,
+        "this block has more than " + std::to_string(kMaximumTrials) +
+            " trials, too many for a participant; reduce the number of repetitions or of levels");
     return;
   }
   if (block.until && trials < static_cast<std::size_t>(block.until->maximum_trials)) {
@@ -285,7 +287,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
     report(pointer + "/positions",
            "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
                " trials, the number of surfaces, but the block has " + std::to_string(trials) +
-               "; change the repetitions or the levels, or remove positions");
+               "; change the number of repetitions or of levels, or remove positions");
   }
   if (block.maximum_in_a_row.empty()) return;
   const OrderProblem problem = order_problem(block, rows_of(protocol_, block));

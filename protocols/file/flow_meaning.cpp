@@ -101,7 +101,7 @@ void Meaning::check_size() {
       return report(
           pointer_to("/flow", i),
           "up to here the session has more than " + std::to_string(kMaximumSessionTrials) +
-              " trials, too many for a participant; reduce the blocks or their repetitions");
+              " trials, too many for a participant; reduce the number of blocks or of repetitions");
     }
   }
   if (protocol_.counterbalance != Protocol::Counterbalance::none && rows > kMaximumRows) {

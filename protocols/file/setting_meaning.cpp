@@ -238,7 +238,7 @@ void Meaning::check_explorations() {
     const auto too_strong = [&](const std::optional<double>& force_N, const char* key) {
       if (!force_N || *force_N <= protocol_.force_limit_N) return;
       report(pointer + "/normal_force_N/" + key,
-             "the band reaches " + digits(*force_N) + " N, but the device stops at its limit of " +
+             "the band reaches " + digits(*force_N) + " N, but the force limit is " +
                  digits(protocol_.force_limit_N) +
                  " N (/device/force_limit_N); lower the force or raise the limit");
     };

@@ -22,11 +22,11 @@ constexpr std::array kMagnitudeTests{
     KindTest{"condition", "do estimates depend on the condition"},
     KindTest{"peaks", "for every pair of conditions: do their peaks differ"}};
 
-constexpr std::array kMagnitudeKeys{
-    KindKey{"estimation",
-            "a magnitude has to state the factor by which estimates are analysed: add the key "
-            "\"estimation\" with this factor as \"spacing\"",
-            "only a magnitude has estimates to be analysed; remove this key"}};
+constexpr std::array kMagnitudeKeys{KindKey{
+    "estimation",
+    "a magnitude estimation has to state the factor by which estimates are analysed: add the key "
+    "\"estimation\" with this factor as \"spacing\"",
+    "only a magnitude estimation has estimates to be analysed; remove this key"}};
 
 std::string item_of_magnitude(const StimulusDescription& stimulus) { return stimulus.texture; }
 
@@ -35,16 +35,18 @@ void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems)
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 1) {
     problems.report(checked.pointer + "/presented",
-                    "a magnitude presents exactly one surface per trial; list one here");
+                    "a magnitude estimation presents exactly one surface per trial; list one here");
   }
   if (!question.pictures.empty()) {
-    problems.report(place + "/pictures",
-                    "a magnitude is answered by a number, not by a picture; remove this key");
+    problems.report(
+        place + "/pictures",
+        "a magnitude estimation is answered by a number, not by a picture; remove this key");
   }
   if (question.allow_cannot_tell) {
-    problems.report(place + "/allow_cannot_tell",
-                    "in a magnitude every surface gets a number, and there is no \"cannot tell\"; "
-                    "set this to false");
+    problems.report(
+        place + "/allow_cannot_tell",
+        "in a magnitude estimation every surface gets a number, and there is no \"cannot tell\"; "
+        "set this to false");
   }
   if (!question.correct_factor.empty()) {
     problems.report(place + "/correct_factor",
@@ -144,9 +146,10 @@ void check_magnitude(const Protocol& protocol, ProblemSink& problems) {
 
 void check_trial_of_magnitude(const BlockOfKind& checked, const Trial&, ProblemSink& problems) {
   if (checked.protocol.observer.expectation == ObserverDeclaration::Expectation::none) return;
-  problems.report("/observer/expectation",
-                  "an observer derives a magnitude from the felt force and has no expectation: set "
-                  "this to \"none\"");
+  problems.report(
+      "/observer/expectation",
+      "an observer derives a magnitude estimate from the felt force and has no expectation: set "
+      "this to \"none\"");
 }
 
 VirtualResponse judge_magnitude(const Judgement& judgement) {

@@ -108,8 +108,8 @@ void check_trial_of_pairs(const BlockOfKind& checked, const Trial& trial, Proble
     if (planned.item != kTieOption) continue;
     problems.report(
         checked.pointer + "/presented",
-        "a surface counts as \"tie\" in the responses, which is the name of a tie; give "
-        "it another name");
+        "a surface counts as \"tie\" in the responses, but this is the name of a tie; give "
+        "the surface another name");
   }
 }
 

@@ -20,21 +20,20 @@ std::string in_hundredths(double number) { return number_text(std::round(100.0 *
 
 std::string about_direction(double direction_rad) {
   const double degrees = std::round(direction_rad * 180.0 / std::numbers::pi);
-  return "The picture changes mostly along " + number_text(degrees == 0.0 ? 0.0 : degrees) +
-         "° from +x. Either the surface has a grain across that direction, or the light came from "
-         "one side along it. In the second case the heights are really slopes towards the light: "
-         "take the picture again in even light from all sides. ";
+  return "The brightness varies mostly along " + number_text(degrees == 0.0 ? 0.0 : degrees) +
+         "° from +x. Either the surface has a grain at right angles to this direction, or the "
+         "light came from one side along it. In the second case the heights represent slopes "
+         "towards the light: take the picture again in even light from all sides. ";
 }
 
 std::string about_skewness(double skewness) {
   if (skewness < -kSkewed) {
-    return "It has narrow dark parts on brighter ground. If those are grooves or pits, which are "
-           "dark because they lie low, bright is high, the default sign. ";
+    return "The picture has narrow dark parts on brighter ground. If they are dark because they "
+           "lie low (grooves, pits), bright is high: keep the default sign. ";
   }
-  return "It has narrow bright parts on darker ground. If those stand out (grains, fibres), bright "
-         "is high, the default sign; if they lie low (light mortar between bricks), choose the "
-         "sign "
-         "-1. ";
+  return "The picture has narrow bright parts on darker ground. If they stand out (grains, "
+         "fibres), bright is high: keep the default sign; if they lie low (light mortar between "
+         "bricks), choose the sign -1. ";
 }
 
 }  // namespace
@@ -99,7 +98,7 @@ std::string advice(const PhotographEvidence& evidence) {
   }
   return words + "(Skewness " + in_hundredths(evidence.skewness) + ", anisotropy " +
          in_hundredths(evidence.anisotropy) +
-         ".) One photograph cannot show whether dark is low, shaded or painted: look at the "
+         ".) One photograph cannot show whether dark areas are low, shaded or painted: look at the "
          "surface.";
 }
 

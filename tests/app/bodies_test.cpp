@@ -198,7 +198,7 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
   for (const char* said :
        {"no part of the surface \"plate\" (stimuli/cube.mesh) lies", "the tool \"ball\"",
         "10.0 mm from the middle", "x -2.0 to 2.0 mm", "z 0.0 to 4.0 mm",
-        "again with `--for surface`", "it ends before the strokes do"}) {
+        "again with `--for surface`", "the strokes extend beyond the surface"}) {
     EXPECT_THAT(of_a_tool[0].message, HasSubstr(said));
   }
   SimulationInputs inputs{};
@@ -208,7 +208,7 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
 
   const std::vector<Diagnostic> of_a_short_one = refusals(placed(cube(0.004), BodyRole::surface));
   ASSERT_EQ(of_a_short_one.size(), 1U);
-  EXPECT_THAT(of_a_short_one[0].message, HasSubstr("it ends before the strokes do"));
+  EXPECT_THAT(of_a_short_one[0].message, HasSubstr("the strokes extend beyond the surface"));
   EXPECT_THAT(of_a_short_one[0].message, testing::Not(HasSubstr("--for surface")));
   EXPECT_THAT(refusals(placed(cube(0.04), BodyRole::surface)), IsEmpty());
   // About its middle: from 30 mm above the plane to where no hand goes.

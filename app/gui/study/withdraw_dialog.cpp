@@ -19,7 +19,7 @@ namespace asperity {
 
 namespace {
 
-/// "2 sessions, 36 attempts, 40 answers, 36 recordings"
+/// "2 sessions, 36 attempts, 40 responses, 36 recordings"
 QString text_of_counts(const WithdrawalRow& row) {
   return QStringList{WithdrawDialog::tr("%n session(s)", nullptr, row.sessions),
                      WithdrawDialog::tr("%n attempt(s)", nullptr, row.attempts),

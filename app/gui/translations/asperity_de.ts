@@ -5651,7 +5651,7 @@
         <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert</translation>
     </message>
     <message>
-        <source>The masking noise has stopped, and the session is paused. Fix the sound, then resume.</source>
+        <source>The masking noise has stopped, and the session is paused. Fix the problem with the sound, then resume.</source>
         <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
@@ -5671,7 +5671,7 @@
         <translation>%1 Der NOT-HALT wurde inzwischen gedrückt.</translation>
     </message>
     <message>
-        <source>The masking noise cannot start: the sound card does not play. The session is paused. Fix the sound, then resume.</source>
+        <source>The masking noise cannot start: the sound card does not play. The session is paused. Fix the problem with the sound, then resume.</source>
         <translation>Das Maskierrauschen kann nicht starten: Die Soundkarte gibt keinen Ton aus. Die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
