@@ -83,15 +83,15 @@ Json json_of(const RecordingHeader& header) {
 void refuse_bad_header(const RecordingHeader& header) {
   constexpr double kFastest_Hz = 1e6;
   if (!(header.rate_Hz > 0.0 && header.rate_Hz <= kFastest_Hz)) {
-    throw std::invalid_argument("rate_Hz: must be above 0 and at most 1000000");
+    throw std::invalid_argument("rate_Hz must be above 0 and at most 1000000");
   }
   for (const RecordingColumn& column : header.columns) {
     if (column.name.empty() || column.name == "time_ns") {
-      throw std::invalid_argument("columns: each needs a name other than time_ns");
+      throw std::invalid_argument("every column needs a name other than time_ns");
     }
   }
   if (!Json::accept(header.context_json)) {
-    throw std::invalid_argument("context_json: is not JSON");
+    throw std::invalid_argument("context_json is not JSON");
   }
 }
 

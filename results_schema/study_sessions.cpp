@@ -55,7 +55,7 @@ void refuse_network(const std::filesystem::path& folder) {
 std::vector<int> counts_of(Database& database, const std::string& protocol_name, int rows,
                            const std::optional<SessionMode>& mode,
                            const std::optional<std::string>& group) {
-  if (rows < 1) throw std::invalid_argument("rows: there must be at least one");
+  if (rows < 1) throw std::invalid_argument("the number of rows must be at least 1");
   std::optional<std::string> mode_text;
   if (mode) mode_text = text_of(*mode);
   Statement statement(database,

@@ -102,7 +102,8 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
   }
   const auto needed = numbers.group(kNeeded);
   if (!needed) {
-    throw std::runtime_error(file_name + ":1: a path needs the columns time_s x_m y_m z_m");
+    throw std::runtime_error(file_name +
+                             ":1: a path needs the columns time_s x_m y_m z_m; add them");
   }
   const auto orientation = numbers.group(kOrientation);
   const auto velocity = numbers.group(kVelocity);

@@ -90,7 +90,7 @@ std::string host_address(const std::string& host, std::chrono::milliseconds pati
   if (!lookup->changed.wait_for(lock, stop, patience, [&lookup] { return lookup->is_here; })) {
     throw std::runtime_error("The host \"" + host + "\" was not found " +
                              (stop.stop_requested()
-                                  ? "before the stop."
+                                  ? "before the search was stopped on request."
                                   : "within " + std::to_string(patience.count()) +
                                         " ms: give its IP address, such as 127.0.0.1."));
   }

@@ -22,9 +22,9 @@ void Meaning::check_groups() {
   constexpr std::size_t kMaximumGroups = 32;
   const std::size_t levels = factor->second.levels.size();
   if (levels < 2 || levels > kMaximumGroups) {
-    report(pointer_to("/factors", name) + "/levels", "the factor of the groups has 2 to " +
-                                                         std::to_string(kMaximumGroups) +
-                                                         " levels, one per group");
+    report(pointer_to("/factors", name) + "/levels",
+           "the factor of the groups must have 2 to " + std::to_string(kMaximumGroups) +
+               " levels, one per group; add or remove levels");
   }
   constexpr const char* kWhy =
       " is the factor of the groups, and the group of the participant sets its level; use another "

@@ -155,7 +155,7 @@ void Meaning::check_same_scale(const Block& block, const TrialQuestionTemplate& 
       const auto* const its = std::get_if<ScaleForm>(&earlier.form);
       if (earlier.name != question.name || its == nullptr || *its == *scale) continue;
       report(place + "/name",
-             "the block " + in_quotes(name) + " asks " + in_quotes(question.name) +
+             "the block " + in_quotes(name) + " has the question " + in_quotes(question.name) +
                  " on another scale, and the two are analysed together; give one of "
                  "the questions another name, or both the same scale");
     }

@@ -56,7 +56,7 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
                         "the main blocks of a paired_comparison are analysed together, and the "
                         "block " +
                             in_quotes(first_block->name) +
-                            " asks another question; give both questions the same name, prompt and "
+                            " has another question; give both questions the same name, prompt and "
                             "tie, or write a protocol for each of them");
       }
       if (items_of_pairs(block) != items_of_pairs(*first_block)) {

@@ -142,7 +142,7 @@ TEST(SceneOfSurface, SaysWhenItIsEnough) {
 
 TEST(SceneOfFeedback, TellsTheRightAnswerOnlyToWhoWasWrong) {
   EXPECT_EQ(scene_of_feedback(true, "3").text, "Correct.");
-  EXPECT_EQ(scene_of_feedback(false, "3").text, "Incorrect. The correct answer is 3.");
+  EXPECT_EQ(scene_of_feedback(false, "3").text, "Incorrect. The correct response is 3.");
   EXPECT_EQ(scene_of_feedback(false, "").text, "Incorrect.");
   EXPECT_EQ(scene_of_feedback(false, "3").text_saying.what, Saying::What::was_wrong);
 }

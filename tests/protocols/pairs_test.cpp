@@ -223,11 +223,11 @@ TEST(PairedComparison, AsksOneQuestionAboutOneSetOfItemsInAllItsMainBlocks) {
   for (const char* const key : {"name", "prompt"}) {
     json other = protocol;
     other["blocks"]["second"]["question"][key] = "harder";
-    EXPECT_THAT(problem_in_block(other, at_question), HasSubstr("asks another question")) << key;
+    EXPECT_THAT(problem_in_block(other, at_question), HasSubstr("has another question")) << key;
   }
   json without_tie = protocol;
   without_tie["blocks"]["second"]["question"].erase("tie");
-  EXPECT_THAT(problem_in_block(without_tie, at_question), HasSubstr("asks another question"));
+  EXPECT_THAT(problem_in_block(without_tie, at_question), HasSubstr("has another question"));
   without_tie["blocks"]["second"]["phase"] = "practice";
   EXPECT_EQ(problem_in_block(without_tie, at_question), "");
   json other_items = protocol;

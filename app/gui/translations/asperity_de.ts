@@ -4146,7 +4146,7 @@
         <translation>Nicht richtig.</translation>
     </message>
     <message>
-        <source>Incorrect. The correct answer is %1.</source>
+        <source>Incorrect. The correct response is %1.</source>
         <translation>Nicht richtig. Die richtige Antwort ist %1.</translation>
     </message>
     <message>

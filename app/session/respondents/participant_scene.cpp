@@ -105,7 +105,7 @@ Phrase phrase_of(const Saying& saying) {
       return phrase("ParticipantWords", "Correct.");
     case Saying::What::was_wrong:
       if (saying.code.empty()) return phrase("ParticipantWords", "Incorrect.");
-      return phrase("ParticipantWords", "Incorrect. The correct answer is %1.").with(saying.code);
+      return phrase("ParticipantWords", "Incorrect. The correct response is %1.").with(saying.code);
     case Saying::What::answer_needed:
       return phrase("ParticipantWords", "Please answer this question.");
     case Saying::What::number_needed:
