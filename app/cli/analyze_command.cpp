@@ -148,15 +148,15 @@ void add_analyze(CLI::App& program, Job& job) {
       "--table", options->tables, "Instead of a study: tables, one observation per row (CSV, TSV)");
   auto* kind = command->add_option("--as", options->kind, "Kind of analysis: " + family_names());
   auto* file = command->add_option("--options", options->options_file,
-                                   "Options of that analysis (a JSON object)");
+                                   "Options of the analysis (a JSON object)");
   auto* option =
       command->add_option("--option", options->options,
-                          "Options of that analysis, NAME=VALUE; a,b,c is a list, and a VALUE in "
+                          "Options of the analysis, NAME=VALUE; a,b,c is a list, and a VALUE in "
                           "JSON is read as JSON: 'within={\"spacing\":[1,2,4]}'");
 #ifdef ASPERITY_WITH_WINDOWS
   auto* figures =
       command->add_option("--figures", options->figures,
-                          "Also write the figures of that analysis, as SVG files in this folder");
+                          "Also write the figures of the analysis, as SVG files in this folder");
   auto* level_unit = command->add_option(
       "--level-unit", options->level_unit,
       "Unit of the levels or spacings in the table, for the axes of the figures");

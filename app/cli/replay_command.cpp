@@ -68,7 +68,7 @@ void add_replay(CLI::App& program, Job& job) {
   command->add_option("--model", options->model,
                       "Another force model on the same texture, of the same kind as the recorded "
                       "one: with two bodies or with a point");
-  command->add_option("--param", options->parameters, "Parameter of that model, NAME=VALUE");
+  command->add_option("--param", options->parameters, "Parameter of the other model, NAME=VALUE");
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &job] {

@@ -182,7 +182,7 @@ void add_sweep(CLI::App& program, Job& job) {
       ->option_text("max_accel|rms_accel|fa1|fa2|pacinian");
 #ifdef ASPERITY_WITH_WINDOWS
   auto* plot = command->add_option("--plot", options->plot,
-                                   "Also write a figure of that measure, .svg, .png or .pdf");
+                                   "Also write a figure of the measure, .svg, .png or .pdf");
   auto* beside = command
                      ->add_option("--beside", options->beside,
                                   "Also show the estimates of the participants of this study in "
@@ -191,7 +191,8 @@ void add_sweep(CLI::App& program, Job& job) {
                      ->needs(plot);
   command
       ->add_option("--protocol", options->protocol,
-                   "Protocol of that study, NAME[@VERSION]; required if several protocols, or "
+                   "Protocol of the study given with --beside, NAME[@VERSION]; required if several "
+                   "protocols, or "
                    "several versions of one, request estimates of roughness")
       ->needs(beside);
 #endif

@@ -44,11 +44,10 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
       device.serial = identity.serial;
       if (const std::optional<DhdModel> model = dhd_model_of(identity.type)) {
         device.model = model->capability.model;
-        device.remark =
-            sdk.has_robotics()
-                ? "After it was switched off it has to move by itself, for some seconds, to find "
-                  "its zero; confirmation is requested before it moves."
-                : "";
+        device.remark = sdk.has_robotics()
+                            ? "After power-on it has to move by itself for some seconds to find "
+                              "its zero; confirmation is requested before it moves."
+                            : "";
       } else {
         device.hindrance = unknown_type(identity.type);
       }
@@ -75,7 +74,8 @@ bool agrees_now(const DriverOptions& options, const std::string& sentence) {
   const auto waited = std::chrono::steady_clock::now() - answered;
   if (is_agreed && !options.stop.stop_requested() && waited > kLongestAfterYes) {
     throw std::runtime_error(
-        "The device was not moved: another search for devices delayed it by more than a second "
+        "The device was not moved: another search for devices delayed the movement by more than a "
+        "second "
         "after the confirmation. Open it again, and confirm again.");
   }
   return is_agreed;
