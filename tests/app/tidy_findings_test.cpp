@@ -134,7 +134,8 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
       stray,
       HasSubstr(
           "! unequal: B has 2 values in the cell c, while 8 of 9 cells have 1 value. The values of "
-          "a cell are averaged: check whether a row occurs twice, or names another"));
+          "a cell are averaged: check whether a row occurs twice, or has the "
+          "wrong participant or cell"));
   std::string twice = kTipRows;
   for (const char* row :
        {"A,a,2", "A,b,1", "A,c,4", "B,a,4", "B,b,4", "B,c,5", "C,a,1", "C,b,4", "C,c,8"}) {
@@ -152,7 +153,8 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
   EXPECT_THAT(estimates,
               HasSubstr("! unequal: A has 1 value in the cell p|2, while 5 of 6 cells have 2 "
                         "values. The values of a cell are averaged: check whether a row is missing "
-                        "or has no value that counts, or names another"));
+                        "or has no value that counts, or has the wrong "
+                        "participant or cell"));
 }
 
 TEST(TableFindings, CountTheChoicesThatCochransTestLeavesOut) {

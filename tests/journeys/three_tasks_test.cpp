@@ -1,4 +1,5 @@
-// Three tasks in one session, two groups of participants, and five scales in a trial: from check to report.
+// Three tasks in one session, two groups of participants, and five scales in a trial; and pairs of the levels of a
+// factor: from check to report, and through kills.
 
 #include <csignal>
 
@@ -52,9 +53,27 @@ nlohmann::ordered_json three_tasks() {
   return protocol;
 }
 
-class ThreeTasks : public testing::Test {
+/// Both orders of two models with two textures, with a tie, twice; 8 trials.
+nlohmann::ordered_json pairs_of_models() {
+  nlohmann::ordered_json protocol = small_selection(2);
+  protocol["kind"] = "paired_comparison";
+  protocol["name"] = "pairs_of_models";
+  nlohmann::ordered_json& block = protocol["blocks"]["main"];
+  block.erase("positions");
+  block["all_pairs"] = {{"factor", "model"}, {"in_both_orders", true}};
+  block["presented"] = {{{"stimulus", "rendered"}}};
+  block["question"]["tie"] = {{"text", "Neither"}};
+  return protocol;
+}
+
+/// A protocol in a small study.
+class Tasks : public testing::Test {
  protected:
-  ThreeTasks() { write_text(file_, three_tasks().dump(2)); }
+  explicit Tasks(const nlohmann::ordered_json& protocol)
+      : file_(small_.study() / "protocols" /
+              (protocol["name"].template get<std::string>() + ".json")) {
+    write_text(file_, protocol.dump(2));
+  }
 
   std::vector<std::string> run_of(const fs::path& study, bool resumes) const {
     std::vector<std::string> words{"run",      file_,       "--study", study, "--participant",
@@ -63,8 +82,45 @@ class ThreeTasks : public testing::Test {
     return words;
   }
 
+  /// Killed after every trial, the session goes on with the next one, to the same answers.
+  void expect_same_answers_after_kills(int trials) const {
+    const fs::path never_killed = small_.place() / "never_killed";
+    copy_stimuli(small_, never_killed);
+    ASSERT_EQ(asperity(run_of(never_killed, false)).status, 0);
+    const auto expected = exported(never_killed, small_.place() / "expected");
+    for (int trial = 0; trial + 1 < trials; ++trial) {
+      Invocation invocation{};
+      invocation.arguments = run_of(small_.study(), trial > 0);
+      Program program(invocation);
+      program.read_until(
+          [](const std::string&, const std::string& err) { return !done_lines(err).empty(); });
+      program.send(SIGKILL);
+      program.finish();
+    }
+    const Outcome finished = asperity(run_of(small_.study(), true));
+    // A program that was killed late may have ended the session.
+    EXPECT_TRUE(finished.status == 0 || finished.status == 1) << finished.err;
+    const auto tables = exported(small_.study(), small_.place() / "tables");
+    for (const char* const column : {"question", "answer"}) {
+      EXPECT_EQ(tsv(tables.at("responses.tsv")).column(column),
+                tsv(expected.at("responses.tsv")).column(column));
+    }
+    EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"),
+              std::vector<std::string>{"completed"});
+  }
+
   SmallStudy small_{1};
-  fs::path file_ = small_.study() / "protocols" / "three_tasks.json";
+  fs::path file_{};
+};
+
+class ThreeTasks : public Tasks {
+ protected:
+  ThreeTasks() : Tasks(three_tasks()) {}
+};
+
+class PairsOfModels : public Tasks {
+ protected:
+  PairsOfModels() : Tasks(pairs_of_models()) {}
 };
 
 TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
@@ -100,33 +156,34 @@ TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
   }
 }
 
-// Killed after every trial, it goes on with the next one, to the same answers.
-TEST_F(ThreeTasks, ResumeAfterAKillAtEveryTrial) {
-  const fs::path never_killed = small_.place() / "never_killed";
-  copy_stimuli(small_, never_killed);
-  ASSERT_EQ(asperity(run_of(never_killed, false)).status, 0);
-  const auto expected = exported(never_killed, small_.place() / "expected");
+TEST_F(ThreeTasks, ResumeAfterAKillAtEveryTrial) { expect_same_answers_after_kills(10); }
 
-  constexpr int kTrials = 10;
-  for (int trial = 0; trial + 1 < kTrials; ++trial) {
-    Invocation invocation{};
-    invocation.arguments = run_of(small_.study(), trial > 0);
-    Program program(invocation);
-    program.read_until(
-        [](const std::string&, const std::string& err) { return !done_lines(err).empty(); });
-    program.send(SIGKILL);
-    program.finish();
-  }
-  const Outcome finished = asperity(run_of(small_.study(), true));
-  // A program that was killed late may have ended the session.
-  EXPECT_TRUE(finished.status == 0 || finished.status == 1) << finished.err;
+TEST_F(PairsOfModels, AreSimulatedVerifiedAnalysedExportedAndReported) {
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "4", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  EXPECT_EQ(asperity({"verify", small_.study()}).status, 0);
+  const std::string analysed = asperity({"analyze", small_.study()}).out;
+  EXPECT_THAT(analysed, HasSubstr("pairs_of_models 1.0.0 (paired_comparison, improved)"));
+  EXPECT_THAT(analysed, HasSubstr("Which item of a pair is chosen more often?"));
+
   const auto tables = exported(small_.study(), small_.place() / "tables");
-  for (const char* const column : {"question", "answer"}) {
-    EXPECT_EQ(tsv(tables.at("responses.tsv")).column(column),
-              tsv(expected.at("responses.tsv")).column(column));
+  const std::vector<std::string> answers = tsv(tables.at("responses.tsv")).column("answer");
+  EXPECT_EQ(answers.size(), 4U * 8U);
+  for (const std::string& answer : answers) {
+    EXPECT_THAT(answer, testing::AnyOf("height_map", "sinusoid", "tie"));
   }
-  EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"completed"});
+  const std::vector<std::string> items = tsv(tables.at("presentations.tsv")).column("item");
+  EXPECT_EQ(std::count(items.begin(), items.end(), "sinusoid"), 4 * 8);
+
+  const fs::path report = small_.place() / "report.html";
+  EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("all pairs of the levels of model in both orders"));
+  EXPECT_THAT(text, HasSubstr("one of them, or a tie, is to be chosen"));
 }
+
+TEST_F(PairsOfModels, ResumeAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
 
 }  // namespace
 }  // namespace asperity::test

@@ -1416,14 +1416,6 @@
         <translation>Anteil der Vergleiche, in denen jedes Item gewählt wurde</translation>
     </message>
     <message>
-        <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs; a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
-        <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich oft verglichen haben, mit 95-%-KI nach der t-Verteilung; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
-    </message>
-    <message>
-        <source>The items cannot be placed on a scale: some of them were always or never chosen in the comparisons with the others, or were never compared with them, so that their distance has no finite estimate.</source>
-        <translation>Die Items lassen sich nicht auf einer Skala anordnen: Einige wurden in den Vergleichen mit den anderen immer oder nie gewählt oder nie mit ihnen verglichen, sodass es für ihren Abstand keine endliche Schätzung gibt.</translation>
-    </message>
-    <message>
         <source>The items on one scale</source>
         <translation>Die Items auf einer Skala</translation>
     </message>
@@ -1440,20 +1432,12 @@
         <translation>Konsistenz der Versuchspersonen</translation>
     </message>
     <message>
-        <source>A round is one comparison of every pair; rounds with a tie or without one of the pairs are left out. A triad is circular if a is chosen over b, b over c, and c over a: number per round. ζ, the coefficient of consistence: 1 without circular triads, 0 with as many as possible, %1 on average under guessing. p: exact probability of at most as many circular triads in these rounds under guessing.</source>
-        <translation>Eine Runde ist ein Vergleich jedes Paars; Runden mit einem Gleichstand oder ohne eines der Paare bleiben unberücksichtigt. Eine Triade ist zirkulär, wenn a gegenüber b, b gegenüber c und c gegenüber a gewählt wird: Anzahl pro Runde. ζ, der Konsistenzkoeffizient: 1 ohne zirkuläre Triaden, 0 bei der größtmöglichen Zahl, im Mittel %1 beim Raten. p: exakte Wahrscheinlichkeit für höchstens so viele zirkuläre Triaden in diesen Runden beim Raten.</translation>
-    </message>
-    <message>
         <source>Are some items chosen more often than others?</source>
         <translation>Werden manche Items häufiger gewählt als andere?</translation>
     </message>
     <message>
         <source>Friedman test of each participant&apos;s proportion of the comparisons in which an item was chosen, a tie counting half; CIs of the means are t-based.</source>
         <translation>Friedman-Test des Anteils der Vergleiche, in denen eine Versuchsperson ein Item gewählt hat; ein Gleichstand zählt halb; KI der Mittelwerte nach der t-Verteilung.</translation>
-    </message>
-    <message>
-        <source>Not tested: too few participants compared every pair equally often.</source>
-        <translation>Nicht getestet: Zu wenige Versuchspersonen haben jedes Paar gleich oft verglichen.</translation>
     </message>
     <message>
         <source>Yes: %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
@@ -1524,10 +1508,6 @@
         <translation>Bradley-Terry-Modell</translation>
     </message>
     <message>
-        <source>%1, by maximum likelihood (Davidson and Beaver 1977). Order effect: increase in the log odds of being chosen for the item presented first. Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice of one of them. Wald 95 % CIs; likelihood-ratio tests. All responses are treated as independent, although those of one participant may not be: the p values are approximate.</source>
-        <translation>%1, Maximum-Likelihood-Schätzung (Davidson und Beaver 1977). Reihenfolgeeffekt: Vorteil der zuerst dargebotenen Oberfläche in logarithmierten Odds. Gleichstände: ln ν, wobei ν die Odds eines Gleichstands zwischen gleichen Items gegenüber der Wahl eines von ihnen sind. 95-%-KI nach Wald; Likelihood-Quotienten-Tests. Alle Antworten gelten als unabhängig, obwohl die einer Versuchsperson abhängig sein können: Die p-Werte sind Näherungen.</translation>
-    </message>
-    <message>
         <source>The comparisons differ significantly from the %1: %2, %3. Values on one scale do not describe them completely.</source>
         <translation>Die Vergleiche weichen signifikant vom %1 ab: %2, %3. Werte auf einer Skala beschreiben sie nicht vollständig.</translation>
     </message>
@@ -1572,8 +1552,52 @@
         <translation>%1 %2: %3 von %4.</translation>
     </message>
     <message>
-        <source>Likelihood-ratio test against a separate probability of each outcome for every ordered pair; all responses are taken as independent. Exploratory. The smallest expected count is %1; below about 5 the p value is only approximate.</source>
-        <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes geordnete Paar; alle Antworten gelten als unabhängig. Explorativ. Die kleinste erwartete Häufigkeit beträgt %1; unter etwa 5 ist der p-Wert nur eine Näherung.</translation>
+        <source>The position is the place of a surface in the order of presentation. Ties are left out.</source>
+        <translation>Die Position ist der Platz einer Oberfläche in der Reihenfolge der Darbietung. Ohne Gleichstände.</translation>
+    </message>
+    <message>
+        <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs, cut at 0 and 1; a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
+        <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich oft verglichen haben, mit 95-%-KI nach der t-Verteilung, auf 0 bis 1 begrenzt; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
+    </message>
+    <message>
+        <source>The items cannot be placed on a scale by maximum likelihood: some of them were always or never chosen in the comparisons with the others, or were never compared with them, so that their distance has no finite estimate.</source>
+        <translation>Die Items lassen sich nicht durch Maximum-Likelihood-Schätzung auf einer Skala anordnen: Einige wurden in den Vergleichen mit den anderen immer oder nie gewählt oder nie mit ihnen verglichen, sodass es für ihren Abstand keine endliche Schätzung gibt.</translation>
+    </message>
+    <message>
+        <source>%1, by maximum likelihood (Davidson and Beaver 1977), with Wald 95 % CIs and likelihood-ratio tests. All responses are treated as independent, although those of one participant may not be: the p values are approximate.</source>
+        <translation>%1, Maximum-Likelihood-Schätzung (Davidson und Beaver 1977) mit 95-%-KI nach Wald und Likelihood-Quotienten-Tests. Alle Antworten werden als unabhängig behandelt, obwohl die einer Versuchsperson abhängig sein können: Die p-Werte sind Näherungen.</translation>
+    </message>
+    <message>
+        <source>Order effect: increase in the log odds of being chosen for the item presented first.</source>
+        <translation>Reihenfolgeeffekt: Zunahme der logarithmierten Odds, gewählt zu werden, für das zuerst dargebotene Item.</translation>
+    </message>
+    <message>
+        <source>Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice of one of them.</source>
+        <translation>Gleichstände: ln ν, wobei ν die Odds eines Gleichstands zwischen gleichen Items gegenüber der Wahl eines von ihnen sind.</translation>
+    </message>
+    <message>
+        <source>A round is one comparison of every pair, with the same levels of all other factors; rounds with a tie or without one of the pairs are left out. A triad is circular if a is chosen over b, b over c, and c over a: number per round. ζ, the coefficient of consistence: 1 without circular triads, 0 with as many as possible, %1 on average under guessing. p: exact probability of at most as many circular triads in these rounds under guessing, uncorrected.</source>
+        <translation>Eine Runde ist ein Vergleich jedes Paars mit denselben Stufen aller anderen Faktoren; Runden mit einem Gleichstand oder ohne eines der Paare bleiben unberücksichtigt. Eine Triade ist zirkulär, wenn a gegenüber b, b gegenüber c und c gegenüber a gewählt wird: Anzahl pro Runde. ζ, der Konsistenzkoeffizient: 1 ohne zirkuläre Triaden, 0 bei der größtmöglichen Zahl, im Mittel %1 beim Raten. p: exakte Wahrscheinlichkeit für höchstens so viele zirkuläre Triaden in diesen Runden beim Raten, unkorrigiert.</translation>
+    </message>
+    <message>
+        <source>Not tested: fewer than two participants compared every pair equally often.</source>
+        <translation>Nicht getestet: Weniger als zwei Versuchspersonen haben jedes Paar gleich oft verglichen.</translation>
+    </message>
+    <message>
+        <source>No: all items were chosen equally often. Friedman test: %1.</source>
+        <translation>Nein: Alle Items wurden gleich oft gewählt. Friedman-Test: %1.</translation>
+    </message>
+    <message>
+        <source>Likelihood-ratio test against a separate probability of each outcome for every pair, and for either order where the model has an order effect; all responses are treated as independent. Exploratory. The smallest expected count is %1; below about 5 the p value is only approximate.</source>
+        <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes Paar, und für jede der beiden Reihenfolgen, wenn das Modell einen Reihenfolgeeffekt hat; alle Antworten werden als unabhängig behandelt. Explorativ. Die kleinste erwartete Häufigkeit beträgt %1; unter etwa 5 ist der p-Wert nur eine Näherung.</translation>
+    </message>
+    <message>
+        <source>Participants who tied %1 and %2 in every comparison are left out of the test of this pair</source>
+        <translation>Versuchspersonen, die bei %1 und %2 immer Gleichstand angegeben haben, bleiben im Test dieses Paars unberücksichtigt</translation>
+    </message>
+    <message>
+        <source>no CI, because all participants have the same value</source>
+        <translation>kein KI, weil alle Versuchspersonen denselben Wert haben</translation>
     </message>
 </context>
 <context>
@@ -2045,6 +2069,26 @@
         <source>z</source>
         <translation>z</translation>
     </message>
+    <message>
+        <source>circular triads</source>
+        <translation>zirkuläre Triaden</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>df</translation>
+    </message>
+    <message>
+        <source>rounds</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>ties</source>
+        <translation>Gleichstände</translation>
+    </message>
+    <message>
+        <source>ζ</source>
+        <translation>ζ</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -2506,6 +2550,30 @@
     <message>
         <source>score of the item</source>
         <translation>Komponentenwert des Items</translation>
+    </message>
+    <message>
+        <source>equal items</source>
+        <translation>gleiche Items</translation>
+    </message>
+    <message>
+        <source>goodness of fit</source>
+        <translation>Anpassungsgüte</translation>
+    </message>
+    <message>
+        <source>ties, ln ν</source>
+        <translation>Gleichstände, ln ν</translation>
+    </message>
+    <message>
+        <source>order effect, log odds</source>
+        <translation>Reihenfolgeeffekt, logarithmierte Odds</translation>
+    </message>
+    <message>
+        <source>all comparisons of the pair were ties</source>
+        <translation>alle Vergleiche des Paars ergaben Gleichstand</translation>
+    </message>
+    <message>
+        <source>fewer than two participants compared every pair equally often</source>
+        <translation>weniger als zwei Versuchspersonen haben jedes Paar gleich oft verglichen</translation>
     </message>
 </context>
 <context>
@@ -3440,14 +3508,6 @@
         <translation>%1 (%2 % der Varianz)</translation>
     </message>
     <message>
-        <source>Points are the scores of the items, arrows the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
-        <translation>Punkte sind die Komponentenwerte der Items, Pfeile die Ladungen der Skalen: ihre Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, hat ein Item in der Richtung eines Pfeils auf dieser Skala hohe Werte.</translation>
-    </message>
-    <message>
-        <source>Points are the scores of the items, arrows %1 times the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
-        <translation>Punkte sind die Komponentenwerte der Items, Pfeile das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, hat ein Item in der Richtung eines Pfeils auf dieser Skala hohe Werte.</translation>
-    </message>
-    <message>
         <source>%1 Parallel analysis retains no component: both may be due to chance.</source>
         <translation>%1 Die Parallelanalyse behält keine Komponente bei: Beide können zufällig sein.</translation>
     </message>
@@ -3526,6 +3586,14 @@
     <message>
         <source>%1 An arrow marks a CI that continues beyond the end of the scale.</source>
         <translation>%1 Ein Pfeil kennzeichnet ein Konfidenzintervall, das über das Ende der Skala hinausreicht.</translation>
+    </message>
+    <message>
+        <source>Points are the standardised scores of the items, arrows the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
+        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile die Ladungen der Skalen: ihre Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch eingestuft.</translation>
+    </message>
+    <message>
+        <source>Points are the standardised scores of the items, arrows %1 times the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
+        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch eingestuft.</translation>
     </message>
 </context>
 <context>

@@ -217,8 +217,11 @@ TEST(BiplotFigure, HasScoresAsPointsAndLoadingsAsArrowsInEqualUnits) {
   const FigureSeries& items = figure.series[0];
   ASSERT_EQ(items.points.size(), 4U);
   EXPECT_EQ(items.points[3].label.english(), "d");
-  EXPECT_EQ(items.points[3].x, found.value("score", "d|C1").value());
-  EXPECT_EQ(items.points[3].y, found.value("score", "d|C2").value());
+  // Standardised: the products of points and arrows are the ratings, as far as two components have them.
+  EXPECT_EQ(items.points[3].x, found.value("score", "d|C1").value() /
+                                   std::sqrt(found.value("eigenvalue", "C1").value()));
+  EXPECT_EQ(items.points[3].y, found.value("score", "d|C2").value() /
+                                   std::sqrt(found.value("eigenvalue", "C2").value()));
   const FigureSeries& scales = figure.series[1];
   ASSERT_EQ(scales.arrows.size(), 3U);
   EXPECT_EQ(scales.arrows[2].label.english(), "hard");

@@ -269,6 +269,13 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   ParticipantScene from_memory = selection(6);
   from_memory.standard_picture.reset();
   scenes.emplace_back("selection-memory", from_memory);
+  ParticipantScene compared = selection(2);
+  compared.text = "Which surface is rougher?";
+  compared.standard_picture.reset();
+  compared.choices.back() = {.key = "3", .text = "Equally rough"};
+  compared.choices.back().chosen = true;
+  compared.can_confirm = true;
+  scenes.emplace_back("pair", compared);
   scenes.emplace_back("magnitude", magnitude());
   scenes.emplace_back("scale-line", scale_line());
   scenes.emplace_back("scale-labels", scale_with_labels());
