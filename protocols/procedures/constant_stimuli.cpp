@@ -1,0 +1,83 @@
+#include "protocols/procedures/constant_stimuli.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "analysis/number_text.h"
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+namespace {
+
+const ConstantStimuli& of(const ProcedureSettings& settings) {
+  return std::get<ConstantStimuli>(settings);
+}
+
+void check_constant(const ProcedureSettings& settings, ProcedureProblems& problems) {
+  const ConstantStimuli& method = of(settings);
+  if (method.levels.empty()) {
+    problems.report("levels",
+                    "there is no level; state at least one, better five to nine around "
+                    "the expected threshold");
+  }
+  if (method.levels.size() > kMostLevels) {
+    problems.report("levels",
+                    "there are more than " + std::to_string(kMostLevels) + " levels; remove some");
+  }
+  for (std::size_t i = 0; i < method.levels.size(); ++i) {
+    if (!std::isfinite(method.levels[i])) {
+      problems.report("levels", "level " + std::to_string(i + 1) +
+                                    " is not a finite number; correct or remove it");
+      return;
+    }
+    if (i == 0 || method.levels[i] > method.levels[i - 1]) continue;
+    problems.report("levels", "the level " + number_text(method.levels[i]) + " follows " +
+                                  number_text(method.levels[i - 1]) +
+                                  "; list the levels in ascending order, each once");
+    return;
+  }
+  if (method.repetitions == 0) {
+    problems.report("repetitions", "no level is presented; set the repetitions to 1 or more");
+  } else if (method.repetitions > kMostTrials / std::max<std::size_t>(method.levels.size(), 1)) {
+    problems.report("repetitions", "the track has more than " + std::to_string(kMostTrials) +
+                                       " trials; use fewer repetitions or levels");
+  }
+}
+
+std::vector<double> constant_levels(const ProcedureSettings& settings) {
+  return of(settings).levels;
+}
+
+std::size_t constant_trials(const ProcedureSettings& settings) {
+  return of(settings).levels.size() * of(settings).repetitions;
+}
+
+NextStep constant_next(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
+                       const Random& of_track) {
+  const ConstantStimuli& method = of(settings);
+  if (answers.size() >= constant_trials(settings)) return TrackEnd::trials;
+  const std::size_t count = method.levels.size();
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  Random random = of_track.split(static_cast<std::uint64_t>(answers.size() / count));
+  random.shuffle(std::span(order));
+  return NextLevel{.level = method.levels[order[answers.size() % count]]};
+}
+
+constexpr Procedure kConstantStimuli{
+    .id = "constant_stimuli",
+    .meaning = "every level equally often, in random order",
+    .check = check_constant,
+    .levels = constant_levels,
+    .next = constant_next,
+    .most_trials = constant_trials,
+    .has_fixed_length = [](const ProcedureSettings&) { return true; },
+    .target = [](const ProcedureSettings&) -> std::optional<double> { return std::nullopt; }};
+
+}  // namespace
+
+const Procedure& constant_stimuli() { return kConstantStimuli; }
+
+}  // namespace asperity

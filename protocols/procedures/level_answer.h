@@ -1,0 +1,34 @@
+// The answers that a procedure is given, and what it returns.
+
+#pragma once
+
+#include <cstddef>
+#include <variant>
+
+namespace asperity {
+
+/// No track may have more trials.
+inline constexpr std::size_t kMostTrials = 100000;
+
+/// One answered trial of a track. Attempts that were interrupted, invalidated or excluded are not answers; whoever calls
+/// a procedure leaves them out.
+struct LevelAnswer {
+  double level = 0.0;  ///< the level that was delivered, which can differ from the proposed one
+  bool is_correct = false;
+
+  bool operator==(const LevelAnswer&) const = default;
+};
+
+/// The level that the next trial of a track should have.
+struct NextLevel {
+  double level = 0.0;
+
+  bool operator==(const NextLevel&) const = default;
+};
+
+/// Why a track is finished. The first rule in this order that applies is reported.
+enum class TrackEnd { trials, reversals, bound };
+
+using NextStep = std::variant<NextLevel, TrackEnd>;
+
+}  // namespace asperity

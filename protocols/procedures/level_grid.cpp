@@ -1,0 +1,99 @@
+#include "protocols/procedures/level_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kRounding = 1e-6;  // of a grid step
+
+/// The place of a level in grid steps above the lowest.
+double steps_above_lowest(const LevelGrid& grid, double level) {
+  return (place_on(grid.scale, level) - place_on(grid.scale, grid.lowest)) /
+         step_length(grid.scale, grid.step);
+}
+
+std::string least_step(LevelScale scale) {
+  return scale == LevelScale::ratio ? "above 1, as 1.1 for steps of 10 %" : "above 0";
+}
+
+}  // namespace
+
+void check_grid(const LevelGrid& grid, const std::string& name, ProcedureProblems& problems) {
+  const std::string prefix = name.empty() ? "" : name + '.';
+  for (const auto& [setting, value] :
+       {std::pair{"lowest", grid.lowest}, std::pair{"highest", grid.highest},
+        std::pair{"step", grid.step}}) {
+    if (std::isfinite(value)) continue;
+    problems.report(prefix + setting, std::string(setting) + " is not a finite number; state one");
+    return;
+  }
+  if (!(step_length(grid.scale, grid.step) > 0.0)) {
+    problems.report(prefix + "step", "the step " + number_text(grid.step) +
+                                         " does not change the level; on the scale " +
+                                         std::string(name_of(grid.scale)) + " it must be " +
+                                         least_step(grid.scale));
+    return;
+  }
+  if (grid.scale != LevelScale::linear && !(grid.lowest > 0.0)) {
+    problems.report(prefix + "lowest", "the lowest level is " + number_text(grid.lowest) +
+                                           "; on the scale " + std::string(name_of(grid.scale)) +
+                                           " levels are above 0: raise it, or use the scale "
+                                           "linear");
+    return;
+  }
+  if (grid.lowest > grid.highest) {
+    problems.report(prefix + "highest", "the grid is empty: its highest level " +
+                                            number_text(grid.highest) + " is below its lowest " +
+                                            number_text(grid.lowest) + "; exchange them");
+    return;
+  }
+  if (steps_above_lowest(grid, grid.highest) >= static_cast<double>(kMostLevels)) {
+    problems.report(prefix + "step", "the grid has more than " + std::to_string(kMostLevels) +
+                                         " levels; use a larger step or a narrower range");
+  }
+}
+
+std::size_t size_of(const LevelGrid& grid) {
+  return static_cast<std::size_t>(std::floor(steps_above_lowest(grid, grid.highest) + kRounding)) +
+         1;
+}
+
+double level_of(const LevelGrid& grid, std::size_t index) {
+  return moved_level(grid.scale, grid.lowest,
+                     {.size = grid.step, .steps = static_cast<double>(index)});
+}
+
+std::vector<double> levels_of(const LevelGrid& grid) {
+  std::vector<double> levels(size_of(grid));
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i] = level_of(grid, i);
+  return levels;
+}
+
+std::size_t nearest_index(const LevelGrid& grid, double level) {
+  const double last = static_cast<double>(size_of(grid) - 1);
+  const bool has_place = grid.scale == LevelScale::linear || level > 0.0;
+  const double steps = has_place ? steps_above_lowest(grid, level) : 0.0;
+  return static_cast<std::size_t>(std::round(std::clamp(steps, 0.0, last)));
+}
+
+bool is_on(const LevelGrid& grid, double level) {
+  if (!std::isfinite(level) || (grid.scale != LevelScale::linear && !(level > 0.0))) return false;
+  const double steps = steps_above_lowest(grid, level);
+  return std::abs(steps - static_cast<double>(nearest_index(grid, level))) <= kRounding;
+}
+
+std::size_t grid_steps(const LevelGrid& grid, double step) {
+  const double steps = step_length(grid.scale, step) / step_length(grid.scale, grid.step);
+  const double whole = std::round(steps);
+  const bool is_whole = whole >= 1.0 && whole <= static_cast<double>(kMostLevels) &&
+                        std::abs(steps - whole) <= kRounding * whole;
+  return is_whole ? static_cast<std::size_t>(whole) : 0;
+}
+
+}  // namespace asperity

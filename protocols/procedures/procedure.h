@@ -1,0 +1,76 @@
+// What chooses the levels of a track from the answers so far, as a value, and the registry of all procedures.
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "analysis/random.h"
+#include "protocols/procedures/constant_stimuli.h"
+#include "protocols/procedures/procedure_problems.h"
+#include "protocols/procedures/transformed_up_down.h"
+#include "protocols/procedures/weighted_up_down.h"
+
+namespace asperity {
+
+/// The settings of a procedure; the alternative determines the procedure.
+using ProcedureSettings = std::variant<ConstantStimuli, TransformedUpDown, WeightedUpDown>;
+
+/// A procedure for choosing levels: all that differs between procedures.
+///
+/// `next` is a pure function. A track stores its answers alone: resuming, verifying and replaying it call `next` with the
+/// stored answers and compare. Equal settings, answers and stream give equal levels bit for bit, on every platform for
+/// the linear scale and with the same C library for the others.
+///
+/// Every function takes settings of the own alternative (otherwise std::bad_variant_access); all except `check`
+/// assume that `check` reports nothing.
+struct Procedure {
+  std::string_view id{};       ///< as in protocols and in the store
+  std::string_view meaning{};  ///< how it chooses levels, as an entry of a list
+  /// Reports every problem, with its remedy.
+  void (*check)(const ProcedureSettings& settings, ProcedureProblems& problems) = nullptr;
+  /// Every level that `next` can return, ascending.
+  std::vector<double> (*levels)(const ProcedureSettings& settings) = nullptr;
+  /// The level of the next trial, or why there is none. Once a track is finished, further answers leave it so.
+  /// `of_track`: the stream of the track, at its beginning.
+  NextStep (*next)(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
+                   const Random& of_track) = nullptr;
+  /// No track has more trials.
+  std::size_t (*most_trials)(const ProcedureSettings& settings) = nullptr;
+  /// Whether every track has `most_trials`, whatever the answers.
+  bool (*has_fixed_length)(const ProcedureSettings& settings) = nullptr;
+  /// The proportion of correct responses that the levels approach; empty if they do not depend on the answers.
+  std::optional<double> (*target)(const ProcedureSettings& settings) = nullptr;
+};
+
+/// All procedures, in the order of `ProcedureSettings`, in which documents list them.
+std::span<const Procedure* const> procedures();
+/// Null where there is no such procedure.
+const Procedure* find_procedure(std::string_view id) noexcept;
+const Procedure& procedure_of(const ProcedureSettings& settings);
+
+/// The problems of settings; empty for settings that can be used.
+std::vector<ProcedureProblem> problems_of(const ProcedureSettings& settings);
+
+/// `Procedure::next`. Errors: std::invalid_argument with the first problem of the settings.
+NextStep next_step(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
+                   const Random& of_track);
+
+/// The probability of a correct response at a level.
+using ChanceOfCorrect = std::function<double(double level)>;
+
+/// The answers of a track whose levels are presented as proposed to an observer with independent responses.
+std::vector<LevelAnswer> simulated_track(const ProcedureSettings& settings,
+                                         const ChanceOfCorrect& observer, const Random& of_track);
+
+/// The expected number of trials of a track: exact where the length is fixed; otherwise the mean of 400 simulated tracks
+/// of this observer with streams of a fixed seed (standard error: a twentieth of the SD between tracks). Errors:
+/// std::invalid_argument with the first problem of the settings.
+double expected_trials(const ProcedureSettings& settings, const ChanceOfCorrect& observer);
+
+}  // namespace asperity

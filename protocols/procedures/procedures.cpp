@@ -1,0 +1,86 @@
+// The one list of the procedures; a new one adds its include in procedure.h, its alternative there, and its line here.
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+namespace {
+
+std::vector<LevelAnswer> drawn_track(const ProcedureSettings& settings,
+                                     const ChanceOfCorrect& observer, const Random& of_track) {
+  const Procedure& procedure = procedure_of(settings);
+  Random responses = of_track.split("responses");
+  std::vector<LevelAnswer> answers{};
+  for (;;) {
+    const NextStep step = procedure.next(settings, answers, of_track);
+    const NextLevel* const next = std::get_if<NextLevel>(&step);
+    if (next == nullptr) return answers;
+    answers.push_back(
+        {.level = next->level, .is_correct = responses.uniform() < observer(next->level)});
+  }
+}
+
+void refuse_problems(const ProcedureSettings& settings) {
+  const std::vector<ProcedureProblem> problems = problems_of(settings);
+  if (problems.empty()) return;
+  throw std::invalid_argument(problems.front().setting + ": " + problems.front().message);
+}
+
+}  // namespace
+
+std::span<const Procedure* const> procedures() {
+  static const std::array kProcedures{&constant_stimuli(), &transformed_up_down(),
+                                      &weighted_up_down()};
+  static_assert(kProcedures.size() == std::variant_size_v<ProcedureSettings>);
+  return kProcedures;
+}
+
+const Procedure* find_procedure(std::string_view id) noexcept {
+  const auto all = procedures();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [id](const Procedure* procedure) { return procedure->id == id; });
+  return found == all.end() ? nullptr : *found;
+}
+
+const Procedure& procedure_of(const ProcedureSettings& settings) {
+  return *procedures()[settings.index()];
+}
+
+std::vector<ProcedureProblem> problems_of(const ProcedureSettings& settings) {
+  ProcedureProblems problems{};
+  procedure_of(settings).check(settings, problems);
+  return problems.all();
+}
+
+NextStep next_step(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
+                   const Random& of_track) {
+  refuse_problems(settings);
+  return procedure_of(settings).next(settings, answers, of_track);
+}
+
+std::vector<LevelAnswer> simulated_track(const ProcedureSettings& settings,
+                                         const ChanceOfCorrect& observer, const Random& of_track) {
+  refuse_problems(settings);
+  return drawn_track(settings, observer, of_track);
+}
+
+double expected_trials(const ProcedureSettings& settings, const ChanceOfCorrect& observer) {
+  refuse_problems(settings);
+  const Procedure& procedure = procedure_of(settings);
+  if (procedure.has_fixed_length(settings)) {
+    return static_cast<double>(procedure.most_trials(settings));
+  }
+  constexpr std::size_t kTracks = 400;
+  const Random seeded = Random(1).split("expected_trials");
+  std::size_t trials = 0;
+  for (std::size_t track = 0; track < kTracks; ++track) {
+    trials +=
+        drawn_track(settings, observer, seeded.split(static_cast<std::uint64_t>(track))).size();
+  }
+  return static_cast<double>(trials) / static_cast<double>(kTracks);
+}
+
+}  // namespace asperity

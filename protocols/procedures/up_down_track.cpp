@@ -1,0 +1,136 @@
+#include "protocols/procedures/up_down_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+/// The index after a move of a track, and whether a bound shortened the move.
+struct MovedIndex {
+  std::size_t index = 0;
+  bool is_clipped = false;
+};
+
+MovedIndex moved(const UpDownTrack& track, double level, UpDownMove move, std::size_t reversals) {
+  const std::size_t from = nearest_index(track.grid, level);
+  if (move == UpDownMove::none) return {.index = from};
+  const StepList& steps = move == UpDownMove::up ? track.steps_up : track.steps_down;
+  const std::size_t by = grid_steps(track.grid, steps[std::min(reversals, steps.size() - 1)]);
+  const std::size_t room = move == UpDownMove::up ? size_of(track.grid) - 1 - from : from;
+  const std::size_t way = std::min(by, room);
+  return {.index = move == UpDownMove::up ? from + way : from - way, .is_clipped = way < by};
+}
+
+void check_start(const LevelGrid& grid, double start, ProcedureProblems& problems) {
+  if (!(start >= grid.lowest && start <= grid.highest) && !is_on(grid, start)) {
+    problems.report("start", "the start " + number_text(start) + " is outside the bounds " +
+                                 number_text(grid.lowest) + " and " + number_text(grid.highest) +
+                                 "; choose a level between them, or widen them");
+    return;
+  }
+  if (is_on(grid, start)) return;
+  const double nearest = level_of(grid, nearest_index(grid, start));
+  problems.report("start", "the start " + number_text(start) +
+                               " is not a level of the grid; the nearest level is " +
+                               number_text(nearest));
+}
+
+void check_steps(const LevelGrid& grid, const StepList& steps, const std::string& setting,
+                 ProcedureProblems& problems) {
+  if (steps.empty()) {
+    problems.report(setting, "there is no step; state at least one");
+    return;
+  }
+  for (const double step : steps) {
+    if (!std::isfinite(step) || !(step_length(grid.scale, step) > 0.0)) {
+      problems.report(setting, "the step " + number_text(step) +
+                                   " does not change the level; on the scale " +
+                                   std::string(name_of(grid.scale)) + " it must be above " +
+                                   (grid.scale == LevelScale::ratio ? "1" : "0"));
+    } else if (grid_steps(grid, step) == 0) {
+      problems.report(setting, "the step " + number_text(step) +
+                                   " is not a whole number of steps of the grid (" +
+                                   number_text(grid.step) + "); change it or the grid");
+    }
+  }
+}
+
+void check_stop(const StopRules& stop, ProcedureProblems& problems) {
+  if (stop.trials == 0 && !stop.reversals && !stop.clipped_moves) {
+    problems.report("stop",
+                    "there is no stop rule; state a greatest number of trials, with or "
+                    "without a number of reversals");
+  } else if (stop.trials == 0) {
+    problems.report("stop.trials",
+                    "the number of trials has no limit, and a track that stays at "
+                    "a bound never reverses; state a greatest number of trials");
+  } else if (stop.trials > kMostTrials) {
+    problems.report("stop.trials", "the greatest number of trials is above " +
+                                       std::to_string(kMostTrials) + "; lower it");
+  }
+  if (stop.reversals == std::size_t{0}) {
+    problems.report("stop.reversals",
+                    "a track with 0 reversals has no trial; state a number above "
+                    "0, or leave the rule out");
+  }
+  if (stop.clipped_moves == std::size_t{0}) {
+    problems.report("stop.clipped_moves",
+                    "a track that ends after 0 moves beyond a bound has no "
+                    "trial; state a number above 0, or leave the rule out");
+  }
+}
+
+}  // namespace
+
+void check_track(const UpDownTrack& track, ProcedureProblems& problems) {
+  for (const auto& [setting, count] :
+       {std::pair{"up", track.rule.up}, std::pair{"down", track.rule.down}}) {
+    if (count > 0) continue;
+    problems.report(setting, std::string("the rule moves ") + setting +
+                                 " after 0 responses; state a number above 0");
+  }
+  check_stop(track.stop, problems);
+  const std::size_t before = problems.all().size();
+  check_grid(track.grid, "grid", problems);
+  if (problems.all().size() > before) return;  // the start and the steps refer to the grid
+  check_start(track.grid, track.start, problems);
+  check_steps(track.grid, track.steps_up, "steps_up", problems);
+  check_steps(track.grid, track.steps_down, "steps_down", problems);
+}
+
+NextStep next_of(const UpDownTrack& track, std::span<const LevelAnswer> answers) {
+  UpDownRun run(track.rule);
+  std::size_t clipped = 0;
+  bool is_at_bound = false;
+  UpDownMove last = UpDownMove::none;
+  for (const LevelAnswer& answer : answers) {
+    last = run.respond(answer.is_correct).move;
+    if (last == UpDownMove::none || !track.stop.clipped_moves) continue;
+    clipped = moved(track, answer.level, last, run.reversals()).is_clipped ? clipped + 1 : 0;
+    is_at_bound = is_at_bound || clipped >= *track.stop.clipped_moves;
+  }
+  if (answers.size() >= track.stop.trials) return TrackEnd::trials;
+  if (track.stop.reversals && run.reversals() >= *track.stop.reversals) return TrackEnd::reversals;
+  if (is_at_bound) return TrackEnd::bound;
+  const std::size_t index = answers.empty()
+                                ? nearest_index(track.grid, track.start)
+                                : moved(track, answers.back().level, last, run.reversals()).index;
+  return NextLevel{.level = level_of(track.grid, index)};
+}
+
+double target_of(const UpDownTrack& track) {
+  return balanced_performance(track.rule,
+                              step_length(track.grid.scale, track.steps_up.back()) /
+                                  step_length(track.grid.scale, track.steps_down.back()));
+}
+
+bool has_fixed_length(const StopRules& stop) noexcept {
+  return !stop.reversals && !stop.clipped_moves;
+}
+
+}  // namespace asperity

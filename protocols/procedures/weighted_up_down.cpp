@@ -1,0 +1,93 @@
+#include "protocols/procedures/weighted_up_down.h"
+
+#include <cmath>
+#include <string>
+
+#include "analysis/number_text.h"
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+namespace {
+
+const WeightedUpDown& settings_in(const ProcedureSettings& settings) {
+  return std::get<WeightedUpDown>(settings);
+}
+
+bool is_proportion(double target) { return target > 0.0 && target < 1.0; }
+
+/// The step that is `times` as long on the scale.
+double lengthened(LevelScale scale, double step, double times) {
+  return scale == LevelScale::ratio ? std::pow(step, times) : step * times;
+}
+
+double weight_of(double target) { return target / (1.0 - target); }
+
+void check_weighted(const ProcedureSettings& settings, ProcedureProblems& problems) {
+  const WeightedUpDown& method = settings_in(settings);
+  UpDownTrack track{.grid = method.grid,
+                    .start = method.start,
+                    .steps_up = method.steps_down,  // checked below
+                    .steps_down = method.steps_down,
+                    .stop = method.stop};
+  ProcedureProblems of_track{};
+  check_track(track, of_track);
+  for (const ProcedureProblem& problem : of_track.all()) {
+    if (problem.setting != "steps_up") problems.report(problem.setting, problem.message);
+  }
+  if (!is_proportion(method.target)) {
+    problems.report("target", "the target " + number_text(method.target) +
+                                  " is not a proportion between 0 and 1; 0.75 is usual with two "
+                                  "alternatives");
+    return;
+  }
+  if (!of_track.empty() || track_of(method)) return;
+  const double weight = weight_of(method.target);
+  problems.report("target", "a step up is " + number_text(weight) +
+                                " times the step down for the target " +
+                                number_text(method.target) +
+                                ", which is not a whole number of steps of the grid; use a target "
+                                "with a whole ratio, such as 0.75 (3), a larger step down, or a "
+                                "finer grid");
+}
+
+NextStep weighted_next(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
+                       const Random&) {
+  return next_of(*track_of(settings_in(settings)), answers);
+}
+
+constexpr Procedure kWeightedUpDown{
+    .id = "weighted_up_down",
+    .meaning = "down after a correct response, up by a larger step after an incorrect one",
+    .check = check_weighted,
+    .levels =
+        [](const ProcedureSettings& settings) { return levels_of(settings_in(settings).grid); },
+    .next = weighted_next,
+    .most_trials =
+        [](const ProcedureSettings& settings) { return settings_in(settings).stop.trials; },
+    .has_fixed_length =
+        [](const ProcedureSettings& settings) {
+          return has_fixed_length(settings_in(settings).stop);
+        },
+    .target = [](const ProcedureSettings& settings) -> std::optional<double> {
+      return settings_in(settings).target;
+    }};
+
+}  // namespace
+
+std::optional<UpDownTrack> track_of(const WeightedUpDown& method) {
+  if (!is_proportion(method.target)) return std::nullopt;
+  UpDownTrack track{.grid = method.grid,
+                    .start = method.start,
+                    .steps_down = method.steps_down,
+                    .stop = method.stop};
+  for (const double step : method.steps_down) {
+    const double up = lengthened(method.grid.scale, step, weight_of(method.target));
+    if (grid_steps(method.grid, up) == 0) return std::nullopt;
+    track.steps_up.push_back(up);
+  }
+  return track;
+}
+
+const Procedure& weighted_up_down() { return kWeightedUpDown; }
+
+}  // namespace asperity
