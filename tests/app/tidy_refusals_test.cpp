@@ -67,6 +67,40 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
               HasSubstr("the kind of plan \"luck\" is unknown"));
 }
 
+TEST(TidyRefusals, NameTheTrackAndTheOptionOfItsRule) {
+  const std::string rule =
+      R"("start": 5, "n_down": 2, "n_up": 1, "step": 1, "scale": "linear", "discard": 0)";
+  const auto refusal = [](const std::string& rows, const std::string& options) {
+    return family_refusal("staircase", "track,trial,response\n" + rows, options);
+  };
+  const std::string one = R"({"tracks": {"a": {)" + rule + "}}}";
+  EXPECT_EQ(refusal("a,1,1\n", one), "");
+  EXPECT_EQ(refusal("a,1,1\nb,1,1\n", one),
+            "t.csv:3:1: the track \"b\" has no rule; add it to the option \"tracks\"");
+  EXPECT_EQ(refusal("", one),
+            "tracks.a: the table has no trial of this track; remove its rule, or correct its name");
+  EXPECT_EQ(refusal("a,1,1\na,1,0\n", one),
+            "t.csv:3:2: the track a already has a trial 1; number the trials of a track in order");
+  EXPECT_EQ(refusal("a,1,2\n", one),
+            "t.csv:2:3: the response must be 1 (correct) or 0 (incorrect), or empty");
+  EXPECT_THAT(refusal(",1,1\n", one), HasSubstr("t.csv:2:1"));
+  EXPECT_EQ(refusal("a,1,1\n", "{}"),
+            "the option \"tracks\" is missing and has no default; give it a value");
+  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": 3})"), HasSubstr("must be an object"));
+  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": 3}})"),
+              HasSubstr("\"tracks.a\" must be an object of options"));
+  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": {"start": 5}}})"),
+              HasSubstr("tracks.a: the option \"scale\" is missing"));
+  EXPECT_EQ(refusal("a,1,1\n", R"({"tracks": {"a": {)" + rule + R"(, "min": 6}}})"),
+            "tracks.a: start must lie between the bounds; correct the rule");
+  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": {)" + rule + R"(, "discrad": 6}}})"),
+              HasSubstr("tracks.a: there is no option \"discrad\"; did you mean \"discard\"?"));
+  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": {)" + rule + R"(, "even": 1}}})"),
+              HasSubstr("tracks.a: the option \"even\" must be true or false"));
+  EXPECT_EQ(word_of(findings_of("staircase", "track,trial,response\na,1,1\n", one), "threshold"),
+            "insufficient_reversals");
+}
+
 // None of these can be told from a table that was pasted twice, and each would be an n too large.
 TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n",

@@ -224,6 +224,30 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
   return factors;
 }
 
+bool FamilyOptions::truth_or(const std::string& name, bool otherwise) const {
+  const OptionValue* option = find(name);
+  if (option == nullptr) return otherwise;
+  if (const auto* truth = std::get_if<bool>(&option->value)) return *truth;
+  refuse_option(name, "must be true or false");
+}
+
+std::vector<std::pair<std::string, FamilyOptions>> FamilyOptions::objects(
+    const std::string& name) const {
+  const auto* items = std::get_if<OptionValue::Object>(&at(name).value);
+  if (items == nullptr || items->empty()) {
+    refuse_option(name, "must be an object with the options of each item, like {\"a\": {…}}");
+  }
+  std::vector<std::pair<std::string, FamilyOptions>> all{};
+  for (const auto& [item, value] : *items) {
+    const auto* options = std::get_if<OptionValue::Object>(&value.value);
+    if (options == nullptr) refuse_option(name + '.' + item, "must be an object of options");
+    FamilyOptions of_item{};
+    of_item.options_ = *options;
+    all.emplace_back(item, std::move(of_item));
+  }
+  return all;
+}
+
 double FamilyOptions::confidence() const {
   const double confidence = number_or("conf", 0.95);
   if (!(confidence > 0.0 && confidence < 1.0)) {

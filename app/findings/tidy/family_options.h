@@ -55,6 +55,10 @@ class FamilyOptions final {
   std::vector<std::pair<std::string, std::vector<std::string>>> levels(
       const std::string& name) const;
 
+  bool truth_or(const std::string& name, bool otherwise) const;
+  /// An object of objects: the options of several items by their names, in order.
+  std::vector<std::pair<std::string, FamilyOptions>> objects(const std::string& name) const;
+
   /// `conf`, 0.95 where absent. Rejects a value that is not a probability.
   double confidence() const;
 

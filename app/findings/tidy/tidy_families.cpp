@@ -114,6 +114,14 @@ constexpr std::array kFamilies{
                "subject,sample,choice: the best of several, empty where none was chosen",
                "renderers (all that can be chosen), target (one of them), conf", selection_findings,
                "renderers,target,conf"},
+    TidyFamily{
+        "staircase",
+        "track,trial,response: one trial per row, response 1 for a correct one, 0 for an "
+        "incorrect one, empty where there is none",
+        "tracks: the rule of each track, as {\"a\": {\"start\": 10, \"n_down\": 2, \"n_up\": "
+        "1, \"step\": [2, 1], \"scale\": \"linear\", \"discard\": 2}}; scale: linear, log10, "
+        "db, ratio; also step_up_ratio, min, max, even",
+        staircase_findings, "tracks"},
 };
 
 }  // namespace

@@ -84,5 +84,6 @@ std::vector<Finding> response_times_findings(const TidyInput& input);
 std::vector<Finding> rmanova_findings(const TidyInput& input);
 std::vector<Finding> seedpaper_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);
+std::vector<Finding> staircase_findings(const TidyInput& input);
 
 }  // namespace asperity
