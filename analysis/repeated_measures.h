@@ -16,7 +16,7 @@ namespace asperity {
 /// What each participant gave in each cell, replicates averaged.
 ///
 /// Cells are the combinations of the within factors' levels, the last factor's running fastest.
-/// There may be one factor between participants.
+/// There may be one between-participants factor.
 struct RepeatedMeasures {
   Eigen::MatrixXd y{};                ///< participants × cells
   std::vector<std::size_t> levels{};  ///< of each within factor, at least 2 each

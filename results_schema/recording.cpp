@@ -335,7 +335,7 @@ class Reader {
   std::string take_line() {
     const std::size_t end = content_.find('\n', offset_);
     if (end == std::string::npos) {
-      fail("is not a recording: it ends within its two lines of text; name a recording");
+      fail("is not a recording: it ends within its header; name a recording");
     }
     std::string line = content_.substr(offset_, end - offset_);
     offset_ = end + 1;

@@ -342,7 +342,7 @@ struct Protocol {
   using Step = std::variant<Screen, Check, Break, Run, Ask>;
   enum class Counterbalance { none, latin, williams };
   Counterbalance counterbalance = Counterbalance::none;
-  /// A factor between participants: every trial of a participant has the level of the participant's group.
+  /// A between-participants factor: every trial of a participant has the level of the participant's group.
   struct Groups {
     enum class Assignment {
       balanced,         ///< by the program: the group with the fewest participants

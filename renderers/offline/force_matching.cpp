@@ -85,7 +85,8 @@ double height_of(const ForceModel& model, ForceRenderer& renderer, Strokes& stro
   throw std::invalid_argument(
       "the force model " + model.declaration.id +
       " has no constant height with a mean normal force of " + text_of(path.mean_normal_force_N) +
-      " N; the nearest that it reaches is " + text_of(found.reached_N) + " N");
+      " N; the nearest that it reaches is " + text_of(found.reached_N) +
+      " N; change the stiffness of the material or the parameters of the model");
 }
 
 void check(const TextureForcePath& path) {

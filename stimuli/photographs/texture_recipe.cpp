@@ -43,8 +43,8 @@ std::vector<Parameter> texture_recipe_parameters() {
        .meaning = "none: brightness as stored; equalize: every brightness is made equally "
                   "frequent; this removes the relation of brightness to height"},
       number("homomorphic_wavelength_m", "m", 0.0005, 0.5, defaults.homomorphic_wavelength_m,
-             "Changes of brightness that are longer than this count as lighting, shorter ones as "
-             "the surface"),
+             "Variations in brightness with wavelengths longer than this count as lighting, "
+             "shorter ones as the surface"),
       number("gamma_low", "1", 0.05, 2.0, defaults.gamma_low,
              "Factor applied to slow changes of the lighting; below 1 evens them out"),
       number("gamma_high", "1", 0.2, 5.0, defaults.gamma_high,

@@ -23,7 +23,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-/// The example with a factor between participants, to which an exploration is bound.
+/// The example with a between-participants factor, to which an exploration is bound.
 std::string grouped() {
   std::string text = replaced(test::example_selection(), R"("factors": {)",
                               R"("groups": {"factor": "training"},
@@ -81,7 +81,7 @@ TEST(Groups, AreAbsentFromThePlansOfOtherProtocols) {
   for (std::size_t i = 0; i < with.trials.size(); ++i) {
     EXPECT_EQ(replaced(json_of(with.trials[i]), R"(,"training":"stroking")", ""),
               replaced(json_of(without.trials[i]), "", ""))
-        << "the factor between participants draws nothing";
+        << "the between-participants factor draws nothing";
   }
 }
 

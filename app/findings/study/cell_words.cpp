@@ -50,24 +50,25 @@ const CellWords& words_of_measures() {
 }
 
 const CellWords& words_of_tests() {
-  static const CellWords kWords{{"condition", phrase("CellWords", "condition")},
-                                {"groups", phrase("CellWords", "groups")},
-                                {"information", phrase("CellWords", "information")},
-                                {"interaction", phrase("CellWords", "spacing by condition")},
-                                {"items", phrase("CellWords", "matched items")},
-                                {"pairs", phrase("CellWords", "pairs")},
-                                {"peaks", phrase("CellWords", "peaks")},
-                                {"position", phrase("CellWords", "position")},
-                                {"preference", phrase("CellWords", "preference")},
-                                {"rated_pairs", phrase("CellWords", "pairs of items")},
-                                {"rating_model", phrase("CellWords", "cumulative link model")},
-                                {"ratings", phrase("CellWords", "ratings of the items")},
-                                {"right", phrase("CellWords", "proportion correct")},
-                                {"sexes", phrase("CellWords", "women and men")},
-                                {"spacing", phrase("CellWords", "spacing")},
-                                {"target_pairs", phrase("CellWords", "pairs with the target")},
-                                {"textures", phrase("CellWords", "textures")},
-                                {"whole", phrase("CellWords", "all items correct")}};
+  static const CellWords kWords{
+      {"condition", phrase("CellWords", "condition")},
+      {"groups", phrase("CellWords", "groups")},
+      {"information", phrase("CellWords", "information")},
+      {"interaction", phrase("CellWords", "spacing by condition")},
+      {"items", phrase("CellWords", "matched items")},
+      {"pairs", phrase("CellWords", "pairs")},
+      {"peaks", phrase("CellWords", "peaks")},
+      {"position", phrase("CellWords", "position")},
+      {"preference", phrase("CellWords", "preference")},
+      {"rated_pairs", phrase("CellWords", "pairs of items")},
+      {"rating_model", phrase("CellWords", "cumulative link mixed model")},
+      {"ratings", phrase("CellWords", "ratings of the items")},
+      {"right", phrase("CellWords", "proportion correct")},
+      {"sexes", phrase("CellWords", "women and men")},
+      {"spacing", phrase("CellWords", "spacing")},
+      {"target_pairs", phrase("CellWords", "pairs with the target")},
+      {"textures", phrase("CellWords", "textures")},
+      {"whole", phrase("CellWords", "all items correct")}};
   return kWords;
 }
 

@@ -53,8 +53,8 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
   }
   const double low = std::pow(10.0, is_turned ? -*most->high : *most->low);
   const double high = std::pow(10.0, is_turned ? -*most->low : *most->high);
-  return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (%4 CI [%5, %6])")
-      .with(names.first, names.second, ratio, percent(*most->confidence), fixed(low, 2),
+  return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (%4 % CI [%5, %6])")
+      .with(names.first, names.second, ratio, fixed(100.0 * *most->confidence, 0), fixed(low, 2),
             fixed(high, 2));
 }
 

@@ -186,9 +186,8 @@ void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOut
       {{"item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
       phrase("Analysis",
              "Means over the participants who compared every pair equally often, with t-based "
-             "95 % CIs, cut at 0 and 1; a tie counts half. Mean rank: 1 for the item that a "
-             "participant chose "
-             "least often.")};
+             "95 % CIs, truncated at 0 and 1; a tie counts half. Mean rank: 1 for the item that a "
+             "participant chose least often.")};
   for (const std::string& item : study.choices.items) {
     const Finding* const mean = found.find("mean.score", item);
     if (mean == nullptr) continue;

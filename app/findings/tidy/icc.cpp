@@ -108,10 +108,11 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
       shown.method += interval_meaning_of(one.name);
     }
     findings.number("icc", key, one.value, shown);
-    const Basis test{.n = n,
-                     .method = "F test of " + method +
-                               " against 0; in simulations of proportions without differences "
-                               "between participants p was at most .05 in up to 7 % of the tables"};
+    const Basis test{
+        .n = n,
+        .method = "F test of " + method +
+                  " against 0; in simulations of proportions without differences "
+                  "between participants the Type I error rate at α = .05 was up to 7 %"};
     findings.number("icc.F", key, one.F, test);
     findings.number("icc.df1", key, one.df1, test);
     findings.number("icc.df2", key, one.df2, test);

@@ -102,9 +102,11 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
   findings.count("n.responses", "", table.responses.size(), {.n = n, .method = "responses"});
   findings.count("n.categories", "", table.categories.size(),
                  {.n = n, .method = "number of different ratings"});
-  const Basis basis{.n = n,
-                    .method = "cumulative link model (proportional odds, logit link), items as fixed "
-                              "effects, participants as random intercepts, Laplace approximation"};
+  const Basis basis{
+      .n = n,
+      .method =
+          "cumulative link mixed model (proportional odds, logit link), items as fixed "
+          "effects, participants as random intercepts, Laplace approximation"};
   const auto refuse = [&](const char* word, const char* status) {
     findings.word("lr.chisq", "", word, status, basis);
     findings.word("lr.p", "", word, status, basis);

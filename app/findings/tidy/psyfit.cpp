@@ -182,8 +182,8 @@ class PsychometricList final {
     number("lr.same.function", ratio, "likelihood ratio against shared α and β");
     number("lr.same.function.p",
            upper_tail(ChiSquaredStatistic{.value = ratio, .df = 2.0}).value_or(kUndefined),
-           "χ² test with two degrees of freedom; p is too small with few trials: in simulations of "
-           "equal functions p was at most .05 in up to 12 % of the tables");
+           "χ² test with two degrees of freedom, liberal with few trials: in simulations of equal "
+           "functions the Type I error rate at α = .05 was up to 12 %");
   }
 
   void bootstrap(const Condition& condition,
@@ -233,8 +233,8 @@ class PsychometricList final {
     number("deviance.df", fit.deviance_df, "number of blocks minus number of parameters");
     number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
     number("deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
-           "χ² test of the deviance; indicative only: in simulations of the fitted function p was "
-           "at most .05 in up to 8 % of the tables");
+           "χ² test of the deviance; indicative only: in simulations of the fitted function the "
+           "Type I error rate at α = .05 was up to 8 %");
   }
 
   void overdispersion(const PsychometricFit& fit) {

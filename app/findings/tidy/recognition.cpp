@@ -271,9 +271,9 @@ class Recognition final {
     number("G.df", "", it.df, "degrees of freedom of G");
     list_.number(
         "G.p", "", it.p.value_or(kUndefined),
-        of_trials("χ² test of G, trials treated as independent; p is too small with few trials: in "
-                  "simulations of 24 to 144 trials without transmitted information p was at "
-                  "most .05 in 6 to 12 % of the tables"));
+        of_trials("χ² test of G, trials treated as independent; liberal with few trials: in "
+                  "simulations of 24 to 144 trials without transmitted information the Type I "
+                  "error rate at α = .05 was 6 to 12 %"));
     permutations();
     bits("IT.from.pc", equal_error_bits(proportion(right_), trials_.labels.size()),
          "equal-error (Fano) estimate of the transmitted information");

@@ -90,9 +90,9 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
     return basis;
   };
   const Basis iman = with_method(
-      "Iman–Davenport F test; in simulations without differences p was at most .05 in up to 6 % of "
-      "the "
-      "tables of 12 or 20 rows, and in up to 7 % of those of 2 to 6");
+      "Iman–Davenport F test; in simulations without differences the Type I error rate at α = .05 "
+      "was "
+      "up to 6 % with 12 or 20 rows, and up to 7 % with 2 to 6");
   findings.number("friedman.chisq", "", test.chi_squared, friedman);
   findings.number("friedman.df", "", test.df, friedman);
   findings.number("friedman.p", "", test.p, friedman);

@@ -222,8 +222,9 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   number("subj.t.df", target, n > 0 ? static_cast<double>(n) - 1.0 : kNoNumber, method);
   number("subj.t.p.two", target, t.test ? t.test->p : kNoNumber,
          method +
-             "; in simulations without a preferred alternative p was at most .05 in up to 6 % of "
-             "the tables of 12 or 20 participants who differ, and in up to 8 % of those of 2 to 6");
+             "; in simulations without a preferred alternative the Type I error rate at α = .05 "
+             "was up "
+             "to 6 % with 12 or 20 participants who differ, and up to 8 % with 2 to 6");
   number("subj.ci.lower", target, t.test ? t.test->interval.low : kNoNumber,
          "t interval over participants, not truncated");
   number("subj.ci.upper", target, t.test ? t.test->interval.high : kNoNumber,

@@ -33,7 +33,7 @@ CueRecording read_speech(const std::filesystem::path& file) {
   const QAudioFormat format = wave.audioFormat();
   if (!opened || !format.isValid()) throw error_about(file, "is not a WAV file; save it as WAV");
   if (format.sampleFormat() != QAudioFormat::Int16 || format.channelCount() > 2) {
-    throw error_about(file, "has to be 16-bit PCM of one or two channels");
+    throw error_about(file, "is not 16-bit PCM with one or two channels; convert it");
   }
   const int channels = format.channelCount();
   const qint64 longest = qint64{kLongest_s} * format.sampleRate() * format.bytesPerFrame();

@@ -1009,7 +1009,7 @@
     </message>
     <message>
         <source>This cannot be assessed: a group has one participant, or all participants of each group have the same value.</source>
-        <translation>Das lässt sich nicht beurteilen: Eine Gruppe hat nur eine Versuchsperson, oder alle Versuchspersonen einer Gruppe haben denselben Wert.</translation>
+        <translation>Das lässt sich nicht beurteilen: Eine Gruppe hat nur eine Versuchsperson, oder in jeder der beiden Gruppen haben alle Versuchspersonen denselben Wert.</translation>
     </message>
     <message>
         <source>The 90 % CI lies within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
@@ -1208,8 +1208,8 @@
         <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, Maximum-Likelihood-Schätzung mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
     <message>
-        <source>%1 was rougher than %2 by a factor of %3 (%4 CI [%5, %6])</source>
-        <translation>%1 war um den Faktor %3 rauer als %2 (%4-KI [%5; %6])</translation>
+        <source>%1 was rougher than %2 by a factor of %3 (%4 % CI [%5, %6])</source>
+        <translation>%1 war um den Faktor %3 rauer als %2 (%4-%-KI [%5; %6])</translation>
     </message>
     <message>
         <source>%1 at %2 (95 % CI [%3, %4]; test for an interior maximum %5; R² of the mean parabola %6)</source>
@@ -1556,7 +1556,7 @@
         <translation>Die Position ist der Platz einer Oberfläche in der Reihenfolge der Darbietung. Ohne Gleichstände.</translation>
     </message>
     <message>
-        <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs, cut at 0 and 1; a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
+        <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs, truncated at 0 and 1; a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
         <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich oft verglichen haben, mit 95-%-KI nach der t-Verteilung, auf 0 bis 1 begrenzt; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
     </message>
     <message>
@@ -2524,7 +2524,7 @@
         <translation>Paare von Items</translation>
     </message>
     <message>
-        <source>cumulative link model</source>
+        <source>cumulative link mixed model</source>
         <translation>kumulatives Link-Modell</translation>
     </message>
     <message>
@@ -4742,7 +4742,7 @@
     </message>
     <message>
         <source>participant %1 is human; leave out --virtual, or use another label</source>
-        <translation>die Versuchsperson %1 ist ein Mensch; Simulationen sind virtuellen Versuchspersonen vorbehalten</translation>
+        <translation>die Versuchsperson %1 ist ein Mensch; für eine Simulation ein anderes Kürzel verwenden</translation>
     </message>
     <message>
         <source>participant %1 has withdrawn from the study; use another label</source>
@@ -9045,7 +9045,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Einen Namen für das Relief eingeben.</translation>
     </message>
     <message>
-        <source>Use only letters without accents, digits, _ and -.</source>
+        <source>Use only unaccented letters, digits, _ and -.</source>
         <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
     </message>
     <message>

@@ -149,7 +149,7 @@ void SavePanel::check_name() {
   } else if (name.isEmpty()) {
     problem = tr("Enter a name for the relief.");
   } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
-    problem = tr("Use only letters without accents, digits, _ and -.");
+    problem = tr("Use only unaccented letters, digits, _ and -.");
   } else if (name.endsWith(kPhotoEnding)) {
     problem =
         tr("Names ending in _photo are reserved for the photographs stored with the reliefs.");

@@ -46,7 +46,7 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"hedges.g", {"Hedges’ g of the participants’ proportions", number}},
       {"IT.items", {"discriminable items, 2^IT (plug-in)", number}},
       {"IT.relative", {"relative transmitted information IT/H(S) (plug-in)", share}},
-      {"mallows.lr", {"likelihood ratio of Mallows’ θ against θ = 0", number}},
+      {"mallows.lr", {"likelihood-ratio statistic of Mallows’ θ against θ = 0", number}},
       {"mallows.se", {"standard error of Mallows’ θ", number}},
       {"mds.shepard.gof2", {"fit of the MDS configuration in two dimensions", number}},
       {"mixed.sigma", {"SD of the random intercepts", number}},

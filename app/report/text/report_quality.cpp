@@ -189,7 +189,7 @@ ReportTable counts_table(const ReportFacts& facts) {
     std::string kind = name;
     std::replace(kind.begin(), kind.end(), '_', ' ');
     table.rows.push_back(
-        count_row("beyond a limit of " + model + ": " + kind + ", " + felt, count, "surfaces"));
+        count_row("violated assumption of " + model + ": " + kind + ", " + felt, count, "surfaces"));
   }
   // Counts of zero are already reported in the text.
   std::erase_if(table.rows, [](const QualityRow& row) { return row[1] == "0"; });
