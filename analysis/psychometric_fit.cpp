@@ -107,6 +107,9 @@ std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBloc
         "its "
         "status is ok");
   }
+  if (question.model.slope) {
+    throw std::invalid_argument("slope: limits leave no standard error; use maximise_psychometric");
+  }
   normal_limit(question.confidence);  // throws for a confidence outside (0, 1)
   const PsychometricLikelihood data(blocks, question.model);
   const CurveSolution solution = greatest_likelihood(data);

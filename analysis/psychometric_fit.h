@@ -66,7 +66,7 @@ struct PsychometricFit {
 
 /// Empty if the data do not rise with the level (`not_increasing`), which `judge` cannot detect: then no
 /// function has the greatest likelihood. Errors: also std::invalid_argument if the status of `judge` is
-/// not ok.
+/// not ok, or if the model limits the slope.
 std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBlock> blocks,
                                                 const PsychometricQuestion& question);
 

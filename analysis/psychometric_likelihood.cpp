@@ -134,6 +134,13 @@ PsychometricLikelihood::PsychometricLikelihood(std::span<const PsychometricBlock
       steepest - kSlopeRange, model.gamma.value_or(0.0), model.lambda.value_or(0.0);
   bounds_.high << kNoBound, steepest, model.gamma.value_or(kGreatestGamma),
       model.lambda.value_or(model.greatest_lambda);
+  if (model.slope) {
+    if (!(model.slope->least > 0.0 && model.slope->least < model.slope->greatest)) {
+      throw std::invalid_argument("slope: limits need 0 < least < greatest");
+    }
+    bounds_.low(1) = std::log(model.slope->least);
+    bounds_.high(1) = std::log(model.slope->greatest);
+  }
   free_ = {true, true, !model.gamma, !model.lambda};
   for (const PsychometricBlock& block : blocks_) {
     const auto n = static_cast<double>(block.trials);

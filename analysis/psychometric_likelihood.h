@@ -21,6 +21,13 @@ struct PsychometricBlock {
   std::uint64_t hits = 0;
 };
 
+/// Limits of β, for few trials at levels that an adaptive procedure chose: such data hardly determine a slope, and the
+/// threshold of a flat function can be anywhere. 0 < least < greatest.
+struct SlopeRange {
+  double least = 0.0;
+  double greatest = 0.0;
+};
+
 /// The parameters that are fitted in addition to α and ln β. A rate is fixed at a value, or free: γ in [0, ½], λ in
 /// [0, `greatest_lambda`].
 struct PsychometricModel {
@@ -28,6 +35,8 @@ struct PsychometricModel {
   std::optional<double> gamma = 0.0;   ///< free where absent
   std::optional<double> lambda = 0.0;  ///< free where absent
   double greatest_lambda = 0.1;
+  /// Where absent, the levels limit β (`PsychometricLikelihood`). Only `maximise_psychometric` takes limits.
+  std::optional<SlopeRange> slope{};
 };
 
 /// Whether the count has the probability 0 under every function of the model: hits at x = 0 of a weibull
@@ -72,10 +81,11 @@ struct CurveLikelihood {
 ///
 /// The slope has an upper bound, because data at few levels do not distinguish a steep function from a
 /// step: F may not rise from 0.01 to 0.99 within less than the smallest gap between neighbouring levels
-/// (of ln x for a weibull).
+/// (of ln x for a weibull), unless the model limits the slope.
 class PsychometricLikelihood final {
  public:
-  /// Errors: those of `answered_blocks`, and std::invalid_argument for fewer than two levels.
+  /// Errors: those of `answered_blocks`, and std::invalid_argument for fewer than two levels and for limits of the slope
+  /// that are not 0 < least < greatest.
   PsychometricLikelihood(std::span<const PsychometricBlock> blocks, const PsychometricModel& model);
 
   const CurveBounds& bounds() const noexcept { return bounds_; }

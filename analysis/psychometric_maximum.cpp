@@ -89,7 +89,8 @@ std::vector<CurveParameters> starts(const PsychometricLikelihood& data) {
     for (const double less : {0.0, 0.15, 0.4, 0.7, 1.0, 1.4, 1.8, 2.2, 2.6, 3.0, 3.5, 4.0, 5.0}) {
       for (const double gamma : gammas) {
         for (const double lambda : lambdas) {
-          const CurveParameters at(alpha, bounds.high(1) - less, gamma, lambda);
+          const double log_beta = std::max(bounds.low(1), bounds.high(1) - less);
+          const CurveParameters at(alpha, log_beta, gamma, lambda);
           all.push_back({.at = at, .place = place, .value = data.value(at)});
         }
       }

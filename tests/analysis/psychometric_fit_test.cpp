@@ -212,5 +212,29 @@ TEST(PsychometricFit, RefusesImpossibleCounts) {
   EXPECT_THROW(fit_psychometric(Blocks{{1, 4, 4}}, {}), std::invalid_argument);
 }
 
+// F is 0.2, 0.5 and 0.8: 10^t is 0.22, 0.69 and 1.61, and t rises by some 0.43 per unit of x.
+TEST(PsychometricFit, KeepsTheSlopeWithinTheLimitsOfTheModel) {
+  const std::vector<PsychometricBlock> blocks{{.x = -1.0, .trials = 20, .hits = 12},
+                                              {.x = 0.0, .trials = 20, .hits = 15},
+                                              {.x = 1.0, .trials = 20, .hits = 18}};
+  PsychometricModel model{.shape = PsychometricShape::gumbel, .gamma = 0.5};
+  const PsychometricMaximum free = maximise_psychometric(blocks, model);
+  ASSERT_NEAR(free.function.beta, 0.43, 0.05);
+  const auto slope_within = [&](double least, double greatest) {
+    model.slope = SlopeRange{.least = least, .greatest = greatest};
+    return maximise_psychometric(blocks, model);
+  };
+  EXPECT_NEAR(slope_within(0.1, 2.0).function.beta, free.function.beta, 1e-5);
+  EXPECT_NEAR(slope_within(0.6, 2.0).function.beta, 0.6, 1e-9);
+  EXPECT_NEAR(slope_within(0.1, 0.3).function.beta, 0.3, 1e-9);
+  EXPECT_LT(slope_within(0.6, 2.0).log_likelihood, free.log_likelihood);
+  EXPECT_THROW(slope_within(2.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(
+      fit_psychometric(blocks, {.model = {.shape = PsychometricShape::gumbel,
+                                          .gamma = 0.5,
+                                          .slope = SlopeRange{.least = 1.0, .greatest = 2.0}}}),
+      std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace asperity
