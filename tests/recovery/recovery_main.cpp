@@ -1,0 +1,68 @@
+// Simulates observers and prints the errors of their thresholds as TSV: see scripts/recovery.
+
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "tests/recovery/recovery.h"
+
+namespace {
+
+std::size_t positive_number(std::string_view name, std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number == 0) {
+    throw std::runtime_error(std::string(name) + " needs a positive whole number, not \"" +
+                             std::string(text) + '"');
+  }
+  return number;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  using namespace asperity;
+  RecoveryRun run{};
+  std::string_view only{};
+  for (int i = 1; i < count; ++i) {
+    const std::string_view argument = arguments[i];
+    if (argument == "--list") {
+      for (const RecoveryProcedure& procedure : recovery_procedures()) {
+        std::printf("%s\t%s\n", std::string(procedure.name).c_str(),
+                    std::string(procedure.meaning).c_str());
+      }
+      return 0;
+    }
+    if (argument != "--observers" && argument != "--jobs" && argument != "--seed" &&
+        argument != "--procedure") {
+      throw std::runtime_error("there is no option " + std::string(argument) +
+                               "; there are --list, --observers, --jobs, --seed and --procedure");
+    }
+    if (++i == count) throw std::runtime_error(std::string(argument) + " needs a value");
+    if (argument == "--procedure") {
+      only = arguments[i];
+      continue;
+    }
+    const std::size_t number = positive_number(argument, arguments[i]);
+    (argument == "--observers" ? run.observers
+     : argument == "--jobs"    ? run.jobs
+                               : run.seed) = number;
+  }
+  std::printf("%s\n", recovery_header().c_str());
+  for (const RecoveryProcedure& procedure : recovery_procedures()) {
+    if (!only.empty() && procedure.name != only) continue;
+    for (const RecoveryObserver& observer : recovery_observers()) {
+      for (const RecoveryRow& row : recovery_rows(procedure, observer, run)) {
+        std::printf("%s\n", row_text(row).c_str());
+      }
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "recovery: %s\n", error.what());
+  return 1;
+}

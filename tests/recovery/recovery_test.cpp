@@ -1,0 +1,162 @@
+// Whether thresholds are found again, and whether their errors are counted right.
+
+#include "tests/recovery/recovery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/tidy_table.h"
+
+namespace asperity {
+namespace {
+
+const RecoveryProcedure& recovery_procedure(std::string_view name) {
+  static const std::vector<RecoveryProcedure> kAll = recovery_procedures();
+  return *std::find_if(kAll.begin(), kAll.end(), [name](const RecoveryProcedure& procedure) {
+    return procedure.name == name;
+  });
+}
+
+const RecoveryRow& row_in(const std::vector<RecoveryRow>& rows, RecoveryEstimate estimate,
+                          std::size_t trials) {
+  return *std::find_if(rows.begin(), rows.end(), [&](const RecoveryRow& row) {
+    return row.estimate == estimate && row.trials == trials;
+  });
+}
+
+TEST(Recovery, UsesSettingsWithoutProblems) {
+  for (const RecoveryProcedure& procedure : recovery_procedures()) {
+    EXPECT_TRUE(problems_of(procedure.settings).empty()) << procedure.name;
+    EXPECT_EQ(procedure_of(procedure.settings).most_trials(procedure.settings), 240U);
+  }
+}
+
+TEST(Recovery, GivesTheSameRowsForAnyNumberOfJobs) {
+  const RecoveryProcedure& procedure = recovery_procedure("weighted_75");
+  const auto one = recovery_rows(procedure, {}, {.observers = 24, .jobs = 1});
+  EXPECT_EQ(one, recovery_rows(procedure, {}, {.observers = 24, .jobs = 3}));
+  EXPECT_NE(one, recovery_rows(procedure, {}, {.observers = 24, .jobs = 1, .seed = 2}));
+}
+
+// An earlier simulation by another program, with 400 observers of α from ±0.3: RMSE 0.055 for the 3-down staircase with
+// a maximum likelihood fit at its own target. The standard error of an RMSE of 400 is 1/√800 of it, 3.5 %: 0.058 leaves
+// one and a half of them.
+TEST(Recovery, FindsThresholdsAsPreciselyAsAnEarlierSimulation) {
+  const auto rows = recovery_rows(recovery_procedure("1u3d"), {.beta = 3.5, .lapse = 0.02},
+                                  {.observers = 400, .jobs = 2});
+  const RecoveryRow& fit = row_in(rows, RecoveryEstimate::fit_target, 60);
+  EXPECT_LE(fit.rmse, 0.058);
+  EXPECT_LE(fit.without, 4U);
+  // Its numbers for 40, 80 and 120 trials, with 10 %.
+  EXPECT_LE(row_in(rows, RecoveryEstimate::fit_target, 40).rmse, 1.1 * 0.078);
+  EXPECT_LE(row_in(rows, RecoveryEstimate::fit_target, 80).rmse, 1.1 * 0.040);
+  EXPECT_LE(row_in(rows, RecoveryEstimate::fit_target, 120).rmse, 1.1 * 0.035);
+}
+
+// The efficient estimate of many trials: the error approaches the bound, and neither is far below the other.
+TEST(Recovery, ApproachesItsBoundWithManyTrials) {
+  const auto rows = recovery_rows(recovery_procedure("constant"), {.beta = 3.5, .lapse = 0.02},
+                                  {.observers = 200, .jobs = 2});
+  const RecoveryRow& many = row_in(rows, RecoveryEstimate::fit_common, 240);
+  EXPECT_NEAR(many.rmse / many.bound, 1.0, 0.15);
+  EXPECT_LT(std::abs(many.bias), 0.01);
+  // Five levels equally often: the information of 240 trials is four times that of 60, and the bound half.
+  EXPECT_NEAR(row_in(rows, RecoveryEstimate::fit_common, 60).bound / many.bound, 2.0, 1e-9);
+}
+
+// Information by hand for a single level: with β known the bound at the level of the performance itself would be the
+// binomial one, √(p(1 − p)/n)/ψ′. Two parameters cannot be better.
+TEST(Recovery, HasABoundAboveThatOfTheBestLevel) {
+  const RecoveryObserver observer{.beta = 2.0, .lapse = 0.0};
+  const auto rows = recovery_rows(recovery_procedure("constant"), observer, {.observers = 50});
+  // F = ½ at 75 %; F′ = ln 10·β·ln 2·½ per log10 unit, ψ′ = ½F′.
+  const double slope = 0.5 * std::log(10.0) * 2.0 * std::log(2.0) * 0.5;
+  const double single = std::sqrt(0.75 * 0.25 / 60.0) / slope;
+  const double bound = row_in(rows, RecoveryEstimate::fit_common, 60).bound;
+  EXPECT_GT(bound, single);
+  EXPECT_LT(bound, 2.0 * single);
+}
+
+TEST(Recovery, ReportsReversalsAtTheTargetOfTheProcedure) {
+  const auto rows = recovery_rows(recovery_procedure("1u2d"), {.beta = 3.5, .lapse = 0.0},
+                                  {.observers = 200, .jobs = 2});
+  // At the target the bias of long tracks is some hundredths; the 75 % point is 0.05 away.
+  EXPECT_LT(std::abs(row_in(rows, RecoveryEstimate::reversals, 240).bias), 0.045);
+  EXPECT_EQ(row_in(rows, RecoveryEstimate::reversals, 240).without, 0U);
+}
+
+/// The RMSE by procedure, estimate, β, λ and number of trials, and the smallest number of observers.
+struct StoredErrors {
+  std::map<std::tuple<std::string, std::string, double, double, double>, double> rmse{};
+  double observers = 0.0;
+};
+StoredErrors stored_errors(const std::filesystem::path& file) {
+  const std::filesystem::path path = std::filesystem::path(ASPERITY_SOURCE_DIR) / file;
+  const TidyTable table(read_file(path), path.string());
+  const auto procedures = table.texts("procedure");
+  const auto estimates = table.texts("estimate");
+  const auto betas = table.all_numbers("beta");
+  const auto lapses = table.all_numbers("lapse");
+  const auto trials = table.all_numbers("trials");
+  const auto observers = table.all_numbers("observers");
+  const auto rmse = table.all_numbers("rmse_log10");
+  StoredErrors stored{.observers = *std::min_element(observers.begin(), observers.end())};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    stored.rmse[{std::string(procedures[row]), std::string(estimates[row]), betas[row], lapses[row],
+                 trials[row]}] = rmse[row];
+  }
+  return stored;
+}
+
+TEST(RecoveryTable, HasTheThresholdsOfAtLeast1000ObserversPerCell) {
+  const StoredErrors stored = stored_errors("docs/data/threshold_recovery.tsv");
+  EXPECT_GE(stored.observers, 1000.0);
+  for (const RecoveryProcedure& procedure : recovery_procedures()) {
+    for (const RecoveryObserver& observer : recovery_observers()) {
+      for (const std::size_t trials : recovery_trials()) {
+        EXPECT_TRUE(stored.rmse.contains({std::string(procedure.name), "fit_75", observer.beta,
+                                          observer.lapse, static_cast<double>(trials)}));
+      }
+    }
+  }
+  EXPECT_LE(stored.rmse.at({"1u3d", "fit_target", 3.5, 0.02, 60.0}), 0.058);
+}
+
+// The bar is 1.1 times the RMSE of the other program. An RMSE of n normal errors has a standard error of 1/√(2n) of it: two
+// standard errors of the ratio are added. The mean of all ratios shows that neither program is better.
+TEST(RecoveryTable, IsAsPreciseAsAnIndependentSimulation) {
+  const StoredErrors stored = stored_errors("docs/data/threshold_recovery.tsv");
+  const StoredErrors independent = stored_errors("tests/recovery/independent.tsv");
+  EXPECT_EQ(independent.rmse.size(), 5U * 9U * 5U + 4U * 9U * 5U);
+  const double error =
+      std::sqrt(1.0 / (2.0 * stored.observers) + 1.0 / (2.0 * independent.observers));
+  double logarithms = 0.0;
+  for (const auto& [cell, rmse] : independent.rmse) {
+    const auto& [procedure, estimate, beta, lapse, trials] = cell;
+    EXPECT_LE(stored.rmse.at(cell), 1.1 * (1.0 + 2.0 * error) * rmse)
+        << procedure << ' ' << estimate << ' ' << beta << ' ' << lapse << ' ' << trials;
+    logarithms += std::log(stored.rmse.at(cell) / rmse);
+  }
+  EXPECT_NEAR(logarithms / static_cast<double>(independent.rmse.size()), 0.0, 0.03);
+}
+
+TEST(RecoveryTable, HasARowPerEstimateAndNumberOfTrials) {
+  const auto rows = recovery_rows(recovery_procedure("1u2d"), {}, {.observers = 3});
+  ASSERT_EQ(rows.size(), 4U * recovery_trials().size());
+  const std::string text = recovery_header() + '\n' + row_text(rows.front()) + '\n';
+  const TidyTable table(text, "rows");
+  EXPECT_EQ(table.texts("procedure").front(), "1u2d");
+  EXPECT_EQ(table.texts("estimate").front(), "fit_75");
+  EXPECT_EQ(table.all_numbers("trials").front(), 40.0);
+  EXPECT_NEAR(table.all_numbers("rmse_log10").front(), rows.front().rmse, 1e-6);
+}
+
+}  // namespace
+}  // namespace asperity
