@@ -115,9 +115,9 @@ StoredErrors stored_errors(const std::filesystem::path& file) {
   return stored;
 }
 
-TEST(RecoveryTable, HasTheThresholdsOfAtLeast1000ObserversPerCell) {
+TEST(RecoveryTable, HasTheThresholdsOfAtLeast2000ObserversPerCell) {
   const StoredErrors stored = stored_errors("docs/data/threshold_recovery.tsv");
-  EXPECT_GE(stored.observers, 1000.0);
+  EXPECT_GE(stored.observers, 2000.0);
   for (const RecoveryProcedure& procedure : recovery_procedures()) {
     for (const RecoveryObserver& observer : recovery_observers()) {
       for (const std::size_t trials : recovery_trials()) {
