@@ -10,8 +10,8 @@ namespace asperity {
 /// No track may have more trials.
 inline constexpr std::size_t kMostTrials = 100000;
 
-/// One answered trial of a track. Attempts that were interrupted, invalidated or excluded are not answers; whoever calls
-/// a procedure leaves them out.
+/// One answered trial of a track. Attempts that were interrupted, invalidated or excluded are not answers; the caller
+/// of a procedure leaves them out.
 struct LevelAnswer {
   double level = 0.0;  ///< the level that was delivered, which can differ from the proposed one
   bool is_correct = false;
