@@ -30,4 +30,19 @@ void LabelRows::add(const std::string& name) {
   column_.codes.push_back(found->second);
 }
 
+void ScoreRows::add(std::size_t person, const std::string& item, double score) {
+  people_.codes.push_back(person);
+  items_.add(item);
+  scores_.push_back(score);
+}
+
+TidyInput ScoreRows::take(const char* rater, const char* rated, const std::string& about) && {
+  TidyInput input{};
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{rater, std::move(people_)},
+                                                           {rated, std::move(items_).take()},
+                                                           {"score", std::move(scores_)}},
+                            about);
+  return input;
+}
+
 }  // namespace asperity

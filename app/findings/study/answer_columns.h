@@ -2,11 +2,13 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
 #include "app/findings/study/gathered_answers.h"
+#include "app/findings/tidy/tidy_families.h"
 #include "results_schema/tidy_table.h"
 
 namespace asperity {
@@ -28,6 +30,21 @@ class LabelRows final {
  private:
   LabelColumn column_{};
   std::unordered_map<std::string, std::size_t> code_of_{};
+};
+
+/// A table with a row per score that a participant gives an item, for the families `rating`, `icc` and `ordinal`.
+class ScoreRows final {
+ public:
+  explicit ScoreRows(const GatheredAnswers& gathered) : people_(labels_of_people(gathered)) {}
+  /// `person`: index of the gathered people.
+  void add(std::size_t person, const std::string& item, double score);
+  /// `rater`, `rated`: the names of the columns of participants and items; that of the scores is "score".
+  TidyInput take(const char* rater, const char* rated, const std::string& about) &&;
+
+ private:
+  LabelColumn people_{};
+  LabelRows items_{};
+  NumberColumn scores_{};
 };
 
 }  // namespace asperity

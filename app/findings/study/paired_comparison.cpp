@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "analysis/circular_triads.h"
-#include "analysis/conditional_logit.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/choice_tables.h"
 #include "app/findings/study/kinds/paired_comparison_analysis.h"
 #include "app/findings/study/selection_choices.h"
 #include "app/findings/study/selection_questions.h"
@@ -109,19 +109,11 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
     pairs.rows.push_back({{items[key.first], items[key.second]}, tally});
   }
   add_shares(pairs, outcome);
-  ShareTable positions{"positions",
-                       phrase("Analysis", "Proportion of choices of each position"),
-                       phrase("Analysis",
-                              "The position is the place of a surface in the order of "
-                              "presentation. Ties are left out."),
-                       {"position"},
-                       "chosen",
-                       "share_of_position",
-                       {}};
-  for (std::size_t place = 0; place < study.positions.size(); ++place) {
-    positions.rows.push_back({{std::to_string(place + 1)}, study.positions[place]});
-  }
-  add_shares(positions, outcome);
+  add_positions_table(study.positions,
+                      phrase("Analysis",
+                             "The position is the place of a surface in the order of "
+                             "presentation. Ties are left out."),
+                      outcome);
   if (study.ties == 0) return;
   NamedTable ties{
       "ties", phrase("Analysis", "Ties"), {{"item", "against", "responses", "ties"}, {}}, {}};
@@ -144,9 +136,7 @@ struct PairScores {
 PairScores pair_scores_of(const PairedStudy& study) {
   const std::vector<std::string>& items = study.choices.items;
   const std::size_t pairs = items.size() * (items.size() - 1) / 2;
-  LabelColumn people = labels_of_people(study.choices.gathered);
-  LabelRows named{};
-  NumberColumn scores{};
+  ScoreRows scores(study.choices.gathered);
   PairScores made{};
   for (std::size_t person = 0; person < study.by_person.size(); ++person) {
     const std::map<PairKey, PairCount>& own = study.by_person[person];
@@ -166,15 +156,10 @@ PairScores pair_scores_of(const PairedStudy& study) {
     const auto of_item =
         static_cast<double>(own.begin()->second.all()) * static_cast<double>(items.size() - 1);
     for (std::size_t item = 0; item < items.size(); ++item) {
-      people.codes.push_back(person);
-      named.add(items[item]);
-      scores.push_back(won[item] / of_item);
+      scores.add(person, items[item], won[item] / of_item);
     }
   }
-  made.input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(people)},
-                                                                {"item", std::move(named).take()},
-                                                                {"score", std::move(scores)}},
-                                 "the proportions of choices");
+  made.input = std::move(scores).take("subject", "item", "the proportions of choices");
   made.input.options.set("items", items);
   return made;
 }
@@ -208,27 +193,16 @@ void add_pair_scale(const PairedStudy& study, const FoundNumbers& found, Analysi
                "with them, so that their distance has no finite estimate."));
     return;
   }
-  const Phrase intervals =
-      found.find("bt.cluster.status") == nullptr
-          ? phrase("Analysis",
-                   "95 % CI: t intervals based on CR2 standard errors with the participants as "
-                   "clusters and Satterthwaite's degrees of freedom.")
-          : phrase("Analysis", "No CI: at least %1 participants are needed.")
-                .with(std::to_string(kFewestClusters));
-  NamedTable scale{
-      kScale,
-      phrase("Analysis", "The items on one scale"),
-      {{"item", "log_worth", "log_worth_low", "log_worth_high", "worth"}, {}},
-      phrase("Analysis",
-             "Bradley–Terry model without ties: of two items, i is chosen with probability 1/(1 + "
-             "exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1")
-          .with(intervals)};
-  for (const std::string& item : items) {
-    const auto [low, high] = found.interval(kLogWorth, item);
-    scale.table.rows.push_back(
-        {item, found.cell(kLogWorth, item), low, high, found.cell("bt.worth", item)});
-  }
-  outcome.tables.push_back(std::move(scale));
+  add_worth_scale(
+      {.log_worth = kLogWorth,
+       .worth = "bt.worth",
+       .no_interval = "bt.cluster.status",
+       .title = phrase("Analysis", "The items on one scale"),
+       .note = phrase(
+           "Analysis",
+           "Bradley–Terry model without ties: of two items, i is chosen with probability 1/(1 + "
+           "exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1")},
+      items, found, outcome);
 }
 
 /// "Bradley–Terry model with an order effect and ties", with the terms that could be estimated.

@@ -89,20 +89,9 @@ std::vector<RatedScale> rated_scales(const GatheredAnswers& gathered) {
 /// The table of the families `rating` and `icc`, which call its columns by other names.
 TidyInput table_of(const GatheredAnswers& gathered, const RatedScale& scale, const char* rater,
                    const char* rated) {
-  LabelColumn people = labels_of_people(gathered);
-  LabelRows items{};
-  NumberColumn scores{};
-  for (const auto& [of, mean] : scale.means) {
-    people.codes.push_back(of.first);
-    items.add(of.second);
-    scores.push_back(mean);
-  }
-  TidyInput input{};
-  input.tables.emplace_back(std::vector<TidyTable::Column>{{rater, std::move(people)},
-                                                           {rated, std::move(items).take()},
-                                                           {"score", std::move(scores)}},
-                            "the ratings on " + scale.name);
-  return input;
+  ScoreRows scores(gathered);
+  for (const auto& [of, mean] : scale.means) scores.add(of.first, of.second, mean);
+  return std::move(scores).take(rater, rated, "the ratings on " + scale.name);
 }
 
 /// The findings of a family with keys that begin with the name of the scale.
@@ -117,19 +106,11 @@ std::vector<Finding> findings_of(const char* analysis, const char* family, const
 
 /// The single responses, for the family `ordinal`.
 TidyInput responses_of(const GatheredAnswers& gathered, const RatedScale& scale) {
-  LabelColumn people = labels_of_people(gathered);
-  LabelRows items{};
-  NumberColumn scores{};
+  ScoreRows scores(gathered);
   for (const RatedScale::Response& response : scale.responses) {
-    people.codes.push_back(response.person);
-    items.add(response.item);
-    scores.push_back(response.score);
+    scores.add(response.person, response.item, response.score);
   }
-  TidyInput input{};
-  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(people)},
-                                                           {"item", std::move(items).take()},
-                                                           {"score", std::move(scores)}},
-                            "the responses on " + scale.name);
+  TidyInput input = std::move(scores).take("subject", "item", "the responses on " + scale.name);
   input.options.set("items", scale.items);
   return input;
 }

@@ -2,8 +2,8 @@
 #include <string>
 #include <utility>
 
-#include "analysis/conditional_logit.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/choice_tables.h"
 #include "app/findings/study/kinds/selection_analysis.h"
 #include "app/findings/study/participant_pairs.h"
 #include "app/findings/study/selection_choices.h"
@@ -125,28 +125,19 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
 }
 
 void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
-  ShareTable positions{"positions",
-                       phrase("Analysis", "Proportion of choices of each position"),
-                       phrase("Analysis",
-                              "The position is the place of a surface in the order of "
-                              "presentation, regardless of its model. "
-                              "Where the order of surfaces is random, a proportion above the "
-                              "chance level is a position bias, not a preference."),
-                       {"position"},
-                       "chosen",
-                       "share_of_position",
-                       {}};
-  for (std::size_t place = 0; place < counts.positions.size(); ++place) {
-    positions.rows.push_back({{std::to_string(place + 1)}, counts.positions[place]});
-  }
-  add_shares(positions, outcome);
+  add_positions_table(counts.positions,
+                      phrase("Analysis",
+                             "The position is the place of a surface in the order of "
+                             "presentation, regardless of its model. "
+                             "Where the order of surfaces is random, a proportion above the "
+                             "chance level is a position bias, not a preference."),
+                      outcome);
 }
 
 void add_scale_table(const Selection& selection, const FoundNumbers& found,
                      AnalysisOutcome& outcome) {
   const bool paired = selection.two_offered;
   const char* log_worth = paired ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
-  const char* worth = paired ? "bt.worth" : "pl.worth";
   if (found.find(log_worth, selection.items.front()) == nullptr) {
     outcome.remarks.push_back(
         phrase("Analysis",
@@ -155,32 +146,21 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
                "distance has no finite estimate."));
     return;
   }
-  const bool has_intervals =
-      found.find(paired ? "bt.cluster.status" : "pl.cluster.status") == nullptr;
-  const Phrase intervals =
-      has_intervals ? phrase("Analysis",
-                             "95 % CI: t intervals based on CR2 standard errors with the "
-                             "participants as clusters and Satterthwaite's degrees of freedom.")
-                    : phrase("Analysis", "No CI: at least %1 participants are needed.")
-                          .with(std::to_string(kFewestClusters));
-  NamedTable made{
-      "scale",
-      phrase("Analysis", "The models on one scale"),
-      {{"item", "log_worth", "log_worth_low", "log_worth_high", "worth"}, {}},
-      paired ? phrase("Analysis",
-                      "Bradley–Terry model: of two models, i is chosen with probability 1/(1 + "
-                      "exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1")
-                   .with(intervals)
-             : phrase("Analysis",
-                      "Plackett–Luce model: of several models, each is chosen in proportion to its "
-                      "worth. The log-worths have a mean of 0; the worths sum to 1. %1")
-                   .with(intervals)};
-  for (const std::string& item : selection.items) {
-    const auto [low, high] = found.interval(log_worth, item);
-    made.table.rows.push_back(
-        {item, found.cell(log_worth, item), low, high, found.cell(worth, item)});
-  }
-  outcome.tables.push_back(std::move(made));
+  add_worth_scale(
+      {.log_worth = log_worth,
+       .worth = paired ? "bt.worth" : "pl.worth",
+       .no_interval = paired ? "bt.cluster.status" : "pl.cluster.status",
+       .title = phrase("Analysis", "The models on one scale"),
+       .note =
+           paired
+               ? phrase(
+                     "Analysis",
+                     "Bradley–Terry model: of two models, i is chosen with probability 1/(1 + "
+                     "exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1")
+               : phrase("Analysis",
+                        "Plackett–Luce model: of several models, each is chosen in proportion to "
+                        "its worth. The log-worths have a mean of 0; the worths sum to 1. %1")},
+      selection.items, found, outcome);
 }
 
 /// Whether every participant felt every texture equally often, so that textures are exchangeable.
