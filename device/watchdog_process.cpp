@@ -92,8 +92,9 @@ bool stands_still(const StatusPath& status) noexcept {
 [[noreturn]] void refuse_to_start(const char* what, int error) {
   throw std::runtime_error(
       std::string(
-          "the process that sets the motors to zero if this program crashes cannot be started (") +
-      what + ": " + std::generic_category().message(error) + ")");
+          "the process that sets the force to zero if this program crashes cannot be started (") +
+      what + ": " + std::generic_category().message(error) +
+      "); close other programs, then try again");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace asperity {
 
 /// Part of a device's sentences: what WatchdogProcess::is_there has denied.
 inline constexpr const char* kWatchdogIsGone =
-    "the process that sets its motors to zero if this program crashes has ended";
+    "the process that sets its force to zero if this program crashes has ended";
 
 /// Waits in a process of its own for this one to end, however badly, or to stand still.
 ///

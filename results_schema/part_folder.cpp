@@ -98,8 +98,10 @@ void PartFolder::refuse_what_is_not_left_by_us() const {
   throw ResultsError(
       part_.string() +
           " already exists: an interrupted program left it, or another program is writing to it "
-          "now, which cannot be determined on a network file system, " +
-          network + ". If no program is writing to it, remove it, then try again",
+          "now. It lies on a network file system, " +
+          network +
+          ", where this cannot be determined. If no program is writing to it, remove it, then try "
+          "again",
       part_, EEXIST);
 }
 

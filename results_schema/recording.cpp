@@ -272,7 +272,7 @@ class Reader {
     }
     if (take_line() != sha256_of(line)) {
       fail(
-          "is damaged in its first line, whose SHA-256 differs from the one in its second line; "
+          "is damaged in its header, whose SHA-256 differs from the checksum in its second line; "
           "restore the file from a copy of the study");
     }
     try {
@@ -280,7 +280,7 @@ class Reader {
       header.rate_Hz = json.at("rate_Hz").get<double>();
       if (!(header.rate_Hz > 0.0)) {
         fail("states rate_Hz " + json.at("rate_Hz").dump() +
-             " in its first line; a rate is above 0. Restore the file from a copy of the study");
+             " in its header; it must be above 0. Restore the file from a copy of the study");
       }
       largest_chunk_ = json.at("chunk_records").get<std::size_t>();
       for (const Json& column : json.at("columns")) {
@@ -295,7 +295,7 @@ class Reader {
       header.context_json = json.at("context").dump();
       return header;
     } catch (const nlohmann::json::exception& error) {
-      fail(std::string("has an invalid first line: ") + error.what() +
+      fail(std::string("has an invalid header: ") + error.what() +
            "; restore the file from a copy of the study");
     }
   }
@@ -350,7 +350,7 @@ class Reader {
       fail_at(chunk, start, "the number of records differs from the one stated at the end");
     }
     if (offset_ != content_.size()) {
-      fail_at(chunk + 1, offset_, "there is data after the end of the recording");
+      fail_at(chunk + 1, offset_, "there are data after the end of the recording");
     }
   }
 

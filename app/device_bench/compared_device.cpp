@@ -42,7 +42,7 @@ void tell_unknown(const SoughtDevice& device, const Warn& warn) {
   const std::vector<DeviceTrait> missing = not_compared(device.not_known);
   if (missing.empty()) return;
   const std::string real(model_stood_for(device.wanted.which.model));
-  warn("these traits of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
+  warn("these properties of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
        " models, are unknown: " + listed_traits(missing).english() +
        "; no stimulus was compared with them");
 }

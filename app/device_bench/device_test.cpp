@@ -42,8 +42,8 @@ DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options
         if (!one.takes_limit) continue;
         all += (all.empty() ? "" : ", ") + std::string(one.name);
       }
-      throw std::invalid_argument("there is no item \"" + name +
-                                  "\" that could have a limit; there are: " + all);
+      throw std::invalid_argument("no limit can be set for the item \"" + name +
+                                  "\"; choose one of: " + all);
     }
   }
   DeviceProfile profile = measured_profile(device, options, stop);

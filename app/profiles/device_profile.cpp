@@ -167,7 +167,7 @@ std::vector<DeviceTrait> not_known_in(const nlohmann::json& profile, const std::
         [&name](DeviceTrait trait) { return name_of(trait) == name.get<std::string>(); });
     if (found == kDeviceTraits.end()) {
       throw std::runtime_error("stands_for names " + name.dump() +
-                               ", which is not a trait of a device");
+                               ", which is not a property of a device");
     }
     traits.push_back(*found);
   }

@@ -220,7 +220,8 @@ Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::stri
   Sweep sweep{.order = order};
   const Table table = read_tsv(text, name);
   if (table.columns != table_of(sweep).columns) {
-    throw std::runtime_error(name + " does not have the columns of a sweep; --force replaces it");
+    throw std::runtime_error(name +
+                             " does not have the columns of a sweep; use --force to replace it");
   }
   const auto number = [&](const std::vector<Cell>& row, std::size_t column) {
     const auto* words = std::get_if<std::string>(&row[column]);
@@ -232,7 +233,7 @@ Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::stri
     const auto* status = std::get_if<std::string>(&row[10]);
     if (!value || !spacing_m || status == nullptr) {
       throw std::runtime_error(
-          name + " has a row that was not written by a sweep; --force replaces the file");
+          name + " has a row that was not written by a sweep; use --force to replace the file");
     }
     SweepRow read{.value = *value, .spacing_m = *spacing_m, .status = *status};
     if (const std::optional<double> greatest = number(row, 5)) {
@@ -422,7 +423,7 @@ void require_sweep(const SweepOrder& order) {
       }
       if (std::count(numbers.begin(), numbers.end(), number) > 1) {
         throw std::invalid_argument(std::string(name) + ": " + number_text(number) +
-                                    " occurs twice");
+                                    " occurs twice; give it once");
       }
     }
   };
@@ -456,7 +457,7 @@ Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std:
       throw std::runtime_error(
           file.out.string() +
           " exists and belongs to another sweep: the declaration of this one differs from " +
-          beside.string() + "; --force replaces it, another --out keeps it");
+          beside.string() + "; use --force to replace it, or another --out to keep it");
     }
   }
   return SweepWork(std::move(known), &file, stop, progress).done(file.jobs);

@@ -261,13 +261,13 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
                finest_wave_m(*stimulus.inputs.surface, number_of(own, "texture_gain")));
   const double cell_m = number_of(own, "cell_m");
   if (!(kSamplesPerWave * cell_m > finest_m)) return {};
-  return ": its finest waves are " + micrometres_text(finest_m) + " long, and samples of " +
-         micrometres_text(cell_m) + " (cell_m) represent waves of " +
+  return ": its finest wavelength is " + micrometres_text(finest_m) + ", and samples of " +
+         micrometres_text(cell_m) + " (cell_m) represent wavelengths of " +
          micrometres_text(kSamplesPerWave * cell_m) +
-         " and longer; use a texture without finer waves, or a cell_m of " +
+         " and longer; use a texture without finer wavelengths, or a cell_m of " +
          micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)) +
          " or less, which takes longer to render. A step at the seam of a repeated tile counts as "
-         "the finest wave";
+         "the finest wavelength";
 }
 
 struct LimitBeyond {
@@ -292,7 +292,7 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
       if (described.height_field) sentence += " (" + *described.height_field + ')';
     }
     if (described.tool) sentence += " under the tool \"" + described.tool->name + '"';
-    sentence += " is beyond the limit " + std::string(count.name) + " of " + described.model +
+    sentence += " violates the assumption " + std::string(count.name) + " of " + described.model +
                 " in " + std::to_string(count.ticks) + " of " + std::to_string(contact) +
                 " ticks of contact; in these ticks its force differs from the declared force";
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;

@@ -42,10 +42,10 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
 std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
                                  StimulusBuilder& builder);
 
-/// The same, with the stimuli whose rendering exceeds the model's limits: for every stimulus that
-/// the hand touches, a warning for each limit of the model that is exceeded in at least half of the
+/// The same, with the stimuli that violate an assumption of their model: for every stimulus that
+/// the hand touches, a warning for each assumption that is violated in at least half of the
 /// contact, with the texture and, for `fine_detail`, both numbers. The stroke continues for 20 ms
-/// after the first contact: limits exceeded in other places or under a pressing hand are not
+/// after the first contact: violations in other places or under a pressing hand are not
 /// reported.
 /// in other places or under a hand that presses is not reported.
 struct RehearsedStimuli {

@@ -96,7 +96,7 @@ void FalconLine::begin_watch() {
     throw std::runtime_error(
         "the Novint Falcon at " + settings_.place +
         " gets no force: libusb does not report the file through which it communicates with the "
-        "device, so that the motors could not be set to zero if this program hangs; use the libusb "
+        "device, so that the force could not be set to zero if this program hangs; use the libusb "
         "of your Linux distribution");
   }
   watchdog_ = std::make_unique<WatchdogProcess>(&say_last_words, &last_words_, last_words_.file);

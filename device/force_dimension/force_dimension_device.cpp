@@ -331,8 +331,8 @@ std::string ForceDimensionDevice::trouble() const {
   if (cause >= 0) tell("The force of " + who + " is off: " + cause_of(cause) + ".");
   const std::uint64_t saturated = saturated_.load();
   if (saturated > 0) {
-    tell("The motors of " + who + " exerted less force than requested " +
-         std::to_string(saturated) + (saturated == 1 ? " time." : " times."));
+    tell("The motors of " + who + " exerted less force than requested on " +
+         std::to_string(saturated) + (saturated == 1 ? " occasion." : " occasions."));
   }
   return sentences;
 }

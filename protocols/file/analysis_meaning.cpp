@@ -76,7 +76,7 @@ void Meaning::check_analysis() {
   std::string kinds{};
   const std::vector<const ExperimentKind*> analysed = analysed_kinds_of(protocol_);
   for (const ExperimentKind* const kind : analysed) {
-    kinds += (kinds.empty() ? "" : " or a ") + std::string(kind->id);
+    kinds += (kinds.empty() ? "" : " or a ") + std::string(kind->name);
     for (const KindTest& test : kind->tests) {
       if (std::find(tests.begin(), tests.end(), test.name) == tests.end()) {
         tests.emplace_back(test.name);

@@ -173,8 +173,8 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
 void Meaning::check_pairs(const Block& block, const std::string& pointer) {
   if (!block.all_pairs) return;
   if (kind_of(block).role != "alternative") {
-    report_key(pointer + "/all_pairs",
-               "a " + block.kind + " does not compare surfaces; remove this key");
+    report_key(pointer + "/all_pairs", "a " + std::string(kind_of(block).name) +
+                                           " does not compare surfaces; remove this key");
     return;
   }
   const std::string& name = block.all_pairs->factor;
@@ -215,10 +215,11 @@ void Meaning::check_pairs(const Block& block, const std::string& pointer) {
            "in_both_orders presents each pair in both orders; remove this key");
   }
   if (!block.all_pairs->in_both_orders && is_as_listed && block.phase == Phase::main) {
-    report(pointer + "/all_pairs",
-           "the same level of each pair would always be presented first, so that an effect of the "
-           "order could not be told from a difference; set \"in_both_orders\" to true, or "
-           "\"positions\" to \"balanced\" or \"shuffle\"");
+    report(
+        pointer + "/all_pairs",
+        "the same level of each pair would always be presented first, so that an order "
+        "effect could not be distinguished from a difference; set \"in_both_orders\" to true, or "
+        "\"positions\" to \"balanced\" or \"shuffle\"");
   }
 }
 
@@ -227,7 +228,8 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
   const Protocol::Criterion& criterion = *block.until;
   const std::string place = pointer + "/until";
   if (!kind_of(block).has_correct_responses) {
-    report(place, "a criterion needs correct responses, and no response of a " + block.kind +
+    report(place, "a criterion needs correct responses, and no response of a " +
+                      std::string(kind_of(block).name) +
                       " is correct or incorrect; remove this key");
   }
   if (criterion.correct > criterion.of_last) {

@@ -46,26 +46,28 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     const ExperimentKind* const of_question = kind_of_question(kind, question.form);
     if (of_question == &kind) ++own;
     if (of_question == nullptr) {
-      report(place + "/scale",
-             "a " + block.kind + " needs " + needed_question(kind) + "; remove this key");
+      report(place + "/scale", "a " + std::string(kind.name) + " needs " + needed_question(kind) +
+                                   "; remove this key");
     } else if (!question.words.empty() && !of_question->takes_words) {
-      report_key(place + "/options", "the options of a " + std::string(of_question->id) +
+      report_key(place + "/options", "the options of a " + std::string(of_question->name) +
                                          " are not words; remove this key");
     } else if (!question.tie.empty() && !of_question->takes_ties) {
       report_key(place + "/tie",
-                 "a " + std::string(of_question->id) + " has no ties; remove this key");
+                 "a " + std::string(of_question->name) + " has no ties; remove this key");
     } else if (of_question == &kind && kind.check_block != nullptr) {
       kind.check_block({protocol_, block, question, pointer, place}, *this);
     }
   }
   if (own == 0 || (own > 1 && !kind.asks_several)) {
     report(block.has_question_list ? pointer + "/questions" : pointer + "/question",
-           "a " + block.kind + " needs " + needed_question(kind) +
-               " in every trial; number given: " + std::to_string(own));
+           "a " + std::string(kind.name) + " needs " + needed_question(kind) +
+               " in every trial; number given: " + std::to_string(own) +
+               "; add or remove questions");
   }
   if (block.feedback != Block::Feedback::none && !kind.has_correct_responses) {
     report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
-                                      block.kind + " is correct or incorrect; set it to \"none\"");
+                                      std::string(kind.name) +
+                                      " is correct or incorrect; set it to \"none\"");
   }
   check_criterion(block, pointer);
 }
@@ -186,7 +188,8 @@ void Meaning::check_scale(const TrialQuestionTemplate& question, const std::stri
   report(at + "/labels",
          "a scale has labels for its two ends or for all of its points; labels given: " +
              std::to_string(labels) + ", points: " +
-             (scale->points == 0 ? std::string("none") : std::to_string(scale->points)));
+             (scale->points == 0 ? std::string("none") : std::to_string(scale->points)) +
+             "; add or remove labels");
 }
 
 }  // namespace asperity

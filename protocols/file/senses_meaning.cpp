@@ -13,7 +13,7 @@ void Meaning::check_senses() {
   if (is_none && noise.level_dBA)
     report_key(at_noise + "/level_dBA", "the noise \"none\" has no level; remove this key");
   if (!is_none && !noise.level_dBA) {
-    report(at_noise, "masking noise has to state its \"level_dBA\"");
+    report(at_noise, "masking noise needs a level; add the key \"level_dBA\"");
   }
   const std::vector<std::string> cues = speech_cues();
   for (const auto& [cue, path] : protocol_.speech) {

@@ -295,7 +295,7 @@ void Meaning::check_questions() {
     const auto& object = root.at("questions").at(name);
     switch (question.form) {
       case Question::Form::choice:
-        if (question.options.empty()) report(pointer, "a choice has to list its \"options\"");
+        if (question.options.empty()) report(pointer, "a choice needs \"options\"; add this key");
         break;
       case Question::Form::number:
       case Question::Form::text:

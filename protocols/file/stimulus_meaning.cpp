@@ -209,8 +209,8 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
       report_key(pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
                  id == equal.to_model ? "the others are made equal to " + in_quotes(id) +
                                             " with this parameter at its default; remove this key"
-                                      : "equal_force solves this parameter of " + in_quotes(id) +
-                                            "; remove this key");
+                                      : "equal_force determines this parameter of " +
+                                            in_quotes(id) + "; remove this key");
     }
   }
 }

@@ -65,7 +65,8 @@ struct VirtualResponse {
 ///
 /// A function that is null does nothing. Functions report problems, and do not throw.
 struct ExperimentKind {
-  std::string_view id{};    ///< as in protocols and in the store; also its name in messages
+  std::string_view id{};    ///< as in protocols and in the store: "magnitude"
+  std::string_view name{};  ///< in messages, after "a": "magnitude estimation"
   std::string_view role{};  ///< of every surface of a trial: "target"
   AnswerForm form{};        ///< how its question is answered
   /// A trial may have several questions of this kind, also next to the question of another kind.

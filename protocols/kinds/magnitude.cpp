@@ -80,7 +80,7 @@ void check_spacings(const Protocol& protocol, const std::string& factor, Problem
   constexpr std::size_t kCoefficients = 3;  // of a parabola
   if (spacings.size() < kCoefficients) {
     problems.report(at_levels, "a curve needs at least three different spacings; number given: " +
-                                   std::to_string(spacings.size()));
+                                   std::to_string(spacings.size()) + "; add spacings");
   }
 }
 
@@ -161,6 +161,7 @@ VirtualResponse judge_magnitude(const Judgement& judgement) {
 
 const ExperimentKind& magnitude_kind() {
   static const ExperimentKind kKind{.id = "magnitude",
+                                    .name = "magnitude estimation",
                                     .role = "target",
                                     .form = NumberForm{},
                                     .has_anchors = true,

@@ -34,13 +34,14 @@ void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) 
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() < 2) {
     problems.report(checked.pointer + "/presented",
-                    "a matching needs at least two surfaces to assign");
+                    "a matching needs at least two surfaces to assign; list them here");
   }
   if (question.pictures.size() != checked.block.presented.size()) {
     problems.report(place + (question.pictures.empty() ? "" : "/pictures"),
                     "a matching needs as many pictures as surfaces; pictures given: " +
                         std::to_string(question.pictures.size()) +
-                        ", surfaces given: " + std::to_string(checked.block.presented.size()));
+                        ", surfaces given: " + std::to_string(checked.block.presented.size()) +
+                        "; add or remove pictures");
   }
   if (question.allow_cannot_tell) {
     problems.report(place + "/allow_cannot_tell",
@@ -77,6 +78,7 @@ VirtualResponse judge_matching(const Judgement& judgement) {
 
 const ExperimentKind& matching_kind() {
   static const ExperimentKind kKind{.id = "matching",
+                                    .name = "matching",
                                     .role = "target",
                                     .form = AssignmentForm{},
                                     .has_correct_responses = true,

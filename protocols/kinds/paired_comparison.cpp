@@ -53,7 +53,7 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
       if (question.name != first->name || question.prompt != first->prompt ||
           question.tie != first->tie) {
         problems.report(at_question,
-                        "the main blocks of a paired_comparison are analysed together, and the "
+                        "the main blocks of a paired comparison are analysed together, and the "
                         "block " +
                             in_quotes(first_block->name) +
                             " has another question; give both questions the same name, prompt and "
@@ -61,7 +61,7 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
       }
       if (items_of_pairs(block) != items_of_pairs(*first_block)) {
         problems.report(pointer + "/presented",
-                        "the main blocks of a paired_comparison are analysed together, and the "
+                        "the main blocks of a paired comparison are analysed together, and the "
                         "block " +
                             in_quotes(first_block->name) +
                             " compares other surfaces; give both blocks the same stimulus and "
@@ -76,27 +76,27 @@ void check_block_of_pairs(const BlockOfKind& checked, ProblemSink& problems) {
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 2) {
     problems.report(checked.pointer + "/presented",
-                    "a paired_comparison presents exactly two surfaces per trial; for all pairs of "
+                    "a paired comparison presents exactly two surfaces per trial; for all pairs of "
                     "the levels of a factor, add \"all_pairs\" and list one surface");
   }
   if (!checked.block.all_pairs && checked.block.phase == Phase::main &&
       checked.block.positions == Protocol::Block::Positions::as_listed) {
     problems.report(checked.pointer + "/presented",
-                    "the same surface would always be presented first, so that an effect of the "
-                    "order could not be told from a difference; set \"positions\" to "
+                    "the same surface would always be presented first, so that an order "
+                    "effect could not be distinguished from a difference; set \"positions\" to "
                     "\"balanced\" or \"shuffle\"");
   }
   if (!question.pictures.empty()) {
     problems.report(place + "/pictures",
-                    "in a paired_comparison the options are the surfaces felt; remove this key");
+                    "in a paired comparison the options are the surfaces felt; remove this key");
   }
   if (!question.correct_factor.empty()) {
     problems.report(place + "/correct_factor",
-                    "no response of a paired_comparison is correct or incorrect; remove this key");
+                    "no response of a paired comparison is correct or incorrect; remove this key");
   }
   if (question.allow_cannot_tell) {
     problems.report(place + "/allow_cannot_tell",
-                    "the third option of a paired_comparison is a tie; write \"tie\" with the text "
+                    "the third option of a paired comparison is a tie; write \"tie\" with the text "
                     "of the option instead of this key");
   }
   check_prompt_for_sample(checked, problems);
@@ -136,6 +136,7 @@ VirtualResponse judge_pair(const Judgement& judgement) {
 
 const ExperimentKind& paired_comparison_kind() {
   static const ExperimentKind kKind{.id = "paired_comparison",
+                                    .name = "paired comparison",
                                     .role = "alternative",
                                     .form = ChoiceForm{},
                                     .takes_ties = true,

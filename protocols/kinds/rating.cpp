@@ -24,7 +24,7 @@ std::string item_of_rating(const StimulusDescription& stimulus) {
 void check_block_of_rating(const BlockOfKind& checked, ProblemSink& problems) {
   if (checked.block.presented.size() != 1) {
     problems.report(checked.pointer + "/presented",
-                    "a rating presents exactly one surface per trial");
+                    "a rating presents exactly one surface per trial; list one here");
   }
 }
 
@@ -56,6 +56,7 @@ VirtualResponse judge_rating(const Judgement& judgement) {
 
 const ExperimentKind& rating_kind() {
   static const ExperimentKind kKind{.id = "rating",
+                                    .name = "rating",
                                     .role = "target",
                                     .form = ScaleForm{},
                                     .asks_several = true,

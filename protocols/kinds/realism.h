@@ -9,7 +9,7 @@ namespace asperity {
 /// The key "realism_standard", where the kind can do without it.
 inline constexpr KindKey kRealismStandard{
     "realism_standard", "",
-    "realism is measured against a standard only in a selection or a paired_comparison; remove "
+    "realism is measured against a standard only in a selection or a paired comparison; remove "
     "this key"};
 
 /// Where the standard is a physical sample, the experimenter needs to know which one to place.

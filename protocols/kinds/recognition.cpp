@@ -35,12 +35,12 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
                     "a recognition presents exactly one surface per trial; list one here");
   }
   if (question.pictures.empty()) {
-    problems.report(place, "a recognition needs \"pictures\" to choose from");
+    problems.report(place, "a recognition needs \"pictures\" to choose from; add this key");
   }
   if (question.correct_factor.empty()) {
     problems.report(place,
                     "a recognition needs \"correct_factor\": the factor whose level is the correct "
-                    "picture");
+                    "picture; add this key");
     return;
   }
   if (!checked.protocol.factors.contains(question.correct_factor)) {
@@ -84,6 +84,7 @@ VirtualResponse judge_recognition(const Judgement& judgement) {
 
 const ExperimentKind& recognition_kind() {
   static const ExperimentKind kKind{.id = "recognition",
+                                    .name = "recognition",
                                     .role = "target",
                                     .form = ChoiceForm{},
                                     .has_correct_responses = true,

@@ -38,7 +38,7 @@ void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems)
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() < 2) {
     problems.report(checked.pointer + "/presented",
-                    "a selection needs at least two surfaces to choose from");
+                    "a selection needs at least two surfaces to choose from; list them here");
   }
   if (!question.pictures.empty()) {
     problems.report(place + "/pictures",
@@ -91,6 +91,7 @@ VirtualResponse judge_selection(const Judgement& judgement) {
 
 const ExperimentKind& selection_kind() {
   static const ExperimentKind kKind{.id = "selection",
+                                    .name = "selection",
                                     .role = "alternative",
                                     .form = ChoiceForm{},
                                     .has_target = true,

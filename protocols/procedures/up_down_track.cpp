@@ -63,14 +63,14 @@ void check_steps(const LevelGrid& grid, const StepList& steps, const std::string
 void check_stop(const StopRules& stop, ProcedureProblems& problems) {
   if (stop.trials == 0 && !stop.reversals && !stop.clipped_moves) {
     problems.report("stop",
-                    "there is no stop rule; state a greatest number of trials, with or "
+                    "there is no stopping rule; state a maximum number of trials, with or "
                     "without a number of reversals");
   } else if (stop.trials == 0) {
     problems.report("stop.trials",
                     "the number of trials has no limit, and a track that stays at "
-                    "a bound never reverses; state a greatest number of trials");
+                    "a bound never reverses; state a maximum number of trials");
   } else if (stop.trials > kMostTrials) {
-    problems.report("stop.trials", "the greatest number of trials is above " +
+    problems.report("stop.trials", "the maximum number of trials is above " +
                                        std::to_string(kMostTrials) + "; lower it");
   }
   if (stop.reversals == std::size_t{0}) {

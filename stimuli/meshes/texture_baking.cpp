@@ -417,10 +417,11 @@ std::optional<std::string> warning_of(const BakeReport& report) {
     return micrometres(textured.*of) + " from the original with its texture and " +
            micrometres(plain.*of) + " without";
   };
-  return is_further ? "The mesh lies " + both(&GeometricError::rms_m) +
-                          " (RMS): the texture makes it worse. Increase the number of triangles."
-                    : "At its worst point the mesh lies " + both(&GeometricError::max_m) +
-                          ": there the texture makes it worse. Increase the number of triangles.";
+  return is_further
+             ? "The mesh lies " + both(&GeometricError::rms_m) +
+                   " (RMS): the texture increases this distance. Increase the number of triangles."
+             : "At its worst point the mesh lies " + both(&GeometricError::max_m) +
+                   ": there the texture increases this distance. Increase the number of triangles.";
 }
 
 BakedMesh bake_texture(const TriangleMesh& original, const TriangleMesh& simplified,

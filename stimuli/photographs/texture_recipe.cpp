@@ -46,7 +46,7 @@ std::vector<Parameter> texture_recipe_parameters() {
              "Variations in brightness with wavelengths longer than this count as lighting, "
              "shorter ones as the surface"),
       number("gamma_low", "1", 0.05, 2.0, defaults.gamma_low,
-             "Factor applied to slow changes of the lighting; below 1 evens them out"),
+             "Factor applied to gradual changes in lighting; below 1 attenuates them"),
       number("gamma_high", "1", 0.2, 5.0, defaults.gamma_high,
              "Factor applied to fine detail; above 1 raises its contrast"),
       number("gaussian_wavelength_m", "m", 0.0002, 0.2, defaults.gaussian_wavelength_m,

@@ -281,8 +281,8 @@ TEST_F(Bodies, WithATileThatDoesNotCloseAreDoubtedWithBothNumbersAndWhatWouldBeR
   for (const char* said :
        {"the stimulus \"felt_grain_pd_gradient_ball\" with the texture \"grain\" "
         "(stimuli/grain.png)",
-        "under the tool \"ball\"", "the limit fine_detail of pd_gradient in ",
-        "samples of 100 µm (cell_m) represent waves of 800 µm and longer", "a cell_m of"}) {
+        "under the tool \"ball\"", "the assumption fine_detail of pd_gradient in ",
+        "samples of 100 µm (cell_m) represent wavelengths of 800 µm and longer", "a cell_m of"}) {
     EXPECT_THAT(found[0].message, HasSubstr(said));
   }
   EXPECT_EQ(found[3].pointer, "/textures/grain");
@@ -471,7 +471,7 @@ TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
   write_file(file, coarse.dump(1), Overwrite::allow);
   const std::vector<Diagnostic> warnings = warnings_of(load_protocol(file, models, study));
   ASSERT_FALSE(warnings.empty());
-  EXPECT_THAT(warnings[0].message, HasSubstr("its finest waves are 598 µm long"));
+  EXPECT_THAT(warnings[0].message, HasSubstr("its finest wavelength is 598 µm, and samples"));
   EXPECT_THAT(warnings[0].message, HasSubstr("or a cell_m of 74 µm or less"));
 
   auto main = protocol["blocks"]["main"];

@@ -131,7 +131,8 @@ TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
 // No measurement of the virtual hand tells of the real one.
 TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) {
   const std::string not_known =
-      "these traits of delta.3, which \"simulated:delta.3\" models, are unknown: friction, force "
+      "these properties of delta.3, which \"simulated:delta.3\" models, are unknown: friction, "
+      "force "
       "resolution, position step, damping, moving mass, stiffest spring, resonance; no stimulus "
       "was compared";
   EXPECT_THAT(warnings(compared("simulated:delta.3")), Contains(HasSubstr(not_known)));

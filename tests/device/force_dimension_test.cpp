@@ -605,7 +605,7 @@ TEST_F(ForceDimension, TellsOfSaturatedMotorsInTheRecordAndInWordsWhileTheyAre) 
       EXPECT_EQ(sent.wrench.force_N.z, 1.0);  // how much less, nobody knows
     }
     EXPECT_THAT(device->trouble(),
-                HasSubstr("less force than requested " + std::to_string(times) + " times"));
+                HasSubstr("less force than requested on " + std::to_string(times) + " occasions"));
     bench->send_answer = 0;
     for (int i = 0; i < 1000; ++i) EXPECT_FALSE(push().has(LimitReason::force));
     EXPECT_NE(device->trouble(), "");

@@ -153,10 +153,9 @@ TEST_F(CheckedDevice, IsSaidNotToBeKnownWhereAProgramReadsItToo) {
   const auto json = nlohmann::json::parse(read.out);
   const auto& not_known = json["protocols"][0]["device"]["not_known"];
   EXPECT_NE(std::find(not_known.begin(), not_known.end(), "friction"), not_known.end()) << read.out;
-  EXPECT_NE(
-      read.err.find(
-          "these traits of delta.3, which \"simulated:delta.3\" models, are unknown: friction, "),
-      std::string::npos)
+  EXPECT_NE(read.err.find("these properties of delta.3, which \"simulated:delta.3\" models, are "
+                          "unknown: friction, "),
+            std::string::npos)
       << read.err;
   EXPECT_NE(read.err.find("(/device)"), std::string::npos);
   EXPECT_EQ(read.err.find(":1:1: warning"), std::string::npos) << "it has a place: " << read.err;

@@ -134,7 +134,7 @@ TEST(Sweep, ReplacesNothingOfAnotherSweep) {
   write_text(out, "mine\n");
   const Outcome refused = asperity(sweep_into(out, kSmall));
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("--force replaces it"));
+  EXPECT_THAT(refused.err, HasSubstr("use --force to replace it"));
   EXPECT_EQ(text_of(out), "mine\n");
 }
 

@@ -47,7 +47,7 @@ TEST(ProcedureSettings, OfAValidTrackHaveNoProblem) {
 
 TEST(ProcedureSettings, NeedAStopRuleWithALimitOfTrials) {
   EXPECT_THAT(problems_after([](UpDownTrack& track) { track.stop = {}; }),
-              ElementsAre(problem("stop", "state a greatest number of trials")));
+              ElementsAre(problem("stop", "state a maximum number of trials")));
   EXPECT_THAT(problems_after([](UpDownTrack& track) { track.stop = {.reversals = 8}; }),
               ElementsAre(problem("stop.trials", "never reverses; state")));
   EXPECT_THAT(problems_after([](UpDownTrack& track) { track.stop.reversals = 0; }),

@@ -174,7 +174,7 @@ TEST(Recording, NoticesEveryTruncation) {
               HasSubstr("chunk 4, at byte " + std::to_string(whole.size() - 24) +
                         ": the file ends inside the chunk"));
   put(study / "cut", whole + "x");
-  EXPECT_THAT(refusal_to_read(study / "cut"), HasSubstr("there is data after the end"));
+  EXPECT_THAT(refusal_to_read(study / "cut"), HasSubstr("there are data after the end"));
 }
 
 TEST(Recording, NoticesEveryFlippedByte) {

@@ -142,10 +142,10 @@ TEST(Baking, SaysWhereATextureMakesAMeshWorse) {
   EXPECT_EQ(
       said({1e-4, 4e-4}, {1e-5, 5e-4}),
       "At its worst point the mesh lies 500.0 µm from the original with its texture and 400.0 µm "
-      "without: there the texture makes it worse. Increase the number of triangles.");
+      "without: there the texture increases this distance. Increase the number of triangles.");
   EXPECT_EQ(said({1e-4, 4e-4}, {2e-4, 5e-4}),
             "The mesh lies 200.0 µm from the original with its texture and 100.0 µm without (RMS): "
-            "the texture makes it worse. Increase the number of triangles.");
+            "the texture increases this distance. Increase the number of triangles.");
 }
 
 TEST(Baking, HoldsTheSameDisplacementOnBothSidesOfEveryEdge) {

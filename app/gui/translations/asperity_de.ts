@@ -4598,12 +4598,12 @@
         <translation>Die Textur von „%1“ entspricht einem Effektivwert der Kraft von %2 N; die kleinste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
     </message>
     <message>
-        <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: at least two steps per wave are needed.</source>
-        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät misst Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei Schritte nötig.</translation>
+        <source>The wavelength of &quot;%1&quot; is %2 µm, and the device reads positions in steps of %3 µm: at least two steps per wavelength are needed.</source>
+        <translation>Die Wellenlänge von „%1“ beträgt %2 µm, und das Gerät misst Positionen in Schritten von %3 µm: Je Wellenlänge sind mindestens zwei Schritte nötig.</translation>
     </message>
     <message>
-        <source>When &quot;%1&quot; is stroked at %2 mm/s, %3 waves per second pass under the probe, and the bandwidth of the device is %4 Hz.</source>
-        <translation>Wird mit %2 mm/s über „%1“ gestrichen, passiert der Taster %3 Wellen pro Sekunde; die Bandbreite des Geräts beträgt %4 Hz.</translation>
+        <source>When &quot;%1&quot; is stroked at %2 mm/s, its temporal frequency is %3 Hz, and the bandwidth of the device is %4 Hz.</source>
+        <translation>Wird mit %2 mm/s über „%1“ gestrichen, beträgt die zeitliche Frequenz %3 Hz; die Bandbreite des Geräts beträgt %4 Hz.</translation>
     </message>
     <message>
         <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
@@ -5416,8 +5416,8 @@
         <translation>Ausgeglichenes Licht</translation>
     </message>
     <message>
-        <source>Long waves</source>
-        <translation>Lange Wellen</translation>
+        <source>Long wavelengths</source>
+        <translation>Große Wellenlängen</translation>
     </message>
     <message>
         <source>Heights</source>
@@ -5440,8 +5440,8 @@
         <translation>Allmähliche Änderungen der Beleuchtung werden abgeschwächt, feine Details verstärkt.</translation>
     </message>
     <message>
-        <source>Waves longer than the longest wavelength kept; they are subtracted from the previous step.</source>
-        <translation>Wellen, die länger sind als die größte erhaltene Wellenlänge; sie werden vom vorigen Schritt abgezogen.</translation>
+        <source>Wavelengths longer than the longest one kept; they are subtracted from the previous step.</source>
+        <translation>Wellenlängen oberhalb der größten erhaltenen Wellenlänge; sie werden vom vorigen Schritt abgezogen.</translation>
     </message>
     <message>
         <source>The remainder, as heights: dark is low, bright is high.</source>
@@ -8871,8 +8871,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Licht ausgleichen</translation>
     </message>
     <message>
-        <source>Remove long waves</source>
-        <translation>Lange Wellen entfernen</translation>
+        <source>Remove long wavelengths</source>
+        <translation>Große Wellenlängen entfernen</translation>
     </message>
     <message>
         <source>▲ The result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks and feels like a relief, but that of a different surface. If possible, take the picture again in even light.</source>
@@ -10895,8 +10895,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Hier ein Foto einer Oberfläche ablegen</translation>
     </message>
     <message>
-        <source>It becomes a relief that can be felt: uneven light is corrected, long waves are removed, and the remaining brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. A picture in even light, taken from directly above, gives the best result.</source>
-        <translation>Daraus wird ein Relief zum Fühlen: Ungleichmäßiges Licht wird ausgeglichen, lange Wellen werden entfernt, und die verbleibende Helligkeit gilt als Höhe. PNG, JPEG, TIFF, BMP und WebP werden gelesen. Am besten eignet sich ein Bild in gleichmäßigem Licht, senkrecht von oben aufgenommen.</translation>
+        <source>It becomes a relief that can be felt: uneven light is corrected, long wavelengths are removed, and the remaining brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. A picture in even light, taken from directly above, gives the best result.</source>
+        <translation>Daraus wird ein Relief zum Fühlen: Ungleichmäßiges Licht wird ausgeglichen, große Wellenlängen werden entfernt, und die verbleibende Helligkeit gilt als Höhe. PNG, JPEG, TIFF, BMP und WebP werden gelesen. Am besten eignet sich ein Bild in gleichmäßigem Licht, senkrecht von oben aufgenommen.</translation>
     </message>
     <message>
         <source>Open a photograph…</source>
@@ -11035,7 +11035,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Erscheint nach einer halben Sekunde</translation>
     </message>
     <message>
-        <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as by asperity sweep.</source>
+        <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as in asperity sweep.</source>
         <translation>Vorhergesagte Beschleunigung eines in der Hand gehaltenen Werkzeugs von 50 g, auf das die Kraft der letzten Sekunde dieses Strichs wirkt; berechnet wie mit asperity sweep.</translation>
     </message>
 </context>

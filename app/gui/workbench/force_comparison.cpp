@@ -54,7 +54,7 @@ std::vector<Parameter> surface_parameters() {
           number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
                  "Depth of the probe below the mean height during the stroke"),
           number("ball_diameter_m", "m", 0.001, 0.02, 0.005,
-                 "Diameter of the ball that a model of two bodies uses as the probe; the other "
+                 "Diameter of the sphere that a model with two bodies uses as the probe; the other "
                  "models use a point")};
 }
 

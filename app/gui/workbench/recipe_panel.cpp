@@ -118,7 +118,7 @@ void RecipePanel::add_groups(QLayout* layout) {
       Group{tr("Photograph"), declared({"width_m", "histogram"})},
       Group{tr("Even out the light"),
             declared({"homomorphic_wavelength_m", "gamma_low", "gamma_high"})},
-      Group{tr("Remove long waves"), declared({"gaussian_wavelength_m"})}};
+      Group{tr("Remove long wavelengths"), declared({"gaussian_wavelength_m"})}};
   for (const Group& group : groups) {
     QVBoxLayout* inside = nullptr;
     QFrame* card = make_card(controls_, inside);

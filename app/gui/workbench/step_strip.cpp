@@ -33,7 +33,7 @@ QString name_of(Step step) {
     case Step::evened:
       return StepWords::tr("Evened lighting");
     case Step::low_pass:
-      return StepWords::tr("Long waves");
+      return StepWords::tr("Long wavelengths");
     case Step::heights:
       return StepWords::tr("Heights");
     case Step::relief:
@@ -54,7 +54,7 @@ QString meaning_of(Step step) {
           "Gradual changes of lighting are attenuated and fine detail is amplified.");
     case Step::low_pass:
       return StepWords::tr(
-          "Waves longer than the longest wavelength kept; they are subtracted from the previous "
+          "Wavelengths longer than the longest one kept; they are subtracted from the previous "
           "step.");
     case Step::heights:
       return StepWords::tr("The remainder, as heights: dark is low, bright is high.");

@@ -87,7 +87,8 @@ WorkbenchPage::~WorkbenchPage() = default;
 QWidget* WorkbenchPage::make_empty() {
   auto* empty = new EmptyState(
       tr("Drop a photograph of a surface here"),
-      tr("It becomes a relief that can be felt: uneven light is corrected, long waves are removed, "
+      tr("It becomes a relief that can be felt: uneven light is corrected, long wavelengths are "
+         "removed, "
          "and the remaining brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. "
          "A picture in even light, taken from directly above, gives the best result."),
       pages_);
@@ -446,7 +447,7 @@ void WorkbenchPage::show_forces() {
   roughness_->show_series(comparison_->roughness(), tr("Shown after half a second"));
   const QString meaning =
       tr("Predicted acceleration of a hand-held tool of 50 g under the force of the last second of "
-         "this stroke, computed as by asperity sweep.");
+         "this stroke, computed as in asperity sweep.");
   const QString numbers = comparison_->roughness_in_words();
   roughness_->setToolTip(numbers.isEmpty() ? meaning : meaning + '\n' + numbers);
   roughness_->setAccessibleDescription(roughness_->toolTip());

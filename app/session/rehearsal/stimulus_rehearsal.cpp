@@ -166,8 +166,8 @@ void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_pe
           .asked = *waves.wavelength_m,
           .device = *resolution_m,
           .text = phrase("Rehearsal",
-                         "A wave of \"%1\" is %2 µm long, and the device reads positions in "
-                         "steps of %3 µm: at least two steps per wave are needed.")
+                         "The wavelength of \"%1\" is %2 µm, and the device reads positions in "
+                         "steps of %3 µm: at least two steps per wavelength are needed.")
                       .with(name_, in_um(*waves.wavelength_m), in_um(*resolution_m))});
   }
   double bandwidth_Hz = 0.5 * protocol_.rate_Hz;
@@ -180,8 +180,8 @@ void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_pe
           .asked = frequency_Hz,
           .device = bandwidth_Hz,
           .text = phrase("Rehearsal",
-                         "When \"%1\" is stroked at %2 mm/s, %3 waves per second pass under the "
-                         "probe, and the bandwidth of the device is %4 Hz.")
+                         "When \"%1\" is stroked at %2 mm/s, its temporal frequency is %3 Hz, and "
+                         "the bandwidth of the device is %4 Hz.")
                       .with(name_, in_three_digits(1e3 * speed_m_per_s),
                             in_three_digits(frequency_Hz), in_three_digits(bandwidth_Hz))});
   }
