@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>Trials with all items correct (counts)</source>
-        <translation>Durchgänge, in denen alles richtig ist (Anzahlen)</translation>
+        <translation>Durchgänge, in denen alle Zuordnungen richtig sind (Anzahlen)</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -69,7 +69,7 @@
     </message>
     <message>
         <source>Chance level: all items correct in 1/%1 of the trials.</source>
-        <translation>Zufallsniveau: alles richtig in 1/%1 der Durchgänge.</translation>
+        <translation>Zufallsniveau: alle Zuordnungen richtig in 1/%1 der Durchgänge.</translation>
     </message>
     <message>
         <source>Chance level: 1/%1 of the items correct.</source>
@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>Proportion of trials with all items correct</source>
-        <translation>Anteil der Durchgänge, in denen alles richtig ist</translation>
+        <translation>Anteil der Durchgänge, in denen alle Zuordnungen richtig sind</translation>
     </message>
     <message>
         <source>The chance level is 1/m! for m items. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>How often are all items of a trial correct?</source>
-        <translation>Wie oft ist in einem Durchgang alles richtig?</translation>
+        <translation>Wie häufig sind in einem Durchgang alle Zuordnungen richtig?</translation>
     </message>
     <message>
         <source>Which textures are confused?</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Classical scaling of the dissimilarities. Only distances can be interpreted: the configuration may be rotated and mirrored.</source>
-        <translation>Klassische Skalierung der Unähnlichkeiten. Nur Abstände lassen sich deuten: Die Konfiguration darf gedreht und gespiegelt werden.</translation>
+        <translation>Klassische Skalierung der Unähnlichkeiten. Nur Abstände sind interpretierbar: Die Konfiguration darf gedreht und gespiegelt werden.</translation>
     </message>
     <message>
         <source>Dendrogram of the textures</source>
@@ -405,7 +405,7 @@
     </message>
     <message>
         <source>Sessions of virtual participants that ignore the surface or have no expectations, so that their responses are guesses: %1.</source>
-        <translation>Sitzungen virtueller Beobachter, die die Oberfläche nicht beachten oder keine Erwartung haben, sodass ihre Antworten geraten sind: %1.</translation>
+        <translation>Sitzungen virtueller Versuchspersonen, die die Oberfläche nicht beachten oder keine Erwartung haben, sodass ihre Antworten geraten sind: %1.</translation>
     </message>
     <message>
         <source>Expected under guessing: number of trials if every assignment is equally likely.</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>%1 “Cannot tell” responses are counted above and left out here.</source>
-        <translation>%1 Antworten „kann es nicht sagen“ sind oben gezählt und hier ausgeschlossen.</translation>
+        <translation>%1 Antworten „kann es nicht sagen“ sind oben gezählt und hier weggelassen.</translation>
     </message>
     <message>
         <source>one participant</source>
@@ -457,7 +457,7 @@
     </message>
     <message>
         <source>Geometric means over repetitions. The estimates of participants with an empty cell are not normalised and are left out of curves and tests.</source>
-        <translation>Geometrische Mittel über Wiederholungen. Schätzungen von Versuchspersonen mit einer leeren Zelle werden nicht normiert und nicht in Kurven und Tests einbezogen.</translation>
+        <translation>Geometrische Mittel über Wiederholungen. Schätzungen von Versuchspersonen mit einer leeren Zelle werden nicht normiert und bleiben in Kurven und Tests unberücksichtigt.</translation>
     </message>
     <message>
         <source>Spacing of maximum roughness: one parabola per condition</source>
@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Repeated-measures ANOVA of the log estimates</source>
-        <translation>Varianzanalyse der logarithmierten Schätzungen mit Messwiederholung</translation>
+        <translation>Varianzanalyse mit Messwiederholung der logarithmierten Schätzungen</translation>
     </message>
     <message>
         <source>Each participant has a value in every cell; repetitions are averaged. p: Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>Participants with an empty cell, who are left out of curves and tests: %1.</source>
-        <translation>Versuchspersonen mit einer leeren Zelle, die nicht in Kurven und Tests einbezogen sind: %1.</translation>
+        <translation>Versuchspersonen mit einer leeren Zelle, die in Kurven und Tests unberücksichtigt bleiben: %1.</translation>
     </message>
     <message>
         <source>Does roughness depend on the spacing?</source>
@@ -741,11 +741,11 @@
     </message>
     <message>
         <source>Trials with all items correct: %1 of %2, on average %3 of a participant&apos;s trials (%4); permutation test over participants, %5.</source>
-        <translation>Durchgänge, in denen alles richtig ist: %1 von %2, im Mittel %3 der Durchgänge einer Versuchsperson (%4); Permutationstest über die Versuchspersonen, %5.</translation>
+        <translation>Durchgänge, in denen alle Zuordnungen richtig sind: %1 von %2, im Mittel %3 der Durchgänge einer Versuchsperson (%4); Permutationstest über die Versuchspersonen, %5.</translation>
     </message>
     <message>
         <source>95 % CI of the mean: Student&apos;s t over the participants on the logit scale. In simulations with 2 to 20 participants it contained the true mean in 91 % or more of the studies.</source>
-        <translation>95-%-Konfidenzintervall des Mittelwerts: t-basiert über die Versuchspersonen, auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
+        <translation>95-%-KI des Mittelwerts: t-basiert über die Versuchspersonen, auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
     </message>
     <message>
         <source>Confusion matrix: stimulus (rows) and response (columns)</source>
@@ -805,7 +805,7 @@
     </message>
     <message>
         <source>These participants are virtual: the results serve to test the program and are not evidence about human participants.</source>
-        <translation>Diese Versuchspersonen sind virtuell: Die Zahlen dienen der Prüfung des Programms und belegen nichts über Menschen.</translation>
+        <translation>Diese Versuchspersonen sind virtuell: Die Ergebnisse dienen der Prüfung des Programms und belegen nichts über Menschen.</translation>
     </message>
     <message>
         <source>Flagged attempts among those that count: %1; the reasons are in attempts.tsv of an export.</source>
@@ -841,7 +841,7 @@
     </message>
     <message>
         <source>No CI: at least %1 participants are needed.</source>
-        <translation>Kein KI: Dafür sind mindestens %1 Versuchspersonen nötig.</translation>
+        <translation>Kein Konfidenzintervall: Dafür sind mindestens %1 Versuchspersonen nötig.</translation>
     </message>
     <message>
         <source>Bradley–Terry model: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1</source>
@@ -853,11 +853,11 @@
     </message>
     <message>
         <source>Bradley–Terry model of all choices: log-worths with a mean of 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
-        <translation>Bradley-Terry-Modell aller Wahlen: Log-Nutzwerte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
+        <translation>Bradley-Terry-Modell aller Wahlen: Log-Nutzwerte mit dem Mittelwert 0; Konfidenzintervalle mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
     </message>
     <message>
         <source>Plackett–Luce model of all choices: log-worths with a mean of 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
-        <translation>Plackett-Luce-Modell aller Wahlen: Log-Nutzwerte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
+        <translation>Plackett-Luce-Modell aller Wahlen: Log-Nutzwerte mit dem Mittelwert 0; Konfidenzintervalle mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
     </message>
     <message>
         <source>Log-worths, in decreasing order: %1.</source>
@@ -865,7 +865,7 @@
     </message>
     <message>
         <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest possible difference.</source>
-        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher wird die Äquivalenz nicht beurteilt: %1. Die Daten würden bei keiner Grenze Äquivalenz stützen: Das KI reicht bis ±100 Prozentpunkte, die größte mögliche Differenz.</translation>
+        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher wird die Äquivalenz nicht beurteilt: %1. Die Daten würden bei keiner Grenze Äquivalenz stützen: Das Konfidenzintervall reicht bis ±100 Prozentpunkte, die größte mögliche Differenz.</translation>
     </message>
     <message>
         <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would support equivalence within ±%2 percentage points.</source>
@@ -905,7 +905,7 @@
     </message>
     <message>
         <source>Intraclass correlations of %1 in each repetition. They are also low where participants differ little from each other.</source>
-        <translation>Intraklassenkorrelationen über die Wiederholungen; Werte: %1 in jeder Wiederholung. Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
+        <translation>Intraklassenkorrelationen über die Wiederholungen (Werte je Wiederholung: %1). Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
     </message>
     <message>
         <source>Reliability of a single one of the %1 repetitions, within participants: %2; N = %3 participants.</source>
@@ -969,7 +969,7 @@
     </message>
     <message>
         <source>Brackets: 95 % CI.</source>
-        <translation>In Klammern: 95-%-Konfidenzintervall.</translation>
+        <translation>In Klammern: 95-%-Konfidenzintervall (KI).</translation>
     </message>
     <message>
         <source>Estimated from trials as if they were independent: %1.</source>
@@ -1001,11 +1001,11 @@
     </message>
     <message>
         <source>Welch&apos;s 90 % CI of the difference of the participants&apos; proportions. %1</source>
-        <translation>90-%-Konfidenzintervall nach Welch für die Differenz der Anteile der Versuchspersonen. %1</translation>
+        <translation>90-%-KI nach Welch für die Differenz der Anteile der Versuchspersonen. %1</translation>
     </message>
     <message>
         <source>Two one-sided Welch t tests of the participants&apos; proportions, each at 5 %: they show equivalence where the 90 % CI lies within the margin. %1</source>
-        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeweils auf dem 5-%-Niveau: Sie zeigen Äquivalenz, wenn das 90-%-Konfidenzintervall innerhalb der Äquivalenzgrenzen liegt. %1</translation>
+        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeweils auf dem 5-%-Niveau: Sie zeigen Äquivalenz, wenn das 90-%-KI innerhalb der Äquivalenzgrenzen liegt. %1</translation>
     </message>
     <message>
         <source>This cannot be assessed: a group has one participant, or all participants of each group have the same value.</source>
@@ -1013,19 +1013,19 @@
     </message>
     <message>
         <source>The 90 % CI lies within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
-        <translation>Das 90-%-Konfidenzintervall liegt innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert. Dieser Test ist explorativ.</translation>
+        <translation>Das 90-%-KI liegt innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert. Dieser Test ist explorativ.</translation>
     </message>
     <message>
         <source>The 90 % CI does not lie within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
-        <translation>Das 90-%-Konfidenzintervall liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert. Dieser Test ist explorativ.</translation>
+        <translation>Das 90-%-KI liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert. Dieser Test ist explorativ.</translation>
     </message>
     <message>
         <source>Repeated-measures ANOVA of the log estimates, the degrees of freedom corrected by Greenhouse–Geisser ε.</source>
-        <translation>Varianzanalyse der logarithmierten Schätzungen mit Messwiederholung, die Freiheitsgrade mit ε nach Greenhouse und Geisser korrigiert.</translation>
+        <translation>Varianzanalyse mit Messwiederholung der logarithmierten Schätzungen, die Freiheitsgrade mit ε nach Greenhouse und Geisser korrigiert.</translation>
     </message>
     <message>
         <source>Repeated-measures ANOVA of the log estimates.</source>
-        <translation>Varianzanalyse der logarithmierten Schätzungen mit Messwiederholung.</translation>
+        <translation>Varianzanalyse mit Messwiederholung der logarithmierten Schätzungen.</translation>
     </message>
     <message>
         <source>%1 Roughness ratios are computed from the participants&apos; mean log estimates; the ratio of two levels has a t-based CI, the ratio of the extremes of several levels has none.</source>
@@ -1089,7 +1089,7 @@
     </message>
     <message>
         <source>Means over the participants, by range of counted trials; trials are numbered in the planned order across each participant&apos;s sessions. Times: geometric means.</source>
-        <translation>Mittelwerte über die Versuchspersonen nach Abschnitten gezählter Durchgänge; die Durchgänge sind in der geplanten Reihenfolge über alle Sitzungen einer Versuchsperson nummeriert. Zeiten: geometrische Mittel.</translation>
+        <translation>Mittelwerte über die Versuchspersonen, getrennt nach Abschnitten der gezählten Durchgänge; die Durchgänge sind in der geplanten Reihenfolge über alle Sitzungen einer Versuchsperson nummeriert. Zeiten: geometrische Mittel.</translation>
     </message>
     <message>
         <source>Proportions refer to correctly matched items.</source>
@@ -1117,7 +1117,7 @@
     </message>
     <message>
         <source>Each participant&apos;s proportion of trials with all items correct</source>
-        <translation>Anteil der Durchgänge jeder Versuchsperson, in denen alles richtig ist</translation>
+        <translation>Anteil der Durchgänge jeder Versuchsperson, in denen alle Zuordnungen richtig sind</translation>
     </message>
     <message>
         <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: according to the model, confused more often than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
@@ -1173,7 +1173,7 @@
     </message>
     <message>
         <source>95 % CI: t-based over participants, on the logarithmic scale.</source>
-        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, auf der logarithmischen Skala.</translation>
+        <translation>95-%-KI: t-basiert über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
     <message>
         <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces it contained the true mean in at least 88 % of the studies.</source>
@@ -1189,15 +1189,15 @@
     </message>
     <message>
         <source>%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 92 % of the studies.</source>
-        <translation>%1 95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
+        <translation>%1 95-%-KI: t-basiert über die Versuchspersonen, auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
     </message>
     <message>
         <source>95 % CI: t-based over participants, for times on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 93 % of the studies.</source>
-        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 93 % der Studien.</translation>
+        <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 93 % der Studien.</translation>
     </message>
     <message>
         <source>95 % CI: t-based over participants, for times on the logarithmic and for proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 % it contained the true mean in at least 91 % of the studies.</source>
-        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
+        <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
     </message>
     <message>
         <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
@@ -1205,7 +1205,7 @@
     </message>
     <message>
         <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample (participants or textures). In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
-        <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, Maximum-Likelihood-Schätzung mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
+        <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, Maximum-Likelihood-Schätzung mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-KI den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
     <message>
         <source>%1 was rougher than %2 by a factor of %3 (%4 % CI [%5, %6])</source>
@@ -1333,7 +1333,7 @@
     </message>
     <message>
         <source>The components are those of the correlations of the scales over the items&apos; mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis).</source>
-        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Urteile der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller vorhergehenden über der Grenze liegen: dem 95. Perzentil der Eigenwerte gleich großer Tabellen aus Zufallszahlen (Parallelanalyse).</translation>
+        <translation>Die Komponenten beruhen auf den Korrelationen der Skalen, berechnet aus den mittleren Urteilen über die Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller vorhergehenden über der Grenze liegen: dem 95. Perzentil der Eigenwerte gleich großer Tabellen aus Zufallszahlen (Parallelanalyse).</translation>
     </message>
     <message>
         <source>Loadings of the scales and scores of the items</source>
@@ -1353,7 +1353,7 @@
     </message>
     <message>
         <source>Friedman test of the participants&apos; mean ratings of the items; CIs of the means are t-based.</source>
-        <translation>Friedman-Test der mittleren Urteile der Versuchspersonen über die Items; die Konfidenzintervalle der Mittelwerte beruhen auf der t-Verteilung.</translation>
+        <translation>Friedman-Test der mittleren Urteile der Versuchspersonen über die Items; die Konfidenzintervalle der Mittelwerte sind t-basiert.</translation>
     </message>
     <message>
         <source>Not tested: too few participants rated every item.</source>
@@ -1373,11 +1373,11 @@
     </message>
     <message>
         <source>Mean ratings of the items on each scale</source>
-        <translation>Mittlere Urteile der Items auf jeder Skala</translation>
+        <translation>Mittlere Urteile über die Items auf jeder Skala</translation>
     </message>
     <message>
         <source>Means, over the participants who rated every item, of each participant&apos;s mean rating, with t-based 95 % CIs; mean rank: 1 for the lowest rating of a participant.</source>
-        <translation>Mittelwerte der mittleren Urteile über die Versuchspersonen, die alle Items beurteilt haben, mit 95-%-Konfidenzintervallen nach der t-Verteilung; mittlerer Rang: 1 für das niedrigste Urteil einer Versuchsperson.</translation>
+        <translation>Mittelwerte der mittleren Urteile über die Versuchspersonen, die alle Items beurteilt haben, mit t-basierten 95-%-KI; mittlerer Rang: 1 für das niedrigste Urteil einer Versuchsperson.</translation>
     </message>
     <message>
         <source>Agreement of the participants on each scale</source>
@@ -1389,11 +1389,11 @@
     </message>
     <message>
         <source>Cumulative link model of the ratings on each scale</source>
-        <translation>Kumulatives Link-Modell der Urteile auf jeder Skala</translation>
+        <translation>Kumulatives gemischtes Link-Modell der Urteile auf jeder Skala</translation>
     </message>
     <message>
         <source>Log odds ratio of a higher rating, relative to the reference, with Wald 95 % CIs: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. The p values are uncorrected.</source>
-        <translation>Logarithmiertes Chancenverhältnis eines höheren Urteils gegenüber der Referenz, mit 95-%-Konfidenzintervallen nach Wald: proportionale Chancen, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind unkorrigiert.</translation>
+        <translation>Log-Odds-Ratio eines höheren Urteils gegenüber der Referenz, mit 95-%-KI nach Wald: proportionale Odds, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind unkorrigiert.</translation>
     </message>
     <message>
         <source>paired comparison</source>
@@ -1437,7 +1437,7 @@
     </message>
     <message>
         <source>Friedman test of each participant&apos;s proportion of the comparisons in which an item was chosen, a tie counting half; CIs of the means are t-based.</source>
-        <translation>Friedman-Test des Anteils der Vergleiche, in denen eine Versuchsperson ein Item gewählt hat; ein Gleichstand zählt halb; KI der Mittelwerte nach der t-Verteilung.</translation>
+        <translation>Friedman-Test des Anteils der Vergleiche, in denen eine Versuchsperson ein Item gewählt hat; ein Gleichstand zählt halb; die Konfidenzintervalle der Mittelwerte sind t-basiert.</translation>
     </message>
     <message>
         <source>Yes: %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
@@ -1469,7 +1469,7 @@
     </message>
     <message>
         <source>Kendall’s ζ of each complete round without ties, averaged over the rounds of a participant; the CI of the mean is t-based.</source>
-        <translation>Kendalls ζ jeder vollständigen Runde ohne Gleichstände, gemittelt über die Runden einer Versuchsperson; KI des Mittelwerts nach der t-Verteilung.</translation>
+        <translation>Kendalls ζ jeder vollständigen Runde ohne Gleichstände, gemittelt über die Runden einer Versuchsperson; das Konfidenzintervall des Mittelwerts ist t-basiert.</translation>
     </message>
     <message>
         <source>Fewer than two items were presented: there is nothing to compare.</source>
@@ -1485,7 +1485,7 @@
     </message>
     <message>
         <source>No choice was made between two items.</source>
-        <translation>Zwischen zwei Items wurde keine Wahl getroffen.</translation>
+        <translation>Zwischen zwei Items wurde nie gewählt.</translation>
     </message>
     <message>
         <source>Permutation test of the numbers of choices of the two positions, which are exchanged within each participant; ties are left out.</source>
@@ -1525,7 +1525,7 @@
     </message>
     <message>
         <source>Participants who did not compare every pair equally often are left out of the test of the preference</source>
-        <translation>Versuchspersonen, die nicht jedes Paar gleich oft verglichen haben, bleiben im Test der Präferenz unberücksichtigt</translation>
+        <translation>Versuchspersonen, die nicht jedes Paar gleich häufig verglichen haben, bleiben im Test der Präferenz unberücksichtigt</translation>
     </message>
     <message>
         <source>Participants who never chose the target cannot contribute to the test of textures and are not counted in its n</source>
@@ -1557,7 +1557,7 @@
     </message>
     <message>
         <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs, truncated at 0 and 1; a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
-        <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich oft verglichen haben, mit 95-%-KI nach der t-Verteilung, auf 0 bis 1 begrenzt; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
+        <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich häufig verglichen haben, mit t-basierten 95-%-KI, auf den Bereich von 0 bis 1 begrenzt; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
     </message>
     <message>
         <source>The items cannot be placed on a scale by maximum likelihood: some of them were always or never chosen in the comparisons with the others, or were never compared with them, so that their distance has no finite estimate.</source>
@@ -1581,11 +1581,11 @@
     </message>
     <message>
         <source>Not tested: fewer than two participants compared every pair equally often.</source>
-        <translation>Nicht getestet: Weniger als zwei Versuchspersonen haben jedes Paar gleich oft verglichen.</translation>
+        <translation>Nicht getestet: Weniger als zwei Versuchspersonen haben jedes Paar gleich häufig verglichen.</translation>
     </message>
     <message>
         <source>No: all items were chosen equally often. Friedman test: %1.</source>
-        <translation>Nein: Alle Items wurden gleich oft gewählt. Friedman-Test: %1.</translation>
+        <translation>Nein: Alle Items wurden gleich häufig gewählt. Friedman-Test: %1.</translation>
     </message>
     <message>
         <source>Likelihood-ratio test against a separate probability of each outcome for every pair, and for either order where the model has an order effect; all responses are treated as independent. Exploratory. The smallest expected count is %1; below about 5 the p value is only approximate.</source>
@@ -1597,7 +1597,7 @@
     </message>
     <message>
         <source>no CI, because all participants have the same value</source>
-        <translation>kein KI, weil alle Versuchspersonen denselben Wert haben</translation>
+        <translation>kein Konfidenzintervall, weil alle Versuchspersonen denselben Wert haben</translation>
     </message>
 </context>
 <context>
@@ -2525,7 +2525,7 @@
     </message>
     <message>
         <source>cumulative link mixed model</source>
-        <translation>kumulatives Link-Modell</translation>
+        <translation>kumulatives gemischtes Link-Modell</translation>
     </message>
     <message>
         <source>ratings of the items</source>
@@ -2573,7 +2573,7 @@
     </message>
     <message>
         <source>fewer than two participants compared every pair equally often</source>
-        <translation>weniger als zwei Versuchspersonen haben jedes Paar gleich oft verglichen</translation>
+        <translation>weniger als zwei Versuchspersonen haben jedes Paar gleich häufig verglichen</translation>
     </message>
 </context>
 <context>
@@ -3009,15 +3009,15 @@
     </message>
     <message>
         <source>Ratings by item</source>
-        <translation>Bewertungen je Item</translation>
+        <translation>Urteile über jedes Item</translation>
     </message>
     <message>
         <source>Points are means over the participants who rated every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items beurteilt haben, Balken ihre t-basierten %1-%-KI. Die zugehörigen Tests verwenden nur die Ränge der Urteile.</translation>
     </message>
     <message>
         <source>No participant rated every item: there are no means to show.</source>
-        <translation>Keine Versuchsperson hat alle Items bewertet: Es gibt keine Mittelwerte.</translation>
+        <translation>Keine Versuchsperson hat alle Items beurteilt: Es gibt keine Mittelwerte.</translation>
     </message>
     <message>
         <source>Means by condition</source>
@@ -3025,11 +3025,11 @@
     </message>
     <message>
         <source>Points are means over the participants, shifted where several coincide. Bars: within-participant %1 % CIs (Cousineau and Morey), which do not include the differences between participants. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: %1-%-Konfidenzintervalle innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: %1-%-KI innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>Points are means over the participants, shifted where several coincide. Bars: t-based %1 % CIs. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: t-basierte %1-%-Konfidenzintervalle. Linien dienen nur der Orientierung.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: t-basierte %1-%-KI. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>There are no means: %1.</source>
@@ -3169,7 +3169,7 @@
     </message>
     <message>
         <source>Filled symbols: strokes of the held tool. Small open symbols: strokes left out because of their status. Curves: parabolas fitted on logarithmic axes. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
-        <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs. Kleine offene Zeichen: Striche, die wegen ihres Status ausgeschlossen sind. Kurven: auf logarithmischen Achsen angepasste Parabeln. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
+        <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs. Kleine offene Zeichen: Striche, die wegen ihres Status weggelassen sind. Kurven: auf logarithmischen Achsen angepasste Parabeln. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
         <source>%1 (no effect by construction)</source>
@@ -3197,15 +3197,15 @@
     </message>
     <message>
         <source>%1 Squares are means of the participants&apos; own proportions with t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
-        <translation>%1 Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen mit t-basierten 95-%-Konfidenzintervallen auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
+        <translation>%1 Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen mit t-basierten 95-%-KI auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
         <source>Squares are means of the participants&apos; own proportions, bars their t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
-        <translation>Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten 95-%-Konfidenzintervalle auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
+        <translation>Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten 95-%-KI auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
-        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle, für Anteile auf der Logit-Skala. Überlappende Intervalle sind kein Test auf einen Unterschied.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre t-basierten %1-%-KI, für Anteile auf der Logit-Skala. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>Confusion matrix</source>
@@ -3241,11 +3241,11 @@
     </message>
     <message>
         <source>Classical scaling: distances can be interpreted, directions cannot. Two dimensions account for %1 % of the sum of the absolute eigenvalues.</source>
-        <translation>Klassische Skalierung: Abstände lassen sich deuten, Richtungen nicht. Auf zwei Dimensionen entfallen %1 % der Summe der absoluten Eigenwerte.</translation>
+        <translation>Klassische Skalierung: Abstände sind interpretierbar, Richtungen nicht. Auf zwei Dimensionen entfallen %1 % der Summe der absoluten Eigenwerte.</translation>
     </message>
     <message>
         <source>Filled symbols: geometric means of normalised estimates with within-participant %1 % CIs (Cousineau and Morey), which serve to compare cells and do not include the differences between participants.</source>
-        <translation>Gefüllte Zeichen: geometrische Mittel der normierten Schätzungen mit %1-%-Konfidenzintervallen innerhalb der Versuchspersonen (Cousineau und Morey), die dem Vergleich von Zellen dienen und die Unterschiede zwischen den Versuchspersonen nicht enthalten.</translation>
+        <translation>Gefüllte Zeichen: geometrische Mittel der normierten Schätzungen mit %1-%-KI innerhalb der Versuchspersonen (Cousineau und Morey), die dem Vergleich von Zellen dienen und die Unterschiede zwischen den Versuchspersonen nicht enthalten.</translation>
     </message>
     <message>
         <source>Filled symbols: geometric means of normalised estimates.</source>
@@ -3345,7 +3345,7 @@
     </message>
     <message>
         <source>rating, mean with its %1 % CI</source>
-        <translation>Bewertung, Mittelwert mit %1-%-KI</translation>
+        <translation>Urteil, Mittelwert mit %1-%-KI</translation>
     </message>
     <message>
         <source>χ² test of equal proportions</source>
@@ -3373,7 +3373,7 @@
     </message>
     <message>
         <source>Points are log-worths. There are no CIs, because there are too few participants or all of them made the same choices.</source>
-        <translation>Punkte sind Log-Nutzwerte. Konfidenzintervalle gibt es nicht, weil es zu wenige Versuchspersonen sind oder alle dieselben Wahlen getroffen haben.</translation>
+        <translation>Punkte sind Log-Nutzwerte. Konfidenzintervalle fehlen, weil es zu wenige Versuchspersonen gibt oder alle dieselben Wahlen getroffen haben.</translation>
     </message>
     <message>
         <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no CIs over participants.</source>
@@ -3397,7 +3397,7 @@
     </message>
     <message>
         <source>Points are log-worths, bars their t-based CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
-        <translation>Punkte sind Log-Nutzwerte, Balken ihre t-basierten KI mit den Versuchspersonen als Clustern. Überlappende KI sind kein Test auf einen Unterschied.</translation>
+        <translation>Punkte sind Log-Nutzwerte, Balken ihre t-basierten Konfidenzintervalle mit den Versuchspersonen als Clustern. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>All dissimilarities are 0: there are no distances to show.</source>
@@ -3441,7 +3441,7 @@
     </message>
     <message>
         <source>response time, with its %1 % CI</source>
-        <translation>Reaktionszeit mit %1-%-Konfidenzintervall</translation>
+        <translation>Reaktionszeit mit %1-%-KI</translation>
     </message>
     <message>
         <source>response time</source>
@@ -3449,7 +3449,7 @@
     </message>
     <message>
         <source>Points are geometric means over the participants, bars their t-based %1 % CIs on the logarithmic scale. Response times are measured from the cue to the response.</source>
-        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle auf der logarithmischen Skala. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre t-basierten %1-%-KI auf der logarithmischen Skala. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
     </message>
     <message>
         <source>Points are geometric means over the participants. Response times are measured from the cue to the response.</source>
@@ -3473,7 +3473,7 @@
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions, bars their t-based %1 % CIs on the logit scale.</source>
-        <translation>Punkte sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle auf der Logit-Skala.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten %1-%-KI auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions.</source>
@@ -3565,7 +3565,7 @@
     </message>
     <message>
         <source>Points are means of the participants&apos; own means (n = %1), shifted within their row, bars their t-based 95 % CIs. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte der individuellen Mittelwerte der Versuchspersonen (n = %1), innerhalb ihrer Zeile versetzt, Balken ihre t-basierten 95-%-Konfidenzintervalle. Linien dienen nur der Orientierung.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Mittelwerte der Versuchspersonen (n = %1), innerhalb ihrer Zeile versetzt, Balken ihre t-basierten 95-%-KI. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own means (n = %1), shifted within their row; there are no CIs. Lines guide the eye.</source>
@@ -3589,11 +3589,11 @@
     </message>
     <message>
         <source>Points are the standardised scores of the items, arrows the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
-        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile die Ladungen der Skalen: ihre Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch eingestuft.</translation>
+        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile die Ladungen der Skalen: ihre Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch beurteilt.</translation>
     </message>
     <message>
         <source>Points are the standardised scores of the items, arrows %1 times the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
-        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch eingestuft.</translation>
+        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch beurteilt.</translation>
     </message>
 </context>
 <context>
@@ -3753,7 +3753,7 @@
     </message>
     <message>
         <source>%1 has completed session %2 of this protocol (%3); a further one begins</source>
-        <translation>%1 hat Sitzung %2 dieses Protokolls absolviert (%3); eine weitere beginnt</translation>
+        <translation>%1 hat Sitzung %2 dieses Protokolls abgeschlossen (%3); eine weitere beginnt</translation>
     </message>
     <message>
         <source>For another participant, use another label.</source>
@@ -3773,7 +3773,7 @@
     </message>
     <message>
         <source>%1 has completed %2 of %3 planned sessions of this protocol, the latest %4</source>
-        <translation>%1 hat %2 von %3 geplanten Sitzungen dieses Protokolls absolviert, die letzte %4</translation>
+        <translation>%1 hat %2 von %3 geplanten Sitzungen dieses Protokolls abgeschlossen, die letzte %4</translation>
     </message>
 </context>
 <context>
@@ -4734,11 +4734,11 @@
     </message>
     <message>
         <source>participant %1 has completed all sessions of this protocol (planned per participant: %2); choose another participant</source>
-        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert (je Versuchsperson geplant: %2); eine andere Versuchsperson wählen</translation>
+        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls abgeschlossen (je Versuchsperson geplant: %2); eine andere Versuchsperson wählen</translation>
     </message>
     <message>
         <source>participant %1 is a virtual participant; use --virtual</source>
-        <translation>%1 ist eine virtuelle Versuchsperson; nur eine Simulation ist möglich</translation>
+        <translation>%1 ist eine virtuelle Versuchsperson; zur Simulation wechseln</translation>
     </message>
     <message>
         <source>participant %1 is human; leave out --virtual, or use another label</source>
@@ -4829,7 +4829,7 @@
     </message>
     <message>
         <source>%1 has completed %2 of %3 planned sessions.</source>
-        <translation>%1 hat %2 von %3 geplanten Sitzungen absolviert.</translation>
+        <translation>%1 hat %2 von %3 geplanten Sitzungen abgeschlossen.</translation>
     </message>
     <message>
         <source>Choose another participant.</source>
@@ -5532,7 +5532,7 @@
     </message>
     <message>
         <source>public export</source>
-        <translation>Export für die Öffentlichkeit</translation>
+        <translation>Export zur Veröffentlichung</translation>
     </message>
     <message>
         <source>report</source>
@@ -8610,8 +8610,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message numerus="yes">
         <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</source>
         <translation>
-            <numerusform>%1 wurde durchgeführt (%n Sitzung). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Um ein weiteres Protokoll daraus zu erstellen, dieses duplizieren.</numerusform>
-            <numerusform>%1 wurde durchgeführt (%n Sitzungen). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Um ein weiteres Protokoll daraus zu erstellen, dieses duplizieren.</numerusform>
+            <numerusform>%1 wurde durchgeführt (%n Sitzung). Sitzungen beziehen sich auf Namen und Text: Das Protokoll kann weder umbenannt noch gelöscht werden. Um ein weiteres Protokoll daraus zu erstellen, dieses duplizieren.</numerusform>
+            <numerusform>%1 wurde durchgeführt (%n Sitzungen). Sitzungen beziehen sich auf Namen und Text: Das Protokoll kann weder umbenannt noch gelöscht werden. Um ein weiteres Protokoll daraus zu erstellen, dieses duplizieren.</numerusform>
         </translation>
     </message>
     <message>
@@ -9196,7 +9196,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Stop after trial</source>
-        <translation>Stopp nach Durchgang</translation>
+        <translation>Nach Durchgang stoppen</translation>
     </message>
     <message>
         <source>F7</source>
@@ -9204,7 +9204,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Stop after block</source>
-        <translation>Stopp nach Block</translation>
+        <translation>Nach Block stoppen</translation>
     </message>
     <message>
         <source>F8</source>
@@ -10051,7 +10051,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The study has not been read.</source>
-        <translation>Die Studie wurde noch nicht eingelesen.</translation>
+        <translation>Die Studie wurde noch nicht gelesen.</translation>
     </message>
     <message>
         <source>One session was simulated. Responses: %1.</source>
@@ -10781,7 +10781,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Keep the data but exclude them from all analyses</source>
-        <translation>Die Daten behalten, aber von allen Auswertungen ausschließen</translation>
+        <translation>Die Daten aufbewahren, aber von allen Auswertungen ausschließen</translation>
     </message>
     <message>
         <source>Delete all data of this participant from the study&apos;s folder</source>
@@ -10861,7 +10861,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Kept and excluded from every analysis: %1.</source>
-        <translation>Aufbewahrt und von jeder Auswertung ausgeschlossen: %1.</translation>
+        <translation>Aufbewahrt und von allen Auswertungen ausgeschlossen: %1.</translation>
     </message>
     <message>
         <source>Rows, recordings and stored older versions of the study are deleted and cannot be restored. Only the fact, time and reason of the withdrawal remain stored.</source>
