@@ -62,8 +62,8 @@ ExportColumn type_column(const Columns& events, const std::string& factors) {
     return at.presentation ? kPresentation : kAttempt;
   });
   type.description =
-      "what the row is: an attempt at a trial, a surface presented in one, or the kind of the "
-      "event";
+      "kind of the row: an attempt at a trial, a surface presented in an attempt, or the kind of "
+      "the event";
   type.levels.insert(type.levels.begin(), {kAttempt, kPresentation});
   type.level_meanings[kAttempt] = {"an attempt at a trial, from its beginning to its end",
                                    "(Experiment-structure, Label/attempt" + factors + ")"};
@@ -130,7 +130,7 @@ Columns bids_event_columns(const StudyVocabulary& vocabulary, ExportAudience aud
   key("trial", [](const AttemptRow& attempt) { return attempt.trial; });
   key("attempt", [](const AttemptRow& attempt) { return attempt.attempt; });
   add(missing("the row is not an attempt",
-              column("outcome", "text", "", "how the attempt ended", [](const ExportPlace& at) {
+              column("outcome", "text", "", "outcome of the attempt", [](const ExportPlace& at) {
                 return at.event || at.presentation ? Cell{} : Cell{text_of(at.attempt->outcome)};
               })));
   const auto of_surface = [&](const char* name, const char* description, auto member) {

@@ -40,7 +40,7 @@ Columns FitTable::columns() {
     columns.push_back(column(name, type, "", description, {}));
   };
   add("condition", "text",
-      "data of one psychometric function: participant, protocol, question, what is counted, and "
+      "data of one psychometric function: participant, protocol, question, counted responses, and "
       "the levels of all factors except x and column (the repetition)");
   add("x", "number", "level of the numeric factor named in the column factor, in its unit");
   add("k", "integer",
@@ -52,7 +52,7 @@ Columns FitTable::columns() {
   add("protocol_version", "text", "version of the protocol");
   add("question", "text", "name of the question");
   add("factor", "text", "name of the numeric factor; x is its level");
-  add("counted", "text", "what k counts: correct responses, or the responses with this value");
+  add("counted", "text", "responses counted in k: the correct ones, or those with this value");
   columns[2].minimum = 0.0;
   columns[3].minimum = 1.0;
   return columns;

@@ -153,7 +153,7 @@ WideTable::Made WideTable::make() const {
   count("answers_flagged", "counted responses from flagged attempts", &Person::flagged);
   count("answers_left_out",
         "responses in trials of the main phase, without anchors, that are not counted because the "
-        "attempt is not valid or was excluded",
+        "attempt is invalid or was excluded",
         &Person::left_out);
 
   const bool gives_numbers = std::any_of(people_.begin(), people_.end(), [](const Person& person) {

@@ -106,7 +106,7 @@ Figure biplot_figure(const FoundNumbers& found) {
     figure.instead =
         none != nullptr && !none->status.empty()
             ? phrase("Figures", "There are no components: %1.").with(none->status)
-            : phrase("Figures", "There are fewer than two components: there is nothing to show.");
+            : phrase("Figures", "There are fewer than two components: a biplot requires two.");
     return figure;
   }
   if (!(found.value("eigenvalue", kSecond).value_or(0.0) > 0.0)) {

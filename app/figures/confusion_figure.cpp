@@ -57,7 +57,7 @@ Figure figure_of(const Confusions& confusions) {
     }
   }
   if (!(all > 0.0)) {
-    figure.instead = phrase("Figures", "There are no responses: there are no confusions to show.");
+    figure.instead = phrase("Figures", "There are no responses and therefore no confusions.");
   }
   return figure;
 }

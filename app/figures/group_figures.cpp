@@ -59,7 +59,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
               .note = phrase("Figures",
                              "Points are means of the participants' own results, bars their "
                              "t-based %1 % CIs, for proportions on the logit scale. Overlapping "
-                             "intervals are not a test of a difference.")
+                             "CIs are not a test of a difference.")
                           .with(percent),
               .shape = FigureShape::rows,
               .series = {{}}};
@@ -82,7 +82,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     for (Figure* figure : {&both, &less}) {
       figure->series.clear();
       figure->instead =
-          phrase("Figures", "Fewer than two groups have responses: there is nothing to compare.");
+          phrase("Figures", "Fewer than two groups have responses: no comparison is possible.");
     }
     return {both, less};
   }

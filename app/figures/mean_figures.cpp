@@ -74,8 +74,7 @@ Figure rating_figure(const FoundNumbers& found) {
     hold(interval.value_or(FigureSpan{*mean->value, *mean->value}), is_first, figure.x);
   }
   if (points.points.empty()) {
-    figure.instead =
-        phrase("Figures", "No participant rated every item: there are no means to show.");
+    figure.instead = phrase("Figures", "No participant rated every item: there are no means.");
     return figure;
   }
   widen(figure.x);
@@ -107,7 +106,7 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
     const Finding* status = found.find("status");
     figure.instead = status != nullptr
                          ? phrase("Figures", "There are no means: %1.").with(status->status)
-                         : phrase("Figures", "There are no means: nothing was measured.");
+                         : phrase("Figures", "There are no means: there are no measurements.");
     return figure;
   }
   const Factors within = input.options.levels("within");

@@ -135,12 +135,13 @@ void add_rows_of_plans(const std::vector<PlannedPoint>& plans, Figure& figure) {
 }  // namespace
 
 Figure power_figure(const TidyInput& input, const FoundNumbers& found) {
-  Figure figure{.name = "power",
-                .title = phrase("Figures", "Power of the planned tests"),
-                .note = phrase("Figures",
-                               "Points are powers at the planned sample sizes, each computed "
-                               "separately: between them, the power of exact tests of counts is "
-                               "not monotonic. The dashed line is the usual target.")};
+  Figure figure{
+      .name = "power",
+      .title = phrase("Figures", "Power of the planned tests"),
+      .note = phrase("Figures",
+                     "Points are powers at the planned sample sizes, each computed "
+                     "separately: between them, the power of exact tests of counts is "
+                     "not monotonic. The dashed line is the conventional power of 80 %.")};
   const std::vector<PlannedPoint> plans = planned_in(input, found);
   if (plans.empty()) {
     figure.instead = phrase("Figures", "No power was computed for any plan.");

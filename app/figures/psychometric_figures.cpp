@@ -63,7 +63,7 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
     most = std::max(most, trials[row]);
   }
   if (most == 0) {
-    figure.instead = phrase("Figures", "No level has trials: there is nothing to show.");
+    figure.instead = phrase("Figures", "No level has trials: there are no proportions correct.");
     return figure;
   }
   const double room = high > low ? kRoomBesideLevels * (high - low) : 0.5;

@@ -111,7 +111,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     const Finding* status = found.find("status");
     figure.instead = status != nullptr
                          ? phrase("Figures", "There is no curve: %1.").with(status->status)
-                         : phrase("Figures", "There is no curve: nothing was estimated.");
+                         : phrase("Figures", "There is no curve: there are no estimates.");
     return figure;
   }
   const double first = std::log10(x.low);

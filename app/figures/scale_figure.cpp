@@ -16,7 +16,7 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
     const Finding* status = found.find(choice.status);
     figure.instead = status != nullptr
                          ? phrase("Figures", "There is no scale: %1.").with(status->status)
-                         : phrase("Figures", "There is no scale: nothing was judged.");
+                         : phrase("Figures", "There is no scale: there are no judgements.");
     return figure;
   }
   std::stable_sort(items.begin(), items.end(),

@@ -115,8 +115,8 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
           "Figures",
           "Filled symbols: strokes of the held tool. Small open symbols: strokes left out "
           "because of their status. Curves: parabolas fitted on logarithmic axes. Large open "
-          "symbols: their peaks within the range, with 95 % Fieller intervals of the fit."),
-      .x = {.name = phrase("Figures", "texture frequency"),
+          "symbols: their peaks within the range, with 95 % CIs by Fieller's method."),
+      .x = {.name = phrase("Figures", "spatial frequency"),
             .unit = "1/m",
             .scale = AxisScale::log10},
       .y = measure_axis(measure)};

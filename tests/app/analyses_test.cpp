@@ -1145,7 +1145,8 @@ TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
   EXPECT_THAT(question_of(outcomes["r_right"], "right").answer.english(),
               HasSubstr("so there is no test"));
   EXPECT_EQ(finding_of(outcomes["m_right"], "matching", "mallows.theta").word, "Inf");
-  EXPECT_THAT(outcomes["m_thirteen"].remarks, testing::Contains(says("nothing is analysed")));
+  EXPECT_THAT(outcomes["m_thirteen"].remarks,
+              testing::Contains(says("the matchings are not analysed")));
   EXPECT_THAT(outcomes["unknown"].remarks, testing::Contains(says("kind \"adjustment\"")));
 }
 

@@ -112,7 +112,7 @@ TEST(OtherTextures, HaveTheMixedModelOfTheCounts) {
   }
   ASSERT_NE(asked_of_textures(outcome), nullptr);
   const std::string answer = asked_of_textures(outcome)->answer.english();
-  EXPECT_THAT(answer, StartsWith("For a participant and a texture of average intercept, the "
+  EXPECT_THAT(answer, StartsWith("For a participant and a texture with random intercepts of 0, the "
                                  "proportion correct is estimated as "));
   EXPECT_THAT(answer, HasSubstr("compared with a chance level of 25 %: t("));
   EXPECT_THAT(answer, HasSubstr("(N = 4). This test is exploratory."));

@@ -179,10 +179,9 @@ TEST(ReliabilityOfMagnitudes, IsTheMeanOfTheParticipantsOwn) {
   EXPECT_NEAR(mean.low.value(), -1.0, 1e-12);
   EXPECT_NEAR(mean.high.value(), 1.0, 1e-12);
   ASSERT_NE(asked(outcome), nullptr);
-  EXPECT_EQ(
-      asked(outcome)->answer.english(),
-      "Reliability of a single one of the 2 repetitions, within participants: mean ICC(3,1) = .00, "
-      "95 % CI [−1.00, 1.00]; N = 4 participants.");
+  EXPECT_EQ(asked(outcome)->answer.english(),
+            "Within-participant reliability of one of the 2 repetitions: mean ICC(3,1) = .00, "
+            "95 % CI [−1.00, 1.00]; N = 4 participants.");
 }
 
 // The second repetition is a fifth of a decade higher: consistent in logarithms alone.

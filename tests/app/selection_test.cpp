@@ -120,7 +120,7 @@ TEST(PairedSelection, TestsEachPairOnTheTrialsThatPresentedBoth) {
   EXPECT_THAT(abouts, ElementsAre("a|b", "a|c", "a|d", "b|c", "b|d", "c|d"));
   EXPECT_THAT(table_of(all_pairs(), "tests").note.english(),
               HasSubstr("declares no family of tests, so that no test is confirmatory. p, Holm: "
-                        "Holm-corrected over the 6 tests of the usual family"));
+                        "Holm-corrected over the 6 tests of the default family"));
 }
 
 TEST(PairedSelection, AnswersByItsPairsThenItsScaleThenTheOrder) {

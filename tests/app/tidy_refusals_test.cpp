@@ -130,7 +130,9 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
                            "A,2,x,x,M\nA,2,y,y,M\n",
                            "[]"),
             "t.csv:4:5: A is in two groups; a participant must be in one");
-  const std::string times = "all rows of a trial must stand for the same number of trials";
+  const std::string times =
+      "the number of trials differs between rows of the same trial; it must be the same in all of "
+      "them";
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
             "t.csv:3:5: " + times);

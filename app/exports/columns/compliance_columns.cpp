@@ -17,7 +17,7 @@ Columns compliance_columns() {
   using Row = ComplianceRow;
   add(at_least(0, column("position", "integer", "", "place in the order of the trial's surfaces",
                          [](const Place& at) { return integer(at.compliance->position); })));
-  add(with_levels(column("quantity", "text", "", "what was measured; the name ends with the unit",
+  add(with_levels(column("quantity", "text", "", "measured quantity; the name ends with the unit",
                          [](const Place& at) { return at.compliance->quantity; }),
                   {"normal_force_N", "speed_m_per_s", "contact_s", "strokes", "stroke_length_m"}));
   const auto bound = [&add](const char* name, const char* description,

@@ -34,7 +34,7 @@ ExportColumn without_free_text(ExportColumn made,
 }
 
 ExportColumn kind_column() {
-  ExportColumn kind = column("kind", "text", "", "what happened; events.json describes each kind",
+  ExportColumn kind = column("kind", "text", "", "kind of the event, described in events.json",
                              [](const ExportPlace& at) { return at.event->row.kind; });
   for (const EventKind& known : event_kinds()) {
     const std::string name(known.name);

@@ -80,10 +80,10 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                    return optional_cell(at.presentation->achieved_texture_force_N);
                                  }))));
   for (const auto& [kind, models] : vocabulary.limits) {
-    add(missing("the model does not monitor this limit",
+    add(missing("the model does not check this assumption",
                 at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
-                                   "ticks in which the force model exceeded this limit of valid "
-                                   "rendering (docs/models.md); models: " +
+                                   "ticks in which this assumption of the force model was violated "
+                                   "(docs/models.md); models: " +
                                        comma_separated(models),
                                    [kind = kind](const Place& at) -> Cell {
                                      for (const ModelLimitRow& limit : at.presentation->limits) {

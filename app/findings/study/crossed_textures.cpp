@@ -86,7 +86,8 @@ Phrase crossed_answer(const FoundNumbers& found, const CrossedResponses& crossed
                       std::size_t textures) {
   const Finding& proportion = *found.find("glmm.proportion");
   return phrase("Analysis",
-                "For a participant and a texture of average intercept, %1 is estimated as %2 (%3), "
+                "For a participant and a texture with random intercepts of 0, %1 is estimated as "
+                "%2 (%3), "
                 "compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the "
                 "intercepts (logit): participants %8, textures %9. This test is exploratory.")
       .with(crossed.proportion, percent(*proportion.value), interval_text(proportion),
@@ -135,9 +136,9 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
              "Generalised linear mixed model (logit) with crossed random intercepts of "
              "participants and textures, by maximum likelihood with the Laplace approximation; t "
              "test and CI of the fixed intercept, with the degrees of freedom of the smaller "
-             "sample (participants or textures). In simulations with 5 to 20 participants and "
-             "SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies "
-             "with an estimate and four textures, and in 90 to 100 % with ten.");
+             "sample (participants or textures). In simulations with 5 to 20 participants and SDs "
+             "of 0.5 and 1, among the studies with an estimate, the coverage of the 95 % CI was 95 "
+             "to 100 % with four textures and 90 to 100 % with ten.");
   add_question(outcome, kCrossed,
                phrase("Analysis",
                       "Does the result hold for other participants and other textures of the same "

@@ -51,9 +51,9 @@ std::vector<HitCount> items_of_people(const GatheredAnswers& gathered,
 void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<MatchedTrial> assignments = matched_trials(gathered, outcome);
   if (assignments.empty()) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "No response assigns each picture to exactly one surface: nothing is analysed."));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "No response assigns each picture to exactly one surface: the "
+                                     "matchings are not analysed."));
     return;
   }
   add_matching_tables(gathered, assignments, outcome);

@@ -111,7 +111,7 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
   finding.method = "items of one texture that were assigned the picture of the other";
   finding.n = people;
   add_question(
-      outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
+      outcome, "confusions", phrase("Analysis", "Which textures are confused with each other?"),
       times == 0 ? phrase("Analysis", "No texture was confused with another.")
       : as_often > 1
           ? phrase("Analysis",

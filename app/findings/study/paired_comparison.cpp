@@ -97,7 +97,7 @@ PairedStudy::PairedStudy(const Selection& of) : choices(of), by_person(of.gather
 void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
   const std::vector<std::string>& items = study.choices.items;
   ShareTable pairs{"pairs",
-                   phrase("Analysis", "Choices of each item in the comparisons with another one"),
+                   phrase("Analysis", "Choices of each item in comparisons with each other item"),
                    phrase("Analysis",
                           "Ties are left out. The chance level is 1/2. p: exact binomial test, "
                           "two-sided, uncorrected, all responses treated as independent."),
@@ -435,7 +435,7 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   const Selection choices(gathered);
   if (choices.items.size() < 2) {
     outcome.remarks.push_back(
-        phrase("Analysis", "Fewer than two items were presented: there is nothing to compare."));
+        phrase("Analysis", "Fewer than two items were presented: no comparison is possible."));
     return;
   }
   const PairedStudy study(choices);

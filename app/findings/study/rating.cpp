@@ -329,10 +329,9 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       kRatings,
       phrase("Analysis", "Mean ratings of the items on each scale"),
       {{"scale", "item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
-      phrase(
-          "Analysis",
-          "Means, over the participants who rated every item, of each participant's mean "
-          "rating, with t-based 95 % CIs; mean rank: 1 for the lowest rating of a participant.")};
+      phrase("Analysis",
+             "Means of the participants' mean ratings, over the participants who rated every item, "
+             "with t-based 95 % CIs; mean rank: 1 for a participant's lowest rating.")};
   NamedTable agreement{
       kAgreement,
       phrase("Analysis", "Agreement of the participants on each scale"),
@@ -343,7 +342,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
              "Cronbach's α with the participants as test items.")};
   NamedTable odds{
       kOrdinal,
-      phrase("Analysis", "Cumulative link model of the ratings on each scale"),
+      phrase("Analysis", "Cumulative link mixed model of the ratings on each scale"),
       {{"scale", "item", "reference", "log_odds", "log_odds_low", "log_odds_high", "z", "p"}, {}},
       phrase("Analysis",
              "Log odds ratio of a higher rating, relative to the reference, with Wald 95 % CIs: "

@@ -112,11 +112,10 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
   add_question(
       outcome, kReliability, reliability_question(), answer,
       has_interval
-          ? phrase(
-                "Analysis",
-                "%1 The CIs assume normal results. In simulations of proportions of 2 to 20 "
-                "participants they contained the true value in at least 85 % of the studies with a "
-                "mean of 25 to 71 %, and in at least 58 % of those with a mean of 87 or 95 %.")
+          ? phrase("Analysis",
+                   "%1 The CIs assume normally distributed results. In simulations of proportions "
+                   "of 2 to 20 participants, their coverage was at least 85 % with a mean of 25 to "
+                   "71 %, and at least 58 % with a mean of 87 or 95 %.")
                 .with(method)
           : method,
       "", one != nullptr ? one : none);
@@ -169,9 +168,9 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
   const Finding& mean = findings.front();
   add_question(
       outcome, kReliability, reliability_question(),
-      phrase("Analysis",
-             "Reliability of a single one of the %1 repetitions, within participants: %2; N = %3 "
-             "participants.")
+      phrase(
+          "Analysis",
+          "Within-participant reliability of one of the %1 repetitions: %2; N = %3 participants.")
           .with(std::to_string(repetitions),
                 correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
                 std::to_string(mean.n)),
@@ -179,8 +178,7 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
              "Each participant's own intraclass correlation (consistency) of the logarithms of the "
              "estimates, with the surfaces in each condition as targets and the repetitions as "
              "raters; mean over the participants with a t-based CI. In simulations with 2 to 20 "
-             "participants and seven surfaces it contained the true mean in at least 88 % of the "
-             "studies."),
+             "participants and seven surfaces, the coverage of the CI was at least 88 %."),
       "", &mean);
 }
 

@@ -124,8 +124,7 @@ Phrase note_on_times(const Table& times, std::size_t untimed, std::size_t trials
   if (has_cells(times, "time_s_low")) {
     note = phrase("Analysis",
                   "%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations "
-                  "with 2 to 20 participants it contained the true value in at least 92 % of the "
-                  "studies.")
+                  "with 2 to 20 participants, its coverage was at least 92 %.")
                .with(note);
   }
   if (untimed == 0) return note;

@@ -254,9 +254,8 @@ void add_untestable(StudyTests& tests) {
 void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const Selection selection(gathered);
   if (selection.items.empty()) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "No surface was presented before these responses: there is nothing to compare."));
+    outcome.remarks.push_back(phrase(
+        "Analysis", "No surface was presented before these responses: no comparison is possible."));
     return;
   }
   const ChapterCells cells(gathered);

@@ -105,8 +105,7 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
        {}},
       phrase("Analysis",
              "95 % CI of the mean: Student's t over the participants on the logit scale. In "
-             "simulations with 2 to 20 participants it contained the true mean in 91 % or more of "
-             "the studies.")};
+             "simulations with 2 to 20 participants, its coverage was at least 91 %.")};
   bool has_interval = false;
   for (const PersonsRow& row : rows) {
     const Finding* mean = found.find("subj.mean", row.key);

@@ -302,19 +302,20 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
                    "one; no correction is needed.")
                 .with(family)
       : tests == 1
-          ? phrase("Analysis",
-                   "%1 The usual family of this kind of protocol has one test (%2); no correction "
-                   "is needed.")
+          ? phrase(
+                "Analysis",
+                "%1 The default family of this kind of protocol has one test (%2); no correction "
+                "is needed.")
                 .with(undeclared, family)
       : is_declared_
           ? phrase("Analysis",
                    "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the "
                    "protocol declares (%2); a test that cannot be computed counts as p = 1.")
                 .with(std::to_string(tests), family)
-          : phrase(
-                "Analysis",
-                "%1 p, Holm: Holm-corrected over the %2 tests of the usual family of this kind of "
-                "protocol (%3); a test that cannot be computed counts as p = 1.")
+          : phrase("Analysis",
+                   "%1 p, Holm: Holm-corrected over the %2 tests of the default family of this "
+                   "kind of "
+                   "protocol (%3); a test that cannot be computed counts as p = 1.")
                 .with(undeclared, std::to_string(tests), family);
   note =
       (is_declared_

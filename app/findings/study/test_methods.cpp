@@ -19,14 +19,13 @@ Phrase cohen_h_name() { return phrase("TestMethods", "Cohen’s h"); }
 Phrase generalised_eta_name() { return phrase("TestMethods", "generalised η²"); }
 Phrase coverage_of_d() {
   return phrase("TestMethods",
-                "The CIs of d for choices are approximate: in simulations they contained the true "
-                "value in 92 % or more of the studies with a true d of 0.8 or less, and in 59 % or "
-                "more of those with a larger one.");
+                "The CIs of d for choices are approximate: in simulations, their coverage was at "
+                "least 92 % with a true d of at most 0.8, and at least 59 % with a larger one.");
 }
 Phrase coverage_of_w() {
   return phrase("TestMethods",
                 "The CIs of W for choices are approximate: in simulations with 12 and 20 "
-                "participants they contained the true value in 77 to 100 % of the studies.");
+                "participants, their coverage was 77 to 100 %.");
 }
 Phrase permuted_groups() { return phrase("TestMethods", "permutation test of group labels"); }
 

@@ -245,8 +245,8 @@ class CrossedFindings final {
   /// `half_width`: of the interval of the intercept.
   void proportion(const CrossedFit& fit, double half_width, const std::string& interval) {
     Basis shown = basis(
-        "proportion correct of a participant and an item of average intercept, at the reference "
-        "levels; interval: " +
+        "proportion correct of a participant and an item with random intercepts of 0, at the "
+        "reference levels; interval: " +
         interval);
     shown.interval = {.low = proportion_at(fit.beta(0) - half_width, table_.model.link),
                       .high = proportion_at(fit.beta(0) + half_width, table_.model.link)};
@@ -270,10 +270,11 @@ class CrossedFindings final {
     }
     const double ratio = std::max(0.0, 2.0 * (full.log_likelihood - answer.fit->log_likelihood));
     const auto df = static_cast<double>(factor.columns());
-    number("glmm.lr", factor.name, ratio, "likelihood ratio against the model without the factor");
+    number("glmm.lr", factor.name, ratio,
+           "likelihood-ratio statistic against the model without the factor");
     number("glmm.lr.df", factor.name, df, "degrees of freedom of χ²");
     number("glmm.lr.p", factor.name, *upper_tail(ChiSquaredStatistic{.value = ratio, .df = df}),
-           "χ² test of the likelihood ratio");
+           "likelihood-ratio test (χ²)");
   }
 
   const CrossedTable& table_;

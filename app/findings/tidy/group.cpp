@@ -83,8 +83,8 @@ StatusText status_text(NoMixedLogit reason) {
               "and no p; compare the participants' proportions (welch.t, perm.p.two)"};
     case NoMixedLogit::flat:
       return {"flat",
-              "the likelihood does not determine the SD of the random intercepts, so that there is "
-              "no estimate and no p: present several trials to each participant, or compare the "
+              "the SD of the random intercepts cannot be estimated from these data, so that there "
+              "is no p: present several trials to each participant, or compare the "
               "participants' proportions (welch.t, perm.p.two)"};
   }
   return {};
@@ -272,7 +272,8 @@ class GroupComparison final {
     coefficients("mixed.se", mixed.standard_error, "observed information");
     number("mixed.sigma", mixed.sigma, "SD of the random intercepts");
     number("mixed.loglik", mixed.log_likelihood, "binomial coefficients included");
-    number("mixed.lr.group", mixed.likelihood_ratio, "likelihood ratio against equal groups");
+    number("mixed.lr.group", mixed.likelihood_ratio,
+           "likelihood-ratio statistic against equal groups");
     number(
         "mixed.lr.group.p", mixed.p.value_or(kUndefined),
         "χ² test with one degree of freedom, liberal with few participants: in simulations of "
@@ -283,7 +284,8 @@ class GroupComparison final {
     number("mixed.lr.group.F.p",
            upper_tail(FStatistic{.value = mixed.likelihood_ratio, .df1 = 1.0, .df2 = df})
                .value_or(kUndefined),
-           "likelihood ratio as F test with 1 and N − 2 degrees of freedom, N participants");
+           "likelihood-ratio statistic, tested as F with 1 and N − 2 degrees of freedom, N "
+           "participants");
   }
 
   const Groups& groups_;

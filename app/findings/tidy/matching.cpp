@@ -103,7 +103,9 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     MatchedItem& item = read.matched[trial.first_item + trial.items++];
     item.felt = felt.codes[row];
     if (trial.items > 1 && trial.times != times[row]) {
-      table.refuse(row, "times", "all rows of a trial must stand for the same number of trials");
+      table.refuse(row, "times",
+                   "the number of trials differs between rows of the same trial; it must be the "
+                   "same in all of them");
     }
     trial.times = times[row];
     if (chosen.codes[row] != LabelColumn::kMissing) item.chosen = label_of[chosen.codes[row]];
@@ -224,10 +226,11 @@ void add_totals(const Matching& read, FindingList& findings) {
       "limit of the narrowest range of totals with at least the probability conf under guessing";
   number("null.lower", static_cast<double>(usual.low), holds);
   number("null.upper", static_cast<double>(usual.high), holds);
-  number("exact.p.greater", chance.upper_tail(total), "exact, one-sided: " + method);
+  number("exact.p.greater", chance.upper_tail(total),
+         "exact permutation test, one-sided: " + method);
   number("exact.midp.greater", chance.upper_tail(total + 1) + 0.5 * chance.at(total),
-         "exact mid-p, one-sided: " + method);
-  number("exact.p.less", chance.lower_tail(total), "exact, one-sided: " + method);
+         "exact permutation test, mid-p, one-sided: " + method);
+  number("exact.p.less", chance.lower_tail(total), "exact permutation test, one-sided: " + method);
   number("z", (static_cast<double>(right) - chance.mean()) / sd, method);
   for (std::size_t k = 0; k <= largest; ++k) {
     std::uint64_t trials = 0;
@@ -417,12 +420,11 @@ void add_textures(const Matching& read, FindingList& findings) {
     }
     const double p = read.equal_size ? binomial_upper_tail(count, item_chance(read.items))
                                      : chance.upper_tail(static_cast<std::int64_t>(count.hits));
-    findings.number(
-        "texture.p.greater", name, p,
-        {.n = count.trials,
-         .method =
-             "exact, one-sided against 1 divided by the number of items in the trial; the tests of "
-             "different textures are not independent"});
+    findings.number("texture.p.greater", name, p,
+                    {.n = count.trials,
+                     .method = "exact test of the correct matches, one-sided against 1 divided by "
+                               "the number of items in the trial; the tests of "
+                               "different textures are not independent"});
     if (!read.equal_size) continue;
     add_cohen_h("texture.h", name, count,
                 {.chance = item_chance(read.items), .confidence = read.confidence}, findings);

@@ -80,7 +80,7 @@ Problem problem_in_words(CumulativeLinkProblem problem) {
       return {"no_variance", "the variance of the participants' intercepts is estimated as 0"};
     case CumulativeLinkProblem::unbounded_variance:
       return {"unbounded_variance",
-              "the participants differ so much that their variance is not determined; more "
+              "the participants differ so much that their variance cannot be estimated; more "
               "responses per participant are needed"};
     case CumulativeLinkProblem::not_converged:
       break;

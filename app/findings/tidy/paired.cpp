@@ -125,10 +125,11 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
            "deviance against a separate probability for each pair");
   }
   const double equal_df = static_cast<double>(items - 1);
-  number("bt.lr.equal", "", fit.likelihood_ratio, "likelihood ratio against equal abilities");
+  number("bt.lr.equal", "", fit.likelihood_ratio,
+         "likelihood-ratio statistic against equal abilities");
   number("bt.lr.equal.p", "",
          *upper_tail(ChiSquaredStatistic{.value = fit.likelihood_ratio, .df = equal_df}),
-         "likelihood ratio against equal abilities");
+         "likelihood-ratio test against equal abilities");
   for (Eigen::Index i = 0; i < items; ++i) {
     for (Eigen::Index j = i + 1; j < items; ++j) {
       if (read.counts.wins(i, j) + read.counts.wins(j, i) == 0.0) continue;
@@ -146,10 +147,10 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
     number("bt.order.beta", "first", fit.order->advantage, order);
     number("bt.order.se", "first", fit.order->standard_error, order);
     number("bt.order.lr", "first", fit.order->likelihood_ratio,
-           "likelihood ratio against no order effect");
+           "likelihood-ratio statistic against no order effect");
     number("bt.order.lr.p", "first",
            *upper_tail(ChiSquaredStatistic{.value = fit.order->likelihood_ratio, .df = 1.0}),
-           "likelihood ratio against no order effect");
+           "likelihood-ratio test against no order effect");
   } else {
     findings.word("bt.order.status", "first", "not_estimable",
                   "the order of presentation is confounded with the items, or determines the "
@@ -248,12 +249,12 @@ void add_pair_model(const Paired& read, FindingList& findings) {
     parameter("model.order", *model.order, "advantage of the item presented first, in log odds");
     if (plain.model) {
       test("model.order", 2.0 * (model.log_likelihood - plain.model->log_likelihood), 1.0,
-           "likelihood ratio against no order effect");
+           "likelihood-ratio test against no order effect");
     }
   }
   if (model.tie) parameter("model.tie", *model.tie, "ln ν of ties");
   test("model.equal", model.equal_abilities, static_cast<double>(items - 1),
-       "likelihood ratio against equal abilities");
+       "likelihood-ratio test against equal abilities");
   test("model.fit", model.fit.deviance, static_cast<double>(model.fit.df),
        "deviance from the saturated model");
   const Basis fit{.n = n, .method = method + ": fit"};

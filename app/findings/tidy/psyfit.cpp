@@ -179,7 +179,7 @@ class PsychometricList final {
     const double ratio =
         2.0 * (separate - maximise_psychometric(both, question_.model).log_likelihood);
     key_ = first.name + '|' + second.name;
-    number("lr.same.function", ratio, "likelihood ratio against shared α and β");
+    number("lr.same.function", ratio, "likelihood-ratio statistic against shared α and β");
     number("lr.same.function.p",
            upper_tail(ChiSquaredStatistic{.value = ratio, .df = 2.0}).value_or(kUndefined),
            "χ² test with two degrees of freedom, liberal with few trials: in simulations of equal "
@@ -192,7 +192,7 @@ class PsychometricList final {
     key_ = condition.name;
     const std::string method = "resamples given as a table";
     number("boot.slope.at.bound", static_cast<double>(boot.slopes_at_bound),
-           method + ", slope at its bound (kept)");
+           method + ", slope at its bound (included)");
     number("boot.valid", static_cast<double>(boot.valid), method + ", with a threshold");
     constexpr std::size_t kShown = 5;
     for (std::size_t i = 0; i < std::min(kShown, boot.thresholds.size()); ++i) {
@@ -263,7 +263,7 @@ class PsychometricList final {
     number("lapse.free.threshold", free.threshold, method);
     number("lapse.free.shift", shift, method + "; threshold minus that with the fixed λ");
     number("lapse.free.lr", free.likelihood_ratio,
-           method + "; likelihood ratio against the fixed λ");
+           method + "; likelihood-ratio statistic against the fixed λ");
     if (!fit.precision) return;
     const bool moves = std::abs(shift) > fit.precision->threshold_se ||
                        std::abs(free.alpha - fit.function.alpha) > fit.precision->alpha_se;
@@ -283,14 +283,14 @@ class PsychometricList final {
            "Monte Carlo test of the deviance, " + way_of_counting(draws_));
     number("bootstrap.valid", static_cast<double>(thresholds.valid), method + ", with a threshold");
     number("bootstrap.slope.at.bound", static_cast<double>(thresholds.slopes_at_bound),
-           method + ", slope at its bound (kept)");
+           method + ", slope at its bound (included)");
     number("bootstrap.threshold.se", thresholds.standard_error.value_or(kUndefined),
            method + ", SD of the thresholds");
     const ConfidenceInterval none{.low = kUndefined, .high = kUndefined};
     const ConfidenceInterval ends = thresholds.percentile.value_or(none);
-    const std::string percentile = method +
-                                   ", percentile interval; 95 % intervals contained the "
-                                   "true threshold in 88 to 93 % of simulated tables";
+    const std::string percentile =
+        method +
+        ", percentile interval; in simulations the coverage of the 95 % interval was 88 to 93 %";
     number("bootstrap.threshold.lower", ends.low, percentile);
     number("bootstrap.threshold.upper", ends.high, percentile);
   }

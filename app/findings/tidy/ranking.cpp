@@ -94,7 +94,8 @@ Rankings rankings_in(const TidyInput& input) {
     for (const OfferedItem& one : offered) {
       if (times[one.row] == read.rankings.back().times) continue;
       table.refuse(one.row, "times",
-                   "all rows of a trial must stand for the same number of trials");
+                   "the number of trials differs between rows of the same trial; it must be the "
+                   "same in all of them");
     }
     trials_in_all += read.rankings.back().times;
     whole = whole && read.rankings.back().ranked.size() == read.items.size();
@@ -144,7 +145,7 @@ void add_plackett_luce(const Rankings& read, const PlackettLuce& fit, FindingLis
   const double lr = 2.0 * (fit.log_likelihood - fit.equal_log_likelihood);
   const double df = static_cast<double>(read.items.size()) - 1.0;
   const Basis likelihood{.n = n, .method = "log likelihood"};
-  const Basis equal{.n = n, .method = "likelihood ratio against equal worths"};
+  const Basis equal{.n = n, .method = "likelihood-ratio test against equal worths"};
   findings.number("pl.loglik", "", fit.log_likelihood, likelihood);
   findings.number("pl.loglik.equal", "", fit.equal_log_likelihood, likelihood);
   findings.number("pl.lr", "", lr, equal);

@@ -267,7 +267,7 @@ class Recognition final {
     bits("IT.millermadow", it.miller_madow_bits, "Miller–Madow correction, occupied cells");
     bits("IT.miller1955", it.miller_bits, "minus (r−1)(c−1)/(2N ln 2)");
     bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "jackknife over the trials");
-    number("G", "", it.G, "likelihood ratio against independence");
+    number("G", "", it.G, "likelihood-ratio statistic against independence");
     number("G.df", "", it.df, "degrees of freedom of G");
     list_.number(
         "G.p", "", it.p.value_or(kUndefined),

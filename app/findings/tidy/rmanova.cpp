@@ -283,7 +283,7 @@ class AnovaList final {
         "generalised η², all factors manipulated; interval from the noncentral F distribution");
     if (!design_.between.empty()) {
       number("ges.observed", key, effect.ges_observed,
-             "generalised η², between-participant factor measured");
+             "generalised η², between-participants factor measured");
     }
     number("omega2.partial", key, effect.omega2, "partial ω²");
     if (effect.sphericity) sphericity(key, *effect.sphericity);

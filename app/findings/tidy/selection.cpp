@@ -100,9 +100,9 @@ double add_block(const Choices& read, const std::string& block,
   number("chisq.df", block, test.df, "");
   number("chisq.p", block, test.pearson_p, "Pearson's X² against equal proportions" + independent);
   number("G", block, test.likelihood_ratio,
-         "likelihood ratio against equal proportions" + independent);
+         "likelihood-ratio statistic against equal proportions" + independent);
   number("G.p", block, test.likelihood_ratio_p,
-         "likelihood ratio against equal proportions" + independent);
+         "likelihood-ratio test against equal proportions" + independent);
   number("cramer.w", block, test.cohen_w, "Cohen's w");
   if (!pooled) {
     const MultinomialTest exact = uniform_multinomial_test(counts);

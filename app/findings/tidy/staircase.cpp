@@ -176,7 +176,7 @@ class TrackFindings final {
                        track_.trials[i].level,
                        {.n = 1, .method = "level of a trial, from the rule and the responses"});
     }
-    number("next.level", track_.next_level, "level of the trial that would follow");
+    number("next.level", track_.next_level, "level of the next trial");
   }
 
   void reversals() {
@@ -189,7 +189,7 @@ class TrackFindings final {
       trials += (count++ == 0 ? "" : ";") + std::to_string(answered_.trials[i]);
     }
     findings_.count("n.reversals", answered_.name, count,
-                    basis("responses after which the level moves in the other direction"));
+                    basis("reversals: responses after which the level changes its direction"));
     findings_.count("n.clipped", answered_.name, clipped,
                     basis("moves that a bound shortened or prevented"));
     findings_.word("reversal.trials", answered_.name, trials,
@@ -226,7 +226,7 @@ class TrackFindings final {
     const Staircase& staircase = rule_.staircase;
     const double performance = balanced_performance(staircase.rule, staircase.up_over_down);
     const std::string method =
-        "proportion correct at which moves up and down are in balance, which the level approaches";
+        "proportion correct to which the track converges: moves up and down are in balance";
     if (staircase.rule.up == 1) {
       number("target.p", performance, method);
       return;

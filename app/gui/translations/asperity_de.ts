@@ -196,8 +196,8 @@
         <translation>Wie häufig sind in einem Durchgang alle Zuordnungen richtig?</translation>
     </message>
     <message>
-        <source>Which textures are confused?</source>
-        <translation>Welche Texturen werden verwechselt?</translation>
+        <source>Which textures are confused with each other?</source>
+        <translation>Welche Texturen werden miteinander verwechselt?</translation>
     </message>
     <message>
         <source>No texture was confused with another.</source>
@@ -208,8 +208,8 @@
         <translation>Anzahlen aus allen Antworten; für ein Konfidenzintervall wäre ein Modell der Verwechslungen nötig.</translation>
     </message>
     <message>
-        <source>No response assigns each picture to exactly one surface: nothing is analysed.</source>
-        <translation>Keine Antwort ordnet jedes Bild genau einer Oberfläche zu: Es wird nichts ausgewertet.</translation>
+        <source>No response assigns each picture to exactly one surface: the matchings are not analysed.</source>
+        <translation>Keine Antwort ordnet jedes Bild genau einer Oberfläche zu: Die Zuordnungen werden nicht ausgewertet.</translation>
     </message>
     <message>
         <source>Similarity of the textures</source>
@@ -344,8 +344,8 @@
         <translation>Nicht signifikant: Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
     </message>
     <message>
-        <source>No surface was presented before these responses: there is nothing to compare.</source>
-        <translation>Vor diesen Antworten wurde keine Oberfläche dargeboten: Es gibt nichts zu vergleichen.</translation>
+        <source>No surface was presented before these responses: no comparison is possible.</source>
+        <translation>Vor diesen Antworten wurde keine Oberfläche dargeboten: Ein Vergleich ist nicht möglich.</translation>
     </message>
     <message>
         <source>Tests</source>
@@ -744,7 +744,7 @@
         <translation>Durchgänge, in denen alle Zuordnungen richtig sind: %1 von %2, im Mittel %3 der Durchgänge einer Versuchsperson (%4); Permutationstest über die Versuchspersonen, %5.</translation>
     </message>
     <message>
-        <source>95 % CI of the mean: Student&apos;s t over the participants on the logit scale. In simulations with 2 to 20 participants it contained the true mean in 91 % or more of the studies.</source>
+        <source>95 % CI of the mean: Student&apos;s t over the participants on the logit scale. In simulations with 2 to 20 participants, its coverage was at least 91 %.</source>
         <translation>95-%-KI des Mittelwerts: t-basiert über die Versuchspersonen, auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
     </message>
     <message>
@@ -908,7 +908,7 @@
         <translation>Intraklassenkorrelationen über die Wiederholungen (Werte je Wiederholung: %1). Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
     </message>
     <message>
-        <source>Reliability of a single one of the %1 repetitions, within participants: %2; N = %3 participants.</source>
+        <source>Within-participant reliability of one of the %1 repetitions: %2; N = %3 participants.</source>
         <translation>Reliabilität einer einzelnen der %1 Wiederholungen, innerhalb der Versuchspersonen: %2; N = %3 Versuchspersonen.</translation>
     </message>
     <message>
@@ -1176,7 +1176,7 @@
         <translation>95-%-KI: t-basiert über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
     <message>
-        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces it contained the true mean in at least 88 % of the studies.</source>
+        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces, the coverage of the CI was at least 88 %.</source>
         <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit einem t-basierten Konfidenzintervall. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es den wahren Mittelwert in mindestens 88 % der Studien.</translation>
     </message>
     <message>
@@ -1184,27 +1184,27 @@
         <translation>Kein Test der Familie (%1) ließ sich durchführen.</translation>
     </message>
     <message>
-        <source>%1 The CIs assume normal results. In simulations of proportions of 2 to 20 participants they contained the true value in at least 85 % of the studies with a mean of 25 to 71 %, and in at least 58 % of those with a mean of 87 or 95 %.</source>
+        <source>%1 The CIs assume normally distributed results. In simulations of proportions of 2 to 20 participants, their coverage was at least 85 % with a mean of 25 to 71 %, and at least 58 % with a mean of 87 or 95 %.</source>
         <translation>%1 Die Konfidenzintervalle setzen normalverteilte Ergebnisse voraus. In Simulationen von Anteilen bei 2 bis 20 Versuchspersonen enthielten sie den wahren Wert in mindestens 85 % der Studien mit einem Mittelwert von 25 bis 71 % und in mindestens 58 % derjenigen mit einem Mittelwert von 87 oder 95 %.</translation>
     </message>
     <message>
-        <source>%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 92 % of the studies.</source>
+        <source>%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations with 2 to 20 participants, its coverage was at least 92 %.</source>
         <translation>%1 95-%-KI: t-basiert über die Versuchspersonen, auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
     </message>
     <message>
-        <source>95 % CI: t-based over participants, for times on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 93 % of the studies.</source>
+        <source>95 % CI: t-based over participants, for times on the logarithmic scale; in simulations with 2 to 20 participants, its coverage was at least 93 %.</source>
         <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 93 % der Studien.</translation>
     </message>
     <message>
-        <source>95 % CI: t-based over participants, for times on the logarithmic and for proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 % it contained the true mean in at least 91 % of the studies.</source>
+        <source>95 % CI: t-based over participants, for times on the logarithmic and for proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 %, its coverage was at least 91 %.</source>
         <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
     </message>
     <message>
-        <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
-        <translation>Für eine Versuchsperson und eine Textur mit mittlerem Achsenabschnitt wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
+        <source>For a participant and a texture with random intercepts of 0, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
+        <translation>Für eine Versuchsperson und eine Textur mit zufälligen Achsenabschnitten von 0 wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample (participants or textures). In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
+        <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample (participants or textures). In simulations with 5 to 20 participants and SDs of 0.5 and 1, among the studies with an estimate, the coverage of the 95 % CI was 95 to 100 % with four textures and 90 to 100 % with ten.</source>
         <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, Maximum-Likelihood-Schätzung mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-KI den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
     <message>
@@ -1376,7 +1376,7 @@
         <translation>Mittlere Urteile über die Items auf jeder Skala</translation>
     </message>
     <message>
-        <source>Means, over the participants who rated every item, of each participant&apos;s mean rating, with t-based 95 % CIs; mean rank: 1 for the lowest rating of a participant.</source>
+        <source>Means of the participants&apos; mean ratings, over the participants who rated every item, with t-based 95 % CIs; mean rank: 1 for a participant&apos;s lowest rating.</source>
         <translation>Mittelwerte der mittleren Urteile über die Versuchspersonen, die alle Items beurteilt haben, mit t-basierten 95-%-KI; mittlerer Rang: 1 für das niedrigste Urteil einer Versuchsperson.</translation>
     </message>
     <message>
@@ -1388,7 +1388,7 @@
         <translation>Intraklassenkorrelationen mit den Items als Urteilsobjekten und den Versuchspersonen als Beurteilern: ICC2 misst die Übereinstimmung, ICC3 die Konsistenz; k: des Mittelwerts aller Versuchspersonen. Cronbachs α mit den Versuchspersonen als Testitems.</translation>
     </message>
     <message>
-        <source>Cumulative link model of the ratings on each scale</source>
+        <source>Cumulative link mixed model of the ratings on each scale</source>
         <translation>Kumulatives gemischtes Link-Modell der Urteile auf jeder Skala</translation>
     </message>
     <message>
@@ -1400,8 +1400,8 @@
         <translation>Paarvergleich</translation>
     </message>
     <message>
-        <source>Choices of each item in the comparisons with another one</source>
-        <translation>Wahlen jedes Items in den Vergleichen mit einem anderen</translation>
+        <source>Choices of each item in comparisons with each other item</source>
+        <translation>Wahlen jedes Items in den Vergleichen mit jedem anderen</translation>
     </message>
     <message>
         <source>Ties are left out. The chance level is 1/2. p: exact binomial test, two-sided, uncorrected, all responses treated as independent.</source>
@@ -1472,7 +1472,7 @@
         <translation>Kendalls ζ jeder vollständigen Runde ohne Gleichstände, gemittelt über die Runden einer Versuchsperson; das Konfidenzintervall des Mittelwerts ist t-basiert.</translation>
     </message>
     <message>
-        <source>Fewer than two items were presented: there is nothing to compare.</source>
+        <source>Fewer than two items were presented: no comparison is possible.</source>
         <translation>Es wurden weniger als zwei Items dargeboten: Ein Vergleich ist nicht möglich.</translation>
     </message>
     <message>
@@ -1540,12 +1540,12 @@
         <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch.</translation>
     </message>
     <message>
-        <source>%1 The usual family of this kind of protocol has one test (%2); no correction is needed.</source>
-        <translation>%1 Die übliche Familie dieser Art von Protokoll hat einen Test (%2); eine Korrektur ist nicht nötig.</translation>
+        <source>%1 The default family of this kind of protocol has one test (%2); no correction is needed.</source>
+        <translation>%1 Die Standardfamilie dieser Art von Protokoll hat einen Test (%2); eine Korrektur ist nicht nötig.</translation>
     </message>
     <message>
-        <source>%1 p, Holm: Holm-corrected over the %2 tests of the usual family of this kind of protocol (%3); a test that cannot be computed counts as p = 1.</source>
-        <translation>%1 p, Holm: Holm-korrigiert über die %2 Tests der üblichen Familie dieser Art von Protokoll (%3); ein nicht durchführbarer Test zählt als p = 1.</translation>
+        <source>%1 p, Holm: Holm-corrected over the %2 tests of the default family of this kind of protocol (%3); a test that cannot be computed counts as p = 1.</source>
+        <translation>%1 p, Holm: Holm-korrigiert über die %2 Tests der Standardfamilie dieser Art von Protokoll (%3); ein nicht durchführbarer Test zählt als p = 1.</translation>
     </message>
     <message>
         <source>%1 %2: %3 of %4.</source>
@@ -2840,7 +2840,7 @@
         <translation>kann es nicht sagen</translation>
     </message>
     <message>
-        <source>There are no responses: there are no confusions to show.</source>
+        <source>There are no responses and therefore no confusions.</source>
         <translation>Es gibt keine Antworten und daher keine Verwechslungen.</translation>
     </message>
     <message>
@@ -2916,8 +2916,8 @@
         <translation>Erkannte Texturen</translation>
     </message>
     <message>
-        <source>No level has trials: there is nothing to show.</source>
-        <translation>Keine Stufe hat Durchgänge: Es gibt nichts zu zeigen.</translation>
+        <source>No level has trials: there are no proportions correct.</source>
+        <translation>Keine Stufe hat Durchgänge: Es gibt keine Anteile richtiger Antworten.</translation>
     </message>
     <message>
         <source>level, in the unit of the table</source>
@@ -2944,8 +2944,8 @@
         <translation>Es gibt keine Kurve: %1.</translation>
     </message>
     <message>
-        <source>There is no curve: nothing was estimated.</source>
-        <translation>Es gibt keine Kurve: Es wurde nichts geschätzt.</translation>
+        <source>There is no curve: there are no estimates.</source>
+        <translation>Es gibt keine Kurve: Es gibt keine Schätzungen.</translation>
     </message>
     <message>
         <source>spacing, in the unit of the table</source>
@@ -2964,8 +2964,8 @@
         <translation>Es gibt keine Skala: %1.</translation>
     </message>
     <message>
-        <source>There is no scale: nothing was judged.</source>
-        <translation>Es gibt keine Skala: Es wurde nichts beurteilt.</translation>
+        <source>There is no scale: there are no judgements.</source>
+        <translation>Es gibt keine Skala: Es gibt keine Urteile.</translation>
     </message>
     <message>
         <source>first MDS dimension</source>
@@ -2984,8 +2984,8 @@
         <translation>Der Unterschied zwischen den Gruppen</translation>
     </message>
     <message>
-        <source>Fewer than two groups have responses: there is nothing to compare.</source>
-        <translation>Weniger als zwei Gruppen haben Antworten: Es gibt nichts zu vergleichen.</translation>
+        <source>Fewer than two groups have responses: no comparison is possible.</source>
+        <translation>Weniger als zwei Gruppen haben Antworten: Ein Vergleich ist nicht möglich.</translation>
     </message>
     <message>
         <source>%1 (n = %2)</source>
@@ -3016,7 +3016,7 @@
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items beurteilt haben, Balken ihre t-basierten %1-%-KI. Die zugehörigen Tests verwenden nur die Ränge der Urteile.</translation>
     </message>
     <message>
-        <source>No participant rated every item: there are no means to show.</source>
+        <source>No participant rated every item: there are no means.</source>
         <translation>Keine Versuchsperson hat alle Items beurteilt: Es gibt keine Mittelwerte.</translation>
     </message>
     <message>
@@ -3036,8 +3036,8 @@
         <translation>Es gibt keine Mittelwerte: %1.</translation>
     </message>
     <message>
-        <source>There are no means: nothing was measured.</source>
-        <translation>Es gibt keine Mittelwerte: Es wurde nichts gemessen.</translation>
+        <source>There are no means: there are no measurements.</source>
+        <translation>Es gibt keine Mittelwerte: Es gibt keine Messwerte.</translation>
     </message>
     <message>
         <source>mean, in the unit of the table</source>
@@ -3096,8 +3096,8 @@
         <translation>Teststärke der geplanten Tests</translation>
     </message>
     <message>
-        <source>Points are powers at the planned sample sizes, each computed separately: between them, the power of exact tests of counts is not monotonic. The dashed line is the usual target.</source>
-        <translation>Punkte sind Teststärken bei den geplanten Stichprobenumfängen, jede für sich berechnet: Dazwischen verläuft die Teststärke exakter Tests von Anzahlen nicht monoton. Die gestrichelte Linie ist der übliche Zielwert.</translation>
+        <source>Points are powers at the planned sample sizes, each computed separately: between them, the power of exact tests of counts is not monotonic. The dashed line is the conventional power of 80 %.</source>
+        <translation>Punkte sind Teststärken bei den geplanten Stichprobenumfängen, jede für sich berechnet: Dazwischen verläuft die Teststärke exakter Tests von Anzahlen nicht monoton. Die gestrichelte Linie ist die übliche Teststärke von 80 %.</translation>
     </message>
     <message>
         <source>No power was computed for any plan.</source>
@@ -3128,8 +3128,8 @@
         <translation>Vorhergesagte Rauheit nach Geschwindigkeit des Strichs</translation>
     </message>
     <message>
-        <source>texture frequency</source>
-        <translation>Texturfrequenz</translation>
+        <source>spatial frequency</source>
+        <translation>Ortsfrequenz</translation>
     </message>
     <message>
         <source>maximum acceleration</source>
@@ -3168,7 +3168,7 @@
         <translation>Leistung relativ zur Schwelle</translation>
     </message>
     <message>
-        <source>Filled symbols: strokes of the held tool. Small open symbols: strokes left out because of their status. Curves: parabolas fitted on logarithmic axes. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
+        <source>Filled symbols: strokes of the held tool. Small open symbols: strokes left out because of their status. Curves: parabolas fitted on logarithmic axes. Large open symbols: their peaks within the range, with 95 % CIs by Fieller&apos;s method.</source>
         <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs. Kleine offene Zeichen: Striche, die wegen ihres Status weggelassen sind. Kurven: auf logarithmischen Achsen angepasste Parabeln. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
@@ -3204,7 +3204,7 @@
         <translation>Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten 95-%-KI auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
-        <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
+        <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping CIs are not a test of a difference.</source>
         <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre t-basierten %1-%-KI, für Anteile auf der Logit-Skala. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
@@ -3524,8 +3524,8 @@
         <translation>Es gibt keine Komponenten: %1.</translation>
     </message>
     <message>
-        <source>There are fewer than two components: there is nothing to show.</source>
-        <translation>Es gibt weniger als zwei Komponenten: Es gibt nichts zu zeigen.</translation>
+        <source>There are fewer than two components: a biplot requires two.</source>
+        <translation>Es gibt weniger als zwei Komponenten: Ein Biplot erfordert zwei.</translation>
     </message>
     <message>
         <source>The mean ratings vary along one component only: there is no second axis.</source>
@@ -5649,11 +5649,11 @@
         <translation>Permutationstest auf Unabhängigkeit</translation>
     </message>
     <message>
-        <source>The CIs of d for choices are approximate: in simulations they contained the true value in 92 % or more of the studies with a true d of 0.8 or less, and in 59 % or more of those with a larger one.</source>
+        <source>The CIs of d for choices are approximate: in simulations, their coverage was at least 92 % with a true d of at most 0.8, and at least 59 % with a larger one.</source>
         <translation>Die Konfidenzintervalle von d bei Wahlen sind Näherungen: In Simulationen enthielten sie den wahren Wert in mindestens 92 % der Studien mit einem wahren d bis 0,8 und in mindestens 59 % derjenigen mit einem größeren.</translation>
     </message>
     <message>
-        <source>The CIs of W for choices are approximate: in simulations with 12 and 20 participants they contained the true value in 77 to 100 % of the studies.</source>
+        <source>The CIs of W for choices are approximate: in simulations with 12 and 20 participants, their coverage was 77 to 100 %.</source>
         <translation>Die Konfidenzintervalle von W bei Wahlen sind Näherungen: In Simulationen mit 12 und 20 Versuchspersonen enthielten sie den wahren Wert in 77 bis 100 % der Studien.</translation>
     </message>
     <message>

@@ -39,7 +39,7 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"fisher.or.cond", {"odds ratio of all responses", number}},
       {"glmm.beta", {"fixed effect (logit)", number}},
       {"glmm.proportion",
-       {"proportion of a participant and a texture of average intercept", share}},
+       {"proportion of a participant and a texture with random intercepts of 0", share}},
       {"glmm.sigma", {"SD of the random intercepts (logit)", number}},
       {"H.response", {"response entropy H(R)", number}},
       {"hclust.shepard.average.cophcor", {"cophenetic correlation of the dendrogram", number}},

@@ -165,7 +165,8 @@ ReportTable times_table(const ReportedServo& servo) {
                 time_row("period, 99th percentile", servo.period_p99_s),
                 time_row("duration of a tick, 99th percentile", servo.execution_p99_s)};
   table.note =
-      "Lateness: how long after its deadline a tick began. Each attempt has one value per row; the "
+      "Lateness: delay of the start of a tick after its deadline. Each attempt has one value per "
+      "row; the "
       "table shows the median and the largest of these values over the attempts.";
   return table;
 }
