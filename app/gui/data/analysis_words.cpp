@@ -18,12 +18,12 @@ struct Word {
 
 constexpr std::array kHeadings{
     Word{"F", QT_TRANSLATE_NOOP("AnalysisWords", "F")},
-    Word{"about", QT_TRANSLATE_NOOP("AnalysisWords", "about")},
+    Word{"about", QT_TRANSLATE_NOOP("AnalysisWords", "comparison")},
     Word{"achieved_maximum_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, maximum, N")},
     Word{"achieved_mean_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, mean, N")},
     Word{"achieved_minimum_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, minimum, N")},
     Word{"achieved_sd_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, SD, N")},
-    Word{"against", QT_TRANSLATE_NOOP("AnalysisWords", "against")},
+    Word{"against", QT_TRANSLATE_NOOP("AnalysisWords", "other item")},
     Word{"all", QT_TRANSLATE_NOOP("AnalysisWords", "all")},
     Word{"answers", QT_TRANSLATE_NOOP("AnalysisWords", "responses")},
     Word{"by_chance", QT_TRANSLATE_NOOP("AnalysisWords", "expected under guessing")},
@@ -50,7 +50,7 @@ constexpr std::array kHeadings{
     Word{"factor", QT_TRANSLATE_NOOP("AnalysisWords", "factor")},
     Word{"family", QT_TRANSLATE_NOOP("AnalysisWords", "family")},
     Word{"felt", QT_TRANSLATE_NOOP("AnalysisWords", "stimulus")},
-    Word{"felt_as_other", QT_TRANSLATE_NOOP("AnalysisWords", "confused with the other")},
+    Word{"felt_as_other", QT_TRANSLATE_NOOP("AnalysisWords", "confusions with the other")},
     Word{"fieller_m 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "Fieller 95 % CI, m")},
     Word{"first", QT_TRANSLATE_NOOP("AnalysisWords", "first")},
     Word{"first_half", QT_TRANSLATE_NOOP("AnalysisWords", "first half")},
@@ -83,9 +83,9 @@ constexpr std::array kHeadings{
     Word{"name", QT_TRANSLATE_NOOP("AnalysisWords", "name")},
     Word{"normalised", QT_TRANSLATE_NOOP("AnalysisWords", "normalised")},
     Word{"normalised 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "normalised, 95 % CI")},
-    Word{"of", QT_TRANSLATE_NOOP("AnalysisWords", "of")},
+    Word{"of", QT_TRANSLATE_NOOP("AnalysisWords", "total")},
     Word{"other", QT_TRANSLATE_NOOP("AnalysisWords", "other")},
-    Word{"other_as_felt", QT_TRANSLATE_NOOP("AnalysisWords", "the other confused with it")},
+    Word{"other_as_felt", QT_TRANSLATE_NOOP("AnalysisWords", "reverse confusions")},
     Word{"p", QT_TRANSLATE_NOOP("AnalysisWords", "p")},
     Word{"p_holm", QT_TRANSLATE_NOOP("AnalysisWords", "p, Holm")},
     Word{"p_interior", QT_TRANSLATE_NOOP("AnalysisWords", "p, interior maximum")},
@@ -155,6 +155,7 @@ const char* shown_in(const auto& words, const std::string& stored) {
 QString AnalysisWords::of_heading(const NamedTable& table, const std::string& column) {
   const bool is_picture = table.name == kConfusion && column != table.table.columns.front();
   if (is_picture) return QString::fromStdString(column);
+  if (table.name == "loadings" && column == "of") return tr("quantity");
   if (const char* shown = shown_in(kHeadings, column)) return tr(shown);
   constexpr std::string_view kColumn = "column_";  // and the level of the factor
   if (column.starts_with(kColumn)) {

@@ -1626,8 +1626,8 @@
         <translation>erreicht, SD, N</translation>
     </message>
     <message>
-        <source>against</source>
-        <translation>gegen</translation>
+        <source>other item</source>
+        <translation>andere Antwort</translation>
     </message>
     <message>
         <source>all</source>
@@ -1674,8 +1674,12 @@
         <translation>Modell</translation>
     </message>
     <message>
-        <source>of</source>
-        <translation>von</translation>
+        <source>total</source>
+        <translation>Gesamtzahl</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>p</source>
@@ -1718,8 +1722,8 @@
         <translation>kann es nicht sagen</translation>
     </message>
     <message>
-        <source>about</source>
-        <translation>worüber</translation>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>dissimilarity</source>
@@ -1930,16 +1934,16 @@
         <translation>Wiederholung</translation>
     </message>
     <message>
-        <source>confused with the other</source>
-        <translation>mit der anderen verwechselt</translation>
+        <source>confusions with the other</source>
+        <translation>Verwechslungen mit der anderen</translation>
     </message>
     <message>
         <source>trials</source>
         <translation>Durchgänge</translation>
     </message>
     <message>
-        <source>the other confused with it</source>
-        <translation>die andere mit ihr verwechselt</translation>
+        <source>reverse confusions</source>
+        <translation>umgekehrte Verwechslungen</translation>
     </message>
     <message>
         <source>participant</source>

@@ -106,7 +106,7 @@ ReportSection making_section(const ReportFacts& facts) {
   }
   ReportTable table{};
   table.title = "Program, device and protocol";
-  table.columns = {{"what", false}, {"value stored with the sessions", false}};
+  table.columns = {{"property", false}, {"value stored with the sessions", false}};
   const auto add = [&table](const std::string& what, const std::string& value) {
     table.rows.push_back({what, value});
   };

@@ -48,7 +48,7 @@ ReportSection notes_section(const ReportFacts& facts) {
   table.is_reference = true;
   table.title = "The experimenter’s notes and decisions";
   table.columns = {{"participant", false}, {"session", true}, {"time (min:s)", true},
-                   {"trial", true},        {"what", false},   {"note or reason", false}};
+                   {"trial", true},        {"event", false},  {"note or reason", false}};
   std::size_t left_out = 0;
   const auto add = [&](std::vector<std::string> row) {
     if (table.rows.size() < kMostNotes) {

@@ -200,8 +200,9 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
   ReportTable table{};
   table.is_reference = true;
   table.title = "Further tests (exploratory)";
-  table.columns = {{"about", false}, {"test", false}, {"of", false}, {"statistic", true},
-                   {"p", true},      {"Holm", true},  {"n", true}};
+  table.columns = {{"analysis", false}, {"test", false}, {"factor or level", false},
+                   {"statistic", true}, {"p", true},     {"Holm", true},
+                   {"n", true}};
   for (const ReportedTest& test : tests) {
     const Finding& p = *test.p;
     if (is_another_form(p.quantity) || p.quantity.starts_with("subject.")) continue;
@@ -221,8 +222,8 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   ReportTable table{};
   table.is_reference = true;
   table.title = "Further numbers";
-  table.columns = {{"about", false}, {"what", false},   {"of", false},
-                   {"value", true},  {"95 % CI", true}, {"n", true}};
+  table.columns = {{"analysis", false}, {"quantity", false}, {"factor or level", false},
+                   {"value", true},     {"95 % CI", true},   {"n", true}};
   for (const Finding& finding : findings) {
     const auto known = known_numbers().find(finding.quantity);
     if (known == known_numbers().end() || !finding.value) continue;

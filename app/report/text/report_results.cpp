@@ -118,39 +118,53 @@ std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const To
   return sentences;
 }
 
-std::string heading_of(const std::string& column) {
+std::string heading_of(const NamedTable& table, const std::string& column) {
+  if (table.name == "loadings" && column == "of") return "quantity";
   const std::string no_break = "\u00A0";
   static const std::map<std::string, std::string> kHeadings{
+      {"about", "comparison"},
       {"achieved_maximum_N", "achieved, maximum (N)"},
       {"achieved_mean_N", "achieved, mean (N)"},
       {"achieved_minimum_N", "achieved, minimum (N)"},
       {"achieved_sd_N", "achieved, SD (N)"},
+      {"against", "other item"},
+      {"answers", "responses"},
       {"by_chance", "expected under guessing"},
       {"chance", "chance level"},
-      {"change 95 %", "95" + no_break + "% CI"},
+      {"chance 95 %", "95" + no_break + "% interval under guessing"},
       {"column", "repetition"},
       {"effect_size", "effect size [95 % CI]"},
-      {"felt_as_other", "confused with the other"},
+      {"epsilon", "ε"},
+      {"felt", "stimulus"},
+      {"felt_as_other", "confusions with the other"},
       {"fieller_m 95 %", "Fieller 95 % CI (m)"},
       {"goes", "trials"},
+      {"high_label", "label of the maximum"},
+      {"inverted_u", "inverted U"},
+      {"log_odds", "log odds ratio"},
+      {"log_worth", "log-worth"},
+      {"low_label", "label of the minimum"},
       {"matched_mean_N", "intended, mean (N)"},
-      {"other_as_felt", "the other confused with it"},
+      {"of", "total"},
+      {"other_as_felt", "reverse confusions"},
       {"p_holm", "p, Holm"},
       {"p_interior", "p, interior maximum"},
       {"p_smallest", "smallest attainable p"},
+      {"partial_eta_squared", "partial η²"},
       {"peak_m 95 %", "95 % CI (m)"},
       {"person", "participant"},
       {"persons", "participants"},
       {"r_squared", "R²"},
       {"right", "correct"},
       {"sd", "SD"},
-      {"share 95 %", "95" + no_break + "% CI"},
       {"status", "reason"},
       {"time_s", "response time (s)"},
-      {"time_s 95 %", "95" + no_break + "% CI (s)"}};
+      {"time_s 95 %", "95" + no_break + "% CI (s)"},
+      {"zeta", "ζ"}};
   if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
-  if (column.starts_with("wilson")) return "Wilson 95" + no_break + "%";
-  if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "%";
+  if (column.starts_with("wilson")) return "Wilson 95" + no_break + "% CI";
+  if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "% CI";
+  if (column.ends_with(" 95 %")) return "95" + no_break + "% CI";
   constexpr std::string_view kColumn = "column_";  // followed by the level of the factor
   if (column.starts_with(kColumn)) return "repetition " + column.substr(kColumn.size());
   return words_of_quantity(column);
@@ -179,7 +193,8 @@ ReportTable report_table(const NamedTable& named) {
                           });
     const bool is_name = named.name == kConfusion && column != reading.columns.front();
     table.columns.push_back(
-        {is_name ? words_of_cell("item", column).english() : heading_of(column), !holds_words});
+        {is_name ? words_of_cell("item", column).english() : heading_of(named, column),
+         !holds_words});
   }
   for (const std::vector<Cell>& row : reading.rows) {
     std::vector<std::string>& cells = table.rows.emplace_back();
