@@ -526,15 +526,13 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
   const std::string words = conditions();
   EXPECT_THAT(
       words,
-      HasSubstr(
-          "The protocol requests pink noise of 65 dB(A) at the ear to mask the sound of the "
-          "device. The program played masking noise in 2 of 6 sessions (level at the ear, as "
-          "measured in 1 of 6 sessions: 64.5 dB(A)). Masking noise came from another source "
-          "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
-          "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
-          "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the version of the "
-          "program used then did not store it in terminal sessions, in which none was "
-          "played."));
+      HasSubstr("The protocol requests pink noise of 65 dB(A) at the ear to mask the sound of the "
+                "device. The program played masking noise in 2 of 6 sessions (level at the ear, as "
+                "measured in 1 of 6 sessions: 64.5 dB(A)). Masking noise came from another source "
+                "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
+                "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
+                "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the version of "
+                "the program used then played none in terminal sessions and did not record this."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {

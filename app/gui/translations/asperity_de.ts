@@ -196,10 +196,6 @@
         <translation>Wie häufig sind in einem Durchgang alle Zuordnungen richtig?</translation>
     </message>
     <message>
-        <source>Which textures are confused with each other?</source>
-        <translation>Welche Texturen werden miteinander verwechselt?</translation>
-    </message>
-    <message>
         <source>No texture was confused with another.</source>
         <translation>Keine Textur wurde mit einer anderen verwechselt.</translation>
     </message>

@@ -141,10 +141,9 @@ std::string recorded_noise_text(const ReportFacts& facts) {
                         unknown.text_after_not() + '.');
   }
   if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
-    sentences.push_back(
-        "No masking noise is recorded " + unstored.text_after_not() +
-        "; the version of the program used then did not store it in terminal sessions, "
-        "in which none was played.");
+    sentences.push_back("No masking noise is recorded " + unstored.text_after_not() +
+                        "; the version of the program used then played none in terminal sessions "
+                        "and did not record this.");
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

@@ -298,7 +298,8 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
       reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
       " and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
   if (facts.has_equal_force) {
-    text += " The models were matched in the RMS of their texture force along a prescribed path.";
+    text +=
+        " The force models were matched in the RMS of their texture force along a prescribed path.";
   }
   return text;
 }
@@ -419,10 +420,11 @@ ReportSection design_section(const ReportFacts& facts) {
         facts.are_translations
             ? ReportText{files + " files have the name and version of this protocol. They differ "
                                  "in language and texts only; the texts below are from the first."}
-            : ReportText{files + " different files have the name and version of this protocol; "
-                                 "their responses are counted together, and the description below "
-                                 "is from the first.",
-                         ReportText::Tone::notice});
+            : ReportText{
+                  files +
+                      " different files have the name and version of this protocol; "
+                      "their responses are pooled, and the description below is from the first.",
+                  ReportText::Tone::notice});
   }
   if (!check.protocol) {
     section.parts.emplace_back(ReportText{stopped(

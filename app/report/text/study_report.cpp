@@ -80,7 +80,7 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
   if (all.empty()) {
     if (withdrawals.empty()) {
       section.parts.emplace_back(
-          ReportText{"The study has no sessions yet: there is nothing to report."});
+          ReportText{"The study has no sessions yet: there are no results to report."});
       return chapter;
     }
     section.parts.emplace_back(ReportText{
