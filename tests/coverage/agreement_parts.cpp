@@ -260,7 +260,7 @@ std::span<const CoveragePart> agreement_parts() {
                        "as many estimates of each of seven spacings as there are trials; the "
                        "logarithm of an estimate is linear in that of the spacing by a "
                        "participant's normal slope; analysed by the function that the analysis of "
-                       "a study of magnitudes calls (`ask_reliability_of_estimates`)",
+                       "a magnitude estimation calls (`ask_reliability_of_estimates`)",
                    .effect = "mean slope",
                    .spread = "SD of the slopes",
                    .settings = kOfSlopes,

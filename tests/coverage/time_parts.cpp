@@ -154,9 +154,10 @@ std::span<const CoveragePart> time_parts() {
   static const auto kOfFirstProportions = all_designs(kFirstProportions, kLogitSpreads);
   static const std::array kParts{
       CoveragePart{.name = "response_times",
-                   .model = "two textures in turn, one trial in twenty without a time; the "
-                            "logarithm of a response time is a participant's normal level, with "
-                            "their own delay of one texture, plus a normal and an exponential part",
+                   .model =
+                       "two textures in turn, one trial in twenty without a response time; the "
+                       "logarithm of a response time is a participant's normal level, with "
+                       "their own delay of one texture, plus a normal and an exponential part",
                    .effect = "mean of the exponential part",
                    .spread = "SD of the levels, twice that of the delays",
                    .settings = kOfSkews,
