@@ -14,10 +14,20 @@ namespace {
 
 constexpr std::size_t kBuffer_bytes = std::size_t{1} << 18;
 
+/// "-2", "-0.5e-3": what a spreadsheet reads as a number, with the value that the text has.
+bool is_negative_number(std::string_view text) {
+  if (text.size() < 2 || text.front() != '-' || text[1] < '0' || text[1] > '9') return false;
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  return read.ec == std::errc{} && read.ptr == end;
+}
+
 bool needs_mark(std::string_view text) {
   return text == kMissingCell ||
          (!text.empty() &&
-          std::string_view("=+-@'\t\r\n").find(text.front()) != std::string_view::npos);
+          std::string_view("=+-@'\t\r\n").find(text.front()) != std::string_view::npos &&
+          !is_negative_number(text));
 }
 
 template <typename Number>

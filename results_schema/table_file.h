@@ -29,7 +29,7 @@ struct WrittenTable {
 /// - `bare_tsv_gz`: as `tsv`, without the line of names, compressed by gzip without a time stamp.
 ///
 /// A text that a spreadsheet could take for a formula, because it begins with = + - @, a tab or a
-/// line break, gets an apostrophe before it; so does a text that begins with an apostrophe or is
+/// line break, gets an apostrophe before it, unless it is a negative number ("-2"); so does a text that begins with an apostrophe or is
 /// exactly `n/a`. Taking one apostrophe away from every text cell that begins with one therefore gives the texts back as
 /// they were.
 ///

@@ -122,11 +122,14 @@ TEST(TableFile, WritesWhatReadsBackAndMarksWhatWouldBeAFormula) {
   file.add({Cell{"'quoted'"}, Cell{std::int64_t{-3}}});
   file.add({Cell{"n/a"}, Cell{}});
   file.add({Cell{"two\nlines"}, Cell{0.1}});
+  file.add({Cell{"-2.5"}, Cell{1.0}});
+  file.add({Cell{"-2+1"}, Cell{1.0}});
   const WrittenTable written = file.finish();
-  EXPECT_EQ(read_file(folder / "a.tsv"),
-            "text\tnumber\n'=1+1\t-1.5\n''quoted'\t-3\n'n/a\tn/a\ntwo lines\t0.1\n");
-  EXPECT_EQ(written.rows, 4U);
-  EXPECT_EQ(written.marked_cells, 3U);
+  EXPECT_EQ(
+      read_file(folder / "a.tsv"),
+      "text\tnumber\n'=1+1\t-1.5\n''quoted'\t-3\n'n/a\tn/a\ntwo lines\t0.1\n-2.5\t1\n'-2+1\t1\n");
+  EXPECT_EQ(written.rows, 6U);
+  EXPECT_EQ(written.marked_cells, 4U);
   EXPECT_EQ(written.spaced_cells, 1U);
   EXPECT_EQ(written.sha256, sha256_of_file(folder / "a.tsv"));
   EXPECT_THROW(TableFile(folder / "a.tsv", TableFile::Format::tsv, {"text"}), ResultsError);
