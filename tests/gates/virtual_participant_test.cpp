@@ -39,14 +39,16 @@ ForceFeatures features_at(double value) {
   return features;
 }
 
-Expectations expectations_for(const Protocol& protocol) {
+ExpectationsByExploration expectations_for(const Protocol& protocol) {
+  ExpectationsByExploration by_exploration{};
   Expectations expectations{};
   double value = -6.0;
   for (const auto& [name, texture] : protocol.textures) {
     expectations[name] = features_at(value);
     value += 0.5;
   }
-  return expectations;
+  for (const auto& [name, exploration] : protocol.explorations) by_exploration[name] = expectations;
+  return by_exploration;
 }
 
 std::vector<std::size_t> answer_to(VirtualParticipant& participant, const Trial& trial,
@@ -95,7 +97,8 @@ TEST(VirtualParticipant, SaysWhereAnAnswerIsAGuess) {
     const auto source_of = [name](const std::function<void(json&)>& change, bool expects) {
       const Protocol protocol = library_protocol(name, change);
       VirtualParticipant participant(
-          protocol, expects ? expectations_for(protocol) : Expectations{}, {}, Random(5));
+          protocol, expects ? expectations_for(protocol) : ExpectationsByExploration{}, {},
+          Random(5));
       (void)answer_to(participant, make_plan(protocol, {5, 0}).trials.front(), 1);
       return participant.source();
     };
@@ -106,6 +109,26 @@ TEST(VirtualParticipant, SaysWhereAnAnswerIsAGuess) {
     EXPECT_EQ(source_of([](json& p) { p["observer"]["deaf"] = true; }, true), "virtual_guess")
         << name;
   }
+}
+
+// A surface that is pressed harder is expected to feel as it does when it is pressed harder.
+TEST(VirtualParticipant, ExpectsWhatTheExplorationOfTheTrialFeelsLike) {
+  const Protocol protocol = library_protocol("improved_matching", [](json& p) {
+    p["explorations"]["another"] = p["explorations"]["stroking"];
+  });
+  ExpectationsByExploration expectations = expectations_for(protocol);
+  const Trial trial = make_plan(protocol, {5, 0}).trials.front();
+  const auto answer = [&] {
+    VirtualParticipant participant(protocol, expectations, {}, Random(5));
+    return answer_to(participant, trial, 1);
+  };
+  const std::vector<std::size_t> first = answer();
+  expectations.erase("another");  // sorts before the exploration of the trial
+  EXPECT_EQ(answer(), first);
+  expectations.erase("stroking");
+  VirtualParticipant participant(protocol, expectations, {}, Random(5));
+  (void)answer_to(participant, trial, 1);
+  EXPECT_EQ(participant.source(), "virtual_guess");
 }
 
 // A question about the person or the session is answered by rote, not guessed.
@@ -124,7 +147,7 @@ ForceFeatures expected_of_noise(const std::filesystem::path& folder,
   const Protocol protocol = library_protocol("chapter_recognition", change);
   const ModelRegistry models = built_in_models();
   StimulusBuilder builder(models, folder);
-  return expectations_of(protocol, builder, Random(3)).at("metal");
+  return expectations_of(protocol, builder, Random(3)).at("stroking").at("metal");
 }
 
 // A Gaussian of 2 mm leaves 1 − exp(−½ (2/8.4)²) = 3 % of the waves in the first band, where the

@@ -79,13 +79,11 @@ std::set<std::string, std::less<>> body_models_of(const ModelRegistry& models) {
   return ids;
 }
 
-Expectations true_surfaces(const Protocol& protocol, StimulusBuilder& builder,
-                           const Random& random) {
+Expectations true_surfaces(const Protocol& protocol, const Exploration& exploration,
+                           StimulusBuilder& builder, const Random& random) {
   const auto on_bodies =
       stimuli_on_bodies(possible_trials(protocol), body_models_of(builder.models()));
-  const HandHabits habits = protocol.explorations.empty()
-                                ? HandHabits{}
-                                : habits_for(protocol.explorations.begin()->second, protocol.patch);
+  const HandHabits habits = habits_for(exploration, protocol.patch);
   Expectations expectations{};
   for (const auto& [name, texture] : protocol.textures) {
     const auto stimulus = on_bodies.find(name);
@@ -101,26 +99,31 @@ Expectations true_surfaces(const Protocol& protocol, StimulusBuilder& builder,
 
 }  // namespace
 
-Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
-                             const Random& random) {
-  Expectations expectations{};
-  using Source = ObserverDeclaration::Expectation;
-  switch (protocol.observer.expectation) {
-    case Source::none:
-      break;
-    case Source::prior:
-      for (const auto& [name, texture] : protocol.textures) {
-        if (texture.prior) expectations[name] = *texture.prior;
-      }
-      break;
-    case Source::true_surface:
-      expectations = true_surfaces(protocol, builder, random);
-      break;
+ExpectationsByExploration expectations_of(const Protocol& protocol, StimulusBuilder& builder,
+                                          const Random& random) {
+  Expectations stated{};
+  for (const auto& [name, texture] : protocol.textures) {
+    if (texture.prior) stated[name] = *texture.prior;
+  }
+  ExpectationsByExploration expectations{};
+  for (const auto& [name, exploration] : protocol.explorations) {
+    using Source = ObserverDeclaration::Expectation;
+    switch (protocol.observer.expectation) {
+      case Source::none:
+        break;
+      case Source::prior:
+        expectations[name] = stated;
+        break;
+      case Source::true_surface:
+        expectations[name] = true_surfaces(protocol, exploration, builder, random);
+        break;
+    }
   }
   return expectations;
 }
 
-VirtualParticipant::VirtualParticipant(const Protocol& protocol, Expectations expectations,
+VirtualParticipant::VirtualParticipant(const Protocol& protocol,
+                                       ExpectationsByExploration expectations,
                                        ParticipantRow person, const Random& random)
     : protocol_(protocol),
       expectations_(std::move(expectations)),
@@ -143,6 +146,8 @@ void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0);
 Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion> page,
                               std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
                               const Wait& wait) {
+  static const Expectations kNone{};
+  const auto expected = expectations_.find(exploration_of(protocol_, trial).name);
   std::optional<double> left_s = deadline_s;
   bool is_guess = false;
   GivenAnswers given{};
@@ -160,14 +165,15 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion>
     wait(thinking_s);
     if (left_s) left_s = *left_s - thinking_s;
     const ExperimentKind& kind = *kind_of_question(kind_named(trial.kind), question.form);
-    VirtualResponse judged = kind.judge({.protocol = protocol_,
-                                         .trial = trial,
-                                         .question = question,
-                                         .felt = felt,
-                                         .expectations = expectations_,
-                                         .observer = observer,
-                                         .of_attempt = random,
-                                         .of_participant = random_});
+    VirtualResponse judged =
+        kind.judge({.protocol = protocol_,
+                    .trial = trial,
+                    .question = question,
+                    .felt = felt,
+                    .expectations = expected == expectations_.end() ? kNone : expected->second,
+                    .observer = observer,
+                    .of_attempt = random,
+                    .of_participant = random_});
     is_guess = is_guess || judged.is_guess;
     given.push_back({std::move(judged.answer), {}});
   }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +15,12 @@
 
 namespace asperity {
 
-/// The expectations of one virtual participant under a protocol's declaration.
+/// By the name of an exploration: what a texture feels like depends on the force and the speed of the hand.
+using ExpectationsByExploration = std::map<std::string, Expectations, std::less<>>;
+
+/// The expectations of one virtual participant under a protocol's declaration, for every exploration of the protocol.
 ///
-/// For `true_surface` the true height field of each texture is felt once, by the same kind of hand
+/// For `true_surface` the true height field of each texture is felt once in each exploration, by the same kind of hand
 /// on another stroke with another seed, through the unmodified law of `height_map` at its defaults:
 /// never through a renderer of the session. Where the declaration gives a `gaussian_wavelength_m`,
 /// the long waves are first removed from the true heights, as a photograph's heights lack them; the
@@ -26,11 +31,12 @@ namespace asperity {
 /// with another seed, with its complete bodies, through its own model at that model's defaults.
 ///
 /// For `prior` the expectations are those stated in the protocol.
-Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
-                             const Random& random);
+ExpectationsByExploration expectations_of(const Protocol& protocol, StimulusBuilder& builder,
+                                          const Random& random);
 
-/// Answers as a VirtualObserver judges. Every attempt has a separate random stream, so that a
-/// session that was interrupted and resumed gives the same answers as an uninterrupted one.
+/// Answers as a VirtualObserver judges, with the expectations for the exploration of the trial. Every
+/// attempt has a separate random stream, so that a session that was interrupted and resumed gives the
+/// same answers as an uninterrupted one.
 ///
 /// Where there is no expectation (no truth and no prior) or the observer is deaf, the answer is a
 /// guess among the open surfaces or pictures; "I cannot tell" is never answered. `source` is
@@ -44,8 +50,8 @@ Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
 /// Virtual results test the software and are no evidence of which model participants prefer.
 class VirtualParticipant final : public Respondent {
  public:
-  VirtualParticipant(const Protocol& protocol, Expectations expectations, ParticipantRow person,
-                     const Random& random);
+  VirtualParticipant(const Protocol& protocol, ExpectationsByExploration expectations,
+                     ParticipantRow person, const Random& random);
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial&, const PlannedPresentation&) override {}
@@ -59,7 +65,7 @@ class VirtualParticipant final : public Respondent {
 
  private:
   const Protocol& protocol_;
-  Expectations expectations_{};
+  ExpectationsByExploration expectations_{};
   ParticipantRow person_{};
   Random random_;
   Random attempt_random_;
