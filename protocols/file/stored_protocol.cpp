@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "protocols/answers/scale_form.h"
 #include "protocols/file/protocol_from_json.h"
 
 namespace asperity {
@@ -194,13 +195,17 @@ void write_options_alike(Json& protocol) {
 StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
   const Json& scale = member_of(asked, "scale");
   const std::vector<std::string> labels = texts_in(scale, "labels");
+  const auto end_of = [&scale](const char* key, double if_missing) -> std::optional<double> {
+    if (!scale.is_object()) return std::nullopt;
+    return number_at(scale, key).value_or(if_missing);
+  };
   return {.name = text_in(asked, "name"),
           .prompt = text_in(asked, "prompt"),
           .has_scale = scale.is_object(),
           .low_label = labels.empty() ? std::string() : labels.front(),
           .high_label = labels.empty() ? std::string() : labels.back(),
-          .minimum = number_at(scale, "minimum"),
-          .maximum = number_at(scale, "maximum"),
+          .minimum = end_of("minimum", ScaleForm{}.minimum),
+          .maximum = end_of("maximum", ScaleForm{}.maximum),
           .points = number_at(scale, "points")};
 }
 

@@ -43,6 +43,14 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
   EXPECT_THAT(read.estimation->conditions, ElementsAre("small", "large"));
 }
 
+TEST(StoredProtocol, GivesAScaleTheEndsThatItHasWhereNoneAreStated) {
+  const StoredProtocol read = stored_protocol(
+      R"({"kind": "rating", "blocks": {"only": {"question": {"name": "rough", "scale": {}}}}})");
+  const StoredProtocol::TrialQuestion& asked = read.blocks.at("only").questions.front();
+  EXPECT_EQ(asked.minimum, 0.0);
+  EXPECT_EQ(asked.maximum, 100.0);
+}
+
 TEST(StoredProtocol, ReadsSpacingsOfTexturesAndOfNumbers) {
   const auto spacings = [](const std::string& levels) {
     return stored_protocol(R"({"estimation": {"spacing": "s"}, "factors": {"s": {"levels": )" +
