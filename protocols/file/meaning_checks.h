@@ -102,6 +102,8 @@ class Meaning final : private ProblemSink {
   bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
   void check_pictures(const Protocol::Block& block, const Protocol::TrialQuestionTemplate& question,
                       const std::string& place);
+  void check_same_form(const Protocol::Block& block,
+                       const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_same_scale(const Protocol::Block& block,
                         const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_scale(const Protocol::TrialQuestionTemplate& question, const std::string& place);

@@ -42,6 +42,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     }
     check_pictures(block, question, place);
     check_scale(question, place);
+    check_same_form(block, question, place);
     check_same_scale(block, question, place);
     const ExperimentKind* const of_question = kind_of_question(kind, question.form);
     if (of_question == &kind) ++own;
@@ -143,6 +144,22 @@ void Meaning::check_pictures(const Block& block, const TrialQuestionTemplate& qu
     report(of_trial + "/pictures_after_feeling",
            "a participant who may return to a surface feels it with the pictures in view; set "
            "allow_revisit to false");
+  }
+}
+
+/// Responses are stored, exported and analysed by the name of their question.
+void Meaning::check_same_form(const Block& block, const TrialQuestionTemplate& question,
+                              const std::string& place) {
+  if (block.phase != Phase::main) return;
+  for (const auto& [name, other] : protocol_.blocks) {
+    if (other.phase != Phase::main || name >= block.name) continue;
+    for (const TrialQuestionTemplate& earlier : other.questions) {
+      if (earlier.name != question.name || earlier.form.index() == question.form.index()) continue;
+      report(place + "/name", "the block " + in_quotes(name) + " asks " + in_quotes(question.name) +
+                                  " as a " + std::string(name_of(earlier.form)) +
+                                  ", and responses to both would be exported as one variable; give "
+                                  "one of the questions another name");
+    }
   }
 }
 

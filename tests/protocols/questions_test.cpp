@@ -44,6 +44,14 @@ Protocol valid_protocol(const json& protocol) {
   return reading.protocol.value();
 }
 
+TEST(Questions, OfOneNameHaveOneFormInAllMainBlocks) {
+  json protocol = attributes();
+  const std::string scale = protocol["blocks"]["ratings"]["questions"][0]["name"];
+  protocol["blocks"]["recognition"]["question"]["name"] = scale;
+  EXPECT_THAT(problem_at(protocol, "/blocks/recognition/question/name"),
+              HasSubstr("give one of the questions another name"));
+}
+
 TEST(Questions, ArePlannedInEveryTrialOfTheirBlock) {
   const Plan plan = make_plan(valid_protocol(attributes()), {1, 0});
   std::set<std::string> first{};
