@@ -61,6 +61,7 @@ int number_in_label(const std::string& label) {
 struct Batches {
   std::optional<Batch> begun{};  ///< the latest of the same seed and number of participants
   int of_seed = 0;               ///< participants of simulations with the same seed
+  int asked_of_seed = 0;         ///< the requested number of the latest of these simulations
   int largest_number = 0;    ///< at least that of every virtual participant, deleted ones included
   int deleted = 0;           ///< virtual participants of whom only the deletion is recorded
   bool any_virtual = false;  ///< deleted ones included
@@ -84,6 +85,7 @@ Batches batches_in(const Study& study, const SimulationInputs& inputs) {
     there.largest_number = std::max(there.largest_number, batch->first + batch->participants - 1);
     if (batch->seed != inputs.seed) continue;
     ++there.of_seed;
+    there.asked_of_seed = batch->participants;
     if (batch->participants == inputs.participants) there.begun = batch;  // labels are in order
   }
   // Numbers are assigned in order from 1, so that none is larger than the number of participants
@@ -106,11 +108,14 @@ Batch choose_batch(const Batches& there, const SimulationInputs& inputs) {
   if (!inputs.resume) return {inputs.seed, there.largest_number + 1, inputs.participants};
   if (there.begun) return *there.begun;
   if (!there.any_virtual) return {inputs.seed, 1, inputs.participants};
-  throw std::runtime_error("there is nothing to resume in " + inputs.study.string() +
-                           ": it has no participant of a simulation with --participants " +
-                           std::to_string(inputs.participants) + " and --seed " +
-                           std::to_string(inputs.seed) + deleted_text(there.deleted) +
-                           "; leave out --resume to begin this simulation");
+  throw std::runtime_error(
+      "there is nothing to resume in " + inputs.study.string() +
+      ": it has no participant of a simulation with --participants " +
+      std::to_string(inputs.participants) + " and --seed " + std::to_string(inputs.seed) +
+      deleted_text(there.deleted) +
+      (there.of_seed > 0 ? "; with this seed it has a simulation with --participants " +
+                               std::to_string(there.asked_of_seed) + ": resume it with this number"
+                         : std::string("; leave out --resume to begin this simulation")));
 }
 
 /// Sessions of a participant with exactly this protocol, in order.
