@@ -917,7 +917,7 @@ TEST(StudyTests, ClaimNothingOfATestOutsideTheFamily) {
   EXPECT_THAT(question_of(outcome, "textures").answer.english(),
               testing::StartsWith("Test of equal proportions of new with every texture:"));
   EXPECT_THAT(question_of(outcome, "preference").answer.english(),
-              HasSubstr(", the only confirmatory test"));
+              HasSubstr(", the only test of its family"));
 }
 
 TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {

@@ -135,7 +135,7 @@ TEST_F(ComparedGroups, AreConfirmatoryWhereTheProtocolDeclaresThem) {
   add("recognition", grouped_source(R"("haptic", "visual")", R"({"family": ["groups"]})"),
       kTwoGroups);
   EXPECT_THAT(answer("groups"), StartsWith("Yes: the mean proportion correct is 88 %"));
-  EXPECT_THAT(answer("groups"), HasSubstr("p = .029, the only confirmatory test"));
+  EXPECT_THAT(answer("groups"), HasSubstr("p = .029, the only test of its family"));
   EXPECT_THAT(sentences(),
               ElementsAre(StartsWith("The mean proportion correct was significantly higher in the "
                                      "group haptic than in the group visual: permutation test")));

@@ -145,7 +145,7 @@ Phrase p_text(const StudyTest& test) {
   const Phrase how = test.adjusted && !test.is_alone_in_family
                          ? phrase("Analysis", "%1, Holm-corrected")
                      : test.adjusted && test.role == TestRole::confirmatory
-                         ? phrase("Analysis", "%1, the only confirmatory test")
+                         ? phrase("Analysis", "%1, the only test of its family")
                          : phrase("Analysis", "%1, uncorrected");
   const Phrase text = how.with(reading_p(p));
   const std::optional<double> smallest = test.unattainable_p();

@@ -780,8 +780,8 @@
         <translation>%1, unkorrigiert</translation>
     </message>
     <message>
-        <source>%1, the only confirmatory test</source>
-        <translation>%1, der einzige konfirmatorische Test</translation>
+        <source>%1, the only test of its family</source>
+        <translation>%1, der einzige Test seiner Familie</translation>
     </message>
     <message>
         <source>%1, Holm-corrected</source>

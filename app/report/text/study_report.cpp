@@ -90,9 +90,9 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
   }
   ReportTable table{};
   table.title = "Protocols and participants";
-  table.columns = {
-      {"protocol", false}, {"kind", false},     {"group", false},   {"participants", true},
-      {"sessions", true},  {"completed", true}, {"attempts", true}, {"responses counted", true}};
+  table.columns = {{"protocol", false},    {"kind", false},           {"group", false},
+                   {"participants", true}, {"sessions", true},        {"completed", true},
+                   {"attempts", true},     {"attempts counted", true}};
   std::set<AnswerGroup> groups{};
   for (const ReportFacts& facts : all) {
     groups.insert(facts.group);
@@ -106,7 +106,7 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
                           reading_count(facts.sessions.size()), std::to_string(completed),
                           reading_count(facts.attempts), reading_count(facts.counted)});
   }
-  table.note = "Attempts and responses are those of the main phase.";
+  table.note = "Attempts are those of the main phase.";
   std::string text =
       all.size() == 1 ? "The study has one set of sessions; its heading indicates simulated data "
                         "and pilot sessions."
