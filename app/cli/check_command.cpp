@@ -19,6 +19,7 @@
 #include "app/cli/terminal.h"
 #include "app/device_bench/compared_device.h"
 #include "app/session/rig/clock.h"
+#include "app/tasks/force_doubts.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/texture_doubts.h"
 #include "app/words/shell_word.h"
@@ -141,6 +142,10 @@ void doubts_of_study(ProtocolCheck& check, const std::filesystem::path& study,
     doubts.push_back(std::move(doubt));
   }
   for (Diagnostic& doubt : rehearsed.doubts) doubts.push_back(std::move(doubt));
+  if (!check.diagnostics.empty()) return;
+  for (Diagnostic& doubt : doubts_about_forces(*check.protocol, check.file, builder)) {
+    doubts.push_back(std::move(doubt));
+  }
 }
 
 }  // namespace

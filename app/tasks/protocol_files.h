@@ -47,7 +47,6 @@ std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& fi
 /// contact, with the texture and, for `fine_detail`, both numbers. The stroke continues for 20 ms
 /// after the first contact: violations in other places or under a pressing hand are not
 /// reported.
-/// in other places or under a hand that presses is not reported.
 struct RehearsedStimuli {
   std::vector<Diagnostic> problems{};
   std::vector<Diagnostic> doubts{};

@@ -1,0 +1,85 @@
+#include "app/tasks/force_doubts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "analysis/number_text.h"
+#include "device/probe_state.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/file/json_document.h"
+#include "protocols/plan/plan.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kPlaces = 16;
+constexpr int kDepths = 200;
+constexpr double kLeastDepth_m = 0.02;
+constexpr double kReached = 0.99;  // within the differences between places of a texture
+
+/// The greatest mean normal force over the places, among all depths.
+double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& protocol) {
+  const SurfacePatch& patch = stimulus.inputs.patch;
+  const double deepest_m =
+      std::max(kLeastDepth_m, protocol.force_limit_N / stimulus.inputs.material.stiffness_N_per_m);
+  const double radius_m = 0.25 * std::min(patch.extent_m.x, patch.extent_m.y);
+  std::vector<double> sums_N(kDepths, 0.0);
+  for (std::size_t place = 0; place < kPlaces; ++place) {
+    const std::unique_ptr<ForceRenderer> renderer = make_renderer(*stimulus.model, stimulus.inputs);
+    const double angle_rad = 2.0 * std::numbers::pi * static_cast<double>(place) / kPlaces;
+    ProbeState probe{};
+    probe.position_m = patch.centre_m +
+                       glm::dvec3(place == 0 ? 0.0 : radius_m * std::cos(angle_rad),
+                                  place == 0 ? 0.0 : radius_m * std::sin(angle_rad), kLeastDepth_m);
+    renderer->reset(probe);
+    for (int i = 0; i < kDepths; ++i) {
+      probe.time_ns = std::llround(1e9 * (i + 1) / protocol.rate_Hz);
+      probe.position_m.z = patch.centre_m.z - deepest_m * (i + 1) / kDepths;
+      sums_N[static_cast<std::size_t>(i)] +=
+          renderer->tick(probe, 1.0 / protocol.rate_Hz).wrench.force_N.z;
+    }
+  }
+  return *std::max_element(sums_N.begin(), sums_N.end()) / static_cast<double>(kPlaces);
+}
+
+}  // namespace
+
+std::vector<Diagnostic> doubts_about_forces(const Protocol& protocol, const std::string& file_name,
+                                            StimulusBuilder& builder) {
+  const JsonDocument document(protocol.source, file_name);
+  std::vector<Diagnostic> doubts{};
+  std::set<std::string> compared{};
+  std::set<std::string> reported{};  // one texture stands for the others of a stimulus
+  for (const Trial& trial : possible_trials(protocol)) {
+    const Exploration& exploration = exploration_of(protocol, trial);
+    const Band& band = exploration.normal_force_N;
+    const std::optional<double> requested_N = band.target ? band.target : band.minimum;
+    if (!requested_N) continue;
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const StimulusDescription& stimulus = planned.stimulus;
+      if (stimulus.surface || stimulus.tool) continue;
+      if (!compared.insert(stimulus.name + '\n' + exploration.name).second) continue;
+      const std::string where = planned.stimulus_template + '\n' + exploration.name;
+      if (reported.contains(where)) continue;
+      const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol);
+      if (largest_N >= kReached * *requested_N) continue;
+      reported.insert(where);
+      doubts.push_back(document.at(
+          pointer_to("/stimuli", planned.stimulus_template),
+          "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
+              " N at rest, but the exploration \"" + exploration.name + "\" requests " +
+              number_text(*requested_N) +
+              " N: the force would be constant and without texture; raise the stiffness or the "
+              "parameter that limits the depth, or request less force"));
+    }
+  }
+  return doubts;
+}
+
+}  // namespace asperity
