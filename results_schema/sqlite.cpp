@@ -52,7 +52,7 @@ std::string meaning_of(int code) {
       return "the log next to study.sqlite does not match its index; close the programs that use "
              "the study, then open it again with write access to its folder";
     case SQLITE_CONSTRAINT:
-      return "the row violates a rule of the table";
+      return "the row violates a constraint of the table; run asperity verify on the study";
     default:
       return "the database reported an error";
   }

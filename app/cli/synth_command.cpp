@@ -73,7 +73,8 @@ void add_synth(CLI::App& program, Job& job) {
           surfaces.begin(), surfaces.end(),
           [&](const SurfaceDeclaration& candidate) { return candidate.kind == options->kind; });
       if (surface == surfaces.end()) {
-        std::string sentence = "there is no kind of surface \"" + options->kind + "\"; there are:";
+        std::string sentence =
+            "there is no kind of surface \"" + options->kind + "\"; choose one of:";
         for (const SurfaceDeclaration& candidate : surfaces) sentence += ' ' + candidate.kind;
         throw std::runtime_error(sentence);
       }

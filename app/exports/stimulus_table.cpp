@@ -72,7 +72,7 @@ Columns StimulusTable::columns() {
   add("height_field_range_m", "number", "m",
       "difference between the greatest and the smallest height", kNoFile);
   add("height_field_dominant_wavelength_m", "number", "m",
-      "wavelength with the greatest power per third of an octave, in any direction",
+      "dominant wavelength: of the third-octave band with the greatest power, over all directions",
       "no height field is involved, its file in the study is missing or changed, or the height "
       "field is a plane");
   add("presentations", "integer", "1", "number of presentations");

@@ -493,7 +493,8 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
         const SimulatedDevice simulated(hand, *settings);
         for (const Phrase& complaint :
              complaints_about_device(*check.protocol, simulated.capability())) {
-          whole_file(complaint.english());
+          whole_file(complaint.english() +
+                     "; choose another device, or lower the requirement in the protocol");
         }
       } else {
         require_driver(*device);  // the device is not opened: it may be on another machine

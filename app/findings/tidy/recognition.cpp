@@ -230,7 +230,7 @@ class Recognition final {
                                     .high = choice.dprime(wilson.high)};
     const double dprime = choice.dprime(proportion(right_));
     Basis estimate = of_trials(
-        "d′ of m alternatives without response bias; interval from the Wilson limits of pc; n: "
+        "d′ for m alternatives without response bias; interval from the Wilson limits of pc; n: "
         "number of responses");
     estimate.interval = limits;
     estimate.confidence = confidence_;

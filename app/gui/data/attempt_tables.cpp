@@ -145,7 +145,7 @@ QString limit_words(const std::string& kind) {
   }
   if (kind == "too_deep") {
     return MeasureTables::tr(
-        "a contact was deeper or steeper than the bodies support, and was limited");
+        "a contact was deeper than the bodies are thick, or steeper than 60°, and was limited");
   }
   return text(kind).replace('_', ' ');
 }

@@ -7590,8 +7590,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Takte</translation>
     </message>
     <message>
-        <source>a contact was deeper or steeper than the bodies support, and was limited</source>
-        <translation>ein Kontakt war tiefer oder steiler, als die Körper zulassen, und wurde begrenzt</translation>
+        <source>a contact was deeper than the bodies are thick, or steeper than 60°, and was limited</source>
+        <translation>ein Kontakt war tiefer, als die Körper dick sind, oder steiler als 60°, und wurde begrenzt</translation>
     </message>
     <message>
         <source>missed deadlines in contact</source>
@@ -10939,8 +10939,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Ortsfrequenz, 1/mm</translation>
     </message>
     <message>
-        <source>Power, µm² mm</source>
-        <translation>Leistung, µm² mm</translation>
+        <source>Power spectral density, µm² mm</source>
+        <translation>Leistungsdichte, µm² mm</translation>
     </message>
     <message>
         <source>Force</source>

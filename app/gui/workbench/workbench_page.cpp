@@ -173,7 +173,7 @@ QWidget* WorkbenchPage::make_workspace() {
                               .y = tr("Height, µm")},
                              {.heading = tr("Spectrum of the profile"),
                               .x = tr("Spatial frequency, 1/mm"),
-                              .y = tr("Power, µm² mm"),
+                              .y = tr("Power spectral density, µm² mm"),
                               .x_scale = PlotScale::logarithmic,
                               .y_scale = PlotScale::logarithmic},
                              plots_);
