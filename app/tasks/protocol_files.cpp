@@ -261,13 +261,13 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
                finest_wave_m(*stimulus.inputs.surface, number_of(own, "texture_gain")));
   const double cell_m = number_of(own, "cell_m");
   if (!(kSamplesPerWave * cell_m > finest_m)) return {};
-  return ": its finest wavelength is " + micrometres_text(finest_m) + ", and samples of " +
+  return ": its shortest wavelength is " + micrometres_text(finest_m) + ", and samples of " +
          micrometres_text(cell_m) + " (cell_m) represent wavelengths of " +
          micrometres_text(kSamplesPerWave * cell_m) +
          " and longer; use a texture without finer wavelengths, or a cell_m of " +
          micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)) +
          " or less, which takes longer to render. A step at the seam of a repeated tile counts as "
-         "the finest wavelength";
+         "the shortest wavelength";
 }
 
 struct LimitBeyond {

@@ -196,8 +196,8 @@ void Meaning::check_scale(const TrialQuestionTemplate& question, const std::stri
   }
   const std::string at = place + "/scale";
   if (scale->minimum >= scale->maximum) {
-    report(at, "the scale ends at " + digits(scale->maximum) +
-                   ", which is not above its beginning, " + digits(scale->minimum) +
+    report(at, "the maximum of the scale, " + digits(scale->maximum) +
+                   ", must be greater than its minimum, " + digits(scale->minimum) +
                    "; raise \"maximum\"");
   }
   const std::size_t labels = scale->labels.size();

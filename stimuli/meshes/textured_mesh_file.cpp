@@ -131,7 +131,8 @@ class Reader final {
     stored.provenance.source_triangles = whole(provenance, "source_triangles");
     stored.provenance.program_version = text(provenance, "program_version");
     const auto findings = provenance.find("findings");
-    if (findings == provenance.end() || !findings->is_array()) refuse("needs a list findings.");
+    if (findings == provenance.end() || !findings->is_array())
+      refuse("needs a list provenance/findings in its first line.");
     for (const Json& finding : *findings) {
       if (!finding.is_string()) refuse("has a finding that is not a text.");
       stored.provenance.findings.push_back(finding.get<std::string>());

@@ -170,7 +170,7 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
   }
   if (facts.channels != 1 && facts.channels != 3) {
     file.refuse("is a JPEG with " + std::to_string(facts.channels) +
-                " colour channels (print colours); save it as grey or RGB.");
+                " colour channels (probably CMYK); save it as greyscale or RGB.");
   }
   return facts;
 }
@@ -241,7 +241,7 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
   }
   if (facts.channels < 1 || facts.channels > 4) {
     file.refuse("is a TIFF with " + std::to_string(facts.channels) +
-                " channels; save it with 1 to 4 (grey or colour, with or without alpha).");
+                " channels; save it with 1 to 4 (greyscale or colour, with or without alpha).");
   }
   if (offsets.count == 0 || offsets.count != lengths.count) file.refuse_cut_off();
   for (std::size_t i = 0; i < offsets.count; ++i) {

@@ -262,7 +262,7 @@ std::span<const CoveragePart> scale_parts() {
       CoveragePart{.name = "magnitudes",
                    .model = "seven spacings; the logarithm of an estimate is a parabola of the "
                             "logarithm of the spacing, with each participant's own coefficients",
-                   .effect = "mean coefficient of the square",
+                   .effect = "mean quadratic coefficient",
                    .spread = "SD of the coefficients",
                    .settings = kOfCurves,
                    .draw = draw_estimates,

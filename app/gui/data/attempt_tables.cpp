@@ -130,7 +130,7 @@ QString limit_words(const std::string& kind) {
   }
   if (kind == "fast") {
     return MeasureTables::tr(
-        "the tool moved by more than half of the finest wavelength in one tick");
+        "the tool moved by more than half of the shortest wavelength in one tick");
   }
   if (kind == "coarse_window") {
     return MeasureTables::tr("a contact was too wide for the requested step");

@@ -7566,7 +7566,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>das feinste Detail der Textur war zu fein für die Abtastung</translation>
     </message>
     <message>
-        <source>the tool moved by more than half of the finest wavelength in one tick</source>
+        <source>the tool moved by more than half of the shortest wavelength in one tick</source>
         <translation>das Werkzeug bewegte sich in einem Takt um mehr als die halbe feinste Wellenlänge</translation>
     </message>
     <message>

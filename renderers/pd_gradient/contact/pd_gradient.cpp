@@ -264,8 +264,8 @@ std::vector<Parameter> parameters() {
        .meaning = "hard: the largest depth and central differences, as in the source; smooth: a "
                   "soft maximum and its exact gradient, a different force"},
       number("step_m", "m", 1e-6, 5e-3, 1e-4,
-             "Hard maximum only: how far the tool is moved either way for a difference; 1, 2, 4 or "
-             "8 cells, and at most an eighth of the finest wavelength"),
+             "Hard maximum only: displacement of the tool for a finite difference; 1, 2, 4 or "
+             "8 cells, and at most an eighth of the shortest wavelength"),
       number("tau_m", "m", 1e-6, 1e-3, 2e-5,
              "Smooth maximum only: heights within a few tau of the highest contribute together"),
       number("cell_m", "m", 1e-6, 5e-3, 1e-4, "Spacing of the samples of a contact"),

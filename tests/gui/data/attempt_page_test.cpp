@@ -363,7 +363,8 @@ TEST_F(DataView, ShowsWhatTheForceModelCountedWhereItDoes) {
   ASSERT_EQ(limits.shown_rows(), 3);
   EXPECT_EQ(limits.text_at(0, 2), "900");
   EXPECT_EQ(limits.text_at(0, 3), "");  // how long it was touched is no limit
-  EXPECT_TRUE(limits.text_at(1, 1).contains("finest wave")) << limits.text_at(1, 1).toStdString();
+  EXPECT_TRUE(limits.text_at(1, 1).contains("shortest wavelength"))
+      << limits.text_at(1, 1).toStdString();
   EXPECT_EQ(limits.text_at(1, 2), "12");
   EXPECT_TRUE(limits.text_at(1, 3).contains("check"));
   EXPECT_TRUE(limits.text_at(2, 3).contains("fine"));
