@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
 #include "app/findings/study/crossed_textures.h"
 #include "app/findings/study/judged_answers.h"
 #include "app/findings/study/kinds/recognition_analysis.h"
@@ -152,11 +153,12 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
   const bool enough =
       found.find("IT.N.enough") != nullptr && found.find("IT.N.enough")->word == "TRUE";
   const double shown = std::clamp(*bits->value, 0.0, *of);
-  const Phrase sensitivity = dprime != nullptr && dprime->value && dprime->low && dprime->high
-                                 ? phrase("Analysis", "d′ = %1, 95 % CI [%2, %3], n = %4 responses")
-                                       .with(fixed(*dprime->value, 2), fixed(*dprime->low, 2),
-                                             fixed(*dprime->high, 2), std::to_string(dprime->n))
-                                 : phrase("Analysis", "d′ has no finite value");
+  const Phrase sensitivity =
+      dprime != nullptr && dprime->value && dprime->low && dprime->high
+          ? phrase("Analysis", "d′ = %1, 95 % CI [%2, %3], n = %4 responses")
+                .with(reading_signed(*dprime->value, 2), reading_signed(*dprime->low, 2),
+                      reading_signed(*dprime->high, 2), std::to_string(dprime->n))
+          : phrase("Analysis", "d′ has no finite value");
   const Phrase answer =
       enough ? phrase("Analysis",
                       "Transmitted information about the texture presented, bias-corrected: %1 of "
