@@ -30,8 +30,8 @@ double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& 
       std::max(kLeastDepth_m, protocol.force_limit_N / stimulus.inputs.material.stiffness_N_per_m);
   const double radius_m = 0.25 * std::min(patch.extent_m.x, patch.extent_m.y);
   std::vector<double> sums_N(kDepths, 0.0);
+  const std::unique_ptr<ForceRenderer> renderer = make_renderer(*stimulus.model, stimulus.inputs);
   for (std::size_t place = 0; place < kPlaces; ++place) {
-    const std::unique_ptr<ForceRenderer> renderer = make_renderer(*stimulus.model, stimulus.inputs);
     const double angle_rad = 2.0 * std::numbers::pi * static_cast<double>(place) / kPlaces;
     ProbeState probe{};
     probe.position_m = patch.centre_m +

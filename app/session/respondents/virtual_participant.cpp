@@ -80,9 +80,8 @@ std::set<std::string, std::less<>> body_models_of(const ModelRegistry& models) {
 }
 
 Expectations true_surfaces(const Protocol& protocol, const Exploration& exploration,
+                           const std::map<std::string, StimulusDescription, std::less<>>& on_bodies,
                            StimulusBuilder& builder, const Random& random) {
-  const auto on_bodies =
-      stimuli_on_bodies(possible_trials(protocol), body_models_of(builder.models()));
   const HandHabits habits = habits_for(exploration, protocol.patch);
   Expectations expectations{};
   for (const auto& [name, texture] : protocol.textures) {
@@ -105,9 +104,13 @@ ExpectationsByExploration expectations_of(const Protocol& protocol, StimulusBuil
   for (const auto& [name, texture] : protocol.textures) {
     if (texture.prior) stated[name] = *texture.prior;
   }
+  using Source = ObserverDeclaration::Expectation;
+  std::map<std::string, StimulusDescription, std::less<>> on_bodies{};
+  if (protocol.observer.expectation == Source::true_surface) {
+    on_bodies = stimuli_on_bodies(possible_trials(protocol), body_models_of(builder.models()));
+  }
   ExpectationsByExploration expectations{};
   for (const auto& [name, exploration] : protocol.explorations) {
-    using Source = ObserverDeclaration::Expectation;
     switch (protocol.observer.expectation) {
       case Source::none:
         break;
@@ -115,7 +118,7 @@ ExpectationsByExploration expectations_of(const Protocol& protocol, StimulusBuil
         expectations[name] = stated;
         break;
       case Source::true_surface:
-        expectations[name] = true_surfaces(protocol, exploration, builder, random);
+        expectations[name] = true_surfaces(protocol, exploration, on_bodies, builder, random);
         break;
     }
   }
