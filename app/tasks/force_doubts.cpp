@@ -10,8 +10,7 @@
 
 #include "analysis/number_text.h"
 #include "device/probe_state.h"
-#include "protocols/design/json_pointer.h"
-#include "protocols/file/json_document.h"
+#include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -52,7 +51,6 @@ double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& 
 
 std::vector<Diagnostic> doubts_about_forces(const Protocol& protocol, const std::string& file_name,
                                             StimulusBuilder& builder) {
-  const JsonDocument document(protocol.source, file_name);
   std::vector<Diagnostic> doubts{};
   std::set<std::string> compared{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
@@ -70,13 +68,13 @@ std::vector<Diagnostic> doubts_about_forces(const Protocol& protocol, const std:
       const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol);
       if (largest_N >= kReached * *requested_N) continue;
       reported.insert(where);
-      doubts.push_back(document.at(
-          pointer_to("/stimuli", planned.stimulus_template),
+      doubts.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
+      doubts.back().message =
           "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
-              " N at rest, but the exploration \"" + exploration.name + "\" requests " +
-              number_text(*requested_N) +
-              " N: the force would be constant and without texture; raise the stiffness or the "
-              "parameter that limits the depth, or request less force"));
+          " N at rest, but the exploration \"" + exploration.name + "\" requests " +
+          number_text(*requested_N) +
+          " N: the force would be constant and without texture; raise the stiffness or the "
+          "parameter that limits the depth, or request less force";
     }
   }
   return doubts;
