@@ -1,4 +1,4 @@
-// What chooses the levels of a track from the answers so far, as a value, and the registry of all procedures.
+// What chooses the levels of a track from the responses so far, as a value, and the registry of all procedures.
 
 #pragma once
 

@@ -173,7 +173,7 @@ std::span<const CoveragePart> difference_parts() {
   static const std::array kParts{
       CoveragePart{.name = "equivalence",
                    .model = "proportions correct of two groups of half the participants each, "
-                            "whose means differ by the margin of equivalence, .1; a participant's "
+                            "whose means differ by the equivalence margin, .1; a participant's "
                             "logit of a correct response is normal",
                    .effect = "mean proportion correct in the first group",
                    .spread = "SD of the logits",
@@ -184,7 +184,7 @@ std::span<const CoveragePart> difference_parts() {
                    .tests = equivalence_tests},
       CoveragePart{.name = "differences",
                    .model = "pairs of measurements, each the mean over the trials; a participant's "
-                            "shift is normal, the margin of equivalence is its mean",
+                            "shift is normal, the equivalence margin is its mean",
                    .effect = "mean shift; 0: without a margin",
                    .spread = "SD of the shifts",
                    .settings = kOfShifts,

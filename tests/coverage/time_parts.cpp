@@ -156,9 +156,10 @@ std::span<const CoveragePart> time_parts() {
       CoveragePart{.name = "response_times",
                    .model =
                        "two textures in turn, one trial in twenty without a response time; the "
-                       "logarithm of a response time is a participant's normal level, with "
-                       "their own delay of one texture, plus a normal and an exponential part",
-                   .effect = "mean of the exponential part",
+                       "logarithm of a response time is the sum of the participant's level, the "
+                       "participant's delay for one texture (both normal), and an ex-Gaussian "
+                       "residual",
+                   .effect = "mean of the exponential component",
                    .spread = "SD of the levels, twice that of the delays",
                    .settings = kOfSkews,
                    .draw = draw_times,
@@ -167,9 +168,9 @@ std::span<const CoveragePart> time_parts() {
                    .tests = no_tests},
       CoveragePart{.name = "learning_times",
                    .model = "the power law of practice: the logarithm of a response time falls "
-                            "with that of the number of the trial by a participant's normal "
-                            "exponent, plus a normal and an exponential part; the participants' "
-                            "levels always differ",
+                            "with that of the trial number by a participant's normal exponent, "
+                            "with an ex-Gaussian residual; the participants' levels always "
+                            "differ",
                    .effect = "mean exponent",
                    .spread = "SD of the exponents",
                    .settings = kOfPractice,
