@@ -18,9 +18,9 @@ namespace asperity {
 /// push the hand into the next valley). `local_normal`: n is the unit normal of the grating, (−∂h/∂x, −∂h/∂y, 1)/√(1 +
 /// |∇h|²) (F_vec). F_n = k·w in both.
 ///
-/// [Wu 2009] gives neither A nor L. A texture sample suggests A = √2·RMS of its heights, which gives the grating the
-/// sample's RMS, and L = the sample's dominant wavelength; a plane has no dominant wavelength and leaves L at its
-/// default.
+/// [Wu 2009] gives neither A nor L. The values suggested for a texture sample are A = √2·RMS of its heights, which
+/// gives the grating the sample's RMS, and L = the sample's dominant wavelength; a plane has no dominant wavelength and
+/// leaves L at its default.
 ///
 /// Limits: one direction, one wavelength, no saturation with depth.
 ///

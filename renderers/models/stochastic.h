@@ -23,8 +23,8 @@ namespace asperity {
 /// The normal force never pulls: where the noise exceeds k·w, the force is zero. This clips the noise at light touch
 /// (noticeably for σ > k·w/3).
 ///
-/// A texture sample suggests σ = k·RMS of its heights and m = 0: the mean of its heights, which the source would use,
-/// is zero once the plane of the surface has been subtracted.
+/// The values suggested for a texture sample are σ = k·RMS of its heights and m = 0: the mean of its heights, which the
+/// source would use, is zero once the plane of the surface has been subtracted.
 ///
 /// [Siira 1996] Siira, Pai: Haptic texturing, a stochastic approach.
 /// [Wu 2009] Wu, Song, Zou: A novel haptic texture display based on image processing.
