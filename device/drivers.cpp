@@ -84,7 +84,7 @@ void DriverRegistry::add(Driver driver) {
   if (!is_driver_id(driver.id)) {
     throw std::invalid_argument(
         "id of a driver is \"" + driver.id +
-        "\"; it has to consist of letters a to z, digits and _, and begin with a letter");
+        "\"; it must consist of letters a to z, digits and _, and begin with a letter");
   }
   if (find(driver.id) != nullptr) {
     throw std::invalid_argument("there are two drivers \"" + driver.id + "\"");

@@ -12,7 +12,7 @@ void refuse(std::string_view field, double value, std::string_view right) {
   std::array<char, 32> digits{};
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   throw std::invalid_argument(std::string(field) + " is " +
-                              std::string(digits.data(), written.ptr) + "; it has to be " +
+                              std::string(digits.data(), written.ptr) + "; it must be " +
                               std::string(right) + ".");
 }
 
@@ -24,7 +24,7 @@ void require_positive(std::string_view field, double value) {
 
 void require_not_negative(std::string_view field, double value) {
   if (!(value >= 0.0) || !std::isfinite(value)) {
-    refuse(field, value, "zero or positive, and finite");
+    refuse(field, value, "at least 0 and finite");
   }
 }
 

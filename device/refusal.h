@@ -12,7 +12,7 @@ void require_positive(std::string_view field, double value);
 /// The same, but zero is allowed.
 void require_not_negative(std::string_view field, double value);
 
-/// Throws std::invalid_argument: "`field` is `value`; it has to be `right`."
+/// Throws std::invalid_argument: "`field` is `value`; it must be `right`."
 [[noreturn]] void refuse(std::string_view field, double value, std::string_view right);
 
 }  // namespace asperity

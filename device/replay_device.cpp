@@ -32,7 +32,7 @@ DeviceCapability recorded_capability(const std::vector<ProbeState>& states,
     if (i > 0 && states[i].time_ns <= states[i - 1].time_ns) {
       throw std::invalid_argument("time_ns of state " + std::to_string(i) +
                                   " of a replayed hand is " + std::to_string(states[i].time_ns) +
-                                  "; it has to be later than the one before");
+                                  "; it must be later than the one before");
     }
     capability.workspace_minimum_m = glm::min(capability.workspace_minimum_m, states[i].position_m);
     capability.workspace_maximum_m = glm::max(capability.workspace_maximum_m, states[i].position_m);

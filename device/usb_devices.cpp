@@ -30,8 +30,9 @@ std::vector<std::uint8_t> text_descriptor(libusb_device_handle* handle, std::uin
 
 UsbSession::UsbSession() {
   if (const int error = libusb_init(&context_); error != LIBUSB_SUCCESS) {
-    throw std::runtime_error(std::string("USB devices cannot be listed: ") +
-                             libusb_strerror(error));
+    throw std::runtime_error(
+        std::string("USB devices cannot be listed: libusb cannot be initialised (") +
+        libusb_strerror(error) + "); check its installation");
   }
 }
 

@@ -56,6 +56,10 @@ void fail_on_file(const std::filesystem::path& path, const std::string& what, in
     reason =
         "the disk is full. Everything finished before is stored safely; free space on the disk, "
         "then continue";
+  } else if (error_number == EACCES || error_number == EPERM) {
+    reason += "; check the permissions of the file and of its folder";
+  } else if (error_number == ENOENT) {
+    reason += "; check the path";
   }
   throw ResultsError("the file " + path.string() + " cannot be " + what + ": " + reason, path,
                      error_number);

@@ -156,9 +156,9 @@ struct RecordingWriter::File {
     const std::size_t size =
         ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), kCompressionLevel);
     if (ZSTD_isError(size) != 0) {
-      throw ResultsError(
-          "the file " + output.path().string() + " cannot be written: " + ZSTD_getErrorName(size),
-          output.path());
+      throw ResultsError("the file " + output.path().string() + " cannot be written: " +
+                             ZSTD_getErrorName(size) + "; close other programs, then try again",
+                         output.path());
     }
     put_chunk({.records = static_cast<std::uint32_t>(time_ns.size()),
                .bytes = static_cast<std::uint32_t>(size)},

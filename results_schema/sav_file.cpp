@@ -142,9 +142,9 @@ struct SavFile::State {
   void check(readstat_error_t code) {
     if (failure) std::rethrow_exception(failure);
     if (code == READSTAT_OK) return;
-    throw ResultsError(
-        "the file " + file.path().string() + " cannot be written: " + readstat_error_message(code),
-        file.path());
+    throw ResultsError("the file " + file.path().string() + " cannot be written: " +
+                           readstat_error_message(code) + "; fix the problem, then export again",
+                       file.path());
   }
 
   static constexpr std::size_t kBuffer_bytes = std::size_t{1} << 18;

@@ -15,7 +15,7 @@ namespace asperity {
 Sha256Stream::Sha256Stream() : context_(EVP_MD_CTX_new()) {
   if (context_ == nullptr || EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) != 1) {
     EVP_MD_CTX_free(context_);
-    throw std::runtime_error("libcrypto offers no SHA-256");
+    throw std::runtime_error("libcrypto offers no SHA-256; check its installation");
   }
 }
 
@@ -23,14 +23,14 @@ Sha256Stream::~Sha256Stream() { EVP_MD_CTX_free(context_); }
 
 void Sha256Stream::add(const void* bytes, std::size_t count) {
   if (EVP_DigestUpdate(context_, bytes, count) != 1) {
-    throw std::runtime_error("libcrypto could not continue a SHA-256");
+    throw std::runtime_error("libcrypto could not compute a SHA-256; check its installation");
   }
 }
 
 std::array<unsigned char, 32> Sha256Stream::digest() {
   std::array<unsigned char, 32> digest{};
   if (EVP_DigestFinal_ex(context_, digest.data(), nullptr) != 1) {
-    throw std::runtime_error("libcrypto could not finish a SHA-256");
+    throw std::runtime_error("libcrypto could not compute a SHA-256; check its installation");
   }
   return digest;
 }

@@ -54,7 +54,7 @@ std::string meaning_of(int code) {
     case SQLITE_CONSTRAINT:
       return "the row violates a constraint of the table; run asperity verify on the study";
     default:
-      return "the database reported an error";
+      return "the database reported an error; run asperity verify on the study";
   }
 }
 

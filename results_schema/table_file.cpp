@@ -45,7 +45,8 @@ class Gzip final {
     constexpr int kMemory = 8;
     if (deflateInit2(&stream_, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemory,
                      Z_DEFAULT_STRATEGY) != Z_OK) {
-      throw std::runtime_error("zlib could not begin to compress");
+      throw std::runtime_error(
+          "zlib could not compress the table; close other programs, then try again");
     }
   }
   Gzip(const Gzip&) = delete;

@@ -320,7 +320,7 @@ std::vector<double> TidyTable::all_numbers(std::string_view column) const {
   const std::vector<std::optional<double>> found = numbers(column);
   std::vector<double> all(found.size());
   for (std::size_t row = 0; row < found.size(); ++row) {
-    if (!found[row]) refuse(row, column, std::string(column) + " is missing");
+    if (!found[row]) refuse(row, column, std::string(column) + " is missing; enter a value");
     all[row] = *found[row];
   }
   return all;
@@ -403,7 +403,7 @@ LabelColumn TidyTable::all_labels(std::string_view column) const {
   const auto missing = std::find(found.codes.begin(), found.codes.end(), LabelColumn::kMissing);
   if (missing != found.codes.end()) {
     refuse(static_cast<std::size_t>(missing - found.codes.begin()), column,
-           std::string(column) + " is missing");
+           std::string(column) + " is missing; enter a value");
   }
   return found;
 }

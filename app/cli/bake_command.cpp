@@ -84,12 +84,13 @@ void add_bake(CLI::App& program, Job& job) {
   BakeOrder& order = options->order;
   order.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, 256U);
   CLI::App* command = program.add_subcommand(
-      "bake", "Convert a detailed mesh to a simple mesh with a haptic texture.");
+      "bake", "Convert a detailed mesh to a simplified mesh with a haptic texture.");
   command->add_option("MESH", order.mesh, "OBJ, PLY, STL or OFF")->required();
   command
-      ->add_option("--triangles", order.triangles,
-                   "Maximum number of triangles of the simple mesh; 500 to 750 suit rendering with "
-                   "six degrees of freedom")
+      ->add_option(
+          "--triangles", order.triangles,
+          "Maximum number of triangles of the simplified mesh; 500 to 750 suit rendering with "
+          "six degrees of freedom")
       ->required()
       ->check(number_within(4, 1'000'000));
   command->add_option("--out", order.out, "The textured mesh")->required();

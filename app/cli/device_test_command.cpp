@@ -45,7 +45,7 @@ std::pair<std::string, double> item_limit(const std::string& text) {
       return {text.substr(0, equals), *limit};
     }
   }
-  throw WrongUsage("--limit is \"" + text + "\"; it has to be NAME=NUMBER, like friction_N=0.2");
+  throw WrongUsage("--limit takes NAME=NUMBER, such as friction_N=0.2, not \"" + text + '"');
 }
 
 /// Those of the options, none of which a protocol would refuse.
@@ -90,7 +90,7 @@ bool agrees(const std::string& what, bool is_agreed, const std::stop_token& stop
   if (is_agreed) return true;
   if (isatty(STDIN_FILENO) == 0) {
     throw WrongUsage(
-        "device-test asks for confirmation on a terminal before it moves a device, and there is no "
+        "device-test requests confirmation on a terminal before it moves a device, and there is no "
         "terminal; use --yes if a person is next to the device");
   }
   // Not what was typed before anybody could read what it would agree to.

@@ -68,7 +68,7 @@ void require_material(const Material& material) {
                      "; it must be above 0 N/m");
   }
   if (!(material.friction >= 0.0)) {
-    throw WrongUsage("--friction is " + number_text(material.friction) + "; it must be 0 or above");
+    throw WrongUsage("--friction is " + number_text(material.friction) + "; it must be at least 0");
   }
 }
 

@@ -73,7 +73,7 @@ std::vector<double> values_of(VariedQuantity varied, const std::string& text) {
 }
 
 std::vector<double> spacings_of(const std::string& text) {
-  constexpr const char* kExpected = "write FROM:TO:COUNT, in metres, like 0.0005:0.008:40";
+  constexpr const char* kExpected = "write FROM:TO:COUNT, in metres, such as 0.0005:0.008:40";
   const std::vector<double> numbers = numbers_of("--spacings", text, ':', kExpected);
   if (numbers.size() != 3 || numbers[2] != std::floor(numbers[2]) || numbers[2] > 10000.0) {
     throw WrongUsage("--spacings " + text + ": " + kExpected);
@@ -89,7 +89,7 @@ std::vector<double> spacings_of(const std::string& text) {
 }
 
 HandModel hand_of(const std::string& text) {
-  constexpr const char* kExpected = "write M_kg,B_N_s_per_m,K_N_per_m, like 0.05,3,200";
+  constexpr const char* kExpected = "write M_kg,B_N_s_per_m,K_N_per_m, such as 0.05,3,200";
   const std::vector<double> numbers = numbers_of("--hand", text, ',', kExpected);
   if (numbers.size() != 3) throw WrongUsage("--hand " + text + ": " + kExpected);
   return {.mass_kg = numbers[0], .damping_N_s_per_m = numbers[1], .stiffness_N_per_m = numbers[2]};

@@ -33,7 +33,7 @@ void add_texture(CLI::App& program, Job& job) {
   TextureRecipe& recipe = options->recipe;
   CLI::App* command =
       program.add_subcommand("texture",
-                             "Compute a height field from a photograph: conversion to grey, "
+                             "Compute a height field from a photograph: conversion to greyscale, "
                              "homomorphic filter, subtraction of the low-pass (f − g).");
   command->add_option("PHOTO", options->photograph, "PNG, JPEG, TIFF, BMP or WebP")->required();
   command

@@ -196,11 +196,11 @@ class StudyExport final {
     for (const std::string& name : vocabulary_.for_public) {
       const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
       if (is_asked && vocabulary_.is_published(name)) continue;
-      throw std::invalid_argument("answers to \"" + name + "\" cannot be published: " +
-                                  (is_asked
-                                       ? "they are free text"
-                                       : "no questionnaire of the study contains this question") +
-                                  (possible.empty() ? "" : "; those that can: " + possible));
+      throw std::invalid_argument(
+          "answers to \"" + name + "\" cannot be published: " +
+          (is_asked ? "they are free text"
+                    : "no questionnaire of the study contains this question") +
+          (possible.empty() ? "; leave it out" : "; those that can: " + possible));
     }
   }
 

@@ -198,9 +198,9 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
                          const std::vector<std::string>& conditions, SweepMeasure measure) {
   const std::vector<SweepCurve> curves = curves_of(sweep, measure);
   if (curves.size() != conditions.size()) {
-    throw std::runtime_error(
-        "the sweep needs one level per condition; levels: " + std::to_string(curves.size()) +
-        ", conditions: " + std::to_string(conditions.size()));
+    throw std::runtime_error("levels of the sweep: " + std::to_string(curves.size()) +
+                             ", conditions: " + std::to_string(conditions.size()) +
+                             "; give a level for each condition");
   }
   std::vector<std::size_t> places{};
   for (const std::string& condition : conditions) {

@@ -93,7 +93,7 @@ DeviceItem::Status status_from(const std::string& text) {
        {DeviceItem::Status::pass, DeviceItem::Status::fail, DeviceItem::Status::not_measured}) {
     if (text == text_of(status)) return status;
   }
-  throw std::runtime_error("status is \"" + text + "\"; it has to be pass, fail or not_measured");
+  throw std::runtime_error("status is \"" + text + "\"; it must be pass, fail or not_measured");
 }
 
 DeviceItem item_from(const nlohmann::json& json) {
@@ -110,7 +110,7 @@ DeviceItem item_from(const nlohmann::json& json) {
   }
   if (item.value && *item.value < 0.0) {
     throw std::runtime_error("its item " + item.name + " is " + std::to_string(*item.value) +
-                             "; it has to be 0 or more");
+                             "; it must be at least 0");
   }
   item.limit = number_or_nothing(json, "limit");
   if (json.value("bound", "at_most") == "at_least") item.bound = DeviceItem::Bound::at_least;
@@ -140,7 +140,7 @@ AxisResponse response_from(const nlohmann::json& json) {
     throw std::runtime_error("the numbers of frequencies (" +
                              std::to_string(frequencies_Hz.size()) + ") and of values (" +
                              std::to_string(responses_m_per_N.size()) +
-                             ") of a response have to be equal");
+                             ") of a response must be equal");
   }
   AxisResponse response{.axis = json.at("axis").get<std::string>()};
   for (std::size_t i = 0; i < frequencies_Hz.size(); ++i) {
@@ -336,8 +336,7 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     profile.program_commit = json.at("program_commit").get<std::string>();
     profile.rate_Hz = json.at("rate_Hz").get<double>();
     if (!(profile.rate_Hz > 0.0)) {
-      throw std::runtime_error("rate_Hz is " + json.at("rate_Hz").dump() +
-                               "; it has to be more than 0");
+      throw std::runtime_error("rate_Hz is " + json.at("rate_Hz").dump() + "; it must be above 0");
     }
     profile.scheduling = json.at("scheduling").get<std::string>();
     profile.force_N = json.at("force_N").get<double>();

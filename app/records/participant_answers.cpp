@@ -88,15 +88,15 @@ std::optional<Phrase> complaint_about_answer(const Question& question, const std
   }
   const std::optional<double> number = number_in(answer);
   if (!number) {
-    return phrase("ParticipantAnswers", "The answer to \"%1\" has to be a number.")
+    return phrase("ParticipantAnswers", "The answer to \"%1\" must be a number.")
         .with(question.prompt);
   }
   if (question.minimum && *number < *question.minimum) {
-    return phrase("ParticipantAnswers", "The answer to \"%1\" has to be %2 or more.")
+    return phrase("ParticipantAnswers", "The answer to \"%1\" must be %2 or more.")
         .with(question.prompt, text_of_number(*question.minimum));
   }
   if (question.maximum && *number > *question.maximum) {
-    return phrase("ParticipantAnswers", "The answer to \"%1\" has to be %2 or less.")
+    return phrase("ParticipantAnswers", "The answer to \"%1\" must be %2 or less.")
         .with(question.prompt, text_of_number(*question.maximum));
   }
   return {};

@@ -117,7 +117,7 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
     probe.time_ns = std::llround(at(*needed, 0) * 1e9);
     if (row > 0 && probe.time_ns <= path[row - 1].time_ns) {
       throw std::runtime_error(file_name + ':' + std::to_string(row + 2) +
-                               ": time_s has to increase from row to row");
+                               ": time_s must increase from row to row");
     }
     probe.position_m = {at(*needed, 1), at(*needed, 2), at(*needed, 3)};
     if (orientation) {

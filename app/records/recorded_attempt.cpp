@@ -101,9 +101,10 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
   RecordedAttempt recorded{};
   recorded.row = attempt;
   recorded.session = session;
-  const Recording recording = read_recording(study.folder() / attempt.recording->path);
+  const std::filesystem::path file = study.folder() / attempt.recording->path;
+  const Recording recording = read_recording(file);
   recorded.rate_Hz = recording.header.rate_Hz;
-  recorded.records = records_of(recording);
+  recorded.records = records_of(recording, file);
   for (const PresentationRow& row : attempt.presentations) {
     if (builder.models().find(row.model) == nullptr) {
       throw std::runtime_error("this program has no force model \"" + row.model + "\" of attempt " +

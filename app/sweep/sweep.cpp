@@ -233,7 +233,7 @@ Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::stri
     const auto* status = std::get_if<std::string>(&row[10]);
     if (!value || !spacing_m || status == nullptr) {
       throw std::runtime_error(
-          name + " has a row that was not written by a sweep; use --force to replace the file");
+          name + " has a row that was not written by a sweep; use --force to replace it");
     }
     SweepRow read{.value = *value, .spacing_m = *spacing_m, .status = *status};
     if (const std::optional<double> greatest = number(row, 5)) {

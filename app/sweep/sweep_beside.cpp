@@ -380,14 +380,14 @@ void compare_material(const SweepOrder& order, const Protocol& protocol,
   const Material& here = order.stroke.material;
   const Material& there = protocol.material;
   if (!is_alike(here.stiffness_N_per_m, there.stiffness_N_per_m, kSameNumber)) {
-    remarks.push_back("the surface of the sweep has " + number_text(here.stiffness_N_per_m) +
-                      " N/m (--stiffness-n-per-m), and that of " + protocol.name + ' ' +
-                      number_text(there.stiffness_N_per_m) + " N/m");
+    remarks.push_back("the stiffness of the surface is " + number_text(here.stiffness_N_per_m) +
+                      " N/m in the sweep (--stiffness-n-per-m) and " +
+                      number_text(there.stiffness_N_per_m) + " N/m in " + protocol.name);
   }
   if (!is_alike(here.friction, there.friction, kSameNumber)) {
-    remarks.push_back("the surface of the sweep has a friction of " + number_text(here.friction) +
-                      " (--friction), and that of " + protocol.name + " one of " +
-                      number_text(there.friction));
+    remarks.push_back("the friction coefficient of the surface is " + number_text(here.friction) +
+                      " in the sweep (--friction) and " + number_text(there.friction) + " in " +
+                      protocol.name);
   }
 }
 

@@ -41,19 +41,20 @@ DeviceCapability falcon_capability() {
   // direction be pushed; it is sold as 4 by 4 by 4 inches and 2 lbf.
   constexpr double kHalf_m = 0.040;
   constexpr double kAnyDirectionInTheMiddle_N = 6.6;
-  return {.name = "falcon",
-          .model = "Novint Falcon",
-          .workspace_minimum_m = glm::dvec3(-kHalf_m),
-          .workspace_maximum_m = glm::dvec3(kHalf_m),
-          .peak_force_N = kAnyDirectionInTheMiddle_N,
-          .position_resolution_m = 38e-6,
-          .maximum_rate_Hz = kFullRate_Hz,
-          .buttons = 4,
-          .remarks =
-              "Workspace and force are computed from the leg lengths and the motor constant that "
-              "free drivers use. The workspace is the largest cube that the legs can reach; the "
-              "force is that available in every direction at the centre of the cube; at its "
-              "corners it is 3.8 N. The manufacturer states ±51 mm and 8.9 N."};
+  return {
+      .name = "falcon",
+      .model = "Novint Falcon",
+      .workspace_minimum_m = glm::dvec3(-kHalf_m),
+      .workspace_maximum_m = glm::dvec3(kHalf_m),
+      .peak_force_N = kAnyDirectionInTheMiddle_N,
+      .position_resolution_m = 38e-6,
+      .maximum_rate_Hz = kFullRate_Hz,
+      .buttons = 4,
+      .remarks =
+          "Workspace and force are computed from the leg lengths and the motor constant that "
+          "open-source drivers use. The workspace is the largest cube that the legs can reach; the "
+          "force is that available in every direction at the centre of the cube; at its "
+          "corners it is 3.8 N. The manufacturer states ±51 mm and 8.9 N."};
 }
 
 std::unique_ptr<FalconDevice> FalconDevice::open(const FalconSettings& settings) {

@@ -33,7 +33,7 @@ namespace asperity::falcon {
 /// Real-time: does not allocate, lock or throw.
 ///
 /// [Stamper 1997] Stamper: A three degree of freedom parallel manipulator with only translational
-/// degrees of freedom. The lengths are those that the free drivers use; no unit was measured.
+/// degrees of freedom. The lengths are those that the open-source drivers use; no unit was measured.
 using ArmAngles_rad = std::array<double, 3>;
 
 /// The arms at encoder counts, which are zero at the end that homing finds.

@@ -187,7 +187,7 @@ InverseServicePlace InverseServicePlace::of(const std::string& text) {
   const auto [stopped, error] = std::from_chars(text.data() + colon + 1, end, place.port);
   if (error != std::errc() || stopped != end || place.port < 1 || place.port > 65535) {
     throw std::runtime_error("The address of the Inverse Service is \"" + text +
-                             "\"; it has to be HOST:PORT, with a port from 1 to 65535.");
+                             "\"; it must be HOST:PORT, with a port from 1 to 65535.");
   }
   return place;
 }

@@ -156,7 +156,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   const HdFunctions::Error error = hd.take_errors();
   if (opened.handle == HdFunctions::kNoDevice || error.code != 0) {
     throw std::runtime_error(
-        "Cannot open " + who + ": " + hd.name_of(error) +
+        who + " cannot be opened: " + hd.name_of(error) +
         ". Check that it is configured under this name with its manufacturer's setup program.");
   }
   hd.hdMakeCurrentDevice(opened.handle);
@@ -207,7 +207,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   }
   if (!refusal.empty()) {
     hd.hdDisableDevice(opened.handle);
-    throw std::runtime_error("Cannot use " + who + ": " + refusal + ".");
+    throw std::runtime_error(who + " cannot be used: " + refusal + ".");
   }
   return opened;
 }

@@ -13,7 +13,7 @@
 namespace asperity {
 
 std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate_Hz) {
-  if (!std::isfinite(limit.limit)) return "a limit has to be a finite number";
+  if (!std::isfinite(limit.limit)) return "a limit must be a finite number";
   nlohmann::json number = limit.limit;
   // Counts are written as whole numbers.
   constexpr double kExact = 9e15;
@@ -32,7 +32,7 @@ std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate
 std::optional<std::string> complaint_about_rate_limit(double limit_Hz, double rate_Hz) {
   if (limit_Hz <= rate_Hz) return {};
   return "a loop set to " + digits(rate_Hz) + " Hz cannot reach " + digits(limit_Hz) +
-         " Hz: the limit has to be at most /device/rate_Hz, the requested rate";
+         " Hz: the limit must be at most /device/rate_Hz, the requested rate";
 }
 
 }  // namespace asperity

@@ -134,7 +134,7 @@ class JsonDocument::Handler {
     }
     if (from >= text.size()) {
       return refuse(text.size(), stack_.empty() && !began_
-                                     ? "the file is empty; a protocol is a JSON object {…}"
+                                     ? "the file is empty; write a JSON object {…}"
                                      : "the text ends before the JSON is complete; close every "
                                        "quotation mark and bracket");
     }
@@ -275,8 +275,8 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
   }
   if (is_binary(text)) {
     refuse(
-        "this is not a JSON text file, but a binary one, such as a picture; a protocol is text in "
-        "UTF-8, a JSON object {…}");
+        "this is not a JSON text file, but a binary one, such as a picture; name a text file in "
+        "UTF-8 with a JSON object {…}");
   }
   std::size_t read = 0;
   Handler handler(*this, read);

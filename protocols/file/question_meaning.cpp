@@ -155,8 +155,9 @@ void Meaning::check_same_form(const Block& block, const TrialQuestionTemplate& q
     if (other.phase != Phase::main || name >= block.name) continue;
     for (const TrialQuestionTemplate& earlier : other.questions) {
       if (earlier.name != question.name || earlier.form.index() == question.form.index()) continue;
-      report(place + "/name", "the block " + in_quotes(name) + " asks " + in_quotes(question.name) +
-                                  " as a " + std::string(name_of(earlier.form)) +
+      report(place + "/name", "the block " + in_quotes(name) + " has the question " +
+                                  in_quotes(question.name) + " as a " +
+                                  std::string(name_of(earlier.form)) +
                                   ", and responses to both would be exported as one variable; give "
                                   "one of the questions another name");
     }

@@ -75,9 +75,9 @@ bool check_keys(const JsonDocument& document, const json& root, const json& sche
   constexpr std::size_t kLongestName = 256;
   if (value.is_string() && schema.contains("pattern") &&
       value.get_ref<const std::string&>().size() > kLongestName) {
-    found.push_back(document.at(pointer, "this name is too long: at most " +
+    found.push_back(document.at(pointer, "this name is longer than " +
                                              schema.value("maxLength", json(kLongestName)).dump() +
-                                             " characters"));
+                                             " characters; shorten it"));
     return false;
   }
   bool is_short = true;
@@ -132,7 +132,7 @@ std::string sentence(const std::string& description, const json& schema, const j
       starts("Failed to validate against exactly one")) {
     std::vector<std::string> keys{};
     for (const json& branch : schema.at("oneOf")) keys.push_back(branch.at("required").at(0));
-    return "exactly one of the keys " + one_of(keys) + " belongs here";
+    return "write exactly one of the keys " + one_of(keys) + " here";
   }
   if (starts("Missing required property '")) {
     const std::string key = description.substr(27, description.rfind('\'') - 27);
@@ -141,7 +141,8 @@ std::string sentence(const std::string& description, const json& schema, const j
         properties != schema.end() && properties->contains(key)) {
       what = properties->at(key).value("description", std::string{});
     }
-    return "the key " + in_quotes(key) + " is missing" + (what.empty() ? "" : ": " + what);
+    return "the key " + in_quotes(key) + " is missing; add it" +
+           (what.empty() ? "" : ". Expected here: " + what);
   }
   if (starts("Missing dependency '")) {
     return "another key here requires the key " +
@@ -174,7 +175,7 @@ std::string sentence(const std::string& description, const json& schema, const j
                       !schema.contains(low ? "minimum" : "maximum");
     const json& bound = schema.at(open ? (low ? "exclusiveMinimum" : "exclusiveMaximum")
                                        : (low ? "minimum" : "maximum"));
-    return shown(value) + (low ? " is too small: it has to be " : " is too large: it has to be ") +
+    return shown(value) + (low ? " is too small: it must be " : " is too large: it must be ") +
            (open ? (low ? "greater than " : "less than ") : (low ? "at least " : "at most ")) +
            shown_bound(bound) + purpose;
   }
@@ -189,11 +190,11 @@ std::string sentence(const std::string& description, const json& schema, const j
                 : "many: at most " + schema.at("maxItems").dump()) +
            purpose;
   }
-  if (starts("String should be no fewer")) return "this text is empty" + purpose;
+  if (starts("String should be no fewer")) return "this text is empty; enter a text" + purpose;
   if (starts("String should be no more")) {
-    return "this text is too long: at most " + schema.at("maxLength").dump() + " characters";
+    return "this text is longer than " + schema.at("maxLength").dump() + " characters; shorten it";
   }
-  if (starts("Object should have no fewer")) return "this object is empty" + purpose;
+  if (starts("Object should have no fewer")) return "this object is empty; add an entry" + purpose;
   return description + purpose;
 }
 

@@ -196,7 +196,7 @@ void Meaning::check_band(const Band& band, const std::string& pointer) {
   };
   if (!ordered(band.minimum, band.target) || !ordered(band.target, band.maximum) ||
       !ordered(band.minimum, band.maximum)) {
-    report(pointer, "a band has to be ascending: minimum ≤ target ≤ maximum");
+    report(pointer, "a band must be ascending: minimum ≤ target ≤ maximum");
   }
 }
 

@@ -24,7 +24,7 @@ constexpr std::array kMagnitudeTests{
 
 constexpr std::array kMagnitudeKeys{KindKey{
     "estimation",
-    "a magnitude estimation has to state the factor by which estimates are analysed: add the key "
+    "a magnitude estimation must state the factor by which estimates are analysed: add the key "
     "\"estimation\" with this factor as \"spacing\"",
     "only a magnitude estimation has estimates to be analysed; remove this key"}};
 
@@ -60,7 +60,7 @@ void check_spacings(const Protocol& protocol, const std::string& factor, Problem
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string place = pointer_to(at_levels, i);
     if (const double* const spacing_m = std::get_if<double>(&levels[i])) {
-      if (*spacing_m <= 0.0) problems.report(place, "a spacing has to be above 0");
+      if (*spacing_m <= 0.0) problems.report(place, "a spacing must be above 0");
       continue;
     }
     const auto texture = protocol.textures.find(text_of(levels[i]));
@@ -96,7 +96,7 @@ void check_design_of(const Protocol& protocol, const Protocol::Block& block, boo
       std::any_of(block.listed.begin(), block.listed.end(),
                   [&](const auto& row) { return row.contains(estimation.spacing); });
   if (has_spacing && !crosses(estimation.spacing) && !lists_spacing) {
-    problems.report(pointer, "a main block has to cross or list the spacings, the factor " +
+    problems.report(pointer, "a main block must cross or list the spacings, the factor " +
                                  in_quotes(estimation.spacing));
   }
   if (!has_condition) return;

@@ -27,7 +27,7 @@ constexpr std::array kSelectionTests{
 
 constexpr std::array kSelectionKeys{
     KindKey{kRealismStandard.name,
-            "a selection has to state the standard of realism: add the key \"realism_standard\" "
+            "a selection must state the standard of realism: add the key \"realism_standard\" "
             "with \"photograph\", \"physical_sample\" or \"memory\"",
             kRealismStandard.if_foreign}};
 

@@ -38,8 +38,8 @@ NumberHabit number_habit_of(Random person) {
 
 VirtualObserver::VirtualObserver(const ObserverDeclaration& declaration, Random random)
     : declaration_(declaration), random_(random) {
-  require(declaration.feature_noise >= 0.0, "feature_noise has to be at least 0");
-  require(declaration.lapse >= 0.0 && declaration.lapse <= 1.0, "lapse has to be between 0 and 1");
+  require(declaration.feature_noise >= 0.0, "feature_noise must be at least 0");
+  require(declaration.lapse >= 0.0 && declaration.lapse <= 1.0, "lapse must be between 0 and 1");
 }
 
 bool VirtualObserver::lapses() {

@@ -14,7 +14,7 @@ constexpr const char* kFrictionSpeed = "friction_speed_m_per_s";
 
 void refuse_unless(bool acceptable, const char* what, double value) {
   if (acceptable && std::isfinite(value)) return;
-  throw std::invalid_argument(std::string(what) + ", and it is " + std::to_string(value));
+  throw std::invalid_argument(std::string(what) + ", but it is " + std::to_string(value));
 }
 
 double smoothstep(double u) noexcept {

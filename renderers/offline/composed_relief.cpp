@@ -29,13 +29,13 @@ constexpr int kRows = 9;  // enough for differences across the stroke
 
 void require_some(const char* name, double value) {
   if (value > 0.0 && std::isfinite(value)) return;
-  throw std::invalid_argument(std::string("TipStroke::") + name + " must be positive, and it is " +
+  throw std::invalid_argument(std::string("TipStroke::") + name + " must be positive, but it is " +
                               number_text(value));
 }
 
 TexturedMesh gained(const GainedBody& body) {
   if (!(body.gain >= 0.0) || !std::isfinite(body.gain)) {
-    throw std::invalid_argument("GainedBody::gain must not be negative, and it is " +
+    throw std::invalid_argument("GainedBody::gain must not be negative, but it is " +
                                 number_text(body.gain));
   }
   TexturedMesh mesh = body.mesh;

@@ -95,7 +95,7 @@ void check(const TextureForcePath& path) {
   require_positive("TextureForcePath::mean_normal_force_N", path.mean_normal_force_N);
   if (!(path.dropped_s >= 0.0 && path.dropped_s + 2.0 / path.rate_Hz < path.duration_s)) {
     throw std::invalid_argument("TextureForcePath::dropped_s must be shorter than the path of " +
-                                text_of(path.duration_s) + " s, and it is " +
+                                text_of(path.duration_s) + " s, but it is " +
                                 text_of(path.dropped_s));
   }
 }

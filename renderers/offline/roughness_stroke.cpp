@@ -68,7 +68,7 @@ double plate_length_m(const RoughnessStroke& stroke, const TextureAtSpacing& tex
 
 TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing_m) {
   if (!(spacing_m > 0.0 && std::isfinite(spacing_m))) {
-    throw std::invalid_argument("spacing_m must be positive, and it is " + number_text(spacing_m));
+    throw std::invalid_argument("spacing_m must be positive, but it is " + number_text(spacing_m));
   }
   if (texture.relief) return stretched(*texture.relief, spacing_m);
   for (const SurfaceDeclaration& surface : synthetic_surfaces()) {

@@ -147,8 +147,8 @@ StoredHeightField decode_height_field(std::span<const std::byte> png, std::strin
 
   const PictureFacts facts = inspect_picture(png, name);
   if (facts.format != PictureFormat::png || facts.bits_per_channel != 16 || facts.channels != 1) {
-    throw std::invalid_argument(name + " is not a 16-bit grey PNG, as a height field must be. " +
-                                kMakeAgain);
+    throw std::invalid_argument(
+        name + " is not a 16-bit greyscale PNG, as a height field must be. " + kMakeAgain);
   }
   const GreyImage grey = decode_photograph(png, name).grey;
   std::vector<float> heights_m(grey.values.size());

@@ -1,4 +1,4 @@
-// Declares the file format of a height field: a 16-bit grey PNG and its JSON sidecar.
+// Declares the file format of a height field: a 16-bit greyscale PNG and its JSON sidecar.
 
 #pragma once
 
@@ -32,7 +32,7 @@ struct StoredHeightField {
   std::string sha256{};  ///< the expected digest of the PNG; the caller compares it
 };
 
-/// Encodes the heights as a 16-bit grey PNG: level = 65535 (h − h_min)/(h_max − h_min), rounded. In a field of constant
+/// Encodes the heights as a 16-bit greyscale PNG: level = 65535 (h − h_min)/(h_max − h_min), rounded. In a field of constant
 /// height all levels are 0.
 std::vector<std::byte> encode_height_field_png(const HeightField& field);
 
@@ -47,7 +47,7 @@ std::string encode_height_field_sidecar(const HeightField& field,
 ///
 /// Errors: std::invalid_argument with a sentence that begins with `name` (the PNG's; the sidecar's name is `name` with
 /// ".json" appended): invalid JSON, a missing field or one with an impossible value, an unknown format or version, a
-/// picture that is not 16-bit grey.
+/// picture that is not 16-bit greyscale.
 StoredHeightField decode_height_field(std::span<const std::byte> png, std::string_view sidecar,
                                       const std::string& name);
 

@@ -136,7 +136,7 @@ std::vector<SurfaceMaker> pattern_makers() {
       {{"noise",
         "isotropic Gaussian noise of power spectral density (per area of the wavenumber plane) ∝ "
         "wavenumber^−exponent between two wavelengths",
-        {length_parameter("rms_m", 0.0, 0.005, 1e-4, "root mean square of the heights"),
+        {length_parameter("rms_m", 0.0, 0.005, 1e-4, "RMS of the heights"),
          plain_parameter("exponent", 0.0, 6.0, 3.0, "exponent of the power law"),
          length_parameter("shortest_wavelength_m", 1e-4, 0.1, 4e-4,
                           "shortest wavelength of the noise"),

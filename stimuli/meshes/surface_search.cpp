@@ -20,8 +20,9 @@ struct Device {
   // The tree is built by one thread, so that it, and the choice between two equal hits, is always the same.
   Device() : device(rtcNewDevice("threads=1,set_affinity=0")) {
     if (device == nullptr) {
-      throw std::runtime_error("Embree cannot start: error code " +
-                               std::to_string(rtcGetDeviceError(nullptr)));
+      throw std::runtime_error("Embree cannot start (error code " +
+                               std::to_string(rtcGetDeviceError(nullptr)) +
+                               "); close other programs, then try again");
     }
   }
   ~Device() { rtcReleaseDevice(device); }
@@ -68,8 +69,9 @@ struct SurfaceSearch::Scene {
     if (const RTCError error = rtcGetDeviceError(device.device); error != RTC_ERROR_NONE) {
       rtcReleaseScene(scene);
       throw std::runtime_error("Embree cannot build a search tree of " +
-                               std::to_string(mesh.triangles.size()) + " triangles: error code " +
-                               std::to_string(error));
+                               std::to_string(mesh.triangles.size()) + " triangles (error code " +
+                               std::to_string(error) +
+                               "); simplify the mesh, or close other programs");
     }
   }
   ~Scene() { rtcReleaseScene(scene); }

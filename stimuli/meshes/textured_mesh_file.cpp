@@ -49,7 +49,7 @@ std::string sha256_of(std::initializer_list<std::string_view> parts) {
   }
   good = good && EVP_DigestFinal_ex(context, digest.data(), nullptr) == 1;
   EVP_MD_CTX_free(context);
-  if (!good) throw std::runtime_error("libcrypto offers no SHA-256");
+  if (!good) throw std::runtime_error("libcrypto offers no SHA-256; check its installation");
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text;
   for (const unsigned char byte : digest) text += {kDigits[byte >> 4], kDigits[byte & 15]};
@@ -75,7 +75,9 @@ std::string packed(const std::vector<Item>& items) {
   const std::size_t written =
       ZSTD_compress(bytes.data(), bytes.size(), items.data(), size, kCompressionLevel);
   if (ZSTD_isError(written) != 0) {
-    throw std::runtime_error(std::string("zstd could not compress the mesh: ") + ZSTD_getErrorName(written));
+    throw std::runtime_error(std::string("zstd could not compress the mesh (") +
+                             ZSTD_getErrorName(written) +
+                             "); close other programs, then try again");
   }
   bytes.resize(written);
   return bytes;
@@ -134,7 +136,7 @@ class Reader final {
     if (findings == provenance.end() || !findings->is_array())
       refuse("needs a list provenance/findings in its first line.");
     for (const Json& finding : *findings) {
-      if (!finding.is_string()) refuse("has a finding that is not a text.");
+      if (!finding.is_string()) refuse("has an entry of provenance/findings that is not a string.");
       stored.provenance.findings.push_back(finding.get<std::string>());
     }
     return stored;

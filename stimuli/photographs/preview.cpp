@@ -16,7 +16,8 @@ namespace {
 
 cv::Mat as_mat(const GreyImage& picture) {
   if (picture.values.empty() || picture.values.size() != picture.rows * picture.columns) {
-    throw std::invalid_argument("A grey picture needs rows · columns values, and at least one.");
+    throw std::invalid_argument(
+        "A greyscale picture needs rows · columns values, and at least one.");
   }
   return cv::Mat(static_cast<int>(picture.rows), static_cast<int>(picture.columns), CV_32FC1,
                  const_cast<float*>(picture.values.data()));

@@ -40,8 +40,8 @@ std::vector<Parameter> texture_recipe_parameters() {
        .unit = "1",
        .choices = {"none", "equalize"},
        .default_value = std::string("none"),
-       .meaning = "none: brightness as stored; equalize: every brightness is made equally "
-                  "frequent; this removes the relation of brightness to height"},
+       .meaning = "none: brightness as stored; equalize: histogram equalisation, which "
+                  "removes the relation of brightness to height"},
       number("homomorphic_wavelength_m", "m", 0.0005, 0.5, defaults.homomorphic_wavelength_m,
              "Variations in brightness with wavelengths longer than this count as lighting, "
              "shorter ones as the surface"),
@@ -53,8 +53,7 @@ std::vector<Parameter> texture_recipe_parameters() {
              "Wavelengths longer than about this are left out of the heights: they are shape, not "
              "texture"),
       number("rms_m", "m", 1e-6, 2e-3, defaults.rms_m,
-             "Roughness of the relief: the root mean square of its heights. A photograph does not "
-             "show it"),
+             "Roughness of the relief: the RMS of its heights. A photograph does not show it"),
   };
 }
 

@@ -10,7 +10,7 @@ namespace asperity {
 
 enum class HistogramTransformation {
   none,
-  equalize,  ///< every brightness equally frequent
+  equalize,  ///< histogram equalisation
 };
 
 /// Which end of the brightness scale is high. A photograph alone does not determine this; its photographer does.

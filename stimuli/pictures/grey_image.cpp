@@ -15,7 +15,8 @@ namespace {
 
 cv::Mat brightness_of(const GreyImage& image) {
   if (image.rows == 0 || image.columns == 0 || image.values.size() != image.rows * image.columns) {
-    throw std::invalid_argument("A grey picture needs rows · columns values, and at least one.");
+    throw std::invalid_argument(
+        "A greyscale picture needs rows · columns values, and at least one.");
   }
   return {static_cast<int>(image.rows), static_cast<int>(image.columns), CV_32FC1,
           const_cast<float*>(image.values.data())};
@@ -35,7 +36,8 @@ std::vector<std::byte> encode_color_png(const ColorPlanes& planes) {
   const auto& [red, green, blue] = planes;
   const std::array mats{brightness_of(blue), brightness_of(green), brightness_of(red)};
   if (mats[0].size() != mats[1].size() || mats[1].size() != mats[2].size()) {
-    throw std::invalid_argument("Red, green and blue of a picture need the same size.");
+    throw std::invalid_argument(
+        "The red, green and blue channels of a picture must have the same size.");
   }
   cv::Mat colours;
   cv::merge(mats.data(), mats.size(), colours);

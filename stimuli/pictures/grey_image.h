@@ -19,7 +19,7 @@ struct GreyImage {
 /// The red, green and blue planes of a picture, in this order; equal in size.
 using ColorPlanes = std::array<GreyImage, 3>;
 
-/// Encodes an 8-bit grey PNG: 0 is black, 1 is white, values outside are clipped.
+/// Encodes an 8-bit greyscale PNG: 0 is black, 1 is white, values outside are clipped.
 ///
 /// Errors: std::invalid_argument for a picture without pixels, or with a number of values that does not match its size.
 std::vector<std::byte> encode_png(const GreyImage& image);

@@ -142,7 +142,7 @@ TEST_F(Bodies, WithAStepOfThreeCellsAreRefusedWithWhatWouldBeRight) {
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/stimuli/felt/parameters/step_m");
   EXPECT_EQ(problems()[0].message,
-            "step_m is 3e-04 and cell_m 1e-04; step_m has to be 1, 2, 4 or 8 times cell_m, "
+            "step_m is 3e-04 and cell_m 1e-04; step_m must be 1, 2, 4 or 8 times cell_m, "
             "here 1e-04, 2e-04, 4e-04 or 8e-04.");
   replace_in_protocol(R"("step_m": 0.0003)", R"("step_m": 0.0003, "maximum": "smooth")");
   EXPECT_THAT(problems(), IsEmpty());

@@ -51,7 +51,7 @@ TEST(AnswerOfAParticipant, IsHeldToItsQuestion) {
   EXPECT_FALSE(complaint_about_answer(age, "18"));
   EXPECT_EQ(complaint_about_answer(age, ""), "\"How old are you?\" has not been answered.");
   EXPECT_EQ(complaint_about_answer(age, "17.5"),
-            "The answer to \"How old are you?\" has to be 18 or more.");
+            "The answer to \"How old are you?\" must be 18 or more.");
   EXPECT_TRUE(complaint_about_answer(age, "121"));
   EXPECT_TRUE(complaint_about_answer(age, "old"));
   const Question hand{

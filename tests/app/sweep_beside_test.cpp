@@ -158,10 +158,11 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
         order.texture.values = {{"amplitude_m", 2e-4}};
       }),
       HasSubstr("0.4 mm from trough to crest (--texture), and those of roughness_force 0.2 mm"));
-  EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
-              HasSubstr("1000 N/m (--stiffness-n-per-m), and that of roughness_force 3000 N/m"));
+  EXPECT_THAT(
+      remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
+      HasSubstr("1000 N/m in the sweep (--stiffness-n-per-m) and 3000 N/m in roughness_force"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.friction = 0.0; }),
-              HasSubstr("a friction of 0 (--friction), and that of roughness_force one of 0.2"));
+              HasSubstr("is 0 in the sweep (--friction) and 0.2 in roughness_force"));
   EXPECT_THAT(remark([](SweepOrder& order) {
                 order.spacings_m = {0.0005, 0.008};
               }),

@@ -314,13 +314,13 @@ TEST(ForceLimiter, RefusesALimitThatIsNotPositiveAndFiniteByName) {
     return refusal_of<std::invalid_argument>([&] { ForceLimiter limiter(limits); });
   };
   EXPECT_EQ(refusal({.force_N = 0.0}),
-            "force_N of the force limits is 0; it has to be positive and finite.");
+            "force_N of the force limits is 0; it must be positive and finite.");
   EXPECT_EQ(refusal({.torque_N_m = -1.5}),
-            "torque_N_m of the force limits is -1.5; it has to be positive and finite.");
+            "torque_N_m of the force limits is -1.5; it must be positive and finite.");
   EXPECT_EQ(refusal({.slew_N_per_s = infinity}),
-            "slew_N_per_s of the force limits is inf; it has to be positive and finite.");
+            "slew_N_per_s of the force limits is inf; it must be positive and finite.");
   EXPECT_EQ(refusal({.slew_N_m_per_s = 0.0}),
-            "slew_N_m_per_s of the force limits is 0; it has to be positive and finite.");
+            "slew_N_m_per_s of the force limits is 0; it must be positive and finite.");
 }
 
 TEST(ForceLimiter, DoesNotTouchTheHeap) {

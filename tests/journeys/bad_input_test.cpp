@@ -575,7 +575,7 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
   expect_wrong(rendering, {"--stiffness-n-per-m", "-5"},
                "asperity: --stiffness-n-per-m is -5; it must be above 0 N/m\n");
   expect_wrong(rendering, {"--friction", "-0.1"},
-               "asperity: --friction is -0.1; it must be 0 or above\n");
+               "asperity: --friction is -0.1; it must be at least 0\n");
   expect_wrong(rendering, {"--asset", "vibrations"},
                "asperity: --asset vibrations: write ROLE=FILE\n");
   expect_wrong(rendering, {"--asset", "vibrations=f"},

@@ -32,7 +32,7 @@ TEST_F(DeviceLimits, AreRefusedByCheckWithTheirPlaceAndWhatWouldBeRight) {
   limit({{"friction_N", -0.2}, {"fricton_N", 0.2}});
   const Outcome form = asperity({"check", small.selection()});
   EXPECT_EQ(form.status, 1);
-  EXPECT_NE(form.err.find("error: -0.2 is too small: it has to be at least 0"), std::string::npos)
+  EXPECT_NE(form.err.find("error: -0.2 is too small: it must be at least 0"), std::string::npos)
       << form.err;
   EXPECT_NE(form.err.find("(/device/limits/friction_N)"), std::string::npos) << form.err;
   EXPECT_NE(form.err.find("did you mean \"friction_N\"?"), std::string::npos) << form.err;

@@ -114,7 +114,7 @@ TEST(TidyTable, RefusesNumbersThatAreNone) {
   const auto counts = [](const TidyTable& table) { table.counts("k"); };
   EXPECT_NE(table_refusal("id,k\na,NaN\n", numbers), "");
   EXPECT_NE(table_refusal("id,k\na,inf\n", numbers), "");
-  EXPECT_EQ(table_refusal("id,k\na,\n", numbers), "file.csv:2:2: k is missing");
+  EXPECT_EQ(table_refusal("id,k\na,\n", numbers), "file.csv:2:2: k is missing; enter a value");
   EXPECT_EQ(table_refusal("id,k\na,1.5\n", counts),
             "file.csv:2:2: k is 1.5; it must be a whole number from 0");
   EXPECT_EQ(table_refusal("id,k\na,-1\n", counts),
@@ -183,7 +183,7 @@ TEST(TidyTable, IsMadeOfColumnsAsIfItHadBeenRead) {
   EXPECT_EQ(who.codes, (std::vector<std::size_t>{0, 1, 0}));
   EXPECT_EQ(table.texts("what")[1], "");
   EXPECT_EQ(refusal_of<ResultsError>([&] { table.all_labels("what"); }),
-            "made:3:2: what is missing");
+            "made:3:2: what is missing; enter a value");
   std::get<LabelColumn>(columns[1].cells).codes.pop_back();
   EXPECT_THROW(TidyTable(columns, "made"), std::invalid_argument);
 }

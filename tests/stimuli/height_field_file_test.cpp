@@ -124,9 +124,9 @@ TEST(HeightFieldFile, NamesTheSidecarAndWhatItLacks) {
 
 TEST(HeightFieldFile, RefusesAPictureThatIsNotSixteenBitGrey) {
   const std::string sidecar = encode_height_field_sidecar(relief(), kProvenance, "");
-  EXPECT_EQ(
-      field_refusal(encode_png({2, 2, {0.0F, 0.1F, 0.2F, 0.3F}}), sidecar),
-      "wall.png is not a 16-bit grey PNG, as a height field must be. Make the height field again.");
+  EXPECT_EQ(field_refusal(encode_png({2, 2, {0.0F, 0.1F, 0.2F, 0.3F}}), sidecar),
+            "wall.png is not a 16-bit greyscale PNG, as a height field must be. Make the height "
+            "field again.");
   std::vector<std::byte> png = encode_height_field_png(relief());
   png.resize(png.size() / 2);
   EXPECT_THAT(field_refusal(png, sidecar), StartsWith("wall.png is truncated"));

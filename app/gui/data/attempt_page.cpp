@@ -221,8 +221,8 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
       [folder = study().folder(), row = *attempt.recording, begin_ns = attempt.onset_ns](
           const std::stop_token&, const BackgroundTask::Progress&) {
         const Recording recording = recording_of(folder, row);
-        return std::make_shared<const RecordingCurves>(
-            curves_of(records_of(recording), recording.header.rate_Hz, begin_ns));
+        return std::make_shared<const RecordingCurves>(curves_of(
+            records_of(recording, folder / row.path), recording.header.rate_Hz, begin_ns));
       },
       [this, id = attempt.id](std::shared_ptr<const RecordingCurves> curves) {
         if (recording_of_ != id) return;  // another attempt is shown by now

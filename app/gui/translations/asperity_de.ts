@@ -3996,15 +3996,15 @@
         <translation>„%1“ ist keine der Antworten auf „%2“.</translation>
     </message>
     <message>
-        <source>The answer to &quot;%1&quot; has to be a number.</source>
+        <source>The answer to &quot;%1&quot; must be a number.</source>
         <translation>Die Antwort auf „%1“ muss eine Zahl sein.</translation>
     </message>
     <message>
-        <source>The answer to &quot;%1&quot; has to be %2 or more.</source>
+        <source>The answer to &quot;%1&quot; must be %2 or more.</source>
         <translation>Die Antwort auf „%1“ muss mindestens %2 betragen.</translation>
     </message>
     <message>
-        <source>The answer to &quot;%1&quot; has to be %2 or less.</source>
+        <source>The answer to &quot;%1&quot; must be %2 or less.</source>
         <translation>Die Antwort auf „%1“ darf höchstens %2 betragen.</translation>
     </message>
 </context>
@@ -4590,56 +4590,56 @@
         <translation>„%1“ lässt sich nicht mit dem Gerät vergleichen: %2</translation>
     </message>
     <message>
-        <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the device&apos;s own friction is %3 N, which masks the texture.</source>
-        <translation>Die Textur von „%1“ entspricht einem Effektivwert der Kraft von %2 N; die Reibung des Geräts beträgt %3 N und maskiert die Textur.</translation>
+        <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the device&apos;s own friction is %3 N, which masks the texture. Raise the amplitude of the texture, or choose a device with less friction.</source>
+        <translation>Die Textur von „%1“ entspricht einem Effektivwert der Kraft von %2 N; die Reibung des Geräts beträgt %3 N und maskiert die Textur. Die Amplitude der Textur erhöhen oder ein Gerät mit geringerer Reibung wählen.</translation>
     </message>
     <message>
-        <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the smallest force that moves the device is %3 N.</source>
-        <translation>Die Textur von „%1“ entspricht einem Effektivwert der Kraft von %2 N; die kleinste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
+        <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the smallest force that moves the device is %3 N. Raise the amplitude of the texture, or choose a device with a finer force resolution.</source>
+        <translation>Die Textur von „%1“ entspricht einem Effektivwert der Kraft von %2 N; die kleinste Kraft, die das Gerät bewegt, beträgt %3 N. Die Amplitude der Textur erhöhen oder ein Gerät mit feinerer Kraftauflösung wählen.</translation>
     </message>
     <message>
-        <source>The wavelength of &quot;%1&quot; is %2 µm, and the device reads positions in steps of %3 µm: at least two steps per wavelength are needed.</source>
-        <translation>Die Wellenlänge von „%1“ beträgt %2 µm, und das Gerät misst Positionen in Schritten von %3 µm: Je Wellenlänge sind mindestens zwei Schritte nötig.</translation>
+        <source>The wavelength of &quot;%1&quot; is %2 µm, and the device measures positions in steps of %3 µm: at least two steps per wavelength are needed. Choose a longer wavelength, or a device with a finer position resolution.</source>
+        <translation>Die Wellenlänge von „%1“ beträgt %2 µm, und das Gerät misst Positionen in Schritten von %3 µm: Je Wellenlänge sind mindestens zwei Schritte nötig. Eine größere Wellenlänge oder ein Gerät mit feinerer Positionsauflösung wählen.</translation>
     </message>
     <message>
-        <source>When &quot;%1&quot; is stroked at %2 mm/s, its temporal frequency is %3 Hz, and the bandwidth of the device is %4 Hz.</source>
-        <translation>Wird mit %2 mm/s über „%1“ gestrichen, beträgt die zeitliche Frequenz %3 Hz; die Bandbreite des Geräts beträgt %4 Hz.</translation>
+        <source>When &quot;%1&quot; is stroked at %2 mm/s, its temporal frequency is %3 Hz, and the bandwidth of the device is %4 Hz. Lower the speed, or choose a longer wavelength or a device with a higher bandwidth.</source>
+        <translation>Wird mit %2 mm/s über „%1“ gestrichen, beträgt die zeitliche Frequenz %3 Hz; die Bandbreite des Geräts beträgt %4 Hz. Die Geschwindigkeit verringern oder eine größere Wellenlänge oder ein Gerät mit größerer Bandbreite wählen.</translation>
     </message>
     <message>
-        <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
-        <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff erreicht %4 bis %5 mm.</translation>
+        <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm. Move the surface or make it smaller, or choose a device with a larger workspace.</source>
+        <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff erreicht %4 bis %5 mm. Die Oberfläche verschieben oder verkleinern oder ein Gerät mit größerem Arbeitsraum wählen.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at most %2; the measured value is %3.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; der gemessene Wert ist %3.</translation>
+        <source>The protocol requires a device whose %1 is at most %2; the measured value is %3. Choose another device, or lower the requirement in the protocol.</source>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; der gemessene Wert ist %3. Ein anderes Gerät wählen oder die Anforderung im Protokoll senken.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at least %2; the measured value is %3.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; der gemessene Wert ist %3.</translation>
+        <source>The protocol requires a device whose %1 is at least %2; the measured value is %3. Choose another device, or lower the requirement in the protocol.</source>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; der gemessene Wert ist %3. Ein anderes Gerät wählen oder die Anforderung im Protokoll senken.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at most %2, which was not measured.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; dieser wurde nicht gemessen.</translation>
+        <source>The protocol requires a device whose %1 is at most %2, which was not measured. Measure the device again, or remove the limit from the protocol.</source>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; dieser wurde nicht gemessen. Das Gerät erneut messen oder den Grenzwert aus dem Protokoll entfernen.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at least %2, which was not measured.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; dieser wurde nicht gemessen.</translation>
+        <source>The protocol requires a device whose %1 is at least %2, which was not measured. Measure the device again, or remove the limit from the protocol.</source>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; dieser wurde nicht gemessen. Das Gerät erneut messen oder den Grenzwert aus dem Protokoll entfernen.</translation>
     </message>
     <message>
         <source>requirements of the protocol that the device does not meet: %1. %2</source>
         <translation>Anforderungen des Protokolls, die das Gerät nicht erfüllt: %1. %2</translation>
     </message>
     <message>
-        <source>The texture of &quot;%1&quot; has an amplitude of %2 µm (√2 times its RMS), and the device reads positions in steps of %3 µm.</source>
-        <translation>Die Textur von „%1“ hat eine Amplitude von %2 µm (√2-mal ihr Effektivwert), und das Gerät misst Positionen in Schritten von %3 µm.</translation>
+        <source>The texture of &quot;%1&quot; has an amplitude of %2 µm (√2 times its RMS), and the device measures positions in steps of %3 µm. Raise the amplitude of the texture, or choose a device with a finer position resolution.</source>
+        <translation>Die Textur von „%1“ hat eine Amplitude von %2 µm (√2-mal ihr Effektivwert), und das Gerät misst Positionen in Schritten von %3 µm. Die Amplitude der Textur erhöhen oder ein Gerät mit feinerer Positionsauflösung wählen.</translation>
     </message>
     <message>
-        <source>At the force limit of %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
-        <translation>An der Kraftgrenze von %2 N beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder.</translation>
+        <source>At the force limit of %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation. Lower the stiffness, or choose another device.</source>
+        <translation>An der Kraftgrenze von %2 N beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder. Die Steifigkeit verringern oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
-        <source>At the greatest force that &quot;%1&quot; exerts at its stiffest place, %2 N, its stiffness is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
-        <translation>Bei der größten Kraft, die „%1“ an der steifsten Stelle ausübt, %2 N, beträgt die Steifigkeit %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder.</translation>
+        <source>At the greatest force that &quot;%1&quot; exerts at its stiffest place, %2 N, its stiffness is %3 N/m; the device renders up to %4 N/m without oscillation. Lower the stiffness, or choose another device.</source>
+        <translation>Bei der größten Kraft, die „%1“ an der steifsten Stelle ausübt, %2 N, beträgt die Steifigkeit %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder. Die Steifigkeit verringern oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
         <source>the protocol requires a device that meets its limits, and the study has no profile of &quot;%1&quot;; measure it with %2</source>
@@ -4650,11 +4650,11 @@
         <translation>das Protokoll verlangt ein Gerät, dessen Messung höchstens %1 Tage zurückliegt, und die Studie hat kein Profil von „%2“; das Gerät mit %3 messen</translation>
     </message>
     <message>
-        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows at most %3; measure it again with %4</source>
+        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows at most %3; measure the device again with %4</source>
         <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt höchstens %3; das Gerät erneut mit %4 messen</translation>
     </message>
     <message>
-        <source>the profile of &quot;%1&quot; is dated %2, which is in the future: correct the clock of the computer, and measure it again with %3</source>
+        <source>the profile of &quot;%1&quot; is dated %2, which is in the future: correct the clock of the computer, and measure the device again with %3</source>
         <translation>das Profil von „%1“ trägt das Datum %2, das in der Zukunft liegt: die Uhr des Rechners stellen und das Gerät erneut mit %3 messen</translation>
     </message>
     <message>
@@ -4662,8 +4662,8 @@
         <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das bestanden hat; den Mangel beheben und das Gerät erneut mit %4 messen</translation>
     </message>
     <message>
-        <source>The stiffness of &quot;%1&quot; could not be determined or compared with the %2 N/m that the device renders without oscillation: at every place examined its force jumps or does not increase.</source>
-        <translation>Die Steifigkeit von „%1“ ließ sich nicht bestimmen und nicht mit den %2 N/m vergleichen, die das Gerät ohne Schwingen wiedergibt: An jeder geprüften Stelle springt die Kraft oder nimmt nicht zu.</translation>
+        <source>The stiffness of &quot;%1&quot; could not be determined or compared with the %2 N/m that the device renders without oscillation: at every place examined its force jumps or does not increase. Check on the device that the stimulus does not cause oscillation.</source>
+        <translation>Die Steifigkeit von „%1“ ließ sich nicht bestimmen und nicht mit den %2 N/m vergleichen, die das Gerät ohne Schwingen wiedergibt: An jeder geprüften Stelle springt die Kraft oder nimmt nicht zu. Am Gerät prüfen, dass der Reiz kein Schwingen verursacht.</translation>
     </message>
     <message>
         <source>This holds for a moving mass of %1 g and a velocity delayed by %2 ms.</source>
@@ -4690,8 +4690,8 @@
         <translation>Die virtuelle Kopplung von „%1“, %2 N/m und %3 N s/m, erfordert ein Gerät mit einer Dämpfung von %4 N s/m bei %5 Hz; die gemessene Steifigkeit dieses Geräts entspricht %6 N s/m. coupling_damping_N_s_per_m oder coupling_stiffness_N_per_m verringern.</translation>
     </message>
     <message>
-        <source>%1 The contact damping of %2 N s/m accounts for %3 N/m of it.</source>
-        <translation>%1 Davon entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
+        <source>%1 The contact damping of %2 N s/m accounts for %3 N/m of this stiffness.</source>
+        <translation>%1 Von dieser Steifigkeit entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
     </message>
     <message>
         <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, does not follow the height of the surface. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or request a higher pressing force.</source>
@@ -5432,8 +5432,8 @@
         <translation>Das Foto, unverändert.</translation>
     </message>
     <message>
-        <source>Its brightness only; with “Equalized”, every brightness is equally frequent.</source>
-        <translation>Nur seine Helligkeit; mit „Egalisiert“ ist jede Helligkeit gleich häufig.</translation>
+        <source>Its brightness only; with “Equalized”, after histogram equalisation.</source>
+        <translation>Nur seine Helligkeit; mit „Egalisiert“ nach dem Histogrammausgleich.</translation>
     </message>
     <message>
         <source>Gradual changes of lighting are attenuated and fine detail is amplified.</source>

@@ -47,8 +47,7 @@ QString meaning_of(Step step) {
     case Step::photograph:
       return StepWords::tr("The photograph, unchanged.");
     case Step::grey:
-      return StepWords::tr(
-          "Its brightness only; with “Equalized”, every brightness is equally frequent.");
+      return StepWords::tr("Its brightness only; with “Equalized”, after histogram equalisation.");
     case Step::evened:
       return StepWords::tr(
           "Gradual changes of lighting are attenuated and fine detail is amplified.");

@@ -21,10 +21,12 @@ std::optional<RehearsalWarning> warning_of_limit(const DeviceQuantity& quantity,
     if (keeps(*value, quantity.bound, limit)) return {};
     const Phrase text = at_most ? phrase("Rehearsal",
                                          "The protocol requires a device whose %1 is at most %2; "
-                                         "the measured value is %3.")
+                                         "the measured value is %3. Choose another device, or "
+                                         "lower the requirement in the protocol.")
                                 : phrase("Rehearsal",
                                          "The protocol requires a device whose %1 is at least "
-                                         "%2; the measured value is %3.");
+                                         "%2; the measured value is %3. Choose another device, or "
+                                         "lower the requirement in the protocol.");
     return RehearsalWarning{.id = "limit_" + name,
                             .pointer = pointer_to("/device/limits", name),
                             .asked = limit,
@@ -36,10 +38,11 @@ std::optional<RehearsalWarning> warning_of_limit(const DeviceQuantity& quantity,
   const Phrase text =
       at_most
           ? phrase("Rehearsal",
-                   "The protocol requires a device whose %1 is at most %2, which was not measured.")
+                   "The protocol requires a device whose %1 is at most %2, which was not measured. "
+                   "Measure the device again, or remove the limit from the protocol.")
           : phrase("Rehearsal",
                    "The protocol requires a device whose %1 is at least %2, which was not "
-                   "measured.");
+                   "measured. Measure the device again, or remove the limit from the protocol.");
   return RehearsalWarning{.id = "unmeasured_" + name,
                           .pointer = pointer_to("/device/limits", name),
                           .asked = limit,

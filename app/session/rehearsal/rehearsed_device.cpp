@@ -55,13 +55,13 @@ Phrase refusal_for_profile(const Protocol& protocol, const WantedDevice& device,
   if (age > *protocol.profile_maximum_age_days) {
     return phrase("Rehearsal",
                   "the profile of \"%1\" is %2 days old, and the protocol allows at most %3; "
-                  "measure it again with %4")
+                  "measure the device again with %4")
         .with(name_of(device), days_text(age), days, command);
   }
   if (age < -kClocksDiffer_days) {
     return phrase("Rehearsal",
                   "the profile of \"%1\" is dated %2, which is in the future: correct the clock of "
-                  "the computer, and measure it again with %3")
+                  "the computer, and measure the device again with %3")
         .with(name_of(device), profile->measured_utc, command);
   }
   if (const DeviceItem* const failed = failed_item(*profile, protocol)) {

@@ -133,7 +133,8 @@ void StimulusRehearsal::check_force(double texture_force_N) {
          .device = *friction_N,
          .text = phrase("Rehearsal",
                         "The texture of \"%1\" corresponds to a force of %2 N RMS, and the "
-                        "device's own friction is %3 N, which masks the texture.")
+                        "device's own friction is %3 N, which masks the texture. Raise the "
+                        "amplitude of the texture, or choose a device with less friction.")
                      .with(name_, in_three_digits(texture_force_N), in_three_digits(*friction_N))});
   } else if (resolution_N && texture_force_N < *resolution_N) {
     warn({.id = "force_resolution",
@@ -142,7 +143,8 @@ void StimulusRehearsal::check_force(double texture_force_N) {
           .text =
               phrase("Rehearsal",
                      "The texture of \"%1\" corresponds to a force of %2 N RMS, and the "
-                     "smallest force that moves the device is %3 N.")
+                     "smallest force that moves the device is %3 N. Raise the amplitude of the "
+                     "texture, or choose a device with a finer force resolution.")
                   .with(name_, in_three_digits(texture_force_N), in_three_digits(*resolution_N))});
   }
 }
@@ -157,7 +159,8 @@ void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_pe
           .text =
               phrase("Rehearsal",
                      "The texture of \"%1\" has an amplitude of %2 µm (√2 times its RMS), and the "
-                     "device reads positions in steps of %3 µm.")
+                     "device measures positions in steps of %3 µm. Raise the amplitude of the "
+                     "texture, or choose a device with a finer position resolution.")
                   .with(name_, in_um(*waves.amplitude_m), in_um(*resolution_m))});
   }
   if (!waves.wavelength_m) return;
@@ -166,8 +169,9 @@ void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_pe
           .asked = *waves.wavelength_m,
           .device = *resolution_m,
           .text = phrase("Rehearsal",
-                         "The wavelength of \"%1\" is %2 µm, and the device reads positions in "
-                         "steps of %3 µm: at least two steps per wavelength are needed.")
+                         "The wavelength of \"%1\" is %2 µm, and the device measures positions in "
+                         "steps of %3 µm: at least two steps per wavelength are needed. Choose a "
+                         "longer wavelength, or a device with a finer position resolution.")
                       .with(name_, in_um(*waves.wavelength_m), in_um(*resolution_m))});
   }
   double bandwidth_Hz = 0.5 * protocol_.rate_Hz;
@@ -181,7 +185,8 @@ void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_pe
           .device = bandwidth_Hz,
           .text = phrase("Rehearsal",
                          "When \"%1\" is stroked at %2 mm/s, its temporal frequency is %3 Hz, and "
-                         "the bandwidth of the device is %4 Hz.")
+                         "the bandwidth of the device is %4 Hz. Lower the speed, or choose a "
+                         "longer wavelength or a device with a higher bandwidth.")
                       .with(name_, in_three_digits(1e3 * speed_m_per_s),
                             in_three_digits(frequency_Hz), in_three_digits(bandwidth_Hz))});
   }
@@ -221,11 +226,13 @@ void StimulusRehearsal::check_stiffness(const std::optional<FeltStiffness>& felt
   if (!felt) {
     warn({.id = "not_rehearsed",
           .device = holds_N_per_m,
-          .text = phrase("Rehearsal",
-                         "The stiffness of \"%1\" could not be determined or compared with the "
-                         "%2 N/m that the device renders without oscillation: at every place "
-                         "examined its force jumps or does not increase.")
-                      .with(name_, in_three_digits(holds_N_per_m))});
+          .text =
+              phrase("Rehearsal",
+                     "The stiffness of \"%1\" could not be determined or compared with the "
+                     "%2 N/m that the device renders without oscillation: at every place "
+                     "examined its force jumps or does not increase. Check on the device that the "
+                     "stimulus does not cause oscillation.")
+                  .with(name_, in_three_digits(holds_N_per_m))});
     return;
   }
   const double stiffest_N_per_m =
@@ -235,23 +242,27 @@ void StimulusRehearsal::check_stiffness(const std::optional<FeltStiffness>& felt
       felt->force_N >= protocol_.force_limit_N
           ? phrase("Rehearsal",
                    "At the force limit of %2 N, the greatest stiffness of \"%1\" is %3 N/m; the "
-                   "device renders up to %4 N/m without oscillation.")
+                   "device renders up to %4 N/m without oscillation. Lower the stiffness, or "
+                   "choose another device.")
           : phrase("Rehearsal",
                    "At the greatest force that \"%1\" exerts at its stiffest place, %2 N, its "
-                   "stiffness is %3 N/m; the device renders up to %4 N/m without oscillation.");
+                   "stiffness is %3 N/m; the device renders up to %4 N/m without oscillation. "
+                   "Lower the stiffness, or choose another device.");
   const Phrase sentence =
       text.with(name_, in_three_digits(felt->force_N), in_three_digits(stiffest_N_per_m),
                 in_three_digits(holds_N_per_m));
   const double of_damper_N_per_m = equivalent_spring_N_per_m(0.0, damper_N_s_per_m, period_s());
-  warn({.id = "stiffness",
-        .asked = stiffest_N_per_m,
-        .device = holds_N_per_m,
-        .text = damper_N_s_per_m == 0.0
-                    ? sentence
-                    : phrase("Rehearsal",
-                             "%1 The contact damping of %2 N s/m accounts for %3 N/m of it.")
-                          .with(sentence, in_three_digits(damper_N_s_per_m),
-                                in_three_digits(of_damper_N_per_m))});
+  warn(
+      {.id = "stiffness",
+       .asked = stiffest_N_per_m,
+       .device = holds_N_per_m,
+       .text =
+           damper_N_s_per_m == 0.0
+               ? sentence
+               : phrase("Rehearsal",
+                        "%1 The contact damping of %2 N s/m accounts for %3 N/m of this stiffness.")
+                     .with(sentence, in_three_digits(damper_N_s_per_m),
+                           in_three_digits(of_damper_N_per_m))});
 }
 
 void StimulusRehearsal::check_contact(const PreparedStimulus& stimulus, const HandHabits& habits) {
@@ -297,7 +308,8 @@ void StimulusRehearsal::check_workspace(const SurfacePatch& patch) {
          .device = 0.0,
          .text = phrase("Rehearsal",
                         "The surface lies from %1 to %2 mm along %3, and the handle reaches from "
-                        "%4 to %5 mm.")
+                        "%4 to %5 mm. Move the surface or make it smaller, or choose a device with "
+                        "a larger workspace.")
                      .with(fixed(1e3 * from_m, 1), fixed(1e3 * to_m, 1), axis == 0 ? "x" : "y",
                            fixed(1e3 * low_m[axis], 1), fixed(1e3 * high_m[axis], 1))});
   }

@@ -9,7 +9,7 @@ namespace asperity {
 
 std::vector<ProbeState> recorded_hand(const std::filesystem::path& recording) {
   std::vector<ProbeState> states{};
-  for (const TickRecord& tick : records_of(read_recording(recording))) {
+  for (const TickRecord& tick : records_of(read_recording(recording), recording)) {
     // Of two ticks with the same time the first counts; a device gives one state at a time.
     if (states.empty() || tick.probe.time_ns > states.back().time_ns) states.push_back(tick.probe);
   }

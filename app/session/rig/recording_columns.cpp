@@ -111,7 +111,7 @@ TickRecord as_recorded(const TickRecord& record) noexcept {
   return record_of(record.probe.time_ns, values);
 }
 
-std::vector<TickRecord> records_of(const Recording& recording) {
+std::vector<TickRecord> records_of(const Recording& recording, const std::filesystem::path& file) {
   const auto& expected = recording_columns();
   bool same = recording.columns.size() == expected.size() &&
               recording.header.columns.size() == expected.size();
@@ -120,9 +120,10 @@ std::vector<TickRecord> records_of(const Recording& recording) {
   }
   if (!same) {
     throw ResultsError(
-        "the recording has columns that differ from those that this program writes; read it with "
-        "the version that wrote it",
-        {});
+        "the recording" + (file.empty() ? std::string() : ' ' + file.string()) +
+            " has columns that differ from those that this program writes; read it with the "
+            "version that wrote it",
+        file);
   }
   std::vector<TickRecord> records(recording.time_ns.size());
   std::array<float, kRecordingColumns> values{};

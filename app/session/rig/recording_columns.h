@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -25,7 +26,9 @@ TickRecord record_of(std::int64_t time_ns,
 /// values, so that live and later results are identical.
 TickRecord as_recorded(const TickRecord& record) noexcept;
 
-/// All records of a recording. Errors: ResultsError when its columns are not those of this program.
-std::vector<TickRecord> records_of(const Recording& recording);
+/// All records of a recording, which was read from `file`. Errors: ResultsError naming the file when
+/// its columns are not those of this program.
+std::vector<TickRecord> records_of(const Recording& recording,
+                                   const std::filesystem::path& file = {});
 
 }  // namespace asperity

@@ -95,7 +95,7 @@ bool is_numbered(Cue cue) { return cue == Cue::surface || cue == Cue::option; }
 void check_gain(double gain) {
   if (!(gain > 0.0 && gain <= MaskingSound::kHighestGain)) {
     throw std::invalid_argument("masking noise: gain is " + number_text(gain) +
-                                ", but has to be above 0 and at most " +
+                                "; it must be above 0 and at most " +
                                 number_text(MaskingSound::kHighestGain) + " of full scale");
   }
 }
@@ -115,7 +115,7 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
   check_gain(settings.noise.gain);
   if (!(rate_Hz_ >= 8000.0 && rate_Hz_ <= 192000.0)) {
     throw std::invalid_argument("sound: rate_Hz is " + number_text(rate_Hz_) +
-                                ", but has to be from 8000 to 192000");
+                                "; it must be from 8000 to 192000");
   }
   wanted_gain_ = gain_ = settings.noise.gain;
 

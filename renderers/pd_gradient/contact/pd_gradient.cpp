@@ -25,8 +25,7 @@ const RendererInputs& checked(const RendererInputs& inputs) {
   if (inputs.patch.motion_scale != 1.0) {
     throw std::invalid_argument(
         "SurfacePatch::motion_scale must be 1 for pd_gradient, whose tool turns as well as moves, "
-        "and "
-        "it is " +
+        "but it is " +
         number_text(inputs.patch.motion_scale));
   }
   return inputs;

@@ -22,7 +22,7 @@ namespace {
 double checked_gain(double gain) {
   if (!(gain >= 0.0) || !std::isfinite(gain)) {
     throw std::invalid_argument("TexturedBody: gain is " + std::to_string(gain) +
-                                "; it has to be zero or positive.");
+                                "; it must be at least 0.");
   }
   return gain;
 }

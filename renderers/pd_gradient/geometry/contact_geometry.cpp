@@ -47,13 +47,13 @@ void require_sound(const ContactFrame& frame) {
       !is(glm::dot(frame.u, frame.v), 0.0) ||
       !is(glm::dot(glm::cross(frame.u, frame.v), frame.n), 1.0) ||
       !is(glm::dot(frame.n, frame.n), 1.0)) {
-    refuse("ContactFrame: u, v and n have to be unit vectors at right angles, n = u × v.");
+    refuse("ContactFrame: u, v and n must be unit vectors at right angles, n = u × v.");
   }
 }
 
 void require_sound(const SamplingGrid& grid) {
   if (!(grid.width_m > 0.0) || !std::isfinite(grid.width_m)) {
-    refuse("SamplingGrid: width_m is " + std::to_string(grid.width_m) + "; it has to be positive.");
+    refuse("SamplingGrid: width_m is " + std::to_string(grid.width_m) + "; it must be positive.");
   }
   if (grid.samples < 2) {
     refuse("SamplingGrid: samples is " + std::to_string(grid.samples) + "; at least 2 are needed.");

@@ -114,13 +114,13 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
       loops_(&loops_of(settings.sampler.instructions)) {
   if (settings.most_places == 1) {
     throw std::invalid_argument(
-        "CachedPenetration: most_places is 1; it has to be 0 or at least 2, because one place is "
+        "CachedPenetration: most_places is 1; it must be 0 or at least 2, because one place is "
         "used while another is sampled.");
   }
   if (rows_in_a_call_ <= 0 || rows_in_a_call_ % kStepOfWindow != 0) {
     throw std::invalid_argument(
         "CachedPenetration: rows_in_a_call is " + std::to_string(rows_in_a_call_) +
-        "; it has to be a positive multiple of " + std::to_string(kStepOfWindow) + ".");
+        "; it must be a positive multiple of " + std::to_string(kStepOfWindow) + ".");
   }
   const SamplingGrid& grid = sampler_.grid();
   step_cells_ = kSlopeApron;

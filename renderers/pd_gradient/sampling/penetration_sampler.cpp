@@ -37,7 +37,7 @@ PenetrationSampler::PenetrationSampler(const SamplerSettings& settings)
   const int samples_in = step_cells_ > 0 ? kColumnsPerStep * step_cells_ : kMostLanes;
   if (grid_.samples % samples_in != 0) {
     throw std::invalid_argument("PenetrationSampler: a window of " + std::to_string(grid_.samples) +
-                                " samples; with this law it has to be a multiple of " +
+                                " samples; with this law it must be a multiple of " +
                                 std::to_string(samples_in) + ".");
   }
   a_ = field_with_apron(apron);
@@ -56,7 +56,7 @@ void PenetrationSampler::prepare_steps(const HardMaximum& law) {
   if (!(std::abs(cells - std::round(cells)) < kWholeCell && cells > 0.5 &&
         cells < kMostStepCells + 0.5)) {
     throw std::invalid_argument("PenetrationSampler: a step of " + std::to_string(cells) +
-                                " cells; it has to be 1 to " + std::to_string(kMostStepCells) +
+                                " cells; it must be 1 to " + std::to_string(kMostStepCells) +
                                 ", a whole number.");
   }
   step_cells_ = static_cast<int>(std::lround(cells));

@@ -47,7 +47,7 @@ std::string whole_steps_m(double cell_m) {
 std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
   if (!(sampling.cell_m > 0.0) || !std::isfinite(sampling.cell_m)) {
     throw std::invalid_argument("cell_m is " + number_text(sampling.cell_m) +
-                                "; it has to be positive.");
+                                "; it must be positive.");
   }
   require_sound(sampling.law);
   const std::optional<int> cells = cells_per_step(sampling);
@@ -56,7 +56,7 @@ std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
                              .message = "step_m is " +
                                         number_text(std::get<HardMaximum>(sampling.law).step_m) +
                                         " and cell_m " + number_text(sampling.cell_m) +
-                                        "; step_m has to be 1, 2, 4 or 8 times cell_m, here " +
+                                        "; step_m must be 1, 2, 4 or 8 times cell_m, here " +
                                         whole_steps_m(sampling.cell_m) + "."};
   }
   const int least = kSamplesPerStep * *cells;
@@ -64,8 +64,7 @@ std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
   return ParameterConflict{.parameters = {"most_samples", "step_m", "cell_m"},
                            .message = "most_samples is " + std::to_string(sampling.most_samples) +
                                       "; with a step of " + std::to_string(*cells) +
-                                      " cells it has to be at least " + std::to_string(least) +
-                                      "."};
+                                      " cells it must be at least " + std::to_string(least) + "."};
 }
 
 WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,

@@ -254,8 +254,7 @@ TEST_F(DriversToSetUp, TakeTheAddressOfAServiceByReturnAndNothingHalfTyped) {
   const std::string place = service.place();
   const std::string nonsense = place + "x";
   type("inverse3", nonsense.c_str());
-  EXPECT_NE(found("inverse3").find("it has to be HOST:PORT"), std::string::npos)
-      << found("inverse3");
+  EXPECT_NE(found("inverse3").find("it must be HOST:PORT"), std::string::npos) << found("inverse3");
   EXPECT_TRUE(dialog().isVisible()) << "Return takes what is typed, and closes nothing";
   type("inverse3", place.c_str());
   EXPECT_TRUE(found("inverse3").starts_with("✓")) << found("inverse3");

@@ -252,9 +252,9 @@ TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
   fill_in();
   EXPECT_FALSE(has_reason("How old are you?"));
   type("question_age", "12");
-  EXPECT_TRUE(has_reason("has to be 18 or more"));
+  EXPECT_TRUE(has_reason("must be 18 or more"));
   type("question_age", "old");
-  EXPECT_TRUE(has_reason("has to be a number"));
+  EXPECT_TRUE(has_reason("must be a number"));
   ASSERT_TRUE(wait_for_checks());
   EXPECT_FALSE(can_start());
 }
