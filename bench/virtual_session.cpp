@@ -1,4 +1,4 @@
-// How much faster than real time a virtual session runs: the demonstration study, session by
+// How much faster than real time a virtual session runs: the demo study, session by
 // session, through the same conductor, servo loop and store as any other, on one core.
 
 #include <algorithm>

@@ -378,10 +378,10 @@ void Study::add_participant(const ParticipantRow& participant) {
       label.find_first_not_of("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") ==
       std::string::npos;
   if (label.empty() || label.size() > 32 || !is_plain) {
-    throw ResultsError(
-        "\"" + label +
-            "\" is not a participant label; it must be 1 to 32 letters and digits (0-9, A-Z, a-z)",
-        store_->folder);
+    throw ResultsError("\"" + label +
+                           "\" is not a participant label; it must consist of 1 to 32 letters and "
+                           "digits (0-9, A-Z, a-z)",
+                       store_->folder);
   }
   Statement statement(database,
                       std::string("INSERT INTO participant (label, is_virtual, age_years, sex, "

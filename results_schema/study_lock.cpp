@@ -24,7 +24,8 @@ bool is_lock_name(const std::string& name) {
 std::filesystem::path lock_path(const std::filesystem::path& study, const std::string& name) {
   if (!is_lock_name(name)) {
     throw ResultsError(
-        "\"" + name + "\" is not a name for a lock; it must be letters, digits, \"-\" and \"_\"",
+        "\"" + name +
+            "\" is not a name for a lock; it must consist of letters, digits, \"-\" and \"_\"",
         study);
   }
   return study / kLocks / (name + kSuffix);

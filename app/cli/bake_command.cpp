@@ -96,8 +96,9 @@ void add_bake(CLI::App& program, Job& job) {
   command->add_option("--out", order.out, "The textured mesh")->required();
   command->add_option("--unit-m", order.reading.unit_m, "Length of one unit of MESH, in metres")
       ->capture_default_str();
-  command->add_option("--fill-holes-m", order.widest_hole_m,
-                      "Widest hole that is closed (default: a tenth of the mesh's diagonal)");
+  command->add_option(
+      "--fill-holes-m", order.widest_hole_m,
+      "Widest hole that is closed (default: a tenth of the diagonal of the bounding box)");
   const std::map<std::string, BodyRole> kRoles{{"surface", BodyRole::surface},
                                                {"tool", BodyRole::tool}};
   command

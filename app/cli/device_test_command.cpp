@@ -58,7 +58,7 @@ std::map<std::string, double> given_limits(const std::vector<std::string>& texts
                        " is not a limit that a protocol can set: " + *complaint);
     }
     if (!limits.emplace(item, limit).second) {
-      throw WrongUsage("--limit gives " + item + " twice; give it once");
+      throw WrongUsage("--limit " + item + " is given twice; give it once");
     }
   }
   return limits;

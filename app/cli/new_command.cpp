@@ -26,8 +26,7 @@ void add_new(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand("new", "Create a study.");
   command->add_option("DIR", options->folder, "Folder of the study; must be new or empty")
       ->required();
-  command->add_flag("--demo", options->demo,
-                    "Create the demonstration study, with textures and protocols");
+  command->add_flag("--demo", options->demo, "Create the demo study, with textures and protocols");
   CLI::Option* const shared = command->add_flag(
       "--shared", options->shared,
       "Share the study with the group of the folder: its members can read and change it and run "

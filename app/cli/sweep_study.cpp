@@ -92,7 +92,8 @@ Protocol protocol_of(const Study& study, const AnalysisOutcome& outcome,
     ++alike;
   }
   if (found == nullptr) {
-    throw std::runtime_error("the study does not contain the protocol " + outcome.protocol + ' ' +
+    throw std::runtime_error("the study " + study.folder().string() +
+                             " does not contain the protocol " + outcome.protocol + ' ' +
                              outcome.version + "; run asperity verify");
   }
   if (alike > 1) {

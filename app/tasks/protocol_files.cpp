@@ -67,13 +67,13 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
     if (!std::filesystem::is_regular_file(study / path)) {
       const char* const from =
           is_of_demonstration(path)
-              ? "; the demonstration study has one of this name (asperity new DIR --demo creates "
+              ? "; the demo study has one of this name (asperity new DIR --demo creates "
                 "it): copy it from there, together with its .json if there is one"
               : "; copy the file into the study";
       return "the file " + path + " is not in the study " + study.string() + from;
     }
     if (!lies_in(study, study / path)) {
-      return "the file " + path + " is a link to " +
+      return "the file " + path + " is a symbolic link to " +
              std::filesystem::canonical(study / path).string() + ", which is outside the study " +
              study.string() + "; copy the file into the study";
     }
@@ -96,7 +96,7 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
       }
       case NamedFile::Kind::speech:
         if (!is_wav(read_file(study / named.path, kSpeechFile))) {
-          return "the file " + named.path + " is not a WAV file; save the recorded speech as WAV";
+          return "the file " + named.path + " is not a WAV file; save it as WAV";
         }
         break;
     }

@@ -93,7 +93,7 @@ class Building final {
   [[noreturn]] static void refuse(const std::string& texels) {
     throw std::invalid_argument("the texture of the shape would take " + texels +
                                 " texels, and at most " + std::to_string(kMostTexels) +
-                                " are possible; take a smaller shape or a coarser height field.");
+                                " are possible; use a smaller shape or a coarser height field.");
   }
   /// Throws before the number of faces exceeds the memory. The actual texel spacing is at most `pitch_m_`.
   void require_few_faces(double area_m2) const {

@@ -108,9 +108,10 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
   refuse_unless_positive(recipe.rms_m, "rms_m");
   if (photograph.rows < kSmallestSide || photograph.columns < kSmallestSide ||
       photograph.values.size() != photograph.rows * photograph.columns) {
-    throw std::invalid_argument(name + " is " + std::to_string(photograph.columns) + " by " +
-                                std::to_string(photograph.rows) +
-                                " pixels; a texture needs at least 16 by 16.");
+    throw std::invalid_argument(
+        name + " is " + std::to_string(photograph.columns) + " by " +
+        std::to_string(photograph.rows) +
+        " pixels; a texture needs at least 16 by 16. Use a photograph with more pixels.");
   }
   check_width(photograph, recipe.width_m, name);
   const double pitch_m = recipe.width_m / static_cast<double>(photograph.columns);

@@ -133,7 +133,7 @@ TEST_F(Bodies, AReliefThatIsTooFineForItsShapeIsRefused) {
   replace_in_protocol("[0.04, 0.02, 0.01]", "[1, 1, 0.01]");
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/bodies/plate");
-  EXPECT_THAT(problems()[0].message, HasSubstr("take a smaller shape"));
+  EXPECT_THAT(problems()[0].message, HasSubstr("use a smaller shape"));
 }
 
 TEST_F(Bodies, WithAStepOfThreeCellsAreRefusedWithWhatWouldBeRight) {

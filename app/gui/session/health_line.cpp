@@ -78,7 +78,7 @@ QString HealthLine::text_of(MaskingState masking) {
     case MaskingState::silent:
       return tr("the sound card does not play: no masking noise");
     case MaskingState::no_card:
-      return tr("no sound card: no masking noise");
+      return tr("no sound output: no masking noise");
     case MaskingState::elsewhere:
       return tr("masking noise from another source (measured)");
   }

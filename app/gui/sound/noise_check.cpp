@@ -209,7 +209,8 @@ void NoiseCheck::set_gain(int slider) {
 }
 
 QString NoiseCheck::reservation() const {
-  if (output_.is_null) return tr("There is no sound card. Connect one to play noise and cues.");
+  if (output_.is_null)
+    return tr("There is no sound output. Connect headphones to play noise and cues.");
   if (is_silent_) {
     return tr("%1 does not play. Connect it again, or choose another sound output in the settings "
               "of the computer.")

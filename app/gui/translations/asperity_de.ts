@@ -7104,8 +7104,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>&lt;b&gt;Oberfläche und Hand&lt;/b&gt;, für alle gleich</translation>
     </message>
     <message>
-        <source>There is no sound card. Connect one to hear a force.</source>
-        <translation>Es gibt keine Soundkarte. Eine anschließen, um eine Kraft zu hören.</translation>
+        <source>There is no sound output. Connect headphones to hear a force.</source>
+        <translation>Es gibt keine Tonausgabe. Kopfhörer anschließen, um eine Kraft zu hören.</translation>
     </message>
     <message>
         <source>%1 could not be opened; close other programs that may be using it.</source>
@@ -7162,8 +7162,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>die Soundkarte gibt keinen Ton aus: kein Maskierrauschen</translation>
     </message>
     <message>
-        <source>no sound card: no masking noise</source>
-        <translation>keine Soundkarte: kein Maskierrauschen</translation>
+        <source>no sound output: no masking noise</source>
+        <translation>keine Tonausgabe: kein Maskierrauschen</translation>
     </message>
     <message>
         <source>masking noise from another source (measured)</source>
@@ -7846,8 +7846,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Rauschen stoppen</translation>
     </message>
     <message>
-        <source>There is no sound card. Connect one to play noise and cues.</source>
-        <translation>Es gibt keine Soundkarte. Eine anschließen, um Rauschen und Signale abzuspielen.</translation>
+        <source>There is no sound output. Connect headphones to play noise and cues.</source>
+        <translation>Es gibt keine Tonausgabe. Kopfhörer anschließen, um Rauschen und Signale abzuspielen.</translation>
     </message>
     <message>
         <source>The level of the noise at the ear was not measured.</source>

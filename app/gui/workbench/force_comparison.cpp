@@ -50,7 +50,7 @@ std::vector<Parameter> surface_parameters() {
   return {number("stiffness_N_per_m", "N/m", 1.0, 5000.0, usual.stiffness_N_per_m,
                  "Stiffness of the surface, the same for every model"),
           number("friction", "1", 0.0, 2.0, usual.friction,
-                 "Ratio of the friction to the normal force, the same for every model"),
+                 "Coulomb friction coefficient of the surface, the same for every model"),
           number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
                  "Depth of the probe below the mean height during the stroke"),
           number("ball_diameter_m", "m", 0.001, 0.02, 0.005,
@@ -327,7 +327,7 @@ void ForceComparison::set_sound(SoundOutput output) {
   output_ = std::move(output);
   heard_->setEnabled(!output_.is_null);
   no_sound_->setVisible(output_.is_null);
-  no_sound_->setText(tr("There is no sound card. Connect one to hear a force."));
+  no_sound_->setText(tr("There is no sound output. Connect headphones to hear a force."));
   open_or_close_sound();
 }
 

@@ -512,7 +512,7 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
   EXPECT_TRUE(health(MaskingState::on).endsWith("0 saturated · masking noise on"));
   EXPECT_TRUE(health(MaskingState::off).endsWith("0 saturated · masking noise off"));
   EXPECT_TRUE(health(MaskingState::none).endsWith("0 saturated"));
-  EXPECT_TRUE(health(MaskingState::no_card).endsWith(" · no sound card: no masking noise"));
+  EXPECT_TRUE(health(MaskingState::no_card).endsWith(" · no sound output: no masking noise"));
   EXPECT_TRUE(health(MaskingState::no_card).contains("▲"));
   EXPECT_TRUE(
       health(MaskingState::elsewhere).endsWith(" · masking noise from another source (measured)"));

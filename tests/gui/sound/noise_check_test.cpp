@@ -116,10 +116,11 @@ TEST(NoiseCheck, TakesDownWhatWasMeasuredByWhom) {
 
 TEST(NoiseCheck, WithoutASoundCardItSaysSoAndPlaysNothing) {
   NoiseCheck check(declared_noise(), null_output());
-  EXPECT_EQ(check.reservation(), "There is no sound card. Connect one to play noise and cues.");
+  EXPECT_EQ(check.reservation(),
+            "There is no sound output. Connect headphones to play noise and cues.");
   EXPECT_FALSE(child<QPushButton>(check, "play_noise").isEnabled());
   EXPECT_FALSE(child<QPushButton>(check, "play_cue").isEnabled());
-  EXPECT_TRUE(child<StateLabel>(check, "noise_state").text().contains("no sound card"));
+  EXPECT_TRUE(child<StateLabel>(check, "noise_state").text().contains("no sound output"));
 }
 
 TEST(NoiseCheck, SaysThatACardDoesNotPlayUntilItDoes) {

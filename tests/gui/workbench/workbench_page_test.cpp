@@ -830,7 +830,7 @@ TEST_F(Workbench, SaysThatASoundCardDoesNotPlay) {
   ASSERT_TRUE(eventually([&] { return said.isVisible(); }));
   EXPECT_TRUE(said.text().contains("Headphones does not play"));
   find<ForceComparison>("comparison").set_sound(null_output());
-  EXPECT_TRUE(said.text().contains("There is no sound card"));
+  EXPECT_TRUE(said.text().contains("There is no sound output"));
 }
 
 TEST_F(Workbench, SaysThatThereIsNothingToHearAForceWith) {
@@ -838,7 +838,7 @@ TEST_F(Workbench, SaysThatThereIsNothingToHearAForceWith) {
   click("mode_comparing");
   find<ForceComparison>("comparison").set_sound(null_output());
   EXPECT_FALSE(find<QComboBox>("heard").isEnabled());
-  EXPECT_TRUE(find<QLabel>("no_sound").text().contains("sound card"));
+  EXPECT_TRUE(find<QLabel>("no_sound").text().contains("sound output"));
   EXPECT_TRUE(find<QLabel>("no_sound").isVisible());
 }
 
