@@ -32,7 +32,7 @@ std::filesystem::path temporary_name(const std::filesystem::path& path) {
 
 [[noreturn]] void refuse_existing(const std::filesystem::path& path) {
   throw ResultsError("the file " + path.string() +
-                         " exists already and is not overwritten; name another or remove it",
+                         " already exists and is not overwritten; name another or remove it",
                      path, EEXIST);
 }
 

@@ -139,7 +139,7 @@ void Study::copy_to(const std::filesystem::path& folder) const {
       std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
   if (std::filesystem::exists(std::filesystem::symlink_status(to))) {
     throw ResultsError("a study cannot be copied to " + folder.string() +
-                           ", which exists already; name a new folder",
+                           ", which already exists; name a new folder",
                        folder, EEXIST);
   }
   if (std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end()) {

@@ -168,9 +168,8 @@ std::vector<std::string> changed_objects(Database& database, Database& made) {
     if (found == has.end()) {
       changed.push_back("the " + name + ", which every study has, is missing");
     } else if (found->second != sql) {
-      changed.push_back(
-          "the " + name +
-          " was changed and is no longer as Asperity makes it; it is now: " + found->second);
+      changed.push_back("the " + name +
+                        " differs from the one that Asperity makes; it is now: " + found->second);
     }
   }
   for (const auto& [name, sql] : has) {

@@ -211,7 +211,7 @@ void add_device_test(CLI::App& program, Job& job) {
         say(fixed(100.0 * news.done, 0) + " %: " + news.what);
       };
       const auto [profile, file] = measure_device(*device, order, interrupt.token());
-      if (file) say("kept as " + file->string());
+      if (file) say("stored as " + file->string());
       if (options->json) {
         std::cout << json_text_of(profile);
       } else {

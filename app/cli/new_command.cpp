@@ -56,10 +56,11 @@ void add_new(CLI::App& program, Job& job) {
       std::cout << '\n';
       if (!options->shared) return 0;
       if (const auto closed = folder_closed_to_group(options->folder)) {
-        std::cerr << "asperity: warning: members of the group cannot reach the study: they have no "
-                     "access to the folder "
-                  << closed->string()
-                  << ". Give them access with chmod, or move the study out of that folder\n";
+        std::cerr
+            << "asperity: warning: members of the group cannot access the study: they have "
+               "no permission for the folder "
+            << closed->string()
+            << ". Give the group access to that folder with chmod, or move the study out of it\n";
       }
       return 0;
     };

@@ -39,7 +39,7 @@ void say_unmoved(const Sweep& sweep, SweepMeasure measure, std::size_t unmoved) 
       why +=
           "; at constant height only a force along the stroke accelerates it, and " +
           stroke.model->declaration.id +
-          " has none with these parameters: --drag constant_force lets the texture lift the tool";
+          " has none with these parameters; with --drag constant_force the texture lifts the tool";
     }
   }
   say("not fitted: " + counted(unmoved, "row") + " whose stroke was complete and whose " +

@@ -56,7 +56,7 @@ void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite 
   if (overwrite == Overwrite::allow) return;
   for (const std::filesystem::path& file : files) {
     if (std::filesystem::exists(file)) {
-      throw ResultsError(file.string() + " exists already; use --force to replace it", file);
+      throw ResultsError(file.string() + " already exists; use --force to replace it", file);
     }
   }
 }

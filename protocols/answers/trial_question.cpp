@@ -52,7 +52,7 @@ std::vector<AnsweredItem> items_of(const TrialQuestion& question, const Answer& 
           return items_of(question, form, given);
         } else {
           throw std::logic_error("the question " + question.name +
-                                 " got an answer of another form");
+                                 " has an answer of another form");
         }
       },
       question.form, answer);

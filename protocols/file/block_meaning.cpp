@@ -258,9 +258,10 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
          std::all_of(block.listed.begin(), block.listed.end(),
                      [&name = factor](const FactorLevels& row) { return row.contains(name); }));
     if (!is_row_factor) {
-      report_key(at,
-                 "only factors that the block crosses or lists can be kept apart; cross or list "
-                 "this one, or remove this key");
+      report_key(
+          at,
+          "maximum_in_a_row applies only to factors that the block crosses or lists; cross or list "
+          "this one, or remove this key");
       return;
     }
   }

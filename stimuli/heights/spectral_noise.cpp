@@ -35,7 +35,7 @@ Heights spectral_noise(const SurfaceCanvas& canvas, std::string_view stream,
   const double rms = cv::norm(noise, cv::NORM_L2) / n;
   if (!(rms > 1e-20)) {
     throw std::invalid_argument(
-        "The canvas contains no wavelength of this noise; make it wider, or give it more pixels.");
+        "No wavelength of this noise fits into the surface; increase width_m or pixels.");
   }
   noise *= 1.0 / rms;
   return {noise.ptr<float>(0), noise.ptr<float>(0) + noise.total()};

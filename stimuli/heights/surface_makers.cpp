@@ -38,7 +38,7 @@ void require_resolved(const ParameterValues& values, std::string_view name,
     throw std::invalid_argument(std::string(name) + " is " + number_text(length_m) + " m, but " +
                                 std::to_string(canvas.pixels) + " pixels over " +
                                 number_text(canvas.width_m) + " m do not resolve lengths below " +
-                                number_text(2.0 * pitch_m) + " m; use more pixels.");
+                                number_text(2.0 * pitch_m) + " m; increase pixels.");
   }
 }
 

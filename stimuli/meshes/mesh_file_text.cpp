@@ -29,7 +29,7 @@ std::size_t next_count(MeshText& text, std::string_view word, const char* what) 
   // An item occupies at least two bytes, a digit and the end of its line.
   if (count < 0 || static_cast<std::size_t>(count) > text.rest_bytes()) {
     text.refuse("the file states " + std::string(word) + ' ' + what +
-                ", for which it is too short.");
+                " but is too short for them.");
   }
   return static_cast<std::size_t>(count);
 }

@@ -23,8 +23,7 @@ std::string about_direction(double direction_rad) {
   return "The brightness varies mostly along " + number_text(degrees == 0.0 ? 0.0 : degrees) +
          "° from +x. Either the surface has a grain at right angles to this direction, or the "
          "light came from one side along this direction. In the second case the heights represent "
-         "slopes "
-         "towards the light: take the picture again in even light from all sides. ";
+         "slopes towards the light: take the picture again in even light from all sides. ";
 }
 
 std::string about_skewness(double skewness) {

@@ -59,11 +59,11 @@ TEST(HeightFieldFiles, AreCompletedByTheSameCommandAndByNoOther) {
   save(folder / "a.png", 1e-4F, Overwrite::refuse);
   std::filesystem::remove(folder / "a.png");
   EXPECT_THAT(refusal_of<ResultsError>([&] { save(folder / "a.png", 2e-4F, Overwrite::refuse); }),
-              HasSubstr("a.png.json exists already"));
+              HasSubstr("a.png.json already exists"));
   save(folder / "a.png", 1e-4F, Overwrite::refuse);
   EXPECT_NO_THROW(load_height_field(folder / "a.png"));
   EXPECT_THAT(refusal_of<ResultsError>([&] { save(folder / "a.png", 1e-4F, Overwrite::refuse); }),
-              HasSubstr("a.png exists already"));
+              HasSubstr("a.png already exists"));
 }
 
 TEST(HeightFieldFiles, AreReplacedTogether) {

@@ -80,7 +80,7 @@ TEST(Bake, ReplacesNothingUnlessItIsTold) {
                                      "--out", place / "ball.mesh"};
   const Outcome refused = asperity(arguments);
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("ball.mesh exists already"));
+  EXPECT_THAT(refused.err, HasSubstr("ball.mesh already exists"));
   EXPECT_EQ(text_of(place / "ball.mesh"), "mine");
   arguments.emplace_back("--force");
   EXPECT_EQ(asperity(arguments).status, 0);

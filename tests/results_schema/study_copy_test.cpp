@@ -200,7 +200,7 @@ TEST(StudyCopy, NeedsAFolderThatIsNotThere) {
   const auto refused = [&, &s = study](const std::filesystem::path& to) {
     return refusal_of<ResultsError>([&] { s.copy_to(to); });
   };
-  EXPECT_THAT(refused(folder / "there"), HasSubstr("exists already"));
+  EXPECT_THAT(refused(folder / "there"), HasSubstr("already exists"));
   EXPECT_THAT(refused(folder / "s" / "copy"), HasSubstr("into itself"));
   EXPECT_TRUE(std::filesystem::is_empty(folder / "there"));
 }
@@ -472,13 +472,13 @@ TEST(StudyVerify, FindsRulesThatAreGoneOrAreNotTheProgramsOwn) {
       ElementsAre("study.sqlite: the view tidy_response, which every study has, is missing"));
   EXPECT_THAT(findings_after("DROP TRIGGER attempt_no_update; CREATE TRIGGER attempt_no_update "
                              "BEFORE UPDATE ON attempt WHEN 0 BEGIN SELECT 1; END"),
-              ElementsAre(HasSubstr("the trigger attempt_no_update was changed and is no longer as "
-                                    "Asperity makes it; it is now: CREATE "
+              ElementsAre(HasSubstr("the trigger attempt_no_update differs from the one that "
+                                    "Asperity makes; it is now: CREATE "
                                     "TRIGGER attempt_no_update BEFORE UPDATE ON attempt WHEN 0 ")));
-  EXPECT_THAT(findings_after("ALTER TABLE attempt ADD COLUMN mood TEXT"),
-              ElementsAre(AllOf(
-                  HasSubstr("the table attempt was changed and is no longer as Asperity makes it"),
-                  HasSubstr("mood TEXT"))));
+  EXPECT_THAT(
+      findings_after("ALTER TABLE attempt ADD COLUMN mood TEXT"),
+      ElementsAre(AllOf(HasSubstr("the table attempt differs from the one that Asperity makes"),
+                        HasSubstr("mood TEXT"))));
   EXPECT_THAT(
       findings_after(
           "CREATE VIEW mine AS SELECT * FROM event; CREATE INDEX my_events ON event (kind)"),
@@ -506,10 +506,9 @@ TEST(StudyVerify, ComparesRulesWithoutTheirCommentsAndBlanks) {
                    nullptr, nullptr, nullptr),
       SQLITE_OK);
   sqlite3_close(handle);
-  EXPECT_THAT(
-      Study::open(folder / "s", Access::read_only).verify({}, {}, {StudyPart::rows}),
-      ElementsAre(HasSubstr(
-          "the trigger event_no_update was changed and is no longer as Asperity makes it")));
+  EXPECT_THAT(Study::open(folder / "s", Access::read_only).verify({}, {}, {StudyPart::rows}),
+              ElementsAre(HasSubstr(
+                  "the trigger event_no_update differs from the one that Asperity makes")));
 }
 
 TEST(TableRules, AreFoundInWhateverSurroundsThem) {

@@ -220,7 +220,7 @@ TEST(SyntheticSurface, RefusesWhatCannotBeMadeByItsName) {
               HasSubstr("wood has no parameter \"grain_m\""));
   EXPECT_THAT(surface_refusal("wood", {}, {.width_m = 2.0}), HasSubstr("width_m is 2 m"));
   EXPECT_THAT(surface_refusal("wood", {}, {.pixels = 8}), HasSubstr("pixels is 8"));
-  EXPECT_THAT(surface_refusal("sinusoid", {{"spacing_m", 1e-4}}, {}), HasSubstr("use more pixels"));
+  EXPECT_THAT(surface_refusal("sinusoid", {{"spacing_m", 1e-4}}, {}), HasSubstr("increase pixels"));
   EXPECT_THAT(surface_refusal("grating", {{"spacing_m", 1e-3}}, {}),
               HasSubstr("wider than spacing_m"));
   EXPECT_THAT(surface_refusal("cones", {{"top_diameter_m", 0.002}}, {}),
