@@ -83,13 +83,13 @@ void add_withdraw(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "withdraw", "Withdraw a participant: the data are kept but no longer used, or deleted.");
+      "withdraw", "Withdraw a participant: the data are excluded from every analysis, or deleted.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("LABEL", options->label, "Label of the participant")->required();
   auto* deletes =
       command->add_flag("--delete", options->deletes,
                         "Delete every trace of the participant from the folder of the study. "
-                        "Without this option the data are kept, and no analysis uses them");
+                        "Without this option the data are kept and excluded from every analysis");
   command
       ->add_option("--confirm", options->confirmed,
                    "With --delete: LABEL again, as confirmation. If this option is absent, the "

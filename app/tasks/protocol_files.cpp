@@ -264,7 +264,7 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
   return ": its shortest wavelength is " + micrometres_text(finest_m) + ", and samples of " +
          micrometres_text(cell_m) + " (cell_m) represent wavelengths of " +
          micrometres_text(kSamplesPerWave * cell_m) +
-         " and longer; use a texture without finer wavelengths, or a cell_m of " +
+         " and longer; use a texture without shorter wavelengths, or a cell_m of " +
          micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)) +
          " or less, which takes longer to render. A step at the seam of a repeated tile counts as "
          "the shortest wavelength";

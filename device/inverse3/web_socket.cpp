@@ -57,8 +57,8 @@ struct WebSocket::Connection {
         self->is_open = true;
         break;
       case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
-        self->failure =
-            in == nullptr ? "no answer" : std::string(static_cast<const char*>(in), length);
+        self->failure = in == nullptr ? "no reason reported"
+                                      : std::string(static_cast<const char*>(in), length);
         self->line = nullptr;
         break;
       case LWS_CALLBACK_CLIENT_CLOSED:
@@ -150,7 +150,8 @@ WebSocket::WebSocket(const std::string& host, int port, std::chrono::millisecond
   if (!connection_->is_open) {
     const std::string& failure = connection_->failure;
     throw std::runtime_error("No service responds at " + place +
-                             (failure.empty() ? "" : " (" + failure + ")") + ".");
+                             (failure.empty() ? "" : " (" + failure + ")") +
+                             ". Check that it runs and that the address is correct.");
   }
 }
 

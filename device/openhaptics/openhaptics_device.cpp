@@ -251,7 +251,7 @@ void OpenHapticsDevice::start_calls(const TickCall& call) {
   try {
     if (call.rate_Hz != kUsualRate_Hz) {
       hd_->hdSetSchedulerRate(static_cast<unsigned long>(std::lround(call.rate_Hz)));
-      refuse_after("call " + std::to_string(std::lround(call.rate_Hz)) + " times a second");
+      refuse_after("run at " + std::to_string(std::lround(call.rate_Hz)) + " Hz");
       has_other_rate_ = true;
     }
     hd_->hdEnable(HdFunctions::kForceOutput);

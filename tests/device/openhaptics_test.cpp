@@ -308,7 +308,7 @@ TEST_F(OpenHaptics, AsksForTheRateOrSaysThatItCannotBeHad) {
                 device->start_calls(
                     {.function = &ReadAndPush::tick, .argument = &servo, .rate_Hz = 2000.0});
               }),
-              HasSubstr("2000 times a second"));
+              HasSubstr("2000 Hz"));
   device->start_calls({.function = &ReadAndPush::tick, .argument = &servo, .rate_Hz = 500.0});
   {
     const std::lock_guard lock(bench->mutex);

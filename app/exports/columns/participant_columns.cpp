@@ -42,7 +42,7 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
   columns.push_back(dropped(column("created_utc", "utc_time", "", "when the participant was added",
                                    [](const Place& at) { return at.participant->created_utc; })));
   columns.push_back(column("withdrawn", "boolean", "",
-                           "1: the participant withdrew; the data were kept but are never used",
+                           "1: the participant withdrew; the data are excluded from every analysis",
                            [](const Place& at) { return boolean(at.participant->withdrawn); }));
   for (const std::string& name : vocabulary.participant_answers) {
     const auto question = vocabulary.questions.find(name);
