@@ -108,7 +108,7 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
   const auto orientation = numbers.group(kOrientation);
   const auto velocity = numbers.group(kVelocity);
   if (table.rows.size() < 2) {
-    throw std::runtime_error(file_name + ": a path needs at least two rows");
+    throw std::runtime_error(file_name + ": a path needs at least two rows; add rows");
   }
   std::vector<ProbeState> path(table.rows.size());
   for (std::size_t row = 0; row < path.size(); ++row) {

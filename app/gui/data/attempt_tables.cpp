@@ -126,7 +126,8 @@ QString limit_words(const std::string& kind) {
     return MeasureTables::tr("the deepest point lay at the border of the region searched");
   }
   if (kind == "fine_detail") {
-    return MeasureTables::tr("the finest detail of the texture was too fine for the sampling");
+    return MeasureTables::tr(
+        "the shortest wavelength of the texture was shorter than eight samples");
   }
   if (kind == "fast") {
     return MeasureTables::tr(

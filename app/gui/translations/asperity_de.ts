@@ -7562,8 +7562,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>die tiefste Stelle lag am Rand des durchsuchten Ausschnitts</translation>
     </message>
     <message>
-        <source>the finest detail of the texture was too fine for the sampling</source>
-        <translation>das feinste Detail der Textur war zu fein für die Abtastung</translation>
+        <source>the shortest wavelength of the texture was shorter than eight samples</source>
+        <translation>die kürzeste Wellenlänge der Textur war kürzer als acht Abtastwerte</translation>
     </message>
     <message>
         <source>the tool moved by more than half of the shortest wavelength in one tick</source>
