@@ -7567,7 +7567,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>the tool moved by more than half of the shortest wavelength in one tick</source>
-        <translation>das Werkzeug bewegte sich in einem Takt um mehr als die halbe feinste Wellenlänge</translation>
+        <translation>das Werkzeug bewegte sich in einem Takt um mehr als die halbe kürzeste Wellenlänge</translation>
     </message>
     <message>
         <source>a contact was too wide for the requested step</source>
