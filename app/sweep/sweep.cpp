@@ -418,7 +418,7 @@ void require_sweep(const SweepOrder& order) {
     if (numbers.empty()) throw std::invalid_argument(std::string(name) + " must not be empty");
     for (const double number : numbers) {
       if (!(number > 0.0 && std::isfinite(number))) {
-        throw std::invalid_argument(std::string(name) + " must be positive, and one is " +
+        throw std::invalid_argument(std::string(name) + " must be positive, but one is " +
                                     number_text(number));
       }
       if (std::count(numbers.begin(), numbers.end(), number) > 1) {

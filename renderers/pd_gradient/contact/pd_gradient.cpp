@@ -282,20 +282,19 @@ std::vector<Parameter> parameters() {
       number("tool_texture_gain", "1", 0.0, 10.0, 1.0,
              "Factor applied to the displacements of the tool"),
       number("contact_damping_N_s_per_m", "N s/m", 0.0, 100.0, 0.0,
-             "Damping of a contact along its gradient; without a coupling the device itself needs "
-             "as much damping, in addition to half the stiffness times the period"),
-      number(
-          "coupling_stiffness_N_per_m", "N/m", 10.0, 1e5, 1000.0,
-          "Virtual coupling only: spring between hand and tool; half of it times the period, plus "
-          "the coupling's damping, has to stay below the device's damping"),
+             "Damping of a contact along its gradient; without a coupling, this damping plus half "
+             "the stiffness times the period must be less than the device's damping"),
+      number("coupling_stiffness_N_per_m", "N/m", 10.0, 1e5, 1000.0,
+             "Virtual coupling only: stiffness between hand and tool; half of it times the period, "
+             "plus the coupling's damping, must be less than the device's damping"),
       number("coupling_damping_N_s_per_m", "N s/m", 0.0, 100.0, 1.0,
-             "Virtual coupling only: damper between hand and tool; for its limit see "
+             "Virtual coupling only: damping between hand and tool; for its limit see "
              "coupling_stiffness_N_per_m"),
       number("coupling_angular_stiffness_N_m_per_rad", "N m/rad", 1e-3, 100.0, 0.3,
-             "Virtual coupling only: spring that aligns the orientation of the tool with that of "
-             "the hand"),
+             "Virtual coupling only: angular stiffness between hand and tool, which aligns the "
+             "tool with the hand"),
       number("coupling_angular_damping_N_m_s_per_rad", "N m s/rad", 0.0, 1.0, 5e-4,
-             "Virtual coupling only: damper of the rotation between hand and tool"),
+             "Virtual coupling only: angular damping between hand and tool"),
       number("tool_mass_kg", "kg", 1e-4, 1.0, 0.002,
              "Virtual coupling only: mass of the simulated tool, which is added to the mass of the "
              "device"),
