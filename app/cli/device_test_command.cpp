@@ -171,7 +171,7 @@ void add_device_test(CLI::App& program, Job& job) {
   command->add_option("--limit", options->limits, "Limit for an item, NAME=NUMBER");
   add_driver_options(*command, options->drivers);
   command->add_flag("--yes", options->agreed,
-                    "Do not ask for confirmation before the device moves");
+                    "Do not request confirmation before the device moves");
   command->add_flag("--json", options->json, "Print the profile as JSON");
   command->callback([options, rate, &job] {
     const bool has_rate = rate->count() > 0;

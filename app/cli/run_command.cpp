@@ -34,8 +34,9 @@ std::uint64_t seed_of_this_machine() {
 /// Before anybody is asked anything.
 void tell_what_a_terminal_lacks(const Protocol& protocol) {
   if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
-    say("asperity: warning: the protocol requires masking noise, and a session at a terminal plays "
-        "none; this is stored with the session and stated in its report. To play the noise, run "
+    say("asperity: warning: the protocol requires masking noise, which is not played at a "
+        "terminal; this is stored with the session and stated in its report. To play the noise, "
+        "run "
         "the session in the program's windows");
   }
   if (guides_participants(protocol)) {
