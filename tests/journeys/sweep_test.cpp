@@ -269,7 +269,8 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
                                        "2,0.5,1", "--friction",    "0.2"};
   const Outcome drawn = outcome(right);
   ASSERT_EQ(drawn.status, 0) << drawn.err;
-  EXPECT_THAT(drawn.err, HasSubstr("warning: the surface of the sweep has 1000 N/m"));
+  EXPECT_THAT(drawn.err,
+              HasSubstr("warning: the stiffness of the surface is 1000 N/m in the sweep"));
   EXPECT_THAT(drawn.err, testing::Not(HasSubstr("--friction")));
   const std::string svg = text_of(place / "sweep.svg");
   EXPECT_THAT(svg, HasSubstr("predicted by pd_gradient: force 0.5 N"));
@@ -324,7 +325,7 @@ TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
   EXPECT_THAT(still.err, HasSubstr("not fitted: 3 rows whose stroke was complete and whose "
                                    "max_accel is 0: the tool was not accelerated"));
   EXPECT_THAT(still.err,
-              HasSubstr("height_map has none with these parameters: --drag constant_force"));
+              HasSubstr("height_map has none with these parameters; with --drag constant_force"));
   EXPECT_THAT(still.err, testing::Not(HasSubstr("see the column status")));
 }
 
