@@ -34,7 +34,10 @@ AttemptRow attempt_of(const MadeUpTrial& made, int trial, int segment) {
     response.question = made.questions.empty() ? "which" : made.questions[i];
     response.item = made.questions.empty() ? static_cast<int>(i) + 1 : 1;
     response.answer = made.answers[i];
-    response.answer_number = made.questions.empty() ? made.number : std::stod(made.answers[i]);
+    const bool is_number = made.answers[i].find_first_of("-0123456789") == 0;
+    response.answer_number = made.questions.empty() ? made.number
+                             : is_number            ? std::optional(std::stod(made.answers[i]))
+                                                    : std::nullopt;
     if (i < made.right.size()) response.correct = made.answers[i] == made.right[i];
     response.options_json = nlohmann::json(made.options).dump();
     response.time_ns = attempt.offset_ns;

@@ -19,7 +19,8 @@ struct MadeUpTrial {
   std::string factors_json = "{}";
   std::vector<PresentationRow> surfaces{};
   std::vector<std::string> answers{};
-  std::vector<std::string> questions{};  ///< as many as answers, which are then numbers; or none
+  /// As many as answers, or none. An answer to one that begins with a digit or a sign is a number.
+  std::vector<std::string> questions{};
   std::optional<double> number{};    ///< that the answer is, of a magnitude
   std::vector<std::string> right{};  ///< as many as answers, or none
   std::vector<std::string> options{};

@@ -172,5 +172,156 @@ TEST(DeclaredFamily, IsThatOfTheKindWhoseTestsItNames) {
   EXPECT_THAT(tests->note.english(), testing::Not(HasSubstr("declares no family")));
 }
 
+/// A recognition with a rating of confidence, and ratings of roughness in a separate block.
+constexpr const char* kWithConfidence = R"({"kind": "recognition", "blocks": {
+  "only": {"questions": [
+    {"name": "which", "prompt": "Which?", "pictures": ["a", "b"]},
+    {"name": "sure", "prompt": "How sure?", "scale": {"minimum": 0, "maximum": 100}}]},
+  "attributes": {"kind": "rating", "questions": [
+    {"name": "rough", "prompt": "How rough?", "scale": {"minimum": 1, "maximum": 7, "points": 7}},
+    {"name": "hard", "prompt": "How hard?", "scale": {"minimum": 1, "maximum": 7, "points": 7}}]}},
+  "analysis": FAMILY})";
+/// The same without the attributes.
+constexpr const char* kOnlyConfidence = R"({"kind": "recognition", "blocks": {
+  "only": {"questions": [
+    {"name": "which", "prompt": "Which?", "pictures": ["a", "b"]},
+    {"name": "sure", "prompt": "How sure?", "scale": {"minimum": 0, "maximum": 100}}]}},
+  "analysis": FAMILY})";
+
+MadeUpTrial recognised_with(const std::string& felt, const std::string& chosen, double sure) {
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of(felt, "height_map", felt)};
+  trial.questions = {"which", "sure"};
+  trial.answers = {chosen, std::to_string(static_cast<int>(sure))};
+  trial.right = {felt};
+  trial.options = {"a", "b"};
+  return trial;
+}
+
+/// Four participants: the first three are surer of their correct responses by 20, 30 and 40, and the
+/// last has no incorrect response.
+AnalysisOutcome ratings_with_confidence(std::string source, const std::string& family) {
+  source.replace(source.find("FAMILY"), std::string("FAMILY").size(), family);
+  const bool has_attributes = source.find("attributes") != std::string::npos;
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("sure", "recognition", source);
+  for (int person = 0; person < 4; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials{recognised_with("a", "a", 70), recognised_with("b", "b", 90)};
+    trials.push_back(person == 3 ? recognised_with("b", "b", 80)
+                                 : recognised_with("b", "a", 60 - 10 * person));
+    for (const char* const item : {"a", "b", "c"}) {
+      MadeUpTrial attributes = rated(item, 1 + (person + *item) % 3, 2 + (*item - 'a'));
+      attributes.block = "attributes";
+      if (has_attributes) trials.push_back(attributes);
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const auto outcomes = analyze_study(made.study(), std::nullopt, {});
+  return outcome_of_kind(outcomes, "rating");
+}
+
+const NamedTable* table_named(const AnalysisOutcome& outcome, const std::string& name) {
+  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                  [&name](const NamedTable& each) { return each.name == name; });
+  return found == outcome.tables.end() ? nullptr : &*found;
+}
+
+TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
+  const AnalysisOutcome ratings =
+      ratings_with_confidence(kOnlyConfidence, R"({"family": ["right"]})");
+  const FoundNumbers found(ratings.findings);
+  // Means of correct responses: 80 for everyone; of incorrect ones 60, 50 and 40.
+  EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|which|correctness|correct").value(), 80.0);
+  EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|which|correctness|incorrect").value(), 50.0);
+  EXPECT_EQ(found.find("mean.score", "sure|which|correctness|incorrect")->n, 3U);
+  // By presented item: b is rated 75, 70, 65 and 85.
+  EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|which|presented|b").value(), 73.75);
+  // Differences 20, 30 and 40: mean 30, SD 10, t = 30 / (10 / √3), d = 3.
+  EXPECT_DOUBLE_EQ(found.value("diff", "sure|which").value(), 30.0);
+  EXPECT_NEAR(found.find("diff", "sure|which")->low.value(),
+              30.0 - 4.302653 * 10.0 / std::sqrt(3.0), 1e-5);
+  const NamedTable* const table = table_named(ratings, "accompanying");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->table.rows.size(), 6U);  // all, correct, incorrect, difference, a, b
+  const NamedTable* const tests = table_named(ratings, "tests");
+  ASSERT_NE(tests, nullptr);
+  ASSERT_EQ(tests->table.rows.size(), 1U);
+  ASSERT_EQ(ratings.test_sentences.size(), 1U);
+  EXPECT_EQ(ratings.test_sentences[0].role, TestRole::exploratory);
+  EXPECT_THAT(ratings.test_sentences[0].text, HasSubstr("t(2) = 5.20, N = 3, p = .035"));
+  EXPECT_THAT(tests->note.english(), HasSubstr("1 of 4"));
+  ASSERT_EQ(ratings.questions.size(), 1U);
+  EXPECT_THAT(ratings.questions[0].answer.english(), HasSubstr("80.00"));
+  EXPECT_THAT(ratings.questions[0].answer.english(), HasSubstr("exploratory"));
+}
+
+TEST(AccompanyingScale, IsNotAnalysedAsAnAttributeOfItems) {
+  const AnalysisOutcome ratings =
+      ratings_with_confidence(kWithConfidence, R"({"family": ["ratings", "right"]})");
+  const NamedTable* const means = table_named(ratings, "ratings");
+  ASSERT_NE(means, nullptr);
+  for (const char* const name : {"ratings", "agreement", "loadings", "tests"}) {
+    const NamedTable* const table = table_named(ratings, name);
+    ASSERT_NE(table, nullptr) << name;
+    for (const auto& row : table->table.rows) {
+      for (const Cell& cell : row) EXPECT_NE(cell, Cell(std::string("sure"))) << name;
+    }
+  }
+  // The family has two tests: one for each attribute.
+  EXPECT_EQ(std::count_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
+                          [](const auto& each) { return each.role == TestRole::confirmatory; }),
+            2);
+  EXPECT_NE(table_named(ratings, "accompanying"), nullptr);
+  // The scales as shown, including that of the confidence.
+  EXPECT_EQ(table_named(ratings, "scales")->table.rows.size(), 3U);
+}
+
+TEST(AccompanyingScale, IsAnalysedAsRatingsWhereTheFamilyNamesTheirTest) {
+  const AnalysisOutcome ratings =
+      ratings_with_confidence(kOnlyConfidence, R"({"family": ["ratings"]})");
+  EXPECT_NE(table_named(ratings, "ratings"), nullptr);
+  EXPECT_NE(table_named(ratings, "agreement"), nullptr);
+}
+
+TEST(AccompanyingScale, IsTestedInTheFamilyThatNamesItsTest) {
+  const AnalysisOutcome ratings =
+      ratings_with_confidence(kOnlyConfidence, R"({"family": ["right", "accompanying_scales"]})");
+  EXPECT_EQ(table_named(ratings, "ratings"), nullptr);
+  ASSERT_EQ(ratings.test_sentences.size(), 1U);
+  EXPECT_EQ(ratings.test_sentences[0].role, TestRole::confirmatory);
+  EXPECT_THAT(ratings.test_sentences[0].text,
+              HasSubstr("significantly higher with correct than with incorrect responses"));
+}
+
+TEST(AccompanyingScale, IsReportedByTheChosenItemWhereNoResponseIsCorrect) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("sure", "selection", R"({"kind": "selection",
+    "blocks": {"only": {"questions": [
+      {"name": "best", "prompt": "Which is best?"},
+      {"name": "sure", "prompt": "How sure?", "scale": {"minimum": 0, "maximum": 100}}]}}})");
+  for (int person = 0; person < 3; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    const auto chosen = [](const std::string& item, const std::string& sure) {
+      MadeUpTrial trial{};
+      trial.surfaces = {surface_of("x", "x", "t"), surface_of("y", "y", "t")};
+      trial.questions = {"best", "sure"};
+      trial.answers = {item, sure};
+      trial.options = {"x", "y"};
+      return trial;
+    };
+    made.add_session(label, protocol, {chosen("x", "80"), chosen("y", "40")});
+  }
+  const auto outcomes = analyze_study(made.study(), std::nullopt, {});
+  const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
+  const FoundNumbers found(ratings.findings);
+  EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|best|chosen|x").value(), 80.0);
+  EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|best|chosen|y").value(), 40.0);
+  EXPECT_EQ(table_named(ratings, "tests"), nullptr);
+  EXPECT_EQ(table_named(ratings, "ratings"), nullptr);
+}
+
 }  // namespace
 }  // namespace asperity

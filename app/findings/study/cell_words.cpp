@@ -51,6 +51,7 @@ const CellWords& words_of_measures() {
 
 const CellWords& words_of_tests() {
   static const CellWords kWords{
+      {"accompanying_scales", phrase("CellWords", "accompanying scales")},
       {"condition", phrase("CellWords", "condition")},
       {"groups", phrase("CellWords", "groups")},
       {"information", phrase("CellWords", "information")},
@@ -78,6 +79,23 @@ const CellWords& words_of_trial_factors() {
                                 {"condition", phrase("CellWords", "condition")},
                                 {"spacing_m", phrase("CellWords", "spacing (m)")},
                                 {"texture", phrase("CellWords", "texture")}};
+  return kWords;
+}
+
+const CellWords& words_of_trial_groups() {
+  static const CellWords kWords{
+      {"all", phrase("CellWords", "all trials")},
+      {"chosen", phrase("CellWords", "chosen item")},
+      {"correctness", phrase("CellWords", "correctness of the response")},
+      {"difference", phrase("CellWords", "difference, correct − incorrect")},
+      {"presented", phrase("CellWords", "presented item")}};
+  return kWords;
+}
+
+const CellWords& words_of_levels() {
+  static const CellWords kWords{{"correct", phrase("CellWords", "correct")},
+                                {"incorrect", phrase("CellWords", "incorrect")},
+                                {"tie", phrase("CellWords", "tie")}};
   return kWords;
 }
 
@@ -113,6 +131,13 @@ const CellWords& words_of_reasons() {
       {"pairs_incomplete",
        phrase("CellWords", "fewer than two participants compared every pair equally often")},
       {"too_few_to_say", phrase("CellWords", "too few participants for a conclusion")},
+      {"no_correct_responses",
+       phrase("CellWords", "no scale accompanies a question with correct responses")},
+      {"no_variance_of_differences",
+       phrase("CellWords",
+              "there are fewer than two participants, or their differences are equal")},
+      {"not_both_correct_and_incorrect",
+       phrase("CellWords", "no participant has both correct and incorrect responses")},
       {"no_pair_offered", phrase("CellWords", "two models were never presented in the same trial")},
       {"no_responses", phrase("CellWords", "no responses to test")},
       {"no_target_or_one_texture",
@@ -206,6 +231,8 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "n") return words_of_count(text);
   if (column == "factor") return cell_word_in(words_of_trial_factors(), text);
   if (column == "unit") return cell_word_in(words_of_units(), text);
+  if (column == "by") return cell_word_in(words_of_trial_groups(), text);
+  if (column == "level") return cell_word_in(words_of_levels(), text);
   if (column == "status") return cell_word_in(words_of_reasons(), text);
   if (column == "method") return words_of_method(text);
   if (column == "role") {

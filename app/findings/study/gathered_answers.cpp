@@ -44,6 +44,8 @@ struct QuestionsOfKind {
   /// The blocks that belong to other kinds only, or nothing: a block that the stored protocol lacks is of
   /// the protocol's kind.
   std::optional<std::set<std::string, std::less<>>> others{};
+  /// The blocks of other kinds in which its questions accompany another one.
+  std::set<std::string, std::less<>> accompanied{};
 
   bool has_block(const std::string& block) const {
     return by_block.contains(block) || (others && !others->contains(block));
@@ -55,10 +57,15 @@ struct QuestionsOfKind {
   }
 };
 
+const std::string& kind_of_stored_block(const std::string& kind_of_protocol,
+                                        const StoredProtocol::Block& block) {
+  return block.kind.empty() ? kind_of_protocol : block.kind;
+}
+
 /// The id of the kind that analyses a question of a block.
 std::string kind_of_stored(const std::string& kind_of_protocol, const StoredProtocol::Block& block,
                            const StoredProtocol::TrialQuestion& question) {
-  const std::string& of_block = block.kind.empty() ? kind_of_protocol : block.kind;
+  const std::string& of_block = kind_of_stored_block(kind_of_protocol, block);
   const ExperimentKind* const known = find_kind(of_block);
   if (!question.has_scale || known == nullptr) return of_block;
   const ExperimentKind* const kind = kind_of_question(*known, ScaleForm{});
@@ -71,7 +78,11 @@ std::map<std::string, QuestionsOfKind> questions_by_kind(const StoredProtocol& p
   std::map<std::string, QuestionsOfKind> kinds{};
   for (const auto& [name, block] : protocol.blocks) {
     for (const StoredProtocol::TrialQuestion& question : block.questions) {
-      auto& names = kinds[kind_of_stored(kind_of_protocol, block, question)].by_block[name];
+      const std::string kind = kind_of_stored(kind_of_protocol, block, question);
+      if (kind != kind_of_stored_block(kind_of_protocol, block)) {
+        kinds[kind].accompanied.insert(name);
+      }
+      auto& names = kinds[kind].by_block[name];
       if (block.questions.size() == 1) continue;
       if (!names) names.emplace();
       names->insert(question.name);
@@ -149,9 +160,11 @@ class Gathering {
         const bool is_known =
             std::any_of(gathered.questions.begin(), gathered.questions.end(),
                         [&question](const auto& known) { return known.name == question.name; });
-        if (!is_known && kind_of_stored(protocol.kind, block, question) == gathered.kind) {
-          gathered.questions.push_back(question);
-        }
+        if (kind_of_stored(protocol.kind, block, question) != gathered.kind) continue;
+        if (!is_known) gathered.questions.push_back(question);
+        (kind_of_stored_block(protocol.kind, block) == gathered.kind ? has_own_questions_
+                                                                     : has_accompanying_ones_) =
+            true;
       }
     }
     const ExperimentKind* const kind = find_kind(gathered.kind);
@@ -197,6 +210,7 @@ class Gathering {
                           [&group](const auto& person) { return person.group == group; });
     });
     gathered.count.participants = participants_.size();
+    gathered.only_accompanies = has_accompanying_ones_ && !has_own_questions_;
     gathered.sources = count_protocols(texts_of_sources_);
     if (!gathered.declared_alike) gathered.declared = {};
     return std::move(gathered);
@@ -278,15 +292,32 @@ class Gathering {
     return found;
   }
 
+  /// Nothing in a block of this kind. Of the questions of other kinds a block has one.
+  std::optional<AccompaniedResponse> accompanied_response(Session& session,
+                                                          const SessionAnswers::Attempt& attempt,
+                                                          const std::string& block) {
+    if (!session.questions.accompanied.contains(block)) return std::nullopt;
+    AccompaniedResponse response{};
+    std::size_t items = 0;
+    for (const SessionAnswers::Reply& reply : session.answers.replies_of(attempt)) {
+      if (session.questions.has(block, session.answers.words[reply.question])) continue;
+      response.question = word(session, reply.question);
+      response.answer = ++items == 1 && !reply.number ? word(session, reply.answer) : kNoWord;
+      if (reply.correct) response.correct = response.correct.value_or(true) && *reply.correct;
+    }
+    return response;
+  }
+
   void add_answers(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
                    const SessionAnswers::Trial& planned) {
-    const auto by_question =
-        replies_by_question(session, attempt, session.answers.words[planned.block]);
+    const std::string& block = session.answers.words[planned.block];
+    const auto by_question = replies_by_question(session, attempt, block);
     if (by_question.empty()) return;
     const std::size_t first_surface = gathered.surfaces.size();
     const auto surfaces = session.answers.surfaces_of(attempt);
     for (const SessionAnswers::Surface& surface : surfaces) add_surface(session, surface);
     const std::uint32_t levels = factors(session, planned.factors_json);
+    const auto accompanied = accompanied_response(session, attempt, block);
     for (const RepliesToQuestion& to : by_question) {
       const std::optional<double>& time_s = to.replies.back().from_cue_s;
       gathered.answers.push_back({.person = person,
@@ -296,6 +327,7 @@ class Gathering {
                                   .repetition = planned.repetition,
                                   .continues_trial = &to != by_question.data(),
                                   .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
+                                  .accompanied = accompanied,
                                   .surface_count = static_cast<std::uint16_t>(surfaces.size()),
                                   .reply_count = static_cast<std::uint16_t>(to.replies.size()),
                                   .first_surface = first_surface,
@@ -322,6 +354,8 @@ class Gathering {
   std::set<std::string> sources_{};
   std::vector<std::string> texts_of_sources_{};
   std::map<std::string, std::uint32_t> option_lists_{};
+  bool has_own_questions_ = false;
+  bool has_accompanying_ones_ = false;
 };
 
 /// Reads the responses of one session after another. In large studies most of the time of an

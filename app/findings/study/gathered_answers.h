@@ -65,6 +65,14 @@ struct GatheredReply {
   std::optional<double> number{};  ///< where the response is one
 };
 
+/// The response to the question that a scale accompanies, in the same attempt.
+struct AccompaniedResponse {
+  std::uint32_t question = kNoWord;  ///< word of its name
+  std::uint32_t answer = kNoWord;    ///< of a choice; `kNoWord` of an assignment and of a number
+  /// Of an assignment: whether all items are correct. Nothing where no response is correct or incorrect.
+  std::optional<bool> correct{};
+};
+
 /// The answer to one question in a valid attempt at a trial of the main phase.
 struct GatheredAnswer {
   std::uint32_t person = 0;  ///< index in `people`
@@ -77,6 +85,8 @@ struct GatheredAnswer {
   /// From the cue, when the question was asked first, to the response; an assignment has one
   /// response time. Nothing where none is stored, or where it is not above 0.
   std::optional<double> response_time_s{};
+  /// Where the question accompanies one of another kind in its block.
+  std::optional<AccompaniedResponse> accompanied{};
   std::uint16_t surface_count = 0;
   std::uint16_t reply_count = 0;
   std::size_t first_surface = 0;
@@ -129,6 +139,8 @@ struct GatheredAnswers {
   std::vector<std::string> pictures{};  ///< of matching and recognition, in the protocol's order
   /// Of a selection: the only parameter in which its alternatives differ, in all of those files.
   std::optional<std::string> compared_parameter{};
+  /// All questions of this kind in main blocks accompany questions of other kinds.
+  bool only_accompanies = false;
   bool declared_alike = true;  ///< in all of those files; otherwise nothing counts as declared
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};

@@ -1,4 +1,4 @@
-// The analysis of ratings: each scale on its own.
+// The analysis of ratings: each scale on its own; scales that accompany another question apart from the others.
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "app/findings/reading_number.h"
+#include "app/findings/study/accompanying_scales.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/kinds/rating_analysis.h"
 #include "app/findings/study/study_findings.h"
+#include "app/findings/study/test_sentences.h"
 
 namespace asperity {
 
@@ -51,11 +53,22 @@ std::string rated_item(const GatheredAnswers& gathered, const GatheredAnswer& an
   return item;
 }
 
+/// Whether the protocol's family names a test of ratings that can only be one of accompanying scales.
+bool tests_accompanying_ratings(const GatheredAnswers& gathered) {
+  const std::vector<std::string>& family = gathered.declared.family;
+  return gathered.only_accompanies &&
+         std::any_of(family.begin(), family.end(), [](const std::string& name) {
+           return name == "ratings" || name == "rated_pairs" || name == "rating_model";
+         });
+}
+
+/// A scale that accompanies another question is about the trial, not an attribute of its item.
 std::vector<RatedScale> rated_scales(const GatheredAnswers& gathered) {
+  const bool takes_all = tests_accompanying_ratings(gathered);
   std::map<std::string, std::vector<RatedScale::Response>> responses{};
   for (const GatheredAnswer& answer : gathered.answers) {
     const std::optional<double>& number = gathered.reply_of(answer).number;
-    if (!number) continue;
+    if (!number || (answer.accompanied && !takes_all)) continue;
     responses[gathered.word(answer.question)].push_back(
         {answer.person, rated_item(gathered, answer), *number});
   }
@@ -202,7 +215,8 @@ void add_components(const std::vector<RatedScale>& scales, AnalysisOutcome& outc
 }
 
 /// The scales as shown to participants.
-NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales) {
+NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
+                           const AccompanyingScales& accompanying) {
   NamedTable shown{kScales,
                    phrase("Analysis", "The scales"),
                    {{"scale", "minimum", "low_label", "maximum", "high_label", "points"}, {}},
@@ -218,14 +232,14 @@ NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<Ra
   const auto label_cell = [](const std::string& label) {
     return label.empty() ? Cell{} : Cell{label};
   };
-  for (const RatedScale& scale : scales) {
-    const auto question =
-        std::find_if(gathered.questions.begin(), gathered.questions.end(),
-                     [&scale](const auto& one) { return one.name == scale.name; });
-    if (question == gathered.questions.end()) continue;
-    shown.table.rows.push_back({scale.name, whole_cell(question->minimum),
-                                label_cell(question->low_label), whole_cell(question->maximum),
-                                label_cell(question->high_label), whole_cell(question->points)});
+  for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
+    const bool is_rated = std::any_of(scales.begin(), scales.end(), [&question](const auto& scale) {
+      return scale.name == question.name;
+    });
+    if (!is_rated && !accompanying.has(question.name)) continue;
+    shown.table.rows.push_back({question.name, whole_cell(question.minimum),
+                                label_cell(question.low_label), whole_cell(question.maximum),
+                                label_cell(question.high_label), whole_cell(question.points)});
   }
   return shown;
 }
@@ -325,6 +339,7 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
 
 void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<RatedScale> scales = rated_scales(gathered);
+  const AccompanyingScales accompanying(gathered);
   NamedTable ratings{
       kRatings,
       phrase("Analysis", "Mean ratings of the items on each scale"),
@@ -376,16 +391,19 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
     keep_findings(correlations, outcome);
     all.emplace_back(&scale, std::move(findings));
   }
-  if (!ratings.table.rows.empty()) {
-    outcome.tables.push_back(std::move(ratings));
-    outcome.tables.push_back(table_of_scales(gathered, scales));
+  const bool has_ratings = !ratings.table.rows.empty();
+  if (has_ratings) outcome.tables.push_back(std::move(ratings));
+  if (has_ratings || !accompanying.empty()) {
+    outcome.tables.push_back(table_of_scales(gathered, scales, accompanying));
   }
   if (!agreement.table.rows.empty()) outcome.tables.push_back(std::move(agreement));
   if (!odds.table.rows.empty()) outcome.tables.push_back(std::move(odds));
   add_components(scales, outcome);
+  accompanying.add_tests(tests);
   tests.finish(outcome);
   for (const auto& [scale, findings] : all)
     ask_about(*scale, FoundNumbers(findings), tests, outcome);
+  accompanying.report(tests, outcome);
 }
 
 }  // namespace asperity

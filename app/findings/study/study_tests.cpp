@@ -53,7 +53,8 @@ void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::T
 /// Why a test that the protocol declares was not added: a code of cell_words.h.
 std::string reason_for(const std::string& name) {
   using WhyNot = std::pair<std::string_view, std::string_view>;
-  constexpr std::array kReasons{WhyNot{"condition", "one_condition"},
+  constexpr std::array kReasons{WhyNot{"accompanying_scales", "no_correct_responses"},
+                                WhyNot{"condition", "one_condition"},
                                 WhyNot{"groups", "one_group"},
                                 WhyNot{"information", "pictures_differ"},
                                 WhyNot{"interaction", "one_condition"},
@@ -210,7 +211,9 @@ StudyTests::StudyTests(const GatheredAnswers& gathered)
   }
   is_declared_ = !family_.empty();
   is_of_other_kinds_ = family_.empty() && !gathered.declared.family.empty();
-  if (family_.empty() && kind != nullptr) family_.emplace_back(kind->tests.front().name);
+  if (family_.empty() && kind != nullptr && !gathered.only_accompanies) {
+    family_.emplace_back(kind->tests.front().name);
+  }
   for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
 }
 
@@ -294,7 +297,8 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
           : phrase("Analysis",
                    "The protocol declares no family of tests, so that no test is confirmatory.");
   Phrase note =
-      !is_any_adjusted
+      family_.empty() ? undeclared
+      : !is_any_adjusted
           ? phrase("Analysis", "No test of the family (%1) could be computed.").with(family)
       : tests == 1 && is_declared_
           ? phrase("Analysis",
@@ -318,10 +322,13 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
                    "protocol (%3); a test that cannot be computed counts as p = 1.")
                 .with(undeclared, std::to_string(tests), family);
   note =
-      (is_declared_
+      (is_declared_ ? phrase("Analysis",
+                             "%1 All other tests are exploratory and uncorrected. Where n counts "
+                             "responses or trials, they are pooled as if they were independent. %2")
+       : family_.empty()
            ? phrase("Analysis",
-                    "%1 All other tests are exploratory and uncorrected. Where n counts "
-                    "responses or trials, they are pooled as if they were independent. %2")
+                    "%1 The p values of the tests are uncorrected. Where n counts responses or "
+                    "trials, they are pooled as if they were independent. %2")
            : phrase(
                  "Analysis",
                  "%1 The p values of all other tests are uncorrected. Where n counts responses or "
@@ -421,6 +428,7 @@ void StudyTests::adjust() {
 }
 
 void StudyTests::finish(AnalysisOutcome& outcome) {
+  if (family_.empty() && tests_.empty()) return;
   for (const std::string& name : family_) {
     const bool is_added = std::any_of(tests_.begin(), tests_.end(),
                                       [&name](const Test& test) { return test.name == name; });

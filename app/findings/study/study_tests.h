@@ -24,7 +24,8 @@ class StudyTests final {
   /// The status of a permutation test of one participant, whose p could only be 1.
   static constexpr const char* kOneParticipantAlone = "cannot be tested with one participant";
 
-  /// The family that the protocol declares, or the first test of its kind.
+  /// The family that the protocol declares, or the first test of its kind. Without a declaration,
+  /// scales that only accompany other questions have no family.
   explicit StudyTests(const GatheredAnswers& gathered);
 
   using Test = StudyTest;
@@ -41,7 +42,7 @@ class StudyTests final {
   /// Sets the proportion expected under guessing for the same test.
   void state_chance(double chance);
   /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares
-  /// and that was not added is a row without a p.
+  /// and that was not added is a row without a p. Without a test no table is appended.
   void finish(AnalysisOutcome& outcome);
 
   const Test* find(std::string_view name, std::string_view about = {}) const;

@@ -1595,6 +1595,66 @@
         <source>no CI, because all participants have the same value</source>
         <translation>kein Konfidenzintervall, weil alle Versuchspersonen denselben Wert haben</translation>
     </message>
+    <message>
+        <source>Participants without both correct and incorrect responses are left out of the test of the ratings on “%1”</source>
+        <translation>Versuchspersonen, die nicht sowohl richtige als auch falsche Antworten gegeben haben, fehlen im Test der Urteile auf „%1“</translation>
+    </message>
+    <message>
+        <source>The mean rating is %1 over all trials.</source>
+        <translation>Das mittlere Urteil über alle Durchgänge ist %1.</translation>
+    </message>
+    <message>
+        <source>No response was correct.</source>
+        <translation>Keine Antwort war richtig.</translation>
+    </message>
+    <message>
+        <source>No response was incorrect.</source>
+        <translation>Keine Antwort war falsch.</translation>
+    </message>
+    <message>
+        <source>The mean rating is %1 for correct responses and %2 for incorrect ones.</source>
+        <translation>Das mittlere Urteil ist %1 bei richtigen und %2 bei falschen Antworten.</translation>
+    </message>
+    <message>
+        <source>%1 The difference could not be tested.</source>
+        <translation>%1 Der Unterschied konnte nicht getestet werden.</translation>
+    </message>
+    <message>
+        <source>%1 They differ significantly: mean difference %2, N = %3, paired t test: %4.</source>
+        <translation>%1 Sie unterscheiden sich signifikant: mittlere Differenz %2, N = %3, t-Test für gepaarte Stichproben: %4.</translation>
+    </message>
+    <message>
+        <source>%1 They do not differ significantly: mean difference %2, N = %3, paired t test: %4.</source>
+        <translation>%1 Sie unterscheiden sich nicht signifikant: mittlere Differenz %2, N = %3, t-Test für gepaarte Stichproben: %4.</translation>
+    </message>
+    <message>
+        <source>%1 Mean difference: %2, N = %3, paired t test: %4.</source>
+        <translation>%1 Mittlere Differenz: %2, N = %3, t-Test für gepaarte Stichproben: %4.</translation>
+    </message>
+    <message>
+        <source>Ratings that accompany another question</source>
+        <translation>Urteile, die eine andere Frage begleiten</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; mean ratings over such trials, of the participants who have any, with t-based 95 % CIs; difference: of the participants who have both correct and incorrect responses.</source>
+        <translation>Mittelwerte der mittleren Urteile der Versuchspersonen über solche Durchgänge, über die Versuchspersonen mit solchen Durchgängen, mit t-basierten 95-%-KI; Differenz: über die Versuchspersonen mit richtigen und falschen Antworten.</translation>
+    </message>
+    <message>
+        <source>Do the ratings on the scale “%1” differ between correct and incorrect responses to the question “%2”?</source>
+        <translation>Unterscheiden sich die Urteile auf der Skala „%1“ zwischen richtigen und falschen Antworten auf die Frage „%2“?</translation>
+    </message>
+    <message>
+        <source>How high are the ratings on the scale “%1”, which accompanies the question “%2”?</source>
+        <translation>Wie hoch sind die Urteile auf der Skala „%1“, die die Frage „%2“ begleitet?</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; mean ratings, with t-based CIs; a paired t test compares correct and incorrect responses.</source>
+        <translation>Mittelwerte der mittleren Urteile der Versuchspersonen mit t-basierten KI; ein t-Test für gepaarte Stichproben vergleicht richtige und falsche Antworten.</translation>
+    </message>
+    <message>
+        <source>%1 The p values of the tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
+        <translation>%1 Die p-Werte der Tests sind unkorrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2089,6 +2149,14 @@
         <source>ζ</source>
         <translation>ζ</translation>
     </message>
+    <message>
+        <source>trials grouped by</source>
+        <translation>Durchgänge gruppiert nach</translation>
+    </message>
+    <message>
+        <source>question</source>
+        <translation>Frage</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -2574,6 +2642,50 @@
     <message>
         <source>fewer than two participants compared every pair equally often</source>
         <translation>weniger als zwei Versuchspersonen haben jedes Paar gleich häufig verglichen</translation>
+    </message>
+    <message>
+        <source>accompanying scales</source>
+        <translation>begleitende Skalen</translation>
+    </message>
+    <message>
+        <source>chosen item</source>
+        <translation>gewähltes Item</translation>
+    </message>
+    <message>
+        <source>correctness of the response</source>
+        <translation>Richtigkeit der Antwort</translation>
+    </message>
+    <message>
+        <source>difference, correct − incorrect</source>
+        <translation>Differenz, richtig − falsch</translation>
+    </message>
+    <message>
+        <source>presented item</source>
+        <translation>dargebotenes Item</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>incorrect</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation>Gleichstand</translation>
+    </message>
+    <message>
+        <source>no scale accompanies a question with correct responses</source>
+        <translation>keine Skala begleitet eine Frage mit richtigen Antworten</translation>
+    </message>
+    <message>
+        <source>there are fewer than two participants, or their differences are equal</source>
+        <translation>es sind weniger als zwei Versuchspersonen, oder ihre Differenzen sind gleich</translation>
+    </message>
+    <message>
+        <source>no participant has both correct and incorrect responses</source>
+        <translation>keine Versuchsperson hat sowohl richtige als auch falsche Antworten</translation>
     </message>
 </context>
 <context>
@@ -5687,6 +5799,10 @@
     <message>
         <source>McFadden’s R²</source>
         <translation>McFaddens R²</translation>
+    </message>
+    <message>
+        <source>paired t test</source>
+        <translation>t-Test für gepaarte Stichproben</translation>
     </message>
 </context>
 <context>

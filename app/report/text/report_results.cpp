@@ -129,6 +129,7 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"achieved_sd_N", "achieved, SD (N)"},
       {"against", "other item"},
       {"answers", "responses"},
+      {"by", "trials grouped by"},
       {"by_chance", "expected under guessing"},
       {"chance", "chance level"},
       {"chance 95 %", "95" + no_break + "% interval under guessing"},

@@ -22,7 +22,14 @@ constexpr std::array kRatingClaims{
         "rating_model", "",
         "The odds of a higher rating on the scale %1 differed significantly between the items", "",
         "The odds of a higher rating on the scale %1 did not differ significantly between the "
-        "items"}};
+        "items"},
+    TestClaim{"accompanying_scales", "",
+              "The ratings on the scale %1 were significantly higher with correct than with "
+              "incorrect responses to the question %2",
+              "The ratings on the scale %1 were significantly lower with correct than with "
+              "incorrect responses to the question %2",
+              "The ratings on the scale %1 did not differ significantly between correct and "
+              "incorrect responses to the question %2"}};
 
 std::size_t scales_of(const Protocol& protocol) {
   std::set<std::string> names{};

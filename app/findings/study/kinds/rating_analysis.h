@@ -8,7 +8,7 @@ namespace asperity {
 
 /// Ratings on one or more scales, each on its own: mean ratings of the items, tests between them, and
 /// the agreement of the participants. A participant's ratings of an item are averaged over its trials
-/// first.
+/// first. Scales that accompany a question of another kind are reported apart (accompanying_scales.h).
 void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 const StudyAnalysis& rating_analysis();
