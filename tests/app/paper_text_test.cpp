@@ -112,10 +112,12 @@ Report report_of_choices(const std::vector<int>& height_map,
 TEST(PaperText, StatesADifferenceWithItsTestOnce) {
   const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
   // All of 8 participants chose the one more often: p = 2/2⁸. The differences sum to 6+4+6+4+2+6+4+6.
-  EXPECT_THAT(paragraph(report, "Results"),
-              HasSubstr(". height_map was chosen significantly more often than sinusoid: sign-flip "
-                        "(randomisation) test, exact, D = 38, N = 8, p = .008, uncorrected; "
-                        "Cohen’s d of paired differences = "));
+  EXPECT_THAT(
+      paragraph(report, "Results"),
+      HasSubstr(
+          ". In an exploratory test, the item height_map was chosen more often than "
+          "sinusoid: sign-flip (randomisation) test, exact, D = 38, N = 8, p = .008, uncorrected; "
+          "Cohen’s d of paired differences = "));
 }
 
 TEST(PaperText, CallsNoTestConfirmatoryThatTheProtocolDoesNotDeclare) {
@@ -151,16 +153,25 @@ TEST(PaperText, CitesEachPublicationBehindItsTest) {
   }
 }
 
+TEST(PaperText, StatesTheMeansInTheSentencesOfConfirmatoryTests) {
+  const std::string results =
+      paragraph(report_of_choices({6, 5, 6, 5, 4, 6, 5, 6}, {"pairs"}), "Results");
+  EXPECT_THAT(results, HasSubstr(". The item height_map was chosen significantly more often than "
+                                 "sinusoid: sign-flip (randomisation) test, exact, D = 38, "));
+  // 43 of 48 choices.
+  EXPECT_THAT(results, HasSubstr("; means: 90 % (95 % CI ["));
+  EXPECT_THAT(results, HasSubstr("%]) for height_map and 10 % (95 % CI ["));
+}
+
 TEST(PaperText, StatesTheDirectionOfADifference) {
   EXPECT_THAT(paragraph(report_of_choices({0, 1, 0, 1, 2, 0, 1, 0}), "Results"),
-              HasSubstr(". height_map was chosen significantly less often than sinusoid: "));
+              HasSubstr(" the item height_map was chosen less often than sinusoid: "));
 }
 
 TEST(PaperText, ClaimsNothingOfADifferenceThatIsNotSignificant) {
-  EXPECT_THAT(
-      paragraph(report_of_choices({4, 2, 4, 2, 5, 1, 3, 3}), "Results"),
-      HasSubstr(". The numbers of choices of height_map and sinusoid were not significantly "
-                "different: "));
+  EXPECT_THAT(paragraph(report_of_choices({4, 2, 4, 2, 5, 1, 3, 3}), "Results"),
+              HasSubstr(" the numbers of choices of height_map and sinusoid were not significantly "
+                        "different: "));
 }
 
 TEST(PaperText, StatesWhyAConfirmatoryTestCouldNotBeMade) {
@@ -285,7 +296,7 @@ TEST(PaperText, StatesTheChanceLevelOfProportions) {
     made.add_session(label, protocol, {matched(i < 4), matched(true)});
   }
   const std::string results = paragraph(study_report(made.study(), {}), "Results");
-  EXPECT_THAT(results, HasSubstr("The proportion of correctly matched items was"));
+  EXPECT_THAT(results, HasSubstr(" the proportion of correctly matched items was"));
   EXPECT_THAT(results, HasSubstr(" above the chance level of 50 %: "));
 }
 
@@ -318,6 +329,37 @@ TEST(PaperText, NamesFactorsLevelsAndTheTask) {
   EXPECT_THAT(methods, HasSubstr("; attempts outside these limits were "));
   EXPECT_THAT(methods, HasSubstr(" An attempt at a trial was invalid if more than "));
   EXPECT_THAT(methods, Not(HasSubstr("texture")));
+}
+
+/// The library's protocol has ratings and a recognition, here with a rating of confidence.
+TEST(PaperText, StatesThePointsOfScalesAndNamesBlocks) {
+  const auto library = library_protocols();
+  const auto known = std::find_if(library.begin(), library.end(), [](const auto& each) {
+    return each.name == "attributes_of_textures";
+  });
+  ASSERT_NE(known, library.end());
+  auto source = nlohmann::ordered_json::parse(known->text);
+  auto& block = source["blocks"]["recognition"];
+  const auto asked = block["question"];
+  block.erase("question");
+  block["questions"] = {
+      asked,
+      {{"name", "sure"}, {"prompt", "How sure?"}, {"scale", {{"minimum", 0}, {"maximum", 100}}}}};
+  MadeUpStudy made;
+  MadeUpTrial trial{};
+  trial.block = "ratings";
+  trial.surfaces = {surface_of("wood", "height_map", "wood")};
+  trial.questions = {"rough"};
+  trial.answers = {"2"};
+  made.add_person("p1", "F");
+  made.add_session("p1", made.add_protocol("attributes", "rating", source.dump()), {trial, trial});
+  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  EXPECT_THAT(methods, HasSubstr("ratings were given on five scales with 7 points from −3 to 3."));
+  EXPECT_THAT(methods, HasSubstr("Each response of the recognition was accompanied by ratings on "
+                                 "one continuous scale from 0 to 100."));
+  EXPECT_THAT(methods,
+              HasSubstr(" In the block “ratings”, trials were presented in random order "));
+  EXPECT_THAT(methods, HasSubstr(" In the block “recognition”, trials were presented in "));
 }
 
 /// Every test that a study can report has words, and every work that is cited an entry.

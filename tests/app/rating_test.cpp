@@ -156,7 +156,34 @@ TEST(RatedPairs, AreReportedInTheirDirection) {
                    [](const TestSentence& each) { return each.test == "rated_pairs"; });
   ASSERT_NE(sentence, ratings.test_sentences.end());
   // The pair is stone|wood, in the order of the names.
-  EXPECT_THAT(sentence->text, HasSubstr("stone was rated significantly higher than wood"));
+  EXPECT_THAT(sentence->text,
+              testing::StartsWith("The item stone was rated significantly higher than wood: "));
+  // Of three participants each, stone 5 and 6, wood 1 and 2.
+  EXPECT_THAT(sentence->text, HasSubstr("; means: 5.50 (95 % CI ["));
+  EXPECT_THAT(sentence->text, HasSubstr(") for stone and 1.50 (95 % CI ["));
+}
+
+TEST(RatedPairs, StateHowManyEqualRatingsWereLeftOut) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("two_scales", "rating", kTwoScales);
+  for (int person = 0; person < 7; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    // Two participants rate both items as equally hard.
+    made.add_session(label, protocol,
+                     {rated("wood", 1 + person % 2, 2), rated("stone", 6, person < 2 ? 2 : 5)});
+  }
+  const auto outcomes = analyze_study(made.study(), std::nullopt, {});
+  const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
+  const auto sentence =
+      std::find_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
+                   [](const TestSentence& each) { return each.about == "hard: stone|wood"; });
+  ASSERT_NE(sentence, ratings.test_sentences.end());
+  // Exploratory, and therefore without a claim: p = 2/2⁵ of the five others, who agree.
+  EXPECT_THAT(sentence->text,
+              testing::StartsWith("In an exploratory test, the ratings of stone and wood "
+                                  "on the scale “hard” were not significantly different: "));
+  EXPECT_THAT(sentence->text, HasSubstr("N = 5 (two with equal ratings left out), p = .062"));
 }
 
 TEST(DeclaredFamily, IsThatOfTheKindWhoseTestsItNames) {
@@ -250,7 +277,7 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
   ASSERT_EQ(tests->table.rows.size(), 1U);
   ASSERT_EQ(ratings.test_sentences.size(), 1U);
   EXPECT_EQ(ratings.test_sentences[0].role, TestRole::exploratory);
-  EXPECT_THAT(ratings.test_sentences[0].text, HasSubstr("t(2) = 5.20, N = 3, p = .035"));
+  EXPECT_THAT(ratings.test_sentences[0].text, HasSubstr("t(2) = 5.20, N = 3 (one left out), p = .035"));
   EXPECT_THAT(tests->note.english(), HasSubstr("1 of 4"));
   ASSERT_EQ(ratings.questions.size(), 1U);
   EXPECT_THAT(ratings.questions[0].answer.english(), HasSubstr("80.00"));
@@ -293,6 +320,7 @@ TEST(AccompanyingScale, IsTestedInTheFamilyThatNamesItsTest) {
   EXPECT_EQ(ratings.test_sentences[0].role, TestRole::confirmatory);
   EXPECT_THAT(ratings.test_sentences[0].text,
               HasSubstr("significantly higher with correct than with incorrect responses"));
+  EXPECT_THAT(ratings.test_sentences[0].text, HasSubstr("; means: 80.00"));
 }
 
 TEST(AccompanyingScale, IsReportedByTheChosenItemWhereNoResponseIsCorrect) {

@@ -259,6 +259,7 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
     }
     keep_findings(scale.findings, outcome);
     keep_findings(scale.comparison, outcome);
+    state_means_of(scale, outcome);
     const bool has_comparison = !scale.comparison.empty();
     add_question(
         outcome, ("accompanying_" + scale.name + '_' + scale.question).c_str(),
@@ -281,6 +282,20 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
                              .find(kMeanOfScale, Scale::Group{.by = "all"}.key(scale)));
   }
   outcome.tables.push_back(std::move(table));
+}
+
+void AccompanyingScales::state_means_of(const Scale& scale, AnalysisOutcome& outcome) {
+  const FoundNumbers found(scale.findings);
+  const auto mean = [&](const char* level) {
+    return found.find(kMeanOfScale, Scale::Group{.by = "correctness", .level = level}.key(scale));
+  };
+  const Finding* const correct = mean(kCorrect);
+  const Finding* const incorrect = mean(kIncorrect);
+  if (correct == nullptr || incorrect == nullptr) return;
+  state_means(outcome, kAccompanyingTest,
+              "means: " + rating_text(*correct).english() + " for correct responses and " +
+                  rating_text(*incorrect).english() + " for incorrect ones",
+              scale.about());
 }
 
 }  // namespace asperity

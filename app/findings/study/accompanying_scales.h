@@ -52,6 +52,8 @@ class AccompanyingScales final {
     std::string about() const { return name + '|' + question; }
   };
   static Phrase answer_text(const Scale& scale, const StudyTests& tests);
+  /// In the sentence of its test.
+  static void state_means_of(const Scale& scale, AnalysisOutcome& outcome);
 
   std::vector<Scale> scales_{};
 };

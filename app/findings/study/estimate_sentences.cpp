@@ -1,10 +1,12 @@
 #include "app/findings/study/estimate_sentences.h"
 
+#include <algorithm>
 #include <functional>
-#include <vector>
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/study_analysis.h"
+#include "app/findings/study/test_sentences.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -70,6 +72,41 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
                   all_estimates(means, "all",
                                 [](double value) { return reading_signed(value, kDecimals); }) +
                   '.'};
+}
+
+void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
+  const auto text_of = [&](const std::vector<std::string>& items) {
+    std::vector<std::string> parts{};
+    for (const std::string& item : items) {
+      const std::string key = means.scale.empty() ? item : means.scale + '|' + item;
+      const auto found = std::find_if(
+          outcome.findings.begin(), outcome.findings.end(), [&](const Finding& finding) {
+            return finding.analysis == means.analysis && finding.quantity == means.quantity &&
+                   finding.key == key && finding.value;
+          });
+      if (found == outcome.findings.end()) return std::string();
+      parts.push_back(one_estimate(*found, item, means.shown));
+    }
+    return "means: " + listed(parts);
+  };
+  const auto state = [&](const std::string& test, const std::string& about,
+                         const std::vector<std::string>& items) {
+    const std::string text = text_of(items);
+    if (!text.empty()) state_means(outcome, test, text, about);
+  };
+  for (const std::string& test : means.tests) state(test, means.scale, means.items);
+  for (const std::string& test : means.tests_of_pairs) {
+    for (std::size_t a = 0; a < means.items.size(); ++a) {
+      for (std::size_t b = 0; b < means.items.size(); ++b) {
+        if (a == b) continue;
+        const std::string pair = means.items[a] + '|' + means.items[b];
+        state(test, pair, {means.items[a], means.items[b]});
+        if (!means.scale.empty()) {
+          state(test, means.scale + ": " + pair, {means.items[a], means.items[b]});
+        }
+      }
+    }
+  }
 }
 
 EstimateSentence estimate_sentence(const AnalysisOutcome& outcome) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/findings/study/analysis_outcome.h"
 
@@ -20,6 +22,19 @@ struct EstimateSentence {
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome);
 /// For a magnitude: the mean exponents.
 EstimateSentence exponents_sentence(const AnalysisOutcome& outcome);
+
+/// The means of items, which the sentences of confirmatory tests state.
+struct MeansOfItems {
+  std::string_view analysis{};  ///< of the findings
+  std::string_view quantity{};
+  std::string scale{};  ///< with which their keys begin; empty: an item is the key
+  std::vector<std::string> items{};
+  std::vector<std::string> tests{};  ///< of all items, about the scale
+  std::vector<std::string> tests_of_pairs{};
+  std::string (*shown)(double mean) = nullptr;
+};
+/// Adds "; means: 4.25 (95 % CI [3.90, 4.60]) for brick and 2.10 (…) for wood" to these sentences.
+void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means);
 
 /// The sentence of the outcome's kind.
 EstimateSentence estimate_sentence(const AnalysisOutcome& outcome);

@@ -14,6 +14,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/choice_tables.h"
+#include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/kinds/paired_comparison_analysis.h"
 #include "app/findings/study/selection_choices.h"
 #include "app/findings/study/selection_questions.h"
@@ -515,6 +516,12 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   add_model(study, found_scale, outcome);
   const ConsistencyOfPeople people = add_people_consistency(study, outcome);
   tests.finish(outcome);
+  state_means_of_items(outcome, {.analysis = kScores,
+                                 .quantity = "mean.score",
+                                 .items = study.choices.items,
+                                 .tests = {"preference"},
+                                 .tests_of_pairs = {"pairs"},
+                                 .shown = reading_percent});
 
   ask_items(study, found_scores, tests, outcome);
   ask_pairs({.question = phrase("Analysis", "Which item of a pair is chosen more often?"),

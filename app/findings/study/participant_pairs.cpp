@@ -186,6 +186,8 @@ void ask_pair(const ParticipantPair& pair, const PairMeans& means, const StudyTe
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(of_both, difference, p_text(*test), pair.first_name, pair.second_name);
   };
+  state_means(outcome, test->name, of_both.english() + "; difference " + difference.english(),
+              test->about);
   if (test->is_significant() && holds_in_interval(*means.difference, 0.0)) {
     qualify_test_sentence(outcome, test->name, "; the 95 % CI of the difference contains 0",
                           test->about);

@@ -12,6 +12,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/accompanying_scales.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/kinds/rating_analysis.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
@@ -244,6 +245,11 @@ NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<Ra
   return shown;
 }
 
+std::string rating_shown(double mean) {
+  constexpr int kDecimals = 2;
+  return reading_signed(mean, kDecimals);
+}
+
 /// "4.25 (95 % CI [3.90, 4.60])"
 Phrase mean_text(const Finding& mean) {
   constexpr int kDecimals = 2;
@@ -285,8 +291,12 @@ void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& 
   for (std::size_t a = 0; a < scale.items.size(); ++a) {
     for (std::size_t b = a + 1; b < scale.items.size(); ++b) {
       const std::string pair = scale.items[a] + '|' + scale.items[b];
+      const std::string key = scale.name + '|' + pair;
       tests.add("rated_pairs", (is_only_scale ? "" : scale.name + ": ") + pair, found,
-                "wilcoxon.exact.p.two", scale.name + '|' + pair);
+                "wilcoxon.exact.p.two", key);
+      const double tested = found.value("wilcoxon.n", key).value_or(0.0);
+      const double complete = found.value("n.complete", scale.name).value_or(tested);
+      tests.leave_out(static_cast<std::size_t>(complete - tested), {});
     }
   }
 }
@@ -401,8 +411,16 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   add_components(scales, outcome);
   accompanying.add_tests(tests);
   tests.finish(outcome);
-  for (const auto& [scale, findings] : all)
+  for (const auto& [scale, findings] : all) {
+    state_means_of_items(outcome, {.analysis = kRatings,
+                                   .quantity = "mean.score",
+                                   .scale = scale->name,
+                                   .items = scale->items,
+                                   .tests = {"ratings", "rating_model"},
+                                   .tests_of_pairs = {"rated_pairs"},
+                                   .shown = rating_shown});
     ask_about(*scale, FoundNumbers(findings), tests, outcome);
+  }
   accompanying.report(tests, outcome);
 }
 

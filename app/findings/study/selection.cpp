@@ -2,8 +2,10 @@
 #include <string>
 #include <utility>
 
+#include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/choice_tables.h"
+#include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/kinds/selection_analysis.h"
 #include "app/findings/study/participant_pairs.h"
 #include "app/findings/study/selection_choices.h"
@@ -342,6 +344,14 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   keep_findings(scale, outcome);
   if (selection.items.size() > 1) add_scale_table(selection, FoundNumbers(scale), outcome);
   tests.finish(outcome);
+  if (selection.all_offered) {
+    state_means_of_items(outcome, {.analysis = "choice",
+                                   .quantity = "subj.mean",
+                                   .items = selection.items,
+                                   .tests = {"preference"},
+                                   .tests_of_pairs = {"pairs", "target_pairs"},
+                                   .shown = reading_percent});
+  }
 
   const std::string pairs = only_target ? "target_pairs" : "pairs";
   const FoundNumbers found_scale(scale);

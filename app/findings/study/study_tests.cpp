@@ -335,7 +335,7 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
                  "trials, they are pooled as if they were independent. %2"))
           .with(note, note_on_columns(left_out));
   for (const Test& test : tests_) {
-    if (test.left_out == 0) continue;
+    if (test.left_out == 0 || test.why_left_out.empty()) continue;
     note = phrase("Analysis", "%1 %2: %3 of %4.")
                .with(note, test.why_left_out, std::to_string(test.left_out),
                      std::to_string(test.n + test.left_out));

@@ -37,7 +37,7 @@ class StudyTests final {
   /// A test that cannot be made. `reason`: a code of cell_words.h, or a sentence.
   void add_untested(const std::string& name, const std::string& about, const std::string& reason);
   /// Sets the number of participants left out of the test that was added last. `why`: a sentence without its end, which
-  /// the number follows.
+  /// the number follows in the note below the table; may be empty.
   void leave_out(std::size_t participants, const Phrase& why);
   /// Sets the proportion expected under guessing for the same test.
   void state_chance(double chance);

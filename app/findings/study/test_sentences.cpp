@@ -12,6 +12,17 @@ namespace asperity {
 
 namespace {
 
+/// "In an exploratory test, the ratings differed between the items", from "The ratings differed significantly …".
+std::string exploratory_claim(std::string claim, bool is_significant) {
+  constexpr std::string_view kSignificantly = "significantly ";
+  const std::size_t at = is_significant ? claim.find(kSignificantly) : std::string::npos;
+  if (at != std::string::npos) claim.erase(at, kSignificantly.size());
+  if (!claim.empty() && claim.front() >= 'A' && claim.front() <= 'Z') {
+    claim.front() = static_cast<char>(claim.front() - 'A' + 'a');
+  }
+  return "In an exploratory test, " + claim;
+}
+
 std::string claim_of(const StudyTest& test, std::string_view kind) {
   const StudyAnalysis* const analysis = find_analysis(kind);
   if (analysis == nullptr) return {};
@@ -29,17 +40,31 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::string_view words = !test.is_significant() ? claim->nothing
                                  : is_negative          ? claim->lower
                                                         : claim->higher;
-  const std::string_view about = test.about;
+  // "rough: brick|metal" compares two items on a scale.
+  std::string_view about = test.about;
+  std::string on_scale{};
+  if (const std::size_t colon = about.find(": "); colon != std::string_view::npos) {
+    on_scale = " on the scale “" + std::string(about.substr(0, colon)) + "”";
+    about.remove_prefix(colon + 2);
+  }
   const std::size_t bar = about.find('|');
   const std::string first(about.substr(0, bar));
   const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
   const std::string chance = test.chance ? " of " + reading_percent(*test.chance) : "";
-  return Phrase(std::string(words)).with(first, second, chance).english();
+  const std::string chosen = test.role == TestRole::confirmatory
+                                 ? std::string(words)
+                                 : exploratory_claim(std::string(words), test.is_significant());
+  return Phrase(chosen).with(first, second, chance, on_scale).english();
 }
 
 std::string size_text(const StudyTest& test) {
   const std::string n = reading_count(test.n);
-  if (test.unit == kUnitOfParticipants) return "N = " + n;
+  if (test.unit == kUnitOfParticipants) {
+    if (test.left_out == 0) return "N = " + n;
+    const bool drops_ties = test.made_by->code == "wilcoxon";
+    return "N = " + n + " (" + count_in_words(test.left_out) +
+           (drops_ties ? " with equal ratings left out)" : " left out)");
+  }
   return "n = " + words_of_cell("n", n + '|' + test.unit).english();
 }
 
@@ -138,6 +163,16 @@ void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test, std:
     if (sentence.test == test && (about.empty() || sentence.about == about))
       sentence.text.insert(sentence.text.size() - 1, clause);
   }
+}
+
+void state_means(AnalysisOutcome& outcome, std::string_view test, const std::string& means,
+                 std::string_view about) {
+  const bool is_confirmatory = std::any_of(
+      outcome.test_sentences.begin(), outcome.test_sentences.end(), [&](const TestSentence& one) {
+        return one.test == test && one.about == about && one.role == TestRole::confirmatory &&
+               !one.is_untested;
+      });
+  if (is_confirmatory) qualify_test_sentence(outcome, test, "; " + means, about);
 }
 
 Phrase p_text(const StudyTest& test) {

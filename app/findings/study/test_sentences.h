@@ -30,7 +30,9 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
 /// The result of a test of this kind of protocol, with its numbers: "The mean proportion correct
 /// was significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %],
 /// N = 6; one-sample t test, t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI
-/// [1.56, 6.83]." For a test that could not be made, that fact and the reason.
+/// [1.56, 6.83]." One that is not confirmatory claims no significance: "In an exploratory test, the
+/// mean proportion correct was above the chance level: …". For a test that could not be made, that
+/// fact and the reason.
 TestSentence sentence_of_test(const StudyTest& test, std::string_view kind);
 
 /// For a mean proportion, whose CI comes from a different method than the test.
@@ -41,6 +43,10 @@ inline constexpr std::string_view kChanceInInterval =
 /// comparison.
 void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test, std::string_view clause,
                            std::string_view about = {});
+
+/// The same for a confirmatory test: the means that show the direction of its effect.
+void state_means(AnalysisOutcome& outcome, std::string_view test, const std::string& means,
+                 std::string_view about);
 
 /// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
 /// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one.

@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
+#include <variant>
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
@@ -213,7 +215,13 @@ std::string stimuli_were_presented(const std::set<std::size_t>& counts) {
 /// for each, with the numbers of the protocol.
 std::string paper_task(const ReportFacts& facts) {
   const Protocol& protocol = *facts.file.protocol;
-  const std::vector<const ExperimentKind*> kinds = analysed_kinds_of(protocol);
+  // Without kinds that only accompany the questions of others.
+  std::vector<const ExperimentKind*> kinds = analysed_kinds_of(protocol);
+  std::erase_if(kinds, [&protocol](const ExperimentKind* kind) {
+    return std::none_of(protocol.blocks.begin(), protocol.blocks.end(), [kind](const auto& each) {
+      return each.second.phase == Phase::main && &kind_of(each.second) == kind;
+    });
+  });
   if (kinds.size() == 1) {
     return "In each trial, " + stimuli_were_presented(facts.surfaces) + within_text(facts) +
            find_analysis(kinds.front()->id)->task_for_paper(protocol);
@@ -222,17 +230,28 @@ std::string paper_task(const ReportFacts& facts) {
   for (const ExperimentKind* const kind : kinds) {
     std::set<std::size_t> counts{};
     for (const auto& [name, block] : protocol.blocks) {
-      const bool asks = std::any_of(block.questions.begin(), block.questions.end(),
-                                    [&block = block, kind](const auto& each) {
-                                      return kind_of_question(kind_of(block), each.form) == kind;
-                                    });
-      if (block.phase == Phase::main && asks) counts.insert(block.presented.size());
+      if (block.phase == Phase::main && &kind_of(block) == kind) {
+        counts.insert(block.presented.size());
+      }
     }
     text += (text.empty() ? "In each trial of the " : " In each trial of the ") +
             name_of_kind(kind->id) + ", " + stimuli_were_presented(counts) +
             find_analysis(kind->id)->task_for_paper(protocol);
   }
   return text;
+}
+
+/// "Each response of the recognition was accompanied by ratings on one continuous scale from 0 to 100."
+std::string paper_accompanying_scales(const Protocol& protocol) {
+  std::vector<std::string> sentences{};
+  for (const ExperimentKind* const kind : analysed_kinds_of(protocol)) {
+    if (std::holds_alternative<ScaleForm>(kind->form)) continue;
+    const std::string scales = scales_of_blocks(protocol, kind->id);
+    if (scales.empty()) continue;
+    sentences.push_back("Each response of the " + name_of_kind(kind->id) +
+                        " was accompanied by ratings on " + scales + '.');
+  }
+  return with_sentences(sentences);
 }
 
 std::string paper_questions(const Protocol& protocol) {
@@ -256,21 +275,31 @@ std::string paper_questions(const Protocol& protocol) {
 std::string paper_order(const ReportFacts& facts, Sources& sources) {
   const Protocol& protocol = *facts.file.protocol;
   std::string text = planned_trials_text(facts);
-  std::vector<std::string> orders{};
+  // Every order with its blocks, as they are run.
+  std::vector<std::pair<std::string, std::vector<std::string>>> orders{};
+  std::size_t runs = 0;
   for (const Protocol::Step& step : protocol.flow) {
     const auto* run = std::get_if<Protocol::Run>(&step);
     if (run == nullptr) continue;
     const Protocol::Block& block = protocol.blocks.at(run->block);
-    if (block.phase == Phase::main) orders.push_back(order_of_run(block, *run));
+    if (block.phase != Phase::main) continue;
+    ++runs;
+    const std::string order = order_of_run(block, *run);
+    auto known = std::find_if(orders.begin(), orders.end(),
+                              [&order](const auto& each) { return each.first == order; });
+    if (known == orders.end()) known = orders.insert(known, {order, {}});
+    const std::string name = quoted(run->block);
+    if (std::find(known->second.begin(), known->second.end(), name) == known->second.end()) {
+      known->second.push_back(name);
+    }
   }
-  const std::size_t runs = orders.size();
-  std::sort(orders.begin(), orders.end());
-  orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
-  for (const std::string& order : orders) {
+  for (const auto& [order, blocks] : orders) {
     text += (text.empty() ? "" : " ") +
-            std::string(runs == 1            ? "Trials were"
-                        : orders.size() == 1 ? "In each block, trials were"
-                                             : "In some blocks, trials were") +
+            (runs == 1 ? "Trials were"
+             : orders.size() == 1
+                 ? "In each block, trials were"
+                 : std::string(blocks.size() == 1 ? "In the block " : "In the blocks ") +
+                       listed(blocks) + ", trials were") +
             " presented " + order + '.';
   }
   switch (protocol.counterbalance) {
@@ -325,6 +354,7 @@ std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMe
     }
     methods.push_back(factors_sentence(*facts.file.protocol));
     methods.push_back(paper_task(facts));
+    methods.push_back(paper_accompanying_scales(*facts.file.protocol));
     methods.push_back(paper_questions(*facts.file.protocol));
     methods.push_back(paper_order(facts, sources));
     methods.push_back(invalid_attempts(*facts.file.protocol));

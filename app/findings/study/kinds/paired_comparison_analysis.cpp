@@ -14,8 +14,8 @@ namespace asperity {
 namespace {
 
 constexpr std::array kPairedClaims{
-    TestClaim{"pairs", "", "%1 was chosen significantly more often than %2",
-              "%1 was chosen significantly less often than %2",
+    TestClaim{"pairs", "", "The item %1 was chosen significantly more often than %2",
+              "The item %1 was chosen significantly less often than %2",
               "The numbers of choices of %1 and %2 were not significantly different"},
     TestClaim{"preference", "", "The numbers of choices of the items were significantly different",
               "", "The numbers of choices of the items were not significantly different"},

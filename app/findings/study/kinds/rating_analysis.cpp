@@ -1,58 +1,41 @@
 #include "app/findings/study/kinds/rating_analysis.h"
 
 #include <array>
-#include <cstddef>
-#include <set>
 #include <string>
-#include <variant>
 
-#include "protocols/kinds/experiment_kind.h"
+#include "app/findings/study/task_words.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr std::array kRatingClaims{
-    TestClaim{"ratings", "", "The ratings on the scale %1 differed significantly between the items",
-              "", "The ratings on the scale %1 did not differ significantly between the items"},
-    TestClaim{"rated_pairs", "", "%1 was rated significantly higher than %2",
-              "%1 was rated significantly lower than %2",
-              "The ratings of %1 and %2 were not significantly different"},
+    TestClaim{"ratings", "",
+              "The ratings on the scale “%1” differed significantly between the items", "",
+              "The ratings on the scale “%1” did not differ significantly between the items"},
+    TestClaim{"rated_pairs", "", "The item %1 was rated significantly higher than %2%4",
+              "The item %1 was rated significantly lower than %2%4",
+              "The ratings of %1 and %2%4 were not significantly different"},
     TestClaim{
         "rating_model", "",
-        "The odds of a higher rating on the scale %1 differed significantly between the items", "",
-        "The odds of a higher rating on the scale %1 did not differ significantly between the "
+        "The odds of a higher rating on the scale “%1” differed significantly between the items",
+        "",
+        "The odds of a higher rating on the scale “%1” did not differ significantly between the "
         "items"},
     TestClaim{"accompanying_scales", "",
-              "The ratings on the scale %1 were significantly higher with correct than with "
-              "incorrect responses to the question %2",
-              "The ratings on the scale %1 were significantly lower with correct than with "
-              "incorrect responses to the question %2",
-              "The ratings on the scale %1 did not differ significantly between correct and "
-              "incorrect responses to the question %2"}};
-
-std::size_t scales_of(const Protocol& protocol) {
-  std::set<std::string> names{};
-  for (const auto& [name, block] : protocol.blocks) {
-    if (block.phase != Phase::main) continue;
-    for (const auto& question : block.questions) {
-      if (std::holds_alternative<ScaleForm>(question.form)) names.insert(question.name);
-    }
-  }
-  return names.size();
-}
-
-std::string on_scales(const Protocol& protocol) {
-  const std::size_t scales = scales_of(protocol);
-  return scales == 1 ? "on one scale" : "on " + std::to_string(scales) + " scales";
-}
+              "The ratings on the scale “%1” were significantly higher with correct than with "
+              "incorrect responses to the question “%2”",
+              "The ratings on the scale “%1” were significantly lower with correct than with "
+              "incorrect responses to the question “%2”",
+              "The ratings on the scale “%1” did not differ significantly between correct and "
+              "incorrect responses to the question “%2”"}};
 
 std::string task_of_rating(const Protocol& protocol) {
-  return "Task: in each trial, ratings are given " + on_scales(protocol) + ".";
+  return "Task: in each trial, ratings are given on " + scales_of_blocks(protocol, "rating") + '.';
 }
 
 std::string paper_task_of_rating(const Protocol& protocol) {
-  return ", and ratings were given " + on_scales(protocol) + ".";
+  return ", and ratings were given on " + scales_of_blocks(protocol, "rating") + '.';
 }
 
 }  // namespace
