@@ -28,6 +28,7 @@
 #include "protocols/file/protocol_problems.h"
 #include "protocols/plan/groups.h"
 #include "renderers/built_in_models.h"
+#include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -108,11 +109,6 @@ std::string groups_text(const Protocol& protocol) {
               : "assigned by the experimenter");
 }
 
-std::string warning_of(const Diagnostic& doubt) {
-  return doubt.file + ':' + std::to_string(doubt.line) + ':' + std::to_string(doubt.column) +
-         ": warning: " + doubt.message + " (" + doubt.pointer + ')';
-}
-
 /// Both as an author meets them, from the first line to the last; of one place the problem first.
 void say_in_order(const std::vector<Diagnostic>& problems, const std::vector<Diagnostic>& doubts) {
   auto doubt = doubts.begin();
@@ -122,7 +118,7 @@ void say_in_order(const std::vector<Diagnostic>& problems, const std::vector<Dia
           std::pair(doubt->line, doubt->column) >= std::pair(problem->line, problem->column)) {
         return;
       }
-      say(warning_of(*doubt));
+      say(warning_text(*doubt));
     }
   };
   for (const Diagnostic& problem : problems) {
@@ -135,6 +131,18 @@ void say_in_order(const std::vector<Diagnostic>& problems, const std::vector<Dia
 /// The problems of a rehearsal, and what of the study's files and stimuli may not be meant.
 void doubts_of_study(ProtocolCheck& check, const std::filesystem::path& study,
                      const ModelRegistry& models, std::vector<Diagnostic>& doubts) {
+  if (Study::exists(study)) {
+    try {
+      const Study own = Study::open(study, Access::read_only);
+      if (auto doubt = doubt_about_version(*check.protocol, check.file, own)) {
+        doubts.push_back(std::move(*doubt));
+      }
+    } catch (const std::exception& error) {  // the protocol can be checked all the same
+      say("asperity: warning: whether the study has sessions with another text of this version "
+          "could not be determined: " +
+          std::string(error.what()));
+    }
+  }
   StimulusBuilder builder(models, study);
   RehearsedStimuli rehearsed = rehearse_with_doubts(*check.protocol, check.file, builder);
   check.diagnostics = std::move(rehearsed.problems);

@@ -80,6 +80,7 @@ void add_simulate(CLI::App& program, Job& job) {
                         : others.first + " to " + others.last + " are added") +
             ". To resume a simulation instead, add --resume");
       };
+      options->inputs.doubted = [](const Diagnostic& doubt) { say(warning_text(doubt)); };
       SimulationResult result{};
       {
         Progress progress("simulating");

@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "app/findings/reading_number.h"
 #include "app/study_files/study_condition.h"
 #include "app/words/text_parts.h"
 
@@ -67,6 +68,11 @@ void say(const std::string& line) {
   // A progress bar may stand on the line; it comes back below with its next step.
   static const bool terminal = isatty(STDERR_FILENO) == 1;
   write_error((terminal ? "\r\x1b[K" : "") + line + '\n');
+}
+
+std::string warning_text(const Diagnostic& doubt) {
+  return doubt.file + ':' + std::to_string(doubt.line) + ':' + std::to_string(doubt.column) +
+         ": warning: " + doubt.message + " (" + doubt.pointer + ')';
 }
 
 void say_condition(const Study& study) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/words/phrase.h"
+#include "protocols/file/diagnostic.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
 
@@ -36,6 +37,9 @@ class Progress final {
 
 /// One line on standard error, whole, whoever else writes. Threads: any.
 void say(const std::string& line);
+
+/// "FILE:LINE:COLUMN: warning: PROBLEM (/json/pointer)"
+std::string warning_text(const Diagnostic& doubt);
 
 /// What whoever reads on should know of the study's file, if anything.
 void say_condition(const Study& study);

@@ -25,7 +25,11 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/doubts.h"
+#include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
+#include "protocols/file/stored_protocol.h"
+#include "protocols/plan/block_design.h"
+#include "protocols/plan/course.h"
 #include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "renderers/servo/contact.h"
 #include "results_schema/atomic_file.h"
@@ -507,7 +511,8 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   return check;
 }
 
-std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text) {
+std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text,
+                                                SessionsOf counted) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
   const auto said = [&json](const char* key) {
@@ -519,15 +524,31 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
   if (name.empty() || use.version.empty()) return {};
   std::set<std::int64_t> others{};
   for (const ProtocolRow& row : study.protocols()) {
-    if (row.name == name && row.version == use.version && row.source != text) others.insert(row.id);
+    if (row.name == name && row.version == use.version && row.source != text &&
+        count_protocols({row.source, text}) > 1) {
+      others.insert(row.id);
+    }
   }
   for (const SessionRow& session : study.sessions()) {
-    if (session.mode != SessionMode::simulate && others.contains(session.protocol_id)) {
-      ++use.sessions;
-    }
+    const bool is_counted =
+        counted == SessionsOf::everybody || session.mode != SessionMode::simulate;
+    if (is_counted && others.contains(session.protocol_id)) ++use.sessions;
   }
   if (use.sessions == 0) return {};
   return use;
+}
+
+std::optional<Diagnostic> doubt_about_version(const Protocol& protocol,
+                                              const std::string& file_name, const Study& study) {
+  const auto use = other_text_of_version(study, protocol.source, SessionsOf::everybody);
+  if (!use) return {};
+  const std::string sessions =
+      use->sessions == 1 ? "1 session" : std::to_string(use->sessions) + " sessions";
+  return JsonDocument(protocol.source, file_name)
+      .at_key("/version", "the study has " + sessions + " of " + protocol.name + ' ' +
+                              use->version +
+                              " with another text of the protocol, and would analyse their "
+                              "responses together with new ones; raise \"version\"");
 }
 
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,

@@ -75,14 +75,22 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
                                   const std::optional<std::filesystem::path>& study,
                                   const std::optional<std::string>& device);
 
-/// Sessions of people that were run with this protocol's name and version, but with another text.
+/// The sessions that are counted as uses of a protocol.
+enum class SessionsOf { people, everybody };
+/// Sessions that were run with this protocol's name and version, but with another text. The same
+/// protocol in another language is not another text.
 struct VersionUse {
   std::string version{};
   int sessions = 0;
 };
 /// Nothing where there are none, or where the text contains no name and version. Errors:
 /// ResultsError as for Study.
-std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text);
+std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text,
+                                                SessionsOf counted = SessionsOf::people);
+/// The warning that such sessions, those of virtual participants included, are analysed together with
+/// new ones, at the key "version". Errors as for `other_text_of_version`.
+std::optional<Diagnostic> doubt_about_version(const Protocol& protocol,
+                                              const std::string& file_name, const Study& study);
 
 /// The requirements of a protocol that a device does not meet, a sentence each.
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/session/conductor.h"
+#include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 
 namespace asperity {
@@ -35,6 +36,9 @@ struct SimulationInputs {
   bool resume = false;
   /// Called before participants are added to others with the same seed; may be empty.
   std::function<void(const SameSeed&)> noticed{};
+  /// Called for each protocol of which the study has sessions with another text of the same version,
+  /// before participants are added; may be empty.
+  std::function<void(const Diagnostic&)> doubted{};
 };
 
 /// Of the sessions that were begun or resumed in this run.

@@ -177,6 +177,32 @@ TEST(Simulate, StatesHowManyParticipantsWithTheSeedThereAreWhenItAddsOthers) {
   EXPECT_EQ(other.err.find("already"), std::string::npos) << other.err;
 }
 
+// Their responses would be analysed together, under one name and version.
+TEST(Simulate, WarnsAsCheckDoesOfSessionsWithAnotherTextOfTheVersion) {
+  const SmallStudy small(1);
+  ASSERT_EQ(asperity(simulate_arguments(small, small.study(), 2, 3)).status, 0);
+  const std::vector<std::string> check{"check", small.selection(), "--study", small.study()};
+  EXPECT_EQ(asperity(check).err.find("another text"), std::string::npos);
+  auto protocol = nlohmann::ordered_json::parse(text_of(small.selection()));
+  protocol["title"] = "Another title";
+  write_text(small.selection(), protocol.dump(2));
+  const auto warns = testing::HasSubstr(
+      "warning: the study has 2 sessions of small_selection 1.0.0 with another text of the "
+      "protocol, "
+      "and would analyse their responses together with new ones; raise \"version\" (/version)");
+  const Outcome checked = asperity(check);
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_THAT(checked.err, warns);
+  const Outcome simulated = asperity(simulate_arguments(small, small.study(), 1, 4));
+  EXPECT_EQ(simulated.status, 0);
+  EXPECT_THAT(simulated.err, warns);
+  // In another language it is the same protocol.
+  protocol["title"] = "Ein anderer Titel";
+  protocol["language"] = "de";
+  write_text(small.selection(), protocol.dump(2));
+  EXPECT_EQ(asperity(check).err.find("another text"), std::string::npos);
+}
+
 // As asperity 0.1.0 left them when it was killed while it added participants, and one of another simulation was deleted.
 TEST(Simulate, CompletesTheParticipantsThatAnEarlierVersionBeganToAdd) {
   const SmallStudy small(1);
