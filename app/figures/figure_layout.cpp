@@ -8,6 +8,8 @@
 #include <QtGui/QFontMetricsF>
 #include <QtGui/QTextLayout>
 
+#include "app/findings/reading_number.h"
+
 namespace asperity {
 
 namespace {
@@ -117,7 +119,8 @@ QString FigureLayout::words(const Phrase& phrase) const {
 TextLines FigureLayout::broken(const QString& whole, double width) const {
   TextLines laid{};
   if (whole.isEmpty()) return laid;
-  const QString text = with_brackets_whole(whole);
+  const QString text =
+      with_brackets_whole(QString::fromStdString(with_numbers_unbroken(whole.toStdString())));
   const QFontMetricsF metrics(font_);
   QTextLayout layout(text, font_);
   QTextOption option{};

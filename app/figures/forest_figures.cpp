@@ -9,6 +9,7 @@
 #include "analysis/number_text.h"
 #include "app/figures/figure_kinds.h"
 #include "app/figures/single_participants.h"
+#include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 
 namespace asperity {
@@ -94,7 +95,7 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
 
 /// Translates the program's words among the names of a table.
 Phrase word_of_cell(const Cell& cell) {
-  if (const auto* number = std::get_if<std::int64_t>(&cell)) return std::to_string(*number);
+  if (const auto* number = std::get_if<std::int64_t>(&cell)) return reading_whole(*number);
   const auto* text = std::get_if<std::string>(&cell);
   if (text == nullptr) return "–";
   if (*text == "all") return phrase("Figures", "all");

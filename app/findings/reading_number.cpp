@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "analysis/number_text.h"
 
@@ -40,13 +41,105 @@ Prefix prefix_of(double value, std::string_view unit) {
   return kPrefixes.back();
 }
 
-}  // namespace
-
-std::string reading_number(double value) {
+std::string reading_digits(double value) {
   if (value == std::round(value) && std::abs(value) < 1e9) return fixed(value, 0);
   const bool in_powers = std::abs(value) < 1e-4 || std::abs(value) >= 1e9;
   return in_powers ? with_digits(value, std::chars_format::scientific, 1)
                    : with_digits(value, std::chars_format::general, kReadingDigits);
+}
+
+/// With a minus sign instead of the hyphen.
+std::string with_minus(std::string number) {
+  return number.starts_with('-') ? (number == "-0" ? "0" : "−" + number.substr(1)) : number;
+}
+
+constexpr std::string_view kNoBreak = "\u00A0";
+
+bool begins_with_number(std::string_view word) {
+  for (const std::string_view sign : {"−", "-", "±", "+", "."}) {
+    if (word.starts_with(sign)) word.remove_prefix(sign.size());
+  }
+  return !word.empty() && word.front() >= '0' && word.front() <= '9';
+}
+
+bool is_relation(std::string_view word) {
+  constexpr std::array<std::string_view, 7> kRelations{"=", "<", ">", "≤", "≥", "≈", "±"};
+  return std::find(kRelations.begin(), kRelations.end(), word) != kRelations.end();
+}
+
+/// Whether the word, without the punctuation after it, is a unit as reports write them.
+bool is_unit(std::string_view word) {
+  constexpr std::array<std::string_view, 28> kUnits{
+      "%",    "N",    "mN",    "m",   "cm", "mm",    "µm",  "nm", "s",   "ms",
+      "µs",   "ns",   "min",   "h",   "Hz", "kHz",   "kg",  "g",  "N/m", "m/s",
+      "mm/s", "µm/s", "N·s/m", "rad", "dB", "dB(A)", "dBA", "bit"};
+  if (std::find(kUnits.begin(), kUnits.end(), word) != kUnits.end()) return true;
+  const std::size_t end = word.find_last_not_of(",.;:)]");
+  return end != std::string_view::npos && end + 1 < word.size() &&
+         std::find(kUnits.begin(), kUnits.end(), word.substr(0, end + 1)) != kUnits.end();
+}
+
+/// The end of the brackets that are opened at `open`, if they contain only numbers; otherwise `open`.
+std::size_t end_of_numbers(std::string_view text, std::size_t open) {
+  const std::size_t close = text.find(text[open] == '[' ? ']' : ')', open);
+  if (close == std::string_view::npos) return open;
+  std::string_view inner = text.substr(open + 1, close - open - 1);
+  bool has_digit = false;
+  while (!inner.empty()) {
+    std::size_t length = 0;
+    for (const std::string_view sign : {"−", "∞", "\u202F"}) {
+      if (inner.starts_with(sign)) length = sign.size();
+    }
+    if (length == 0 &&
+        std::string_view("0123456789.,;-+<>% e").find(inner.front()) != std::string_view::npos) {
+      length = 1;
+    }
+    if (length == 0) return open;
+    has_digit = has_digit || (inner.front() >= '0' && inner.front() <= '9');
+    inner.remove_prefix(length);
+  }
+  return has_digit ? close : open;
+}
+
+}  // namespace
+
+std::string reading_number(double value) { return with_minus(reading_digits(value)); }
+
+std::string reading_whole(std::int64_t value) { return with_minus(std::to_string(value)); }
+
+std::string with_numbers_unbroken(const std::string& text) {
+  std::vector<bool> is_inside(text.size(), false);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '[' && text[i] != '(') continue;
+    for (const std::size_t end = end_of_numbers(text, i); i < end; ++i) is_inside[i] = true;
+  }
+  const std::string_view all = text;
+  const auto word_after = [all](std::size_t space) {
+    return all.substr(space + 1, std::min(all.find(' ', space + 1), all.size()) - space - 1);
+  };
+  std::string unbroken{};
+  std::size_t word = 0;  // where the word before the space begins
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != ' ') {
+      unbroken += text[i];
+      continue;
+    }
+    const std::string_view before = all.substr(word, i - word);
+    const std::string_view after = word_after(i);
+    const std::size_t after_sign = i + 1 + after.size();
+    const bool ends_with_digit = !before.empty() && before.back() >= '0' && before.back() <= '9';
+    const bool is_joined = is_inside[i] || (is_relation(before) && begins_with_number(after)) ||
+                           (is_relation(after) && after_sign < text.size() &&
+                            begins_with_number(word_after(after_sign))) ||
+                           (ends_with_digit && is_unit(after));
+    if (is_joined) {
+      unbroken += kNoBreak;
+    } else {
+      unbroken += ' ';
+    }
+    word = i + 1;
+  }
+  return unbroken;
 }
 
 std::string reading_p_cell(double p) {
@@ -94,9 +187,9 @@ std::string reading_quantity(double value, const std::string& unit) {
   const Prefix prefix = prefix_of(value, unit);
   const double shown = value / prefix.factor;
   const std::string number =
-      std::abs(shown) >= 1000.0 || shown == std::round(shown) ? fixed(shown, 0)
-      : std::abs(shown) < 1e-3 ? with_digits(shown, std::chars_format::scientific, 1)
-                               : with_digits(shown, std::chars_format::general, 3);
+      with_minus(std::abs(shown) >= 1000.0 || shown == std::round(shown) ? fixed(shown, 0)
+                 : std::abs(shown) < 1e-3 ? with_digits(shown, std::chars_format::scientific, 1)
+                                          : with_digits(shown, std::chars_format::general, 3));
   if (unit.empty() || unit == "1") return number;
   return number + ' ' + prefix.text + unit;
 }

@@ -8,7 +8,7 @@
 namespace asperity {
 
 /// Four digits, integers without decimals, very small and very large numbers in powers of ten:
-/// "0.6041", "2.5e-23".
+/// "0.6041", "−12", "2.5e-23".
 std::string reading_number(double value);
 
 /// "p = .011", and "p < .001" below that; without the zero before the point.
@@ -39,6 +39,13 @@ std::string reading_quantity(double value, const std::string& unit);
 
 /// "1 234 567", with narrow no-break spaces.
 std::string reading_count(std::uint64_t count);
+
+/// "−3": a whole number with a minus sign.
+std::string reading_whole(std::int64_t value);
+
+/// The same text with no-break spaces within its numbers, for pages and labels that are broken into
+/// lines: "[0.16, 0.49]", "F(2, 38) = 5.17", "p = .031", "N = 20", "62 %", "4 N".
+std::string with_numbers_unbroken(const std::string& text);
 
 /// "no", "one" … "nine", then digits: counts in running text.
 std::string count_in_words(std::uint64_t count);

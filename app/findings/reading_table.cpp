@@ -38,7 +38,7 @@ std::string reading_cell_number(const std::string& column, double value) {
 
 std::string reading_cell(const std::string& column, const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return reading_cell_number(column, *number);
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return reading_whole(*whole);
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   return "n/a";
 }

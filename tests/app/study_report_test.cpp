@@ -990,5 +990,31 @@ TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
   EXPECT_EQ(count_in_words(12), "12");
 }
 
+TEST(ReadingNumber, HasAMinusSign) {
+  EXPECT_EQ(reading_number(-0.60412345), "−0.6041");
+  EXPECT_EQ(reading_number(-12.0), "−12");
+  EXPECT_EQ(reading_number(-0.0), "0");
+  EXPECT_EQ(reading_whole(-3), "−3");
+  EXPECT_EQ(reading_quantity(-0.002, "m"), "−2 mm");
+}
+
+TEST(UnbrokenNumbers, HaveNoBreakSpacesOnlyWithinNumbers) {
+  const auto shown = [](const std::string& text) {  // with "_" for a no-break space
+    std::string unbroken = with_numbers_unbroken(text);
+    for (std::size_t at = unbroken.find("\u00A0"); at != std::string::npos;
+         at = unbroken.find("\u00A0", at)) {
+      unbroken.replace(at, 2, "_");
+    }
+    return unbroken;
+  };
+  EXPECT_EQ(shown("95 % CI [0.16, 0.49], N = 8"), "95_% CI [0.16,_0.49], N_=_8");
+  EXPECT_EQ(shown("F(2, 38) = 5.17, p < .001, g = −0.10 [−0.16, 0.49]"),
+            "F(2,_38)_=_5.17, p_<_.001, g_=_−0.10 [−0.16,_0.49]");
+  EXPECT_EQ(shown("at 50 mm/s, 4 N and 1000 Hz."), "at 50_mm/s, 4_N and 1000_Hz.");
+  EXPECT_EQ(shown("62 % (95 % CI [< 0.1 %, 71 %])"), "62_% (95_% CI [<_0.1_%,_71_%])");
+  EXPECT_EQ(shown("One of 4 participants (a, b) chose x = y in block 2 s1."),
+            "One of 4 participants (a, b) chose x = y in block 2 s1.");
+}
+
 }  // namespace
 }  // namespace asperity

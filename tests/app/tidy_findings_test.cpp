@@ -100,7 +100,7 @@ TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
   const std::string text = reading_text_of(ratings());
   EXPECT_THAT(text, HasSubstr("rating: table.csv\n"));
   EXPECT_THAT(text, testing::ContainsRegex("key  mean\\.score  mean\\.score interval  mean\\.rank\n"
-                                           "new  2\\.5         \\[-3\\.853, 8\\.853\\] +1\\.75\n"));
+                                           "new  2\\.5         \\[−3\\.853, 8\\.853\\] +1\\.75\n"));
   EXPECT_THAT(text, HasSubstr("friedman.chisq    1\n"));
   EXPECT_THAT(text, HasSubstr("friedman.chisq, friedman.df, friedman.p: Friedman's test"));
 }
@@ -188,7 +188,7 @@ TEST(TableFindings, HaveTheIntervalsThatTheirMethodsPromise) {
                         R"({"groups": ["f", "m"]})"));
   EXPECT_THAT(groups, testing::ContainsRegex("f .* 0\\.7 +\\[0\\.0[0-9]+, 0\\.9[0-9]+\\]"));
   EXPECT_THAT(groups,
-              testing::ContainsRegex("subj\\.diff interval +\\[-0\\.[0-9]+, 0\\.[0-9]+\\]\n"));
+              testing::ContainsRegex("subj\\.diff interval +\\[−0\\.[0-9]+, 0\\.[0-9]+\\]\n"));
   const std::string ratings =
       text_of("rating", input_of("subject,item,score\nx,new,3\nx,old,1\ny,new,2\ny,old,2\n",
                                  R"({"items": ["new", "old"]})"));

@@ -12,6 +12,7 @@
 
 #include "analysis/number_text.h"
 #include "app/figures/figures_of.h"
+#include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/study_tests.h"
 #include "app/gui/data/analysis_words.h"
@@ -35,7 +36,9 @@ QString cell_text(const std::string& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) {
     return AnalysisWords::of_cell(column, *text);
   }
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return QString::number(*whole);
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) {
+    return QString::fromStdString(reading_whole(*whole));
+  }
   if (const auto* number = std::get_if<double>(&cell)) {
     return QString::fromStdString(number_text(*number));
   }

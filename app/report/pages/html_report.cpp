@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "app/figures/figure_files.h"
+#include "app/findings/reading_number.h"
 
 namespace asperity {
 
@@ -87,10 +88,10 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// With the line breaks of the text.
+/// With the line breaks of the text, and none within its numbers.
 std::string with_breaks(const std::string& text) {
   std::string out{};
-  for (const char letter : escaped(text)) {
+  for (const char letter : escaped(with_numbers_unbroken(text))) {
     if (letter == '\n') {
       out += "<br/>";
     } else {

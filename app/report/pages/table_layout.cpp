@@ -7,6 +7,8 @@
 #include <QtGui/QFontMetricsF>
 #include <QtGui/QTextLayout>
 
+#include "app/findings/reading_number.h"
+
 namespace asperity {
 
 namespace {
@@ -82,18 +84,12 @@ namespace {
 
 constexpr QChar kJoiner(0x2060);
 
-/// Prevents line breaks within a unit (mm/s), before a per cent sign, and within "p = .031" and "n
-/// = 20".
-QString with_numbers_whole(QString text) {
+/// Prevents line breaks within numbers and units (mm/s), also after the point of ".031".
+QString with_numbers_whole(const QString& plain) {
+  QString text = QString::fromStdString(with_numbers_unbroken(plain.toStdString()));
   text.replace(QLatin1String("/s"), QString('/') + kJoiner + 's');
-  text.replace(QLatin1String(" %"), QString(QChar::Nbsp) + '%');
-  for (const char16_t letter : {u'p', u'n'}) {
-    for (const char16_t sign : {u'=', u'<'}) {
-      const QString loose = QString("%1 %2 ").arg(QChar(letter)).arg(QChar(sign));
-      QString close = loose;
-      text.replace(loose + '.', close.replace(' ', QChar::Nbsp) + '.' + kJoiner);
-      text.replace(loose, close);
-    }
+  for (const QChar before : {QChar(QChar::Nbsp), QChar('['), QChar(u'−')}) {
+    text.replace(QString(before) + '.', QString(before) + '.' + kJoiner);
   }
   return text;
 }

@@ -134,7 +134,7 @@ std::string subject_of_row(const std::string& key) {
 std::string number_in_form(double value, PrintedForm form) {
   switch (form) {
     case PrintedForm::count:
-      return fixed(value, 0);
+      return reading_signed(value, 0);
     case PrintedForm::share:
       return reading_percent(value);
     case PrintedForm::number:

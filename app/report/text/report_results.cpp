@@ -26,7 +26,7 @@ constexpr std::size_t kMostKeys = 6;        // of one refusal
 
 std::string printed_cell(const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return reading_whole(*whole);
   if (const auto* number = std::get_if<double>(&cell)) return reading_number(*number);
   return "–";
 }

@@ -79,7 +79,7 @@ ReportTable long_table(int rows) {
   return table;
 }
 
-/// The text of all elements; fails where it is no XML.
+/// The text of all elements, with spaces for no-break spaces; fails where it is no XML.
 QString read_as_xml(const std::string& html, QStringList* elements = nullptr) {
   QXmlStreamReader reader(QByteArray::fromStdString(html));
   QString text{};
@@ -90,7 +90,7 @@ QString read_as_xml(const std::string& html, QStringList* elements = nullptr) {
   }
   EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString() << " in line "
                                   << reader.lineNumber();
-  return text;
+  return text.replace(QChar::Nbsp, ' ');
 }
 
 TEST(HtmlReport, IsWellFormedAndNeedsNothingFromElsewhere) {
@@ -125,6 +125,29 @@ TEST(HtmlReport, IsWellFormedAndNeedsNothingFromElsewhere) {
     }
   }
   EXPECT_EQ(html, html_of(report_of(made.study()))) << "the same study, the same bytes";
+}
+
+TEST(HtmlReport, BreaksNoLineWithinANumber) {
+  ReportTable table = long_table(1);
+  table.rows[0] = {"wood", "0.33 [0.16, 0.49]"};
+  const QString html =
+      QString::fromStdString(html_of(report_with({ReportText{"A test, p = .03."}, table})));
+  EXPECT_TRUE(html.contains("A test, p\u00A0=\u00A0.03."));
+  EXPECT_TRUE(html.contains("0.33 [0.16,\u00A00.49]"));
+}
+
+TEST(ReportPages, BreakNoLineWithinANumber) {
+  QFont font{};
+  font.setPixelSize(150);
+  const QString text = "The difference was 0.33, 95 % CI [−0.16, 0.49], t(19) = 12.25, p = .031.";
+  for (double width = 1500.0; width < 6000.0; width += 50.0) {
+    for (const QString& line : broken_lines(text, font, width)) {
+      EXPECT_FALSE(line.endsWith("[−0.16,")) << width;
+      EXPECT_FALSE(line.endsWith("=")) << width;
+      EXPECT_FALSE(line.startsWith("=")) << width;
+      EXPECT_FALSE(line.startsWith("%")) << width;
+    }
+  }
 }
 
 TEST(HtmlReport, EscapesWhatStudiesCallTheirThings) {
