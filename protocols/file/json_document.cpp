@@ -66,6 +66,81 @@ bool is_binary(std::string_view text) {
           first != '\r');
 }
 
+/// Of a text in quotation marks that the parser refuses for this reason; begins with a semicolon, or is empty.
+std::string correction_of_text(std::string_view reason) {
+  if (reason.find("missing closing quote") != std::string_view::npos) {
+    return "; add the closing quotation mark";
+  }
+  if (reason.find("U+000A") != std::string_view::npos ||
+      reason.find("U+000D") != std::string_view::npos) {
+    return "; add the closing quotation mark in this line, or write \\n for a line break";
+  }
+  if (reason.find("backslash") != std::string_view::npos) {
+    return "; write \\\\ for a backslash";
+  }
+  return {};
+}
+
+bool is_of_word(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '.' ||
+         letter == '+' || letter == '-';
+}
+
+/// The word or the single character there.
+std::string_view token_at(std::string_view text, std::size_t from) {
+  std::size_t end = from;
+  while (end < text.size() && is_of_word(text[end])) ++end;
+  return text.substr(from, std::max<std::size_t>(end - from, 1));
+}
+
+/// How the token that the parser does not expect at `from` is corrected; empty where the token itself is the problem.
+/// `expected`: what the parser expects instead.
+std::string correction_at(std::string_view text, std::size_t from, std::string_view expected) {
+  const std::size_t last =
+      from == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", from - 1);
+  const char before = last == std::string_view::npos ? '\0' : text[last];
+  const char token = text[from];
+  const auto expects = [expected](std::string_view what) {
+    return expected.find(what) != std::string_view::npos;
+  };
+  if (token == '\'') return "write double quotation marks (\") instead of single ones";
+  if (token == '/' || token == '#') {
+    return "JSON has no comments: delete it, or write it as the text of a key \"$comment\"";
+  }
+  if (expects("end of input")) {
+    return "delete what follows the end of the protocol, or a closing bracket too many before it";
+  }
+  if (token == ',') {
+    return before == ':' ? "write a value after the colon" : "delete this comma";
+  }
+  if (token == '}' || token == ']') {
+    if (before == ',') return "delete the comma before it: the last entry has none";
+    if (before == ':') return "write a value after the colon";
+    if (expects("']'")) return "close the list with ']' before it";
+    if (expects("'}'")) return "close the object with '}' before it";
+    return {};
+  }
+  if (token == ':') {
+    return before == ':' ? "delete this colon"
+                         : "a colon stands only between a key and its value: add a comma or a "
+                           "quotation mark before it";
+  }
+  if (expects("':'")) {
+    return "write a colon between a key and its value, and close every quotation mark";
+  }
+  if (expects("quotation marks") && is_of_word(token)) {
+    return "write the key in \"quotation marks\"";
+  }
+  // "3x" is one word that is no number.
+  const bool is_separate = !is_of_word(token) || last + 1 < from;
+  const bool follows_a_value =
+      is_separate && (before == '"' || before == '}' || before == ']' || is_of_word(before));
+  if (follows_a_value && (expects("'}'") || expects("']'"))) {
+    return "add a comma after the entry before it, or close a quotation mark";
+  }
+  return {};
+}
+
 }  // namespace
 
 /// Receives the parser's events. nlohmann emits each event immediately after reading the token, so a token starts at
@@ -130,7 +205,7 @@ class JsonDocument::Handler {
       if (reason.find("UTF-8") != std::string::npos) {
         return refuse(where, "this text is not UTF-8; save the file in the encoding UTF-8");
       }
-      return refuse(where, "this text is invalid: " + reason);
+      return refuse(where, "this text is invalid: " + reason + correction_of_text(reason));
     }
     if (from >= text.size()) {
       return refuse(text.size(), stack_.empty() && !began_
@@ -146,12 +221,11 @@ class JsonDocument::Handler {
         expected.replace(found, kString.size(), "a key in \"quotation marks\"");
       }
     }
-    std::size_t end = from;
-    while (end < text.size() &&
-           (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_' ||
-            text[end] == '.' || text[end] == '+' || text[end] == '-')) {
-      ++end;
+    if (const std::string correction = correction_at(text, from, expected); !correction.empty()) {
+      return refuse(from, "unexpected " + printable(token_at(text, from)) + "; " + correction);
     }
+    std::size_t end = from;
+    while (end < text.size() && is_of_word(text[end])) ++end;
     if (end > from) {
       return refuse(
           from,

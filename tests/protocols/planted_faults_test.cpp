@@ -573,6 +573,40 @@ TEST(PlantedFaults, WhatIsNoJsonTextAtAllGetsASentence) {
   }
 }
 
+TEST(PlantedFaults, ASyntaxErrorStatesItsCorrection) {
+  struct Case {
+    std::string text{};
+    std::string place{};  ///< line and column
+    std::string correction{};
+  };
+  const Case cases[] = {
+      {"{\n  \"a\": 1\n  \"b\": 2\n}", "3:3", "add a comma after the entry before it"},
+      {"{\"a\": [1 2]}", "1:10", "add a comma after the entry before it"},
+      {"{\"a\": {} \"b\": 2}", "1:10", "add a comma after the entry before it"},
+      {"{\n  \"a\": 1,\n}", "3:1", "delete the comma before it"},
+      {"{\"a\": [1, 2,]}", "1:13", "delete the comma before it"},
+      {"{\"a\": 1,, \"b\": 2}", "1:9", "delete this comma"},
+      {"{\n  \"a\": \"one,\n  \"b\": 2\n}", "2:13", "add the closing quotation mark in this line"},
+      {"{\"a\": \"one", "1:11", "add the closing quotation mark"},
+      {"{\n  \"a: \"one\"\n}", "2:8", "close every quotation mark"},
+      {"{\"a\" 1}", "1:6", "write a colon between a key and its value"},
+      {"{\"a\":: 1}", "1:6", "delete this colon"},
+      {"{\"a\": }", "1:7", "write a value after the colon"},
+      {"{\"a\": [1, 2}", "1:12", "close the list with ']'"},
+      {"{\"a\": 1}}", "1:9", "closing bracket too many"},
+      {"{a: 1}", "1:2", "write the key in \"quotation marks\""},
+      {"{'a': 1}", "1:2", "double quotation marks"},
+      {"{\"a\": 1 // one\n}", "1:9", "\"$comment\""},
+      {"{\"a\": \"C:\\data\"}", "1:11", "write \\\\ for a backslash"}};
+  for (const Case& one : cases) {
+    const auto problems = problems_of(one.text);
+    ASSERT_EQ(problems.size(), 1U) << one.text;
+    EXPECT_THAT(text_of(problems[0]), testing::StartsWith("p.json:" + one.place + ": "))
+        << one.text;
+    EXPECT_THAT(problems[0].message, testing::HasSubstr(one.correction)) << one.text;
+  }
+}
+
 class PlantedInMagnitude : public testing::TestWithParam<Fault> {};
 TEST_P(PlantedInMagnitude, IsRefusedAtItsPlace) {
   expect_complaint(planted(library_text("roughness_diameter"), GetParam()), GetParam());
