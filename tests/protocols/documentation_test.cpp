@@ -50,11 +50,26 @@ TEST(AuthoringGuide, ShowsFragmentsThatFitTheFirstProtocol) {
   const auto blocks = json_blocks(contents("docs/authoring-protocols.md"));
   ASSERT_GE(blocks.size(), 8U);
   for (std::size_t i = 1; i < blocks.size(); ++i) {
+    if (blocks[i].starts_with("{")) continue;  // a protocol of its own
     auto whole = nlohmann::json::parse(blocks.front());
     whole.merge_patch(nlohmann::json::parse("{" + blocks[i] + "}"));
     SCOPED_TRACE(blocks[i]);
     (void)read_or_fail(whole.dump(1));
   }
+}
+
+TEST(AuthoringGuide, ShowsACompleteProtocolWithBlocksOfTwoKindsThatIsAccepted) {
+  std::vector<Protocol> complete{};
+  for (const std::string& block : json_blocks(contents("docs/authoring-protocols.md"))) {
+    if (block.starts_with("{")) complete.push_back(read_or_fail(block));
+  }
+  ASSERT_EQ(complete.size(), 2U);
+  const Protocol& protocol = complete.back();
+  EXPECT_EQ(protocol.blocks.at("attributes").kind, "rating");
+  EXPECT_EQ(protocol.blocks.at("recognition").kind, "recognition");
+  EXPECT_EQ(protocol.blocks.at("attributes").questions.size(), 2U);
+  // 3 textures, twice in each block.
+  EXPECT_EQ(make_plan(protocol, {1, 0}).trials.size(), 12U);
 }
 
 void expect_keys(const nlohmann::json& node, const std::string& reference) {
