@@ -13,6 +13,7 @@
 #include "app/cli/parameter_option.h"
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
+#include "app/findings/reading_number.h"
 #include "app/study_files/height_field_files.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/synthetic_photograph.h"
@@ -102,9 +103,9 @@ void add_synth(CLI::App& program, Job& job) {
                         pictures);
       std::cout << options->out.string() << ": " << field.grid().columns << " × "
                 << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)
-                << " µm, height " << fixed(field.minimum_m() * 1e6, 1) << " to "
-                << fixed(field.maximum_m() * 1e6, 1) << " µm, RMS " << fixed(field.rms_m() * 1e6, 1)
-                << " µm\n";
+                << " µm, height " << reading_signed(field.minimum_m() * 1e6, 1) << " to "
+                << reading_signed(field.maximum_m() * 1e6, 1) << " µm, RMS "
+                << fixed(field.rms_m() * 1e6, 1) << " µm\n";
       for (const auto& doubt : {seam_of(surface->kind, values, options->canvas),
                                 coarse_samples_of(surface->kind, values, options->canvas)}) {
         if (doubt) say("asperity: warning: " + options->out.string() + ": " + *doubt);

@@ -34,7 +34,9 @@ void write_error(std::string_view text) {
 std::string text_of_cell(const Cell& cell) {
   if (std::holds_alternative<std::monostate>(cell)) return "n/a";
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return reading_whole(*whole);
-  if (const auto* number = std::get_if<double>(&cell)) return text_of_number(*number);
+  if (const auto* number = std::get_if<double>(&cell)) {
+    return *number < 0.0 ? "−" + text_of_number(-*number) : text_of_number(*number);
+  }
   return std::get<std::string>(cell);
 }
 

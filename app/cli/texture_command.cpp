@@ -12,6 +12,7 @@
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
+#include "app/findings/reading_number.h"
 #include "app/study_files/height_field_files.h"
 #include "stimuli/photographs/photograph_advice.h"
 #include "stimuli/photographs/preview.h"
@@ -99,9 +100,9 @@ void add_texture(CLI::App& program, Job& job) {
       const HeightField& field = texture.field;
       std::cout << options->out.string() << ": " << field.grid().columns << " × "
                 << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)
-                << " µm, height " << fixed(field.minimum_m() * 1e6, 1) << " to "
-                << fixed(field.maximum_m() * 1e6, 1) << " µm, RMS " << fixed(field.rms_m() * 1e6, 1)
-                << " µm\n"
+                << " µm, height " << reading_signed(field.minimum_m() * 1e6, 1) << " to "
+                << reading_signed(field.maximum_m() * 1e6, 1) << " µm, RMS "
+                << fixed(field.rms_m() * 1e6, 1) << " µm\n"
                 << advice(examine_photograph(loaded.photograph.grey, chosen, name)) << '\n';
       return 0;
     };

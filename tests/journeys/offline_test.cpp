@@ -37,6 +37,14 @@ Tsv forces_along(const fs::path& place, const std::string& path,
   return tsv(text_of(place / "forces.tsv"));
 }
 
+TEST(Synth, StatesHeightsBelowZeroWithAMinusSign) {
+  const TemporaryFolder place{};
+  const Outcome made = asperity({"synth", "sinusoid", "--param", "amplitude_m=0.0001", "--pixels",
+                                 "64", "--width-m", "0.02", "--out", place / "wave.png"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, testing::HasSubstr(" µm, height −"));
+}
+
 TEST(Render, OfAFlatFieldIsASpringWithFriction) {
   const TemporaryFolder place{};
   ASSERT_EQ(asperity({"synth", "sinusoid", "--param", "amplitude_m=0", "--pixels", "64",

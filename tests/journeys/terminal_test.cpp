@@ -40,6 +40,19 @@ void answer_everything(Program& program, const std::string& choice, std::size_t 
   }
 }
 
+// The terminal is the participant's screen and the experimenter's at the same time.
+TEST(Terminal, ShowsNotWhetherAResponseIsCorrectWhereTheProtocolHasNoFeedback) {
+  const SmallStudy small(1);
+  Invocation invocation{};
+  invocation.arguments = terminal_run_arguments(small, small.recognition());
+  invocation.on_terminal = true;
+  Program program(invocation);
+  answer_everything(program, "1", 1000);
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  EXPECT_EQ((outcome.out + outcome.err).find("correct"), std::string::npos) << outcome.out;
+}
+
 TEST(Terminal, TakesAPersonThroughASession) {
   const SmallStudy small(1);  // two trials
   Invocation invocation{};
