@@ -56,6 +56,8 @@ struct SessionRow {
   std::string generator{};
   int counterbalance_row = 0;
   std::optional<std::string> group_level{};  ///< of the participant, where the protocol has groups
+  /// Where the trials depend on responses: the number expected when the session began.
+  std::optional<int> expected_trials{};
   std::string program_version{};
   std::string program_commit{};
   std::string program_build{};
@@ -92,6 +94,9 @@ struct PlannedTrialRow {
   int block_ordinal = 0;
   std::string phase{};
   int repetition = 1;
+  /// Where a procedure chose its level: the track within the run of its block, and the place in it.
+  std::optional<int> track{};
+  std::optional<int> step{};
   std::string factors_json = "{}";
   std::string plan_json = "{}";  ///< json_of(Trial)
 };

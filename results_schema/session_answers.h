@@ -22,7 +22,11 @@ struct SessionAnswers {
     AnalysisUse use = AnalysisUse::counted;
     std::uint32_t block = 0;
     std::uint32_t factors_json = 0;
-    int repetition = 1;  ///< as PlannedTrialRow::repetition
+    int repetition = 1;     ///< as PlannedTrialRow::repetition
+    int block_ordinal = 1;  ///< as PlannedTrialRow::block_ordinal
+    /// As PlannedTrialRow::track and ::step.
+    std::optional<int> track{};
+    std::optional<int> step{};
   };
   struct Surface {
     std::uint32_t item = 0;
@@ -69,6 +73,7 @@ struct SessionAnswers {
 /// How far a session has come.
 struct SessionCounts {
   int planned_trials = 0;
+  bool planned_is_estimated = false;  ///< the number depends on responses that are still to come
   int done_trials = 0;  ///< with an attempt that is valid, or skipped and not set aside since
   int attempts = 0;
   int notes = 0;

@@ -80,7 +80,7 @@ struct StudyWords {
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 9;
+  static constexpr int kSchemaVersion = 10;
 
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
@@ -140,7 +140,7 @@ class Study final {
   std::vector<ProtocolRow> protocols() const;
   ProtocolRow protocol(std::int64_t id) const;
 
-  /// The session and its whole plan, in one transaction. Returns the session's id. The number
+  /// The session and its plan, as far as it is determined, in one transaction. Returns the session's id. The number
   /// `SessionRow::session` must be the participant's next one, or 0 to be given it.
   std::int64_t add_session(const SessionRow& session, const std::vector<PlannedTrialRow>& plan);
   /// The same with group and counterbalance row taken inside the transaction. The group, unless the session
@@ -170,6 +170,9 @@ class Study final {
 
   /// What all plans and presentations together speak of.
   StudyWords words() const;
+
+  /// Further trials of an open session whose plan depends on responses, in one transaction.
+  void add_trials(std::int64_t session_id, const std::vector<PlannedTrialRow>& trials);
 
   /// A stretch of uninterrupted running. `time_ns` on the session's clock.
   int begin_segment(std::int64_t session_id, std::int64_t time_ns);

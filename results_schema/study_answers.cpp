@@ -39,9 +39,11 @@ void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answ
                WordPlaces& words) {
   // Not those equal to ?: to see where these end SQLite would read every row whole, whose plan is
   // most of a study.
-  Statement statement(database,
-                      "SELECT session_id, trial, block, phase, factors_json, repetition FROM trial "
-                      "WHERE session_id >= ? ORDER BY session_id, trial");
+  Statement statement(
+      database,
+      "SELECT session_id, trial, block, phase, factors_json, repetition, "
+      "block_ordinal, track, step FROM trial WHERE session_id >= ? ORDER BY session_id, "
+      "trial");
   statement.bind(session_id);
   std::int64_t session = 0;
   std::string block;
@@ -49,7 +51,8 @@ void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answ
   std::string factors_json;
   while (statement.step()) {
     SessionAnswers::Trial trial{};
-    statement.read(session, trial.trial, block, phase, factors_json, trial.repetition);
+    statement.read(session, trial.trial, block, phase, factors_json, trial.repetition,
+                   trial.block_ordinal, trial.track, trial.step);
     if (session != session_id) break;
     trial.use = use_in_analyses(phase, trial.repetition);
     trial.block = words.place(block);
@@ -197,14 +200,17 @@ std::map<std::int64_t, SessionCounts> counts_in(Database& database, const Which&
   // Trials are numbered from 1 without gaps: the last one is found without reading the others.
   Statement statement(
       database, std::string("SELECT id, coalesce((SELECT max(trial) FROM trial WHERE session_id = "
-                            "session.id), 0) FROM session") +
+                            "session.id), 0), iif(state = 'completed', NULL, expected_trials) "
+                            "FROM session") +
                     (which ? " WHERE id = ?" : ""));
   if (which) statement.bind(*which);
   while (statement.step()) {
     std::int64_t id = 0;
     int trials = 0;
-    statement.read(id, trials);
-    sessions[id].counts.planned_trials = trials;
+    std::optional<int> expected{};
+    statement.read(id, trials, expected);
+    sessions[id].counts.planned_trials = std::max(trials, expected.value_or(0));
+    sessions[id].counts.planned_is_estimated = expected.has_value();
   }
   count_attempts(database, which, sessions);
   count_notes(database, which, sessions);

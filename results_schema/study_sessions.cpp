@@ -128,24 +128,27 @@ void insert_session(Database& database, const SessionRow& row, int ordinal,
       "generator, counterbalance_row, program_version, program_commit, program_build, "
       "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
       "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, "
-      "mirrored, group_level) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      "mirrored, group_level, expected_trials) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(participant_id, ordinal, row.protocol_id, text_of(row.mode), text_of(row.state),
             row.seed, row.generator, row.counterbalance_row, row.program_version,
             row.program_commit, row.program_build, row.program_sha256, row.instruction_set, row.os,
             row.device, row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
             row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
-            row.observer_json, row.mirrored, row.group_level)
+            row.observer_json, row.mirrored, row.group_level, row.expected_trials)
       .run();
 }
 
 void insert_plan(Database& database, std::int64_t session_id,
                  const std::vector<PlannedTrialRow>& plan) {
-  Statement statement(database, "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement statement(
+      database,
+      "INSERT INTO trial (session_id, trial, block, block_ordinal, phase, repetition, "
+      "factors_json, plan_json, track, step) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const PlannedTrialRow& trial : plan) {
     statement
         .bind(session_id, trial.trial, trial.block, trial.block_ordinal, trial.phase,
-              trial.repetition, trial.factors_json, trial.plan_json)
+              trial.repetition, trial.factors_json, trial.plan_json, trial.track, trial.step)
         .run();
   }
 }
@@ -190,7 +193,8 @@ constexpr const char* kSelectSessions =
     "generator, counterbalance_row, program_version, program_commit, program_build, "
     "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
     "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, mirrored, "
-    "group_level, iif(latest.verdict = 'exclude', latest.reason, NULL), latest.reason_json, "
+    "group_level, expected_trials, iif(latest.verdict = 'exclude', latest.reason, NULL), "
+    "latest.reason_json, "
     "participant.withdrawn "
     "FROM session JOIN participant ON participant.id = session.participant_id "
     "LEFT JOIN decision AS latest ON latest.id = (SELECT max(id) FROM decision WHERE session_id = "
@@ -204,7 +208,8 @@ void read_session(Statement& statement, SessionRow& row) {
                  row.program_build, row.program_sha256, row.instruction_set, row.os, row.device,
                  row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
                  row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
-                 row.observer_json, row.mirrored, row.group_level, row.excluded, row.withdrawn);
+                 row.observer_json, row.mirrored, row.group_level, row.expected_trials,
+                 row.excluded, row.withdrawn);
   row.mode = enum_of(mode, kModes, "session.mode");
   row.state = enum_of(state, kStates, "session.state");
 }
@@ -222,6 +227,13 @@ std::vector<StimulusFileRow> files_of(Database& database, std::int64_t session_i
 }
 
 }  // namespace
+
+void Study::add_trials(std::int64_t session_id, const std::vector<PlannedTrialRow>& trials) {
+  Database& database = store_->writable();
+  Transaction transaction(database);
+  insert_plan(database, session_id, trials);
+  transaction.commit();
+}
 
 std::int64_t Study::add_session(const SessionRow& session,
                                 const std::vector<PlannedTrialRow>& plan) {
@@ -286,14 +298,14 @@ std::vector<SessionRow> Study::sessions() const {
 std::vector<PlannedTrialRow> Study::plan(std::int64_t session_id) const {
   return store_->read([session_id](Database& database) {
     Statement statement(database,
-                        "SELECT trial, block, block_ordinal, phase, repetition, factors_json, "
-                        "plan_json FROM trial WHERE session_id = ? ORDER BY trial");
+                        "SELECT trial, block, block_ordinal, phase, repetition, track, step, "
+                        "factors_json, plan_json FROM trial WHERE session_id = ? ORDER BY trial");
     statement.bind(session_id);
     std::vector<PlannedTrialRow> rows;
     while (statement.step()) {
       PlannedTrialRow& row = rows.emplace_back();
-      statement.read(row.trial, row.block, row.block_ordinal, row.phase, row.repetition,
-                     row.factors_json, row.plan_json);
+      statement.read(row.trial, row.block, row.block_ordinal, row.phase, row.repetition, row.track,
+                     row.step, row.factors_json, row.plan_json);
     }
     return rows;
   });

@@ -53,7 +53,11 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_EQ(session.mirrored, GetParam() >= 2);
   EXPECT_EQ(session.group_level.value_or(""), GetParam() >= 9 ? "haptic" : "");
   EXPECT_EQ(study.protocol(session.protocol_id).source, R"({"name":"selection"})");
-  EXPECT_EQ(study.plan(session.id).size(), 2U);
+  ASSERT_EQ(study.plan(session.id).size(), GetParam() >= 10 ? 3U : 2U);
+  EXPECT_EQ(study.plan(session.id).back().track,
+            GetParam() >= 10 ? std::optional(2) : std::nullopt);
+  EXPECT_EQ(study.plan(session.id).back().step, GetParam() >= 10 ? std::optional(1) : std::nullopt);
+  EXPECT_EQ(session.expected_trials, GetParam() >= 10 ? std::optional(7) : std::nullopt);
   EXPECT_EQ(study.session_answers(session.id).at(0).answer, "left");
   EXPECT_EQ(study.events(session.id).at(0).text, "done");
   EXPECT_EQ(study.solution("key"), R"({"A_m":0.0001})");

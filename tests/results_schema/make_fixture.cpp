@@ -33,7 +33,13 @@ int main(int count, char** arguments) {
   session.files = {
       {.path = "stimuli/metal.txt", .sha256 = sha256_of("not a picture\n"), .bytes = 14}};
   session.mirrored = true;
+  session.expected_trials = 7;
   const std::int64_t id = study.add_session(session, some_plan(2));
+  PlannedTrialRow of_track = some_plan(3).back();
+  of_track.phase = "practice";
+  of_track.track = 2;
+  of_track.step = 1;
+  study.add_trials(id, {of_track});
   study.begin_segment(id, 1'000'000'000);
   study.add_session_answer(id, {.question = "hand", .answer = "left", .source = "virtual"});
 

@@ -116,7 +116,7 @@ std::string session(const std::string& participant, const std::string& ordinal,
          "program_build, program_sha256, instruction_set, os, device, device_json, pacing, "
          "scheduling, rate_Hz, started_utc, clock_zero_ns, ended_utc, consent_version, "
          "consent_utc, observer_json, mirrored, " +
-         group + " FROM session WHERE id = 1";
+         group + ", expected_trials FROM session WHERE id = 1";
 }
 
 std::string decision(const std::string& values) {
@@ -249,9 +249,15 @@ std::vector<Forbidden> forbidden_statements() {
        "INSERT INTO session_answer VALUES (NULL,99,'q',1,'b',NULL,NULL,'[]',0,NULL,NULL,'k')"},
       {"update trial", "UPDATE trial SET plan_json = '{}'"},
       {"delete trial", "DELETE FROM trial"},
-      {"replace trial", "INSERT OR REPLACE INTO trial VALUES (1,1,'b',1,'main',1,'{}','{}')"},
-      {"trial that is not JSON", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{','{}')"},
-      {"trial of no session", "INSERT INTO trial VALUES (99,1,'b',1,'main',1,'{}','{}')"},
+      {"replace trial",
+       "INSERT OR REPLACE INTO trial VALUES (1,1,'b',1,'main',1,'{}','{}',NULL,NULL)"},
+      {"trial that is not JSON",
+       "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{','{}',NULL,NULL)"},
+      {"trial of no session", "INSERT INTO trial VALUES (99,1,'b',1,'main',1,'{}','{}',NULL,NULL)"},
+      {"step without a track", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',NULL,1)"},
+      {"step zero", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',1,0)"},
+      {"track zero", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',0,1)"},
+      {"expected trials of a session", "UPDATE session SET expected_trials = 3 WHERE id = 1"},
       {"update protocol", "UPDATE protocol SET source = ''"},
       {"delete protocol", "DELETE FROM protocol"},
       {"replace protocol",
