@@ -173,7 +173,7 @@ void make_study(const std::filesystem::path& folder, const StudyWish& wish) {
                                               program);
     const std::int64_t id = session.row.id;
     const int segment = study.begin_segment(id, 0);
-    for (const Trial& trial : session.plan.trials) {
+    for (const Trial& trial : session.course->plan().trials) {
       AttemptRow attempt = attempt_of(trial, segment, random);
       if (wish.recorded_ticks > 0) {
         attempt.recording = record(study,
@@ -183,10 +183,10 @@ void make_study(const std::filesystem::path& folder, const StudyWish& wish) {
       }
       study.add_attempt(id, attempt);
     }
-    const std::int64_t end_ns = (std::ssize(session.plan.trials) + 1) * kTrial_ns;
+    const std::int64_t end_ns = (std::ssize(session.course->plan().trials) + 1) * kTrial_ns;
     study.end_segment(id, segment, end_ns, "completed");
     study.end_session(id, SessionState::completed, "2001-02-03T07:05:06Z");
-    begun += static_cast<int>(session.plan.trials.size());
+    begun += static_cast<int>(session.course->plan().trials.size());
     std::cerr << "\r" << begun << " attempts" << std::flush;
   }
   std::cerr << '\n';

@@ -88,6 +88,7 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Dia
     json["contact_s"] = check.cost.contact_s;
     json["total_s"] = check.cost.total_s;
     json["longest_without_break_s"] = check.cost.longest_without_break_s;
+    if (!check.designs.empty()) json["designs"] = check.designs;
     if (check.protocol->groups) {
       json["groups"] = {{"factor", check.protocol->groups->factor},
                         {"levels", groups_of(*check.protocol)},
@@ -236,6 +237,9 @@ void add_check(CLI::App& program, Job& job) {
                     << fixed(check.cost.total_s / 60.0, 0) << " min in all, at most "
                     << fixed(check.cost.longest_without_break_s / 60.0, 1)
                     << " min without a break\n";
+          for (const auto& [block, design] : check.designs) {
+            std::cout << check.file << ": block " << block << ": " << design << '\n';
+          }
           if (check.protocol->groups) {
             std::cout << check.file << ": groups: " << groups_text(*check.protocol) << '\n';
           }

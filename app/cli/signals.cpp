@@ -66,7 +66,7 @@ void InterruptWatch::ask_to_stop(const char* when) {
 bool InterruptWatch::ends_in_order(const std::stop_token& ended) {
   if (interrupt_holds == 0) return false;
   // Where both came at once, nobody has yet.
-  if (!source_.stop_requested()) ask_to_stop(" (in three seconds at the latest)");
+  if (!source_.stop_requested()) ask_to_stop(" (within three seconds)");
   const auto latest = std::chrono::steady_clock::now() + kLongestHold;
   while (interrupt_holds > 0 && std::chrono::steady_clock::now() < latest) {
     std::this_thread::sleep_for(kBetweenLooks);
@@ -86,9 +86,8 @@ void InterruptWatch::watch(const std::stop_token& ended) {
       end_program(last_interrupt);
     }
     if (interrupts > 0 && !source_.stop_requested()) {
-      ask_to_stop(interrupt_holds > 0
-                      ? " (press Ctrl-C again to end in three seconds at the latest)"
-                      : " (press Ctrl-C again to end at once)");
+      ask_to_stop(interrupt_holds > 0 ? " (press Ctrl-C again to end within three seconds)"
+                                      : " (press Ctrl-C again to end at once)");
     }
     std::this_thread::sleep_for(kBetweenLooks);
   }

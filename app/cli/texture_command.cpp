@@ -47,7 +47,8 @@ void add_texture(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("--gaussian-wavelength-m", recipe.gaussian_wavelength_m,
-                   "Cut-off wavelength of the low-pass g; longer wavelengths are removed")
+                   "Cut-off wavelength of the Gaussian low-pass whose result g is subtracted; "
+                   "longer wavelengths are removed")
       ->capture_default_str();
   command
       ->add_option("--homomorphic-wavelength-m", recipe.homomorphic_wavelength_m,

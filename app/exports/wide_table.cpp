@@ -111,6 +111,7 @@ void WideTable::add_answer(const ExportPlace& at) {
                                               : level.is_string() ? level.get<std::string>()
                                                                   : level.dump()});
   }
+  if (add_discrimination(at, condition)) return;
   const ResponseRow& response = *at.response;
   Tally& tally = person.tallies[asked_of(at)][condition];
   ++tally.answers;
@@ -123,6 +124,29 @@ void WideTable::add_answer(const ExportPlace& at) {
     ++tally.judged;
     tally.right += *response.correct ? 1 : 0;
   }
+}
+
+bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condition) {
+  // A task includes the prompt, which depends on the language of the file.
+  const std::string& wording = vocabulary_.first_wording.at(at.protocol->source_sha256);
+  const auto block = vocabulary_.discriminations.find({wording, at.trial->block});
+  // A block can also ask for ratings.
+  if (block == vocabulary_.discriminations.end() || at.response->answer_number) return false;
+  const auto& [task, drawn] = block->second;
+  ThresholdColumns::Condition others{};
+  std::optional<double> value{};
+  for (const auto& each : condition) {
+    if (each.first == task.varied.factor) {
+      value = each.second.first;
+    } else if (std::find(drawn.begin(), drawn.end(), each.first) == drawn.end()) {
+      others.push_back(each);
+    }
+  }
+  if (!value) return false;
+  discriminations_[asked_of(at)].add(
+      people_.size() - 1, task, at.trial->block, others,
+      {.value = *value, .chose_comparison = at.response->answer == "comparison"});
+  return true;
 }
 
 void WideTable::add_session_answer(const ExportPlace& at) {
@@ -196,6 +220,7 @@ WideTable::Made WideTable::make() const {
   std::set<Asked> all_asked{};
   for (const auto& asked_and_conditions : met) all_asked.insert(asked_and_conditions.first);
   for (const auto& asked_and_kind : said_is_number) all_asked.insert(asked_and_kind.first);
+  for (const auto& asked_and_columns : discriminations_) all_asked.insert(asked_and_columns.first);
   const ProtocolNames names_of(all_asked);
   for (const auto& [asked, is_number] : said_is_number) {
     const auto is_asked_elsewhere = [&asked = asked](const auto& other) {
@@ -225,6 +250,24 @@ WideTable::Made WideTable::make() const {
       const auto found = person.said.find(asked);
       return found == person.said.end() ? Cell{} : found->second;
     });
+  }
+  for (const auto& [asked, discrimination] : discriminations_) {
+    const auto meaning = vocabulary_.questions.find(asked.question);
+    const std::string prompt = meaning == vocabulary_.questions.end()
+                                   ? asked.question
+                                   : "\"" + meaning->second.prompt + "\"";
+    for (ThresholdColumns::Column& made_column :
+         discrimination.make(names_of.in_names(asked) + "_" + asked.question,
+                             " of " + names_of.in_words(asked) + ", " + prompt)) {
+      made.columns.push_back(std::move(made_column.column));
+      const bool is_count = made.columns.back().type == "integer";
+      for (std::size_t i = 0; i < people_.size(); ++i) {
+        const auto cell = made_column.cells.find(i);
+        made.rows[i].push_back(cell != made_column.cells.end() ? cell->second
+                               : is_count                      ? Cell{std::int64_t{0}}
+                                                               : Cell{});
+      }
+    }
   }
   for (const auto& [asked, conditions] : met) {
     const std::string protocol_in_name = names_of.in_names(asked);

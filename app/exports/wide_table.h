@@ -10,13 +10,15 @@
 
 #include "app/exports/columns/export_column.h"
 #include "app/exports/columns/study_vocabulary.h"
+#include "app/exports/threshold_columns.h"
 
 namespace asperity {
 
 /// A table of one row per participant with, for each condition of each version of each protocol and
 /// each question of a trial, one column for the average: the mean of answers that are numbers,
 /// otherwise the proportion correct where responses are correct or incorrect, otherwise for each
-/// option the proportion of responses that chose it; and the number of responses averaged.
+/// option the proportion of responses that chose it; and the number of responses averaged. A discrimination has thresholds
+/// in place of averages (ThresholdColumns).
 ///
 /// A condition is a combination of levels of the factors that have more than one level in the main
 /// trials of the protocol. Responses of the main phase that are valid and not excluded are
@@ -29,7 +31,6 @@ namespace asperity {
 /// they differ only in texts: those of two languages. Descriptions name the version; names of
 /// columns do so only where there is more than one, and contain the beginning of the source's
 /// SHA-256 only where one version has two sources.
-/// one, and the beginning of the source's SHA-256 only where one version has two.
 class WideTable final {
  public:
   WideTable(const StudyVocabulary& vocabulary, ExportAudience audience);
@@ -63,6 +64,8 @@ class WideTable final {
   };
   class ProtocolNames;
   Asked asked_of(const ExportPlace& at) const;  ///< with a response
+  /// False where the response does not belong to a discrimination.
+  bool add_discrimination(const ExportPlace& at, const Condition& condition);
   struct Tally {
     std::int64_t answers = 0;
     std::int64_t numbers = 0;
@@ -88,6 +91,7 @@ class WideTable final {
   StudyVocabulary vocabulary_{};
   std::set<std::string> withheld_{};  ///< questions of sessions that are not published
   std::vector<Person> people_{};
+  std::map<Asked, ThresholdColumns> discriminations_{};
 };
 
 }  // namespace asperity

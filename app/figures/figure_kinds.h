@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -86,5 +87,24 @@ Figure power_figure(const TidyInput& input, const FoundNumbers& found);
 /// Proportions correct by level, the fitted function and its threshold. `unit`: of the levels.
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                            const std::string& unit);
+
+/// Of a discrimination: the thresholds by condition, and the psychometric functions of each participant. None without the
+/// tables of thresholds.
+std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome);
+
+/// A trial of a track, whose level was chosen from the responses to the trials before it.
+struct TrackTrial {
+  std::string track{};
+  double step = 0.0;  ///< its number in the track
+  double level = 0.0;
+  bool is_correct = false;
+  bool is_reversal = false;  ///< the level changes its direction after this trial
+};
+/// Sets `is_reversal` from the levels; the trials are in order.
+void mark_reversals(std::span<TrackTrial> of_one_track);
+/// The trials with a response of the tables and the findings of the family `staircase`.
+std::vector<TrackTrial> track_trials(const TidyInput& input, const FoundNumbers& found);
+/// Levels over the trials of each track, in the order of the trials. `unit`: of the levels.
+Figure tracks_figure(std::span<const TrackTrial> trials, const std::string& unit);
 
 }  // namespace asperity

@@ -150,6 +150,8 @@ void name_questions(const AnalysisOutcome& outcome, std::vector<Figure>& figures
       {"right", {"shares_by_texture_forest"}},
       {"confusions", {"confusions"}},
       {"spacing", {"roughness"}},
+      {"threshold", {"thresholds"}},
+      {"point_of_subjective_equality", {"points_of_subjective_equality"}},
       {"sexes", {"group_means", "group_difference"}}};
   for (const auto& [question, names] : kAnswers) {
     const bool is_asked =
@@ -206,6 +208,7 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
     figures.back().table = "map";
   }
   add_ratings(outcome, figures);
+  for (Figure& figure : threshold_figures(outcome)) figures.push_back(std::move(figure));
   add_sexes(outcome, figures);
   add_groups(outcome, figures);
   add_times(outcome, figures);
@@ -234,6 +237,7 @@ std::vector<Figure> figures_of(const std::string& family, const TidyInput& input
   if (family == "power") return {power_figure(input, found)};
   if (family == "magnitude") return {roughness_figure(found, level_unit, CurveNames::of_probes)};
   if (family == "psyfit") return {psychometric_figure(input, found, level_unit)};
+  if (family == "staircase") return {tracks_figure(track_trials(input, found), level_unit)};
   if (family == "seedpaper") return seedpaper_forests(found);
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "app/session/layout.h"
 #include "app/session/rig/recording_columns.h"
+#include "app/session/trial_outcome.h"
 #include "app/study_files/parameter_json.h"
 #include "protocols/file/protocol_reader.h"
 
@@ -36,6 +37,8 @@ std::uint64_t seed_of(const SessionRow& session) {
 
 bool is_as_stored(const Trial& trial, const PlannedTrialRow& stored) {
   return stored.trial == trial.ordinal && stored.block == trial.block &&
+         stored.track == (trial.track ? std::optional(trial.track->track) : std::nullopt) &&
+         stored.step == (trial.track ? std::optional(trial.track->step) : std::nullopt) &&
          stored.block_ordinal == trial.block_ordinal && stored.phase == text_of(trial.phase) &&
          stored.repetition == trial.repetition && stored.factors_json == factors_json_of(trial) &&
          stored.plan_json == json_of(trial);
@@ -74,16 +77,47 @@ Plan PlansOfSessions::of(const SessionRow& session) {
     const ProtocolRow row = study_.protocol(session.protocol_id);
     known = protocols_.emplace(row.id, read_protocol(row.source, row.name, declarations_)).first;
   }
-  Plan plan = make_plan(known->second, {.seed = seed_of(session),
-                                        .counterbalance_row = session.counterbalance_row,
-                                        .group = session.group_level.value_or("")});
-  const std::vector<PlannedTrialRow> stored = study_.plan(session.id);
-  if (!std::equal(plan.trials.begin(), plan.trials.end(), stored.begin(), stored.end(),
-                  is_as_stored)) {
+  Course course(known->second, {.seed = seed_of(session),
+                                .counterbalance_row = session.counterbalance_row,
+                                .group = session.group_level.value_or("")});
+  std::vector<PlannedTrialRow> stored{};
+  if (course.awaited() == nullptr) {
+    stored = study_.plan(session.id);
+  } else {
+    // A running session may store a response and the trials that it determines between two reads.
+    std::vector<AttemptRow> attempts{};
+    std::vector<DecisionRow> decisions{};
+    study_.read_at_one_moment([&] {
+      attempts = study_.attempts(session.id);
+      decisions = study_.decisions(session.id);
+      stored = study_.plan(session.id);
+    });
+    advance_through(course, known->second, attempts, set_aside_in(decisions));
+  }
+  if (session.state == SessionState::completed && course.awaited() != nullptr) {
+    throw std::runtime_error(session_name(session) +
+                             ": it is completed, but trials that its responses determine are not "
+                             "stored; restore the study from a copy");
+  }
+  Plan plan = course.plan();
+  // The session was interrupted before the trials that the last response determined were stored.
+  if (session.state != SessionState::completed &&
+      stored.size() == course.trials_before_last_outcome()) {
+    plan.trials.resize(stored.size());
+    std::erase_if(plan.steps, [&plan](const PlanStep& step) {
+      const auto* const of_trial = std::get_if<TrialStep>(&step);
+      return of_trial != nullptr && of_trial->trial >= plan.trials.size();
+    });
+  }
+  const auto [trial, row] = std::mismatch(plan.trials.begin(), plan.trials.end(), stored.begin(),
+                                          stored.end(), is_as_stored);
+  if (trial != plan.trials.end() || row != stored.end()) {
+    const std::size_t number = static_cast<std::size_t>(row - stored.begin()) + 1;
     throw std::runtime_error(
-        session_name(session) +
-        ": its stored plan differs from the one that its protocol, seed, row and group determine; "
-        "use the version of Asperity that ran the session, or restore the study from a copy");
+        session_name(session) + ", trial " + std::to_string(number) +
+        ": its stored plan differs from the one that its protocol, seed, row, group and earlier "
+        "responses determine; use the version of Asperity that ran the session, or restore the "
+        "study from a copy");
   }
   return plan;
 }

@@ -28,7 +28,8 @@ struct RecordedAttempt {
   std::vector<RecordedSurface> surfaces{};
 };
 
-/// Makes plans from the stored protocols, seeds and rows of sessions; each protocol is read once.
+/// Makes plans from the stored protocols, seeds, rows and responses of sessions; each protocol is read
+/// once.
 ///
 /// Threads: one at a time, as for the study.
 class PlansOfSessions final {

@@ -9,6 +9,7 @@
 
 #include "app/session/rig/clock.h"
 #include "app/session/trial_attempt.h"
+#include "app/session/trial_outcome.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
 
@@ -73,10 +74,11 @@ void Conductor::begin() {
   course_.begin(session_.row);
   progress_.reset();
   SessionFacts facts = facts_of_session();
-  tally_.emplace(protocol_, session_.plan);
+  tally_.emplace(protocol_, plan());
   for (AttemptRow& attempt : std::exchange(session_.attempts, {})) tally_->add(std::move(attempt));
   if (session_.resumed) {
     study_.reopen_session(session_.row.id);
+    store_trials(study_.plan(session_.row.id).size());
     for (const DecisionRow& decision : study_.decisions(session_.row.id)) {
       if (decision.verdict == Verdict::set_aside) {
         tally_->remember_set_aside(decision.trial.value_or(0), decision.attempt.value_or(0));
@@ -89,7 +91,7 @@ void Conductor::begin() {
   auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
   if (conditions.is_object()) conditions["segment"] = segment_;
   course_.event(session_.resumed ? "session_resumed" : "session_began", "", conditions.dump());
-  progress_.emplace(course_, session_.plan, *tally_, began_ns);
+  progress_.emplace(course_, *session_.course, *tally_, began_ns);
   // May wait for the sound card to open; the windows are informed before.
   if (settings_.links.sound != nullptr) {
     course_.event("masking_noise", "", settings_.links.sound->description_json());
@@ -102,7 +104,7 @@ void Conductor::begin() {
 
 SessionFacts Conductor::facts_of_session() const {
   SessionFacts facts{.protocol = std::make_shared<const Protocol>(protocol_),
-                     .plan = std::make_shared<const Plan>(session_.plan),
+                     .plan = std::make_shared<const Plan>(plan()),
                      .row = session_.row,
                      .study_folder = study_.folder().string(),
                      .mirrored = session_.row.mirrored,
@@ -190,14 +192,13 @@ void Conductor::stop(const Phrase& reason) {
 // --- the plan, step by step ----------------------------------------------------------------------
 
 void Conductor::run_steps() {
-  const std::vector<PlanStep>& steps = session_.plan.steps;
+  const std::vector<PlanStep>& steps = plan().steps;
   // A resumed session continues after the last trial that was attempted; earlier texts,
   // questionnaires and breaks are not repeated.
   std::size_t first = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
-    if (step != nullptr && tally_->attempts_at(session_.plan.trials[step->trial].ordinal) > 0)
-      first = i;
+    if (step != nullptr && tally_->attempts_at(plan().trials[step->trial].ordinal) > 0) first = i;
   }
   if (first > 0) lead_back(first);
   block_ = 0;
@@ -216,7 +217,7 @@ void Conductor::run_steps() {
     }
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
     if (step != nullptr) {
-      const Trial& trial = session_.plan.trials[step->trial];
+      const Trial& trial = plan().trials[step->trial];
       if (trial.block_ordinal != block_) {
         if (block_ != 0) finish_block(block_);
         block_ = trial.block_ordinal;
@@ -233,7 +234,7 @@ void Conductor::run_steps() {
     bool more_to_come = false;
     for (std::size_t later = i + 1; later < steps.size() && next_block == 0; ++later) {
       if (const TrialStep* next = std::get_if<TrialStep>(&steps[later])) {
-        const Trial& trial = session_.plan.trials[next->trial];
+        const Trial& trial = plan().trials[next->trial];
         next_block = trial.block_ordinal;
         more_to_come = !tally_->is_over(trial);
       }
@@ -257,7 +258,7 @@ void Conductor::run_steps() {
 
 /// Prepares the participant of an interrupted session for trial `first`.
 void Conductor::lead_back(std::size_t first) {
-  const std::vector<PlanStep>& steps = session_.plan.steps;
+  const std::vector<PlanStep>& steps = plan().steps;
   // A virtual participant needs no preparation, and answers as if there had been no interruption.
   const bool is_person = session_.row.mode != SessionMode::simulate;
   std::vector<std::string> texts = protocol_.resume.screens.value_or(std::vector<std::string>{});
@@ -281,11 +282,11 @@ void Conductor::lead_back(std::size_t first) {
 /// interrupted.
 void Conductor::resume_repeats(std::size_t first) {
   if (!session_.resumed) return;
-  const TrialStep* next = std::get_if<TrialStep>(&session_.plan.steps.at(first));
+  const TrialStep* next = std::get_if<TrialStep>(&plan().steps.at(first));
   if (next == nullptr) return;
-  const int block = session_.plan.trials[next->trial].block_ordinal;
+  const int block = plan().trials[next->trial].block_ordinal;
   for (const auto& [ordinal, attempt] : tally_->those_set_aside()) {
-    const Trial& trial = session_.plan.trials.at(static_cast<std::size_t>(ordinal - 1));
+    const Trial& trial = plan().trials.at(static_cast<std::size_t>(ordinal - 1));
     if (trial.block_ordinal < block && !tally_->is_done(trial) && !stopped_) ask_again(trial);
   }
 }
@@ -386,7 +387,8 @@ void Conductor::finish_block(int block_ordinal) {
     again = false;
     // The last trial is repeated before a requested stop after the block takes effect.
     repeat_as_asked();
-    for (const Trial& trial : session_.plan.trials) {
+    for (std::size_t i = 0; i < plan().trials.size(); ++i) {
+      const Trial& trial = plan().trials[i];
       if (trial.block_ordinal != block_ordinal || stopped_ || tally_->is_done(trial) ||
           tally_->is_over(trial)) {
         continue;
@@ -397,7 +399,7 @@ void Conductor::finish_block(int block_ordinal) {
   }
   if (stopped_) return;
   const auto of_block = std::find_if(
-      session_.plan.trials.begin(), session_.plan.trials.end(),
+      plan().trials.begin(), plan().trials.end(),
       [block_ordinal](const Trial& trial) { return trial.block_ordinal == block_ordinal; });
   const Protocol::Block& block = protocol_.blocks.at(of_block->block);
   if (block.until && tally_->criterion_of(*of_block) != BlockState::criterion_met) {
@@ -477,6 +479,7 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
   row.id = study_.add_attempt(session_.row.id, row);
   tally_->add(row);
   ++attempts_made_;
+  extend_plan(trial, row);
   const TrialTally::Again again =
       waits_for_others(trial, row) ? TrialTally::Again::after_others : TrialTally::Again::at_once;
   progress_->add(row, step_, tally_->coming(step_, block_, trial.ordinal, again));
@@ -489,6 +492,26 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
                     .outcome = row.outcome});
   }
   return row;
+}
+
+/// Stores the trials of the plan that the store lacks: those from index `first`.
+void Conductor::store_trials(std::size_t first) {
+  std::vector<PlannedTrialRow> rows{};
+  for (std::size_t i = first; i < plan().trials.size(); ++i) {
+    rows.push_back(planned_row(plan().trials[i]));
+  }
+  if (!rows.empty()) study_.add_trials(session_.row.id, rows);
+}
+
+/// Determines the trials that follow the awaited one, once it is completed, and stores them.
+void Conductor::extend_plan(const Trial& trial, const AttemptRow& attempt) {
+  const Trial* const awaited = session_.course->awaited();
+  if (awaited == nullptr || awaited->ordinal != trial.ordinal || !tally_->is_done(trial)) return;
+  const std::size_t before = plan().trials.size();
+  session_.course->advance(outcome_of(protocol_, trial, attempt));
+  store_trials(before);
+  progress_->extend();
+  if (course_.has_monitor()) course_.set_plan(std::make_shared<const Plan>(plan()));
 }
 
 /// Reports why a trial is repeated to a user who has no window that shows it.

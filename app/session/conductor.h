@@ -51,7 +51,7 @@ struct SessionEnd {
   double duration_s = 0.0;  ///< on the session's clock
 };
 
-/// Runs the plan of a session with one participant.
+/// Runs the trial sequence of a session with one participant.
 ///
 /// For each trial a TrialAttempt is made and stored in one transaction → `done`. Only attempts that
 /// are on disk are reported. An attempt that does not count stays in the store and the trial is asked
@@ -100,6 +100,9 @@ class Conductor final {
 
   void finish_block(int block_ordinal);
   void run_trial(const Trial& trial);
+  const Plan& plan() const noexcept { return session_.course->plan(); }
+  void store_trials(std::size_t first);
+  void extend_plan(const Trial& trial, const AttemptRow& attempt);
   AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
   void tell_of_repetition(const Trial& trial) const;

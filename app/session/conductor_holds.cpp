@@ -61,7 +61,7 @@ void Conductor::repeat_last(const Phrase& reason) {
                 nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
   progress_->set_aside(*last);
   show_progress();
-  ask_again(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
+  ask_again(plan().trials.at(static_cast<std::size_t>(trial - 1)));
 }
 
 /// Repeats an invalidated trial. After its block is over, the end of the block does not ask it

@@ -203,6 +203,10 @@ void SessionCourse::set_facts(SessionFacts facts) {
   if (links_.monitor != nullptr) links_.monitor->set_facts(std::move(facts));
 }
 
+void SessionCourse::set_plan(std::shared_ptr<const Plan> plan) {
+  if (links_.monitor != nullptr) links_.monitor->set_plan(std::move(plan));
+}
+
 void SessionCourse::update(const std::function<void(SessionSnapshot&)>& change) {
   if (links_.monitor != nullptr) links_.monitor->update(change);
 }

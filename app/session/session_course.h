@@ -95,6 +95,8 @@ class SessionCourse final {
   SessionPhase phase() const noexcept { return phase_; }
   void show(ParticipantScene scene);
   void set_facts(SessionFacts facts);
+  /// The plan of the session has further trials.
+  void set_plan(std::shared_ptr<const Plan> plan);
   void update(const std::function<void(SessionSnapshot&)>& change);
   void add_attempt(AttemptSummary attempt);
   void play(Cue cue, int number = 0);

@@ -84,6 +84,12 @@ void SessionMonitor::set_facts(SessionFacts facts) {
   ++snapshot_.version;
 }
 
+void SessionMonitor::set_plan(std::shared_ptr<const Plan> plan) {
+  SessionFacts facts = *facts_;
+  facts.plan = std::move(plan);
+  set_facts(std::move(facts));
+}
+
 void SessionMonitor::update(const std::function<void(SessionSnapshot&)>& change) {
   const std::lock_guard lock(mutex_);
   change(snapshot_);
@@ -118,6 +124,7 @@ void SessionMonitor::add_bin(const LiveBin& bin) {
 
 BlindCodes::BlindCodes(const Plan& plan, const std::string& seed) {
   for (const Trial& trial : plan.trials) {
+    if (trial.track) continue;
     for (const PlannedPresentation& surface : trial.presentations) {
       codes_.emplace_back(stimulus_key(surface), "");
     }
@@ -146,7 +153,7 @@ std::string BlindCodes::of(const Trial& trial) const {
   std::string text{};
   for (const PlannedPresentation& surface : trial.presentations) {
     if (!text.empty()) text += ' ';
-    text += of(surface);
+    text += trial.track ? surface.code : of(surface);
   }
   return text;
 }

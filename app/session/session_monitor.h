@@ -144,6 +144,7 @@ struct SessionSnapshot {
   int blocks = 0;
   int trials_done = 0;
   int trials = 0;
+  bool trials_are_estimated = false;  ///< their number depends on responses
   /// Absent until enough trials have been completed for an estimate.
   std::optional<double> expected_left_s{};
   std::int64_t rows_stored = 0;             ///< attempts in the store, of this session
@@ -202,6 +203,8 @@ class SessionMonitor final {
   // --- the conductor's side ---
 
   void set_facts(SessionFacts facts);
+  /// The plan of the session has further trials.
+  void set_plan(std::shared_ptr<const Plan> plan);
   /// `change` alters the snapshot under the lock and has to be short. `version` is incremented.
   void update(const std::function<void(SessionSnapshot&)>& change);
   void show(ParticipantScene scene);
@@ -217,7 +220,8 @@ class SessionMonitor final {
 };
 
 /// The codes for stimuli while these are concealed: one per distinct presentation of the plan, "S1"
-/// … in an order drawn from the session's seed.
+/// … in an order drawn from the session's seed. Surfaces of a trial whose level a procedure chose have
+/// the codes of their places, "A" and "B": the next level must not be recognised.
 class BlindCodes final {
  public:
   BlindCodes(const Plan& plan, const std::string& seed);

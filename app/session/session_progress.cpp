@@ -16,29 +16,39 @@ double duration_s(const AttemptRow& attempt) {
 
 }  // namespace
 
-SessionProgress::SessionProgress(SessionCourse& course, const Plan& plan, const TrialTally& tally,
-                                 std::int64_t began_ns)
-    : course_(course), plan_(plan), tally_(tally) {
+SessionProgress::SessionProgress(SessionCourse& course, const Course& trials,
+                                 const TrialTally& tally, std::int64_t began_ns)
+    : course_(course), trials_(trials), plan_(trials.plan()), tally_(tally) {
   if (!course_.has_monitor()) return;
-  Plan one{.trials = plan_.trials, .steps = {}};
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.began_ns = began_ns;
+    snapshot.trouble.reset();
+  });
+  extend();
+  for (const AttemptRow& attempt : tally_.attempts()) course_.add_attempt(summary_of(attempt));
+  show(0, tally_.coming(0, 0, 0, TrialTally::Again::at_once));
+}
+
+void SessionProgress::extend() {
+  if (!course_.has_monitor()) return;
   trial_s_.resize(plan_.trials.size());
-  for (const PlanStep& step : plan_.steps) {
-    one.steps.assign(1, step);
-    planned_s_.push_back(cost_of(course_.protocol(), one).total_s);
-    if (const auto* of_trial = std::get_if<TrialStep>(&step)) {
+  for (std::size_t i = planned_s_.size(); i < plan_.steps.size(); ++i) {
+    planned_s_.push_back(cost_of(course_.protocol(), plan_, plan_.steps[i]).total_s);
+    if (const auto* of_trial = std::get_if<TrialStep>(&plan_.steps[i])) {
       trial_s_.at(of_trial->trial) = planned_s_.back();
     }
   }
-  int blocks = 0;
-  for (const Trial& trial : plan_.trials) blocks = std::max(blocks, trial.block_ordinal);
   course_.update([&](SessionSnapshot& snapshot) {
-    snapshot.began_ns = began_ns;
-    snapshot.blocks = blocks;
-    snapshot.trials = static_cast<int>(plan_.trials.size());
-    snapshot.trouble.reset();
+    snapshot.blocks = plan_.blocks;
+    snapshot.trials = static_cast<int>(plan_.trials.size()) + unknown_trials();
+    snapshot.trials_are_estimated = trials_.awaited() != nullptr;
   });
-  for (const AttemptRow& attempt : tally_.attempts()) course_.add_attempt(summary_of(attempt));
-  show(0, tally_.coming(0, 0, 0, TrialTally::Again::at_once));
+}
+
+int SessionProgress::unknown_trials() const {
+  if (trials_.awaited() == nullptr) return 0;
+  return std::max(
+      0, course_.row().expected_trials.value_or(0) - static_cast<int>(plan_.trials.size()));
 }
 
 void SessionProgress::add(const AttemptRow& attempt, std::size_t step, int coming) {
@@ -77,6 +87,9 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
     } else if (i > step) {
       others_left_s += planned_s_[i];
     }
+  }
+  if (const int unknown = unknown_trials(); unknown > 0) {
+    trials_left_s += unknown * trial_s_.back();
   }
   std::optional<double> left_s = others_left_s;
   if (trials_left_s > 0.0) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/random.h"
+#include "app/session/trial_outcome.h"
 #include "app/words/phrase.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
@@ -35,21 +36,46 @@ Allocation allocation_of(const SessionRow& row) {
 std::vector<PlannedTrialRow> planned_rows(const Plan& plan) {
   std::vector<PlannedTrialRow> rows{};
   rows.reserve(plan.trials.size());
-  for (const Trial& trial : plan.trials) {
-    PlannedTrialRow row{};
-    row.trial = trial.ordinal;
-    row.block = trial.block;
-    row.block_ordinal = trial.block_ordinal;
-    row.phase = text_of(trial.phase);
-    row.repetition = trial.repetition;
-    row.factors_json = factors_json_of(trial);
-    row.plan_json = json_of(trial);
-    rows.push_back(std::move(row));
-  }
+  for (const Trial& trial : plan.trials) rows.push_back(planned_row(trial));
   return rows;
 }
 
+/// The number of trials where it depends on responses.
+std::optional<int> expected_trials_of(const Protocol& protocol, std::uint64_t seed) {
+  const auto has_procedure = [](const auto& each) { return each.second.procedure.has_value(); };
+  if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), has_procedure)) return {};
+  return static_cast<int>(example_plan(protocol, {.seed = seed}).trials.size());
+}
+
+/// Whether the stored trials are those of the plan, without or with those that the last response determined.
+bool is_stored_plan(const std::vector<PlannedTrialRow>& stored, const Course& course) {
+  const std::deque<Trial>& trials = course.plan().trials;
+  if (stored.size() != trials.size() && stored.size() != course.trials_before_last_outcome()) {
+    return false;
+  }
+  return std::equal(stored.begin(), stored.end(), trials.begin(),
+                    [](const PlannedTrialRow& row, const Trial& trial) {
+                      return row.plan_json == json_of(trial) && row.block == trial.block;
+                    });
+}
+
 }  // namespace
+
+PlannedTrialRow planned_row(const Trial& trial) {
+  PlannedTrialRow row{};
+  row.trial = trial.ordinal;
+  row.block = trial.block;
+  row.block_ordinal = trial.block_ordinal;
+  row.phase = text_of(trial.phase);
+  row.repetition = trial.repetition;
+  if (trial.track) {
+    row.track = trial.track->track;
+    row.step = trial.track->step;
+  }
+  row.factors_json = factors_json_of(trial);
+  row.plan_json = json_of(trial);
+  return row;
+}
 
 std::string device_text(const DeviceCapability& device) {
   return device.model.empty() ? device.name : device.name + ' ' + device.model;
@@ -137,15 +163,16 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   row.mirrored = conditions.mirrored;
   row.files = hash_files(protocol, study.folder());
   row.group_level = conditions.group;
+  row.expected_trials = expected_trials_of(protocol, conditions.seed);
   if (conditions.counterbalance_row) {
     row.counterbalance_row = *conditions.counterbalance_row;
-    session.plan = make_plan(protocol, allocation_of(row));
-    row.id = study.add_session(row, planned_rows(session.plan));
+    session.course.emplace(protocol, allocation_of(row));
+    row.id = study.add_session(row, planned_rows(session.course->plan()));
   } else {
     const SessionClaim claim{.rows = counterbalance_rows(protocol), .groups = groups_of(protocol)};
     row.id = study.add_session(row, claim, [&](const SessionRow& claimed) {
-      session.plan = make_plan(protocol, allocation_of(claimed));
-      return planned_rows(session.plan);
+      session.course.emplace(protocol, allocation_of(claimed));
+      return planned_rows(session.course->plan());
     });
   }
   row = study.session(row.id);
@@ -156,15 +183,13 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   OpenSession session{};
   session.row = row;
   session.resumed = true;
-  session.plan = make_plan(protocol, allocation_of(row));
+  session.attempts = study.attempts(row.id);
+  session.course.emplace(protocol, allocation_of(row));
+  advance_through(*session.course, protocol, session.attempts,
+                  set_aside_in(study.decisions(row.id)));
   const std::vector<PlannedTrialRow> stored = study.plan(row.id);
-  const std::vector<PlannedTrialRow> made = planned_rows(session.plan);
-  bool same = stored.size() == made.size();
-  for (std::size_t i = 0; same && i < stored.size(); ++i) {
-    same = stored[i].plan_json == made[i].plan_json && stored[i].block == made[i].block;
-  }
   const std::string number = std::to_string(row.session);
-  if (!same) {
+  if (!is_stored_plan(stored, *session.course)) {
     throw PhrasedError(phrase("SessionSetup",
                               "session %1 of participant %2 cannot be resumed: the plan that this "
                               "program makes from its protocol differs from the stored one. Resume "
@@ -182,7 +207,6 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
                              .with(number, row.participant, before.path));
     }
   }
-  session.attempts = study.attempts(row.id);
   return session;
 }
 

@@ -11,6 +11,7 @@
 #include "app/study_files/program.h"
 #include "device/device_capability.h"
 #include "protocols/design/protocol.h"
+#include "protocols/plan/course.h"
 #include "protocols/plan/plan.h"
 #include "results_schema/study.h"
 
@@ -35,10 +36,10 @@ struct SessionConditions {
   bool mirrored = false;
 };
 
-/// A session that is about to run: its row, its plan, and its attempts so far.
+/// A session that is about to run: its row, its trial sequence, and its attempts so far.
 struct OpenSession {
   SessionRow row{};
-  Plan plan{};
+  std::optional<Course> course{};  ///< always set; refers to the protocol
   std::vector<AttemptRow> attempts{};
   bool resumed = false;
 };
@@ -46,6 +47,9 @@ struct OpenSession {
 /// The text of a device as SessionRow::device and `device_json` contain it.
 std::string device_text(const DeviceCapability& device);
 std::string capability_json(const DeviceCapability& device);
+
+/// The row of one planned trial.
+PlannedTrialRow planned_row(const Trial& trial);
 
 /// Whether the participant sees or hears how force and speed meet their bands.
 bool guides_participants(const Protocol& protocol);
@@ -56,7 +60,8 @@ bool guides_participants(const Protocol& protocol);
 std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
                                         const std::filesystem::path& study_folder);
 
-/// Stores a new session of `participant` with its complete plan. Errors: ResultsError.
+/// Stores a new session of `participant` with its plan, as far as it is determined. The protocol must
+/// outlive the session. Errors: ResultsError.
 OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
                           const SessionConditions& conditions, const ProgramIdentity& program);
 
@@ -83,8 +88,9 @@ SessionRow find_unfinished(const Study& study, const Protocol& protocol,
 
 /// A session of the store, ready to be resumed.
 ///
-/// The plan is made again from the stored seed, row and group, and has to equal the stored one; the files
-/// have to be unchanged since the session began.
+/// The plan is made again from the stored seed, row, group and responses, and has to equal the stored
+/// one; the files have to be unchanged since the session began. Trials that the last response
+/// determined may be missing from the store: the session was interrupted before.
 ///
 /// Errors: std::runtime_error that states what has changed.
 OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRow& row);

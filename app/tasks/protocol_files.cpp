@@ -498,7 +498,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
         for (const Phrase& complaint :
              complaints_about_device(*check.protocol, simulated.capability())) {
           whole_file(complaint.english() +
-                     "; choose another device, or lower the requirement in the protocol");
+                     "; choose another device, or relax the requirement in the protocol");
         }
       } else {
         require_driver(*device);  // the device is not opened: it may be on another machine
@@ -507,7 +507,14 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
       whole_file(error.what());
     }
   }
-  check.cost = cost_of(*check.protocol, make_plan(*check.protocol, {1, 0}));
+  const Plan example = example_plan(*check.protocol, {1, 0});
+  check.cost = cost_of(*check.protocol, example);
+  for (const auto& [name, block] : check.protocol->blocks) {
+    if (block.phase != Phase::main) continue;
+    if (std::string design = design_of(*check.protocol, block, example); !design.empty()) {
+      check.designs.emplace(name, std::move(design));
+    }
+  }
   return check;
 }
 

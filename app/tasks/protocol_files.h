@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,8 @@ struct ProtocolCheck {
       warnings{};  ///< about content that is formally valid (`doubts_about`), in the order of lines
   std::optional<Protocol> protocol{};
   PlanCost cost{};
+  /// The design of each main block that has one in words (`design_of`), by the name of the block.
+  std::map<std::string, std::string> designs{};
 };
 
 /// Never throws because of the file's content. With a study, the files that the protocol names are

@@ -251,7 +251,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());
   if (!complaints.empty()) {
     throw PhrasedError(
-        phrase("RunSession", "%1; choose another device, or lower the requirement in the protocol")
+        phrase("RunSession", "%1; choose another device, or relax the requirement in the protocol")
             .with(complaints.front()));
   }
   if (sitting.mode == SessionMode::run) {

@@ -107,7 +107,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig.capability());
   if (!complaints.empty()) {
     throw PhrasedError(
-        phrase("RunSession", "%1; choose another device, or lower the requirement in the protocol")
+        phrase("RunSession", "%1; choose another device, or relax the requirement in the protocol")
             .with(complaints.front()));
   }
   OpenSession session{};

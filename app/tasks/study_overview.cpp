@@ -23,6 +23,7 @@
 #include "app/tasks/unfinished_session.h"
 #include "device/simulated_device.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
@@ -57,6 +58,7 @@ SessionOverview overview_of(const Study& study, const SessionRow& row, const Pro
   overview.protocol_name = protocol.name;
   overview.protocol_version = protocol.version;
   overview.planned_trials = counts.planned_trials;
+  overview.planned_is_estimated = counts.planned_is_estimated;
   overview.notes = counts.notes;
   overview.done_trials = counts.done_trials;
   overview.attempts = counts.attempts;
@@ -302,7 +304,7 @@ std::vector<ProtocolOverview> protocol_overviews(const Study& study, const Model
     ProtocolOverview overview{};
     overview.check = check_protocol(file, models, study.folder(), std::nullopt);
     if (overview.check.protocol) {
-      const Plan plan = make_plan(*overview.check.protocol, {1, 0});
+      const Plan plan = example_plan(*overview.check.protocol, {1, 0});
       if (!plan.trials.empty()) overview.blocks = plan.trials.back().block_ordinal;
     }
     count_progress(overview, sessions, names, virtual_people);

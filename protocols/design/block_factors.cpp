@@ -2,6 +2,7 @@
 
 #include "protocols/design/block_factors.h"
 
+#include <algorithm>
 #include <variant>
 
 namespace asperity {
@@ -18,11 +19,18 @@ std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protoc
 std::set<std::string> factors_set_by(const Protocol::Block& block, const Protocol::Run* run) {
   std::set<std::string> names(block.crossed.begin(), block.crossed.end());
   names.insert(block.drawn.begin(), block.drawn.end());
+  if (block.vary) names.insert(block.vary->factor);
   for (const auto& row : block.listed) {
     for (const auto& [name, level] : row) names.insert(name);
   }
   if (run != nullptr && !run->for_each.empty()) names.insert(run->for_each);
   return names;
+}
+
+bool is_varied(const Protocol& protocol, const std::string& factor) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&factor](const auto& each) {
+    return each.second.vary && each.second.vary->factor == factor;
+  });
 }
 
 }  // namespace asperity

@@ -12,6 +12,8 @@
 #include "analysis/force_features.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
+#include "protocols/design/dimension.h"
+#include "protocols/procedures/procedure.h"
 #include "stimuli/meshes/solid_body.h"
 #include "stimuli/properties/material.h"
 #include "stimuli/properties/parameter.h"
@@ -42,6 +44,12 @@ enum class VisualTexture {
   on,       ///< the surface shows its relief
   off,      ///< the surface is plain
   neutral,  ///< the surface shows a pattern that is unrelated to the textures
+};
+
+/// What a response of a discrimination means.
+enum class DiscriminationJudgement {
+  performance,  ///< the comparison is the correct response
+  comparison,   ///< no response is correct: which of the two has more of something
 };
 
 enum class Phase { familiarisation, practice, main };
@@ -268,6 +276,7 @@ struct Protocol {
     std::vector<std::string> pictures{};
     bool reshuffle_pictures = false;      ///< for every trial; otherwise once per session
     bool allow_cannot_tell = false;
+    std::optional<DiscriminationJudgement> judgement{};  ///< of a discrimination
     std::string correct_factor{};  ///< recognition: the factor with the correct picture
   };
   /// Practice: the block ends when `correct` of the last `of_last` responses were correct, or after `maximum_trials`,
@@ -287,11 +296,21 @@ struct Protocol {
       std::string factor{};
       bool in_both_orders = false;  ///< each pair twice, with either level first
     };
+    /// What chooses the levels of `vary` from the answers.
+    struct LevelProcedure {
+      /// Of the tracks that every combination of the other factors has; levels are as `vary` states them.
+      std::vector<ProcedureSettings> tracks{};
+      /// A missed deadline counts as an incorrect response; otherwise the level is presented again in another trial.
+      bool timeouts_are_incorrect = false;
+    };
     std::string name{};
     std::string kind{};  ///< the id of an ExperimentKind: its own, or that of the protocol
     Phase phase = Phase::main;
     std::vector<std::string> crossed{};                               ///< factors, or
     std::vector<std::map<std::string, Level, std::less<>>> listed{};  ///< rows
+    std::optional<Dimension>
+        vary{};  ///< in combination with every row, unless there is a procedure
+    std::optional<LevelProcedure> procedure{};
     /// In combination with every row; `presented` has the stimulus twice.
     std::optional<AllPairs> all_pairs{};
     int repetitions = 1;

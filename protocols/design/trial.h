@@ -25,13 +25,22 @@ struct PlannedPresentation {
   std::optional<EqualForce> equal_force{};
 };
 
+/// The place of a trial in its track.
+struct TrackStep {
+  int track = 0;  ///< 1-based within the run of its block
+  int step = 0;   ///< 1-based within the track
+
+  bool operator==(const TrackStep&) const = default;
+};
+
 struct Trial {
   int ordinal = 0;  ///< 1-based within the session
   std::string block{};
   std::string kind{};     ///< that of its block
   int block_ordinal = 0;  ///< 1-based within the session; every run of a block counts
   Phase phase = Phase::main;
-  int repetition = 1;  ///< 0 of an anchor
+  int repetition = 1;                ///< 0 of an anchor; the step of a trial with a track
+  std::optional<TrackStep> track{};  ///< where a procedure chose its level
   std::map<std::string, Level, std::less<>> factors{};
   std::vector<PlannedPresentation> presentations{};
   std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do

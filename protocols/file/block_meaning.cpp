@@ -1,6 +1,8 @@
 // Implements the checks that the trials of a block can be made and ordered.
 
 #include <algorithm>
+#include <span>
+#include <string_view>
 
 #include "protocols/file/meaning_checks.h"
 #include "protocols/plan/block_rows.h"
@@ -65,6 +67,9 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   for (std::size_t i = 0; i < block.drawn.size(); ++i) {
     claim(block.drawn[i], "another key of the block", pointer_to(pointer + "/drawn", i));
   }
+  if (block.vary) {
+    claim(block.vary->factor, "vary", pointer + "/vary/parameter");
+  }
   if (block.all_pairs) {
     claim(block.all_pairs->factor, "another key of the block", pointer + "/all_pairs/factor");
   }
@@ -93,6 +98,8 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   }
   check_anchor(block, pointer);
   check_presented(block, pointer);
+  check_dimension(block, pointer);
+  check_procedure(block, pointer);
   check_pairs(block, pointer);
   check_question(block, pointer);
   check_order(block, pointer);
@@ -130,14 +137,14 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
 }
 
 void Meaning::check_presented(const Block& block, const std::string& pointer) {
-  const std::string expected(kind_of(block).role);
+  const std::span<const std::string_view> roles = kind_of(block).roles;
   const std::size_t stated = document_.root().at("blocks").at(block.name).at("presented").size();
   for (std::size_t i = 0; i < stated; ++i) {
     const Protocol::Presented& presented = block.presented[i];
     const std::string place = pointer_to(pointer + "/presented", i);
-    if (presented.role != expected) {
+    if (std::find(roles.begin(), roles.end(), presented.role) == roles.end()) {
       report(place + "/role", "in this kind of protocol the role of every surface is " +
-                                  in_quotes(expected) + "; write this role");
+                                  one_of({roles.begin(), roles.end()}) + "; write this role");
     }
     for (const auto& [factor, level] : presented.with) {
       check_level(factor, level, pointer_to(place + "/with", factor));
@@ -172,7 +179,7 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
 /// The two surfaces of a pair are one stimulus with two levels of the factor.
 void Meaning::check_pairs(const Block& block, const std::string& pointer) {
   if (!block.all_pairs) return;
-  if (kind_of(block).role != "alternative") {
+  if (kind_of(block).roles.front() != "alternative") {
     report_key(pointer + "/all_pairs", "a " + std::string(kind_of(block).name) +
                                            " does not compare surfaces; remove this key");
     return;
@@ -256,12 +263,13 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
         std::find(block.crossed.begin(), block.crossed.end(), factor) != block.crossed.end() ||
         (!block.listed.empty() &&
          std::all_of(block.listed.begin(), block.listed.end(),
-                     [&name = factor](const FactorLevels& row) { return row.contains(name); }));
+                     [&name = factor](const FactorLevels& row) { return row.contains(name); })) ||
+        (block.vary && block.vary->factor == factor);
     if (!is_row_factor) {
       report_key(
           at,
-          "maximum_in_a_row applies only to factors that the block crosses or lists; cross or list "
-          "this one, or remove this key");
+          "maximum_in_a_row applies only to factors that the block crosses, lists or varies; cross or "
+          "list this one, or remove this key");
       return;
     }
   }
@@ -285,7 +293,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
                std::to_string((static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) /
                               rows));
   }
-  if (block.positions == Block::Positions::balanced && !block.until &&
+  if (block.positions == Block::Positions::balanced && !block.until && !block.procedure &&
       trials % block.presented.size() != 0) {
     report(pointer + "/positions",
            "balanced positions need a multiple of " + std::to_string(block.presented.size()) +

@@ -4,6 +4,7 @@
 
 #include "protocols/file/meaning_checks.h"
 #include "protocols/plan/block_rows.h"
+#include "protocols/plan/level_tracks.h"
 
 namespace asperity {
 
@@ -96,7 +97,9 @@ void Meaning::check_size() {
       // At most two rows per level; the product is limited long before it could overflow.
       if (iterated.insert(run->for_each).second) rows = std::min(rows * 2 * runs, 2 * kMaximumRows);
     }
-    trials += runs * row_count(protocol_, block) * static_cast<std::size_t>(block.repetitions);
+    trials += runs * (block.procedure ? most_trials_of(protocol_, block)
+                                      : row_count(protocol_, block) *
+                                            static_cast<std::size_t>(block.repetitions));
     if (trials > kMaximumSessionTrials) {
       return report(
           pointer_to("/flow", i),

@@ -97,6 +97,11 @@ class Meaning final : private ProblemSink {
   void check_block(const Protocol::Block& block, const std::string& pointer);
   void check_anchor(const Protocol::Block& block, const std::string& pointer);
   void check_presented(const Protocol::Block& block, const std::string& pointer);
+  void check_dimension(const Protocol::Block& block, const std::string& pointer);
+  bool check_standard(const Protocol::Block& block, const std::string& pointer);
+  void check_values(const Protocol::Block& block, const std::string& pointer);
+  void check_procedure(const Protocol::Block& block, const std::string& pointer);
+  void check_track_starts(const Protocol::Block& block, const std::string& pointer);
   void check_pairs(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
   bool check_question_keys(const Protocol::Block& block, const std::string& pointer);

@@ -2,11 +2,13 @@
 
 #include "protocols/file/protocol_from_json.h"
 
-#include <initializer_list>
+#include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/file/json_reading.h"
+#include "protocols/file/levels_from_json.h"
 #include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
@@ -16,27 +18,6 @@ namespace {
 using Block = Protocol::Block;
 
 using nlohmann::json;
-
-template <class Value>
-void read(const json& object, const char* key, Value& value) {
-  if (const auto found = object.find(key); found != object.end()) value = found->get<Value>();
-}
-
-template <class Value>
-void read(const json& object, const char* key, std::optional<Value>& value) {
-  if (const auto found = object.find(key); found != object.end()) value = found->get<Value>();
-}
-
-/// The value of one of the schema's enumerations.
-template <class Value>
-void read_choice(const json& object, const char* key, Value& value,
-                 std::initializer_list<std::pair<const char*, Value>> choices) {
-  const auto found = object.find(key);
-  if (found == object.end()) return;
-  for (const auto& [name, choice] : choices) {
-    if (*found == name) value = choice;
-  }
-}
 
 /// Calls `visit(name, member)` for every named member except comments.
 template <class Visit>
@@ -58,24 +39,6 @@ std::map<std::string, Level, std::less<>> levels_of(const json& object) {
     if (!name.starts_with("x-") && name != "$comment") levels[name] = level_of(member);
   }
   return levels;
-}
-
-void read(const json& object, const char* key, Band& band) {
-  const auto found = object.find(key);
-  if (found == object.end()) return;
-  read(*found, "minimum", band.minimum);
-  read(*found, "target", band.target);
-  read(*found, "maximum", band.maximum);
-}
-
-void read(const json& object, const char* key, Binding<std::string>& binding) {
-  const auto found = object.find(key);
-  if (found == object.end()) return;
-  if (found->is_object()) {
-    binding.factor = found->at("factor").get<std::string>();
-  } else {
-    binding.value = found->get<std::string>();
-  }
 }
 
 Binding<ParameterValue> parameter_binding(const json& value) {
@@ -256,6 +219,12 @@ Protocol::TrialQuestionTemplate trial_question_of(const json& object, const Expe
   read(object, "reshuffle_pictures", question.reshuffle_pictures);
   read(object, "allow_cannot_tell", question.allow_cannot_tell);
   read(object, "correct_factor", question.correct_factor);
+  if (object.contains("judgement")) {
+    question.judgement.emplace();
+    read_choice(object, "judgement", *question.judgement,
+                {{"performance", DiscriminationJudgement::performance},
+                 {"comparison", DiscriminationJudgement::comparison}});
+  }
   return question;
 }
 
@@ -307,6 +276,9 @@ Block block_of(const std::string& name, const json& object, const std::string& k
   if (const auto found = object.find("listed"); found != object.end()) {
     for (const json& row : *found) block.listed.push_back(levels_of(row));
   }
+  if (const auto found = object.find("vary"); found != object.end()) {
+    block.vary = dimension_in(*found);
+  }
   if (const auto found = object.find("all_pairs"); found != object.end()) {
     block.all_pairs.emplace();
     read(*found, "factor", block.all_pairs->factor);
@@ -326,7 +298,7 @@ Block block_of(const std::string& name, const json& object, const std::string& k
   });
   for (const json& member : object.at("presented")) {
     Protocol::Presented presented{};
-    presented.role = kind.role;
+    presented.role = kind.roles.front();
     read(member, "role", presented.role);
     read(member, "stimulus", presented.stimulus);
     if (const auto with = member.find("with"); with != member.end()) {
@@ -335,7 +307,7 @@ Block block_of(const std::string& name, const json& object, const std::string& k
     read(member, "item", presented.item);
     block.presented.push_back(std::move(presented));
   }
-  if (block.all_pairs && block.presented.size() == 1 && kind.role == "alternative") {
+  if (block.all_pairs && block.presented.size() == 1 && kind.roles.front() == "alternative") {
     block.presented.push_back(block.presented.front());
   }
   read_choice(object, "positions", block.positions,
@@ -502,7 +474,7 @@ void read_observer(const json& root, Protocol& protocol) {
 
 }  // namespace
 
-Protocol protocol_from_json(const json& root) {
+Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration>& models) {
   Protocol protocol{};
   read_head(root, protocol);
   read_setting(root, protocol);
@@ -532,6 +504,16 @@ Protocol protocol_from_json(const json& root) {
   for_each_named(root, "blocks", [&](const std::string& name, const json& member) {
     protocol.blocks[name] = block_of(name, member, protocol.kind);
   });
+  std::set<std::string> factors_of_file{};
+  for (const auto& [name, factor] : protocol.factors) factors_of_file.insert(name);
+  for (auto& [name, block] : protocol.blocks) {
+    if (!block.vary) continue;
+    declare_dimension(block, protocol, factors_of_file, models);
+    const json& object = root.at("blocks").at(name);
+    if (const auto found = object.find("procedure"); found != object.end()) {
+      block.procedure = procedure_in(*found, *block.vary);
+    }
+  }
   for (const json& step : root.at("flow")) protocol.flow.push_back(step_of(step));
   if (const auto found = root.find("resume"); found != root.end()) {
     if (const auto screens = found->find("screens"); screens != found->end()) {

@@ -22,7 +22,8 @@ std::vector<Diagnostic> certain_problems(const JsonDocument& document, const Rep
   bool is_first = true;
   for (const nlohmann::json& root : repair.roots) {
     const JsonDocument variant = document.with_root(root);
-    const std::vector<Diagnostic> found = check_meaning(protocol_from_json(root), variant, models);
+    const std::vector<Diagnostic> found =
+        check_meaning(protocol_from_json(root, models), variant, models);
     const auto is_found = [&found](const Diagnostic& problem) {
       return std::any_of(found.begin(), found.end(), [&problem](const Diagnostic& other) {
         return other.pointer == problem.pointer && other.message == problem.message;
@@ -63,13 +64,13 @@ ProtocolReading read_protocol_with_problems(std::string_view text, const std::st
     add(of_form);
     reading.has_form = of_form.empty();
     if (reading.has_form) {
-      reading.protocol = protocol_from_json(document.root());
+      reading.protocol = protocol_from_json(document.root(), models);
       add(check_meaning(*reading.protocol, document, models));
     } else {
       reading.repair = repaired(document);
       if (!reading.repair.roots.empty()) {
         add(certain_problems(document, reading.repair, models));
-        reading.protocol = protocol_from_json(reading.repair.roots.front());
+        reading.protocol = protocol_from_json(reading.repair.roots.front(), models);
       }
     }
     if (has_duplicates) {

@@ -55,6 +55,8 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     } else if (!question.tie.empty() && !of_question->takes_ties) {
       report_key(place + "/tie",
                  "a " + std::string(of_question->name) + " has no ties; remove this key");
+    } else if (question.judgement && !of_question->has_judgement) {
+      report_key(place + "/judgement", "only a discrimination states a judgement; remove this key");
     } else if (of_question == &kind && kind.check_block != nullptr) {
       kind.check_block({protocol_, block, question, pointer, place}, *this);
     }

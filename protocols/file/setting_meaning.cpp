@@ -13,7 +13,7 @@ namespace asperity {
 void Meaning::check_head() {
   for (const auto& [name, block] : protocol_.blocks) {
     const auto& object = document_.root().at("blocks").at(name);
-    for (const char* const key : {"questions", "kind"}) {
+    for (const char* const key : {"questions", "kind", "procedure"}) {
       if (protocol_.format >= 2 || !object.contains(key)) continue;
       report("/format", "the block " + in_quotes(name) + " has the key " + in_quotes(key) +
                             ", which requires the format \"asperity.protocol/2\"; write that here");
@@ -146,7 +146,10 @@ bool is_name_of(const Level& level, const std::string& name) {
 }  // namespace
 
 void Meaning::check_factors() {
+  const auto declared = document_.root().find("factors");
   for (const auto& [name, factor] : protocol_.factors) {
+    // The factor of a varied parameter is declared by its block.
+    if (declared == document_.root().end() || !declared->contains(name)) continue;
     const std::string pointer = pointer_to("/factors", name) + "/levels";
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
       const Level& level = factor.levels[i];

@@ -206,7 +206,38 @@ StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
           .high_label = labels.empty() ? std::string() : labels.back(),
           .minimum = end_of("minimum", ScaleForm{}.minimum),
           .maximum = end_of("maximum", ScaleForm{}.maximum),
-          .points = number_at(scale, "points")};
+          .points = number_at(scale, "points"),
+          .judgement = text_in(asked, "judgement")};
+}
+
+/// The number that the surface with this role has for a parameter.
+std::optional<double> stored_standard(const Json& protocol, const Json& block,
+                                      const std::string& role, const std::string& parameter) {
+  const Json& surfaces = member_of(block, "presented");
+  if (!surfaces.is_array() || role.empty()) return std::nullopt;
+  for (const Json& surface : surfaces) {
+    if (text_in(surface, "role") != role) continue;
+    const Json& stimulus = member_of(member_of(protocol, "stimuli"), text_in(surface, "stimulus"));
+    return number_at(member_of(stimulus, "parameters"), parameter);
+  }
+  return std::nullopt;
+}
+
+std::optional<Dimension> stored_dimension(const Json& protocol, const Json& block) {
+  const Json& vary = member_of(block, "vary");
+  Dimension dimension{.factor = text_in(vary, "factor"),
+                      .parameter = text_in(vary, "parameter"),
+                      .role = text_in(vary, "of"),
+                      .standard_role = text_in(vary, "relative_to")};
+  if (dimension.parameter.empty()) return std::nullopt;
+  if (dimension.factor.empty()) dimension.factor = dimension.parameter;
+  for (const LevelMeasure measure : {LevelMeasure::difference, LevelMeasure::percent,
+                                     LevelMeasure::ratio, LevelMeasure::decibels}) {
+    if (vary.contains(key_of(measure))) dimension.measure = measure;
+  }
+  dimension.standard =
+      stored_standard(protocol, block, dimension.standard_role, dimension.parameter);
+  return dimension;
 }
 
 }  // namespace
@@ -302,6 +333,15 @@ StoredProtocol stored_protocol(const std::string& source) {
     StoredProtocol::Block made{};
     made.kind = text_in(block, "kind").empty() ? text_in(root, "kind") : text_in(block, "kind");
     made.phase = text_in(block, "phase").empty() ? "main" : text_in(block, "phase");
+    made.vary = stored_dimension(root, block);
+    made.drawn = texts_in(block, "drawn");
+    const Json& procedure = member_of(block, "procedure");
+    made.has_procedure =
+        procedure.is_object() && text_in(procedure, "method") != "constant_stimuli";
+    if (made.vary) {
+      read.factors[made.vary->factor].meaning =
+          "Value of the parameter " + made.vary->parameter + " of the " + made.vary->role;
+    }
     const auto add = [&](const Json& asked) {
       if (!asked.is_object()) return;
       made.questions.push_back(trial_question_in(asked));

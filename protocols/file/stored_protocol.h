@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocols/design/analysis_declaration.h"
+#include "protocols/design/dimension.h"
 
 namespace asperity {
 
@@ -40,11 +41,15 @@ struct StoredProtocol {
     std::optional<double> minimum{};  ///< of a scale
     std::optional<double> maximum{};
     std::optional<double> points{};  ///< of a scale that has points
+    std::string judgement{};         ///< "performance", "comparison"; empty: none
   };
   struct Block {
     std::string kind{};  ///< its own, or that of the protocol; empty where neither is stated
     std::string phase{};
     std::vector<TrialQuestion> questions{};
+    std::optional<Dimension> vary{};  ///< without levels and unit
+    std::vector<std::string> drawn{};  ///< factors whose level is drawn for every trial
+    bool has_procedure = false;  ///< that chose the levels from the responses; not constant stimuli
   };
 
   std::string title{};

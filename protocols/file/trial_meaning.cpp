@@ -40,6 +40,9 @@ void Meaning::check_expectation(const Trial& trial,
 void Meaning::check_draws() {
   for (const auto& [name, block] : protocol_.blocks) {
     std::size_t combinations = row_count(protocol_, block);
+    if (block.procedure) {
+      combinations = std::min(combinations * block.vary->levels().size(), kMaximumRows);
+    }
     for (const std::string& factor : block.drawn) {
       combinations =
           std::min(combinations * protocol_.factors.at(factor).levels.size(), kMaximumRows);

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -17,6 +18,10 @@
 #include "protocols/observer/virtual_observer.h"
 
 namespace asperity {
+
+/// The roles of the surfaces in kinds that have only one.
+inline constexpr std::array<std::string_view, 1> kTargetRole{"target"};
+inline constexpr std::array<std::string_view, 1> kAlternativeRole{"alternative"};
 
 /// A group of tests of a kind, by the name under which a protocol can take it into its family.
 struct KindTest {
@@ -67,12 +72,14 @@ struct VirtualResponse {
 struct ExperimentKind {
   std::string_view id{};    ///< as in protocols and in the store: "magnitude"
   std::string_view name{};  ///< in messages, after "a": "magnitude estimation"
-  std::string_view role{};  ///< of every surface of a trial: "target"
+  /// Of the surfaces of a trial; the first one where a protocol states none.
+  std::span<const std::string_view> roles{};
   AnswerForm form{};        ///< how its question is answered
   /// A trial may have several questions of this kind, also next to the question of another kind.
   bool asks_several = false;
   bool takes_words = false;  ///< its options can be words
   bool takes_ties = false;   ///< its options can include that neither surface is preferred
+  bool has_judgement = false;  ///< its question states whether an answer is correct
   bool has_correct_responses = false;
   bool has_anchors = false;  ///< a block may begin with a trial that the others are compared with
   bool has_target = false;   ///< one item may be declared whose superiority is in question
@@ -81,7 +88,7 @@ struct ExperimentKind {
   std::span<const KindKey> keys{};
 
   /// What a surface counts as in the responses, unless the protocol names it.
-  std::string (*item_of)(const StimulusDescription& stimulus) = nullptr;
+  std::string (*item_of)(const PlannedPresentation& surface) = nullptr;
   /// The correct responses to the trial, one per item of the answer.
   std::vector<std::string> (*correct_of)(const Protocol::TrialQuestionTemplate& question,
                                          const Trial& trial) = nullptr;

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "protocols/kinds/discrimination.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/kinds/magnitude.h"
 #include "protocols/kinds/matching.h"
@@ -16,8 +17,9 @@
 namespace asperity {
 
 std::span<const ExperimentKind* const> experiment_kinds() {
-  static const std::array kKinds{&selection_kind(), &matching_kind(), &recognition_kind(),
-                                 &magnitude_kind(), &rating_kind(),   &paired_comparison_kind()};
+  static const std::array kKinds{&selection_kind(),     &matching_kind(), &recognition_kind(),
+                                 &magnitude_kind(),     &rating_kind(),   &paired_comparison_kind(),
+                                 &discrimination_kind()};
   return kKinds;
 }
 

@@ -28,7 +28,9 @@ constexpr std::array kMagnitudeKeys{KindKey{
     "\"estimation\" with this factor as \"spacing\"",
     "only a magnitude estimation has estimates to be analysed; remove this key"}};
 
-std::string item_of_magnitude(const StimulusDescription& stimulus) { return stimulus.texture; }
+std::string item_of_magnitude(const PlannedPresentation& surface) {
+  return surface.stimulus.texture;
+}
 
 void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems) {
   const Protocol::TrialQuestionTemplate& question = checked.question;
@@ -162,7 +164,7 @@ VirtualResponse judge_magnitude(const Judgement& judgement) {
 const ExperimentKind& magnitude_kind() {
   static const ExperimentKind kKind{.id = "magnitude",
                                     .name = "magnitude estimation",
-                                    .role = "target",
+                                    .roles = kTargetRole,
                                     .form = NumberForm{},
                                     .has_anchors = true,
                                     .tests = kMagnitudeTests,

@@ -20,7 +20,9 @@ constexpr std::array kMatchingTests{
     KindTest{"sexes", "do women and men differ"},
     KindTest{"groups", "for every pair of groups: do they differ"}};
 
-std::string item_of_matching(const StimulusDescription& stimulus) { return stimulus.texture; }
+std::string item_of_matching(const PlannedPresentation& surface) {
+  return surface.stimulus.texture;
+}
 
 std::vector<std::string> correct_of_matching(const Protocol::TrialQuestionTemplate&,
                                              const Trial& trial) {
@@ -79,7 +81,7 @@ VirtualResponse judge_matching(const Judgement& judgement) {
 const ExperimentKind& matching_kind() {
   static const ExperimentKind kKind{.id = "matching",
                                     .name = "matching",
-                                    .role = "target",
+                                    .roles = kTargetRole,
                                     .form = AssignmentForm{},
                                     .has_correct_responses = true,
                                     .has_expectations = true,

@@ -23,8 +23,8 @@ constexpr std::array kPairedTests{
 
 constexpr std::array kPairedKeys{kRealismStandard};
 
-std::string item_of_pair(const StimulusDescription& stimulus) {
-  return stimulus.texture.empty() ? stimulus.model : stimulus.texture;
+std::string item_of_pair(const PlannedPresentation& surface) {
+  return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;
 }
 
 /// The factor and the stimulus of the pairs of a block; empty without `all_pairs`.
@@ -137,7 +137,7 @@ VirtualResponse judge_pair(const Judgement& judgement) {
 const ExperimentKind& paired_comparison_kind() {
   static const ExperimentKind kKind{.id = "paired_comparison",
                                     .name = "paired comparison",
-                                    .role = "alternative",
+                                    .roles = kAlternativeRole,
                                     .form = ChoiceForm{},
                                     .takes_ties = true,
                                     .tests = kPairedTests,

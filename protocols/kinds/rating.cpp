@@ -20,8 +20,8 @@ constexpr std::array kRatingTests{
              "for every scale that accompanies a question with correct responses: do the ratings "
              "differ between correct and incorrect responses"}};
 
-std::string item_of_rating(const StimulusDescription& stimulus) {
-  return stimulus.texture.empty() ? stimulus.model : stimulus.texture;
+std::string item_of_rating(const PlannedPresentation& surface) {
+  return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;
 }
 
 void check_block_of_rating(const BlockOfKind& checked, ProblemSink& problems) {
@@ -60,7 +60,7 @@ VirtualResponse judge_rating(const Judgement& judgement) {
 const ExperimentKind& rating_kind() {
   static const ExperimentKind kKind{.id = "rating",
                                     .name = "rating",
-                                    .role = "target",
+                                    .roles = kTargetRole,
                                     .form = ScaleForm{},
                                     .asks_several = true,
                                     .tests = kRatingTests,

@@ -20,7 +20,9 @@ constexpr std::array kRecognitionTests{
     KindTest{"sexes", "do women and men differ"},
     KindTest{"groups", "for every pair of groups: do they differ"}};
 
-std::string item_of_recognition(const StimulusDescription& stimulus) { return stimulus.texture; }
+std::string item_of_recognition(const PlannedPresentation& surface) {
+  return surface.stimulus.texture;
+}
 
 std::vector<std::string> correct_of_recognition(const Protocol::TrialQuestionTemplate& question,
                                                 const Trial& trial) {
@@ -85,7 +87,7 @@ VirtualResponse judge_recognition(const Judgement& judgement) {
 const ExperimentKind& recognition_kind() {
   static const ExperimentKind kKind{.id = "recognition",
                                     .name = "recognition",
-                                    .role = "target",
+                                    .roles = kTargetRole,
                                     .form = ChoiceForm{},
                                     .has_correct_responses = true,
                                     .has_expectations = true,

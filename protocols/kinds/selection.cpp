@@ -31,7 +31,7 @@ constexpr std::array kSelectionKeys{
             "with \"photograph\", \"physical_sample\" or \"memory\"",
             kRealismStandard.if_foreign}};
 
-std::string item_of_selection(const StimulusDescription& stimulus) { return stimulus.model; }
+std::string item_of_selection(const PlannedPresentation& surface) { return surface.stimulus.model; }
 
 void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems) {
   const Protocol::TrialQuestionTemplate& question = checked.question;
@@ -92,7 +92,7 @@ VirtualResponse judge_selection(const Judgement& judgement) {
 const ExperimentKind& selection_kind() {
   static const ExperimentKind kKind{.id = "selection",
                                     .name = "selection",
-                                    .role = "alternative",
+                                    .roles = kAlternativeRole,
                                     .form = ChoiceForm{},
                                     .has_target = true,
                                     .has_expectations = true,

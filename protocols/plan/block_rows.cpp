@@ -9,18 +9,29 @@ namespace asperity {
 
 namespace {
 
-std::vector<FactorLevels> combinations_of(const Protocol& protocol, const Protocol::Block& block) {
-  if (!block.listed.empty()) return block.listed;
-  std::vector<FactorLevels> rows{{}};
-  for (const std::string& name : block.crossed) {
-    std::vector<FactorLevels> longer{};
-    for (const FactorLevels& row : rows) {
-      for (const Level& level : protocol.factors.at(name).levels) {
-        longer.push_back(row);
-        longer.back()[name] = level;
-      }
+/// Every row with every level of a further factor.
+std::vector<FactorLevels> crossed_with(const std::vector<FactorLevels>& rows,
+                                       const std::string& factor,
+                                       const std::vector<Level>& levels) {
+  std::vector<FactorLevels> longer{};
+  for (const FactorLevels& row : rows) {
+    for (const Level& level : levels) {
+      longer.push_back(row);
+      longer.back()[factor] = level;
     }
-    rows = std::move(longer);
+  }
+  return longer;
+}
+
+std::vector<FactorLevels> combinations_of(const Protocol& protocol, const Protocol::Block& block) {
+  std::vector<FactorLevels> rows = block.listed;
+  if (rows.empty()) rows.emplace_back();
+  for (const std::string& name : block.crossed) {
+    rows = crossed_with(rows, name, protocol.factors.at(name).levels);
+  }
+  if (block.vary && !block.procedure) {
+    const std::vector<double> values = block.vary->values();
+    rows = crossed_with(rows, block.vary->factor, {values.begin(), values.end()});
   }
   return rows;
 }
@@ -51,6 +62,8 @@ std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
   for (const std::string& name : block.crossed) {
     count = std::min(count * protocol.factors.at(name).levels.size(), kEnough);
   }
+  if (block.vary && !block.procedure)
+    count = std::min(count * block.vary->levels().size(), kEnough);
   return count;
 }
 

@@ -23,7 +23,8 @@ struct BlockRow {
 };
 
 /// The combinations of the crossed factors (the last one fastest), or the listed rows, once; one empty combination if
-/// there are none. Each of them with every pair, where the block has pairs.
+/// there are none. Each of them with every level of the dimension, where the block varies a parameter without a
+/// procedure, and with every pair, where it has pairs.
 std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& block);
 
 /// The number of rows, without building them.

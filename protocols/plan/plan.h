@@ -1,8 +1,9 @@
-// Declares the plan of a session: all trials, before the first one starts.
+// Declares the plan of a session: its trials and the steps between them.
 
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -30,8 +31,10 @@ using PlanStep =
     std::variant<Protocol::Screen, Protocol::Check, Protocol::Break, Protocol::Ask, TrialStep>;
 
 struct Plan {
-  std::vector<Trial> trials{};
+  std::deque<Trial> trials{};  ///< references remain valid when trials are added (Course)
   std::vector<PlanStep> steps{};
+  int blocks =
+      0;  ///< runs of blocks in the complete session, also those whose trials are not yet known
 };
 
 /// The allocation of a plan. All random choices derive from `seed`; the row determines the order of a counterbalanced
@@ -43,13 +46,14 @@ struct Allocation {
 };
 
 /// Makes the plan of one session: the same for the same protocol, seed, row and group, on every platform. Groups differ
-/// only in the level of their factor.
+/// only in the level of their factor. With procedures the plan up to the first trial whose answer determines the next
+/// one (Course).
 ///
 /// Errors: std::runtime_error if a constraint on the order cannot be met. This does not occur for a protocol from
 /// `read_protocol`, which has tried it. Also for a group that the protocol does not have.
 Plan make_plan(const Protocol& protocol, const Allocation& allocation);
 
-/// All trials that can occur in a session for any seed: each combination once, in an arbitrary order.
+/// All trials that can occur in a session for any seed and any answers: each combination once, in an arbitrary order.
 std::vector<Trial> possible_trials(const Protocol& protocol);
 
 /// The stimuli by which virtual participants know textures that are felt on bodies only: for each such texture the
@@ -74,6 +78,8 @@ struct PlanCost {
   double longest_without_break_s = 0.0;
 };
 PlanCost cost_of(const Protocol& protocol, const Plan& plan);
+/// The same of one step of the plan.
+PlanCost cost_of(const Protocol& protocol, const Plan& plan, const PlanStep& step);
 
 /// The state of a practice block with a criterion, given the outcomes so far.
 enum class BlockState { go_on, criterion_met, criterion_failed };

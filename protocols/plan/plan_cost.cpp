@@ -38,15 +38,16 @@ double contact_s(const Exploration& exploration) {
 
 }  // namespace
 
-PlanCost cost_of(const Protocol& protocol, const Plan& plan) {
-  PlanCost cost{};
-  double since_break_s = 0.0;
-  const auto spend = [&](double time_s) {
-    cost.total_s += time_s;
-    since_break_s += time_s;
-    cost.longest_without_break_s = std::max(cost.longest_without_break_s, since_break_s);
-  };
-  for (const PlanStep& step : plan.steps) {
+namespace {
+
+/// Adds steps to a cost, in order.
+class CostSum final {
+ public:
+  CostSum(const Protocol& protocol, const Plan& plan) : protocol_(protocol), plan_(plan) {}
+
+  const PlanCost& cost() const noexcept { return cost_; }
+
+  void add(const PlanStep& step) {
     if (const auto* const screen = std::get_if<Protocol::Screen>(&step)) {
       spend(reading_s(screen->text));
     } else if (std::holds_alternative<Protocol::Check>(step)) {
@@ -54,26 +55,54 @@ PlanCost cost_of(const Protocol& protocol, const Plan& plan) {
     } else if (const auto* const ask = std::get_if<Protocol::Ask>(&step)) {
       spend(kQuestion_s * static_cast<double>(ask->questions.size()));
     } else if (const auto* const pause = std::get_if<Protocol::Break>(&step)) {
-      cost.total_s += pause->minimum_s;
-      since_break_s = 0.0;
+      cost_.total_s += pause->minimum_s;
+      since_break_s_ = 0.0;
     } else {
-      const Trial& trial = plan.trials[std::get<TrialStep>(step).trial];
-      const Protocol::Block& block = protocol.blocks.at(trial.block);
-      const auto surfaces = static_cast<double>(trial.presentations.size());
-      const double felt_s = surfaces * contact_s(exploration_of(protocol, trial));
-      ++cost.trials;
-      cost.contacts += static_cast<int>(trial.presentations.size());
-      cost.contact_s += felt_s;
-      double answers = 0.0;
-      for (const TrialQuestion& question : trial.questions) {
-        answers += items_of(question.form, static_cast<int>(trial.presentations.size()));
-      }
-      spend(felt_s + block.pause_before_trial_s +
-            (surfaces - 1.0) * block.pause_between_surfaces_s + kChoice_s * answers +
-            (block.feedback == Protocol::Block::Feedback::none ? 0.0 : kFeedback_s));
+      add(plan_.trials[std::get<TrialStep>(step).trial]);
     }
   }
-  return cost;
+
+ private:
+  void add(const Trial& trial) {
+    const Protocol::Block& block = protocol_.blocks.at(trial.block);
+    const auto surfaces = static_cast<double>(trial.presentations.size());
+    const double felt_s = surfaces * contact_s(exploration_of(protocol_, trial));
+    ++cost_.trials;
+    cost_.contacts += static_cast<int>(trial.presentations.size());
+    cost_.contact_s += felt_s;
+    double answers = 0.0;
+    for (const TrialQuestion& question : trial.questions) {
+      answers += items_of(question.form, static_cast<int>(trial.presentations.size()));
+    }
+    spend(felt_s + block.pause_before_trial_s + (surfaces - 1.0) * block.pause_between_surfaces_s +
+          kChoice_s * answers +
+          (block.feedback == Protocol::Block::Feedback::none ? 0.0 : kFeedback_s));
+  }
+
+  void spend(double time_s) {
+    cost_.total_s += time_s;
+    since_break_s_ += time_s;
+    cost_.longest_without_break_s = std::max(cost_.longest_without_break_s, since_break_s_);
+  }
+
+  const Protocol& protocol_;
+  const Plan& plan_;
+  PlanCost cost_{};
+  double since_break_s_ = 0.0;
+};
+
+}  // namespace
+
+PlanCost cost_of(const Protocol& protocol, const Plan& plan) {
+  CostSum sum(protocol, plan);
+  for (const PlanStep& step : plan.steps) sum.add(step);
+  return sum.cost();
+}
+
+PlanCost cost_of(const Protocol& protocol, const Plan& plan, const PlanStep& step) {
+  CostSum sum(protocol, plan);
+  sum.add(step);
+  return sum.cost();
 }
 
 }  // namespace asperity

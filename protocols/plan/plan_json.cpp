@@ -204,6 +204,10 @@ std::string json_of(const Trial& trial) {
   line.field("block_ordinal", trial.block_ordinal);
   line.field("phase", text_of(trial.phase));
   line.field("repetition", trial.repetition);
+  if (trial.track) {  // other plans are compared with those that older programs stored
+    line.field("track", trial.track->track);
+    line.field("step", trial.track->step);
+  }
   line.key("factors");
   line.levels(trial.factors);
   line.key("presentations");

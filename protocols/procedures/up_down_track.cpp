@@ -36,7 +36,7 @@ void check_start(const LevelGrid& grid, double start, ProcedureProblems& problem
   if (is_on(grid, start)) return;
   const double nearest = level_of(grid, nearest_index(grid, start));
   problems.report("start", "the start " + number_text(start) +
-                               " is not a level of the grid; the nearest level is " +
+                               " is not a level of the grid; use the nearest level, " +
                                number_text(nearest));
 }
 

@@ -162,7 +162,8 @@ ReadMesh GrowingMesh::finish(MeshFormat format) {
                           std::to_string(polygons_) + '.');
   }
   if (strips_ > 0) {
-    read_.notes.push_back("Strips divided into triangles: " + std::to_string(strips_) + '.');
+    read_.notes.push_back("Triangle strips divided into triangles: " + std::to_string(strips_) +
+                          '.');
   }
   if (too_small_ > 0) {
     read_.notes.push_back("Faces left out because they had fewer than three vertices: " +

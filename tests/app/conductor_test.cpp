@@ -254,7 +254,7 @@ TEST_F(ConductorTest, TakesAHandAtNineTenthsOfTheTargetAndAsksOneAtOneAndAHalfAg
        "maximum_repeats": 1)"));
   protocol_.stimuli.at("rendered").parameters["height_scale"] = {ParameterValue{0.0}, ""};
   protocol_.blocks.at("main").presented.pop_back();
-  session_.plan = make_plan(protocol_, {7, 0});
+  session_.course.emplace(protocol_, Allocation{.seed = 7});
   person_.at_question = [this](int question, const Trial&) -> Reply {
     auto& force_N = protocol_.explorations.at("short").normal_force_N;
     force_N.target = question == 1 ? 1.5 : 0.9;
@@ -541,7 +541,7 @@ TEST_F(ConductorTest, ReportsTheTextureForceWithoutTheFrictionOfTheTurningHand) 
   begin(small_protocol("", R"(, "strokes": {"target": 4})"));
   protocol_.stimuli.at("rendered").parameters["height_scale"] = {ParameterValue{0.0}, ""};
   protocol_.blocks.at("main").presented.pop_back();
-  session_.plan = make_plan(protocol_, {7, 0});
+  session_.course.emplace(protocol_, Allocation{.seed = 7});
   run();
   for (const AttemptRow& row : attempts()) {
     ASSERT_TRUE(row.presentations[0].achieved_texture_force_N);

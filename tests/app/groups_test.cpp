@@ -176,9 +176,9 @@ TEST_F(GroupsOfASession, ThatDoNotFitThePlanAreFound) {
     row.group_level = "visual";  // with the plan of the other group
     opened.add_session(row, plan);
   }
-  EXPECT_THAT(
-      problems(),
-      ElementsAre(HasSubstr("differs from the one that its protocol, seed, row and group")));
+  EXPECT_THAT(problems(),
+              ElementsAre(HasSubstr("differs from the one that its protocol, seed, row, group "
+                                    "and earlier responses")));
 }
 
 TEST(GroupsOfEarlierStudies, AreNoColumns) {

@@ -31,7 +31,7 @@ TEST(Kinds, HaveTheirPartsAndAreFoundByName) {
     SCOPED_TRACE(kind->id);
     EXPECT_EQ(find_kind(kind->id), kind);
     EXPECT_FALSE(kind->name.empty());
-    EXPECT_FALSE(kind->role.empty());
+    EXPECT_FALSE(kind->roles.empty());
     EXPECT_FALSE(kind->tests.empty()) << "the first is the family of a protocol that declares none";
     EXPECT_NE(kind->item_of, nullptr);
     EXPECT_NE(kind->check_block, nullptr);

@@ -126,10 +126,12 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
     PlannedTrialRow row{};
     row.trial = static_cast<int>(plan.size()) + 1;
     row.block = trial.block;
-    row.block_ordinal = 1;
+    row.block_ordinal = trial.block_ordinal;
     row.phase = trial.phase;
     row.factors_json = trial.factors_json;
     row.repetition = trial.repetition;
+    row.track = trial.track;
+    row.step = trial.step;
     plan.push_back(row);
   }
   const std::int64_t id = study_->add_session(session, plan);

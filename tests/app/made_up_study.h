@@ -27,7 +27,10 @@ struct MadeUpTrial {
   std::optional<double> from_cue_s = 1.5;
   std::string phase = "main";
   std::string block = "only";
-  int repetition = 1;  ///< 0 of an anchor
+  int block_ordinal = 1;
+  int repetition = 1;          ///< 0 of an anchor
+  std::optional<int> track{};  ///< where a procedure chose the level
+  std::optional<int> step{};
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;
   bool flagged = false;

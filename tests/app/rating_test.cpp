@@ -277,7 +277,8 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
   ASSERT_EQ(tests->table.rows.size(), 1U);
   ASSERT_EQ(ratings.test_sentences.size(), 1U);
   EXPECT_EQ(ratings.test_sentences[0].role, TestRole::exploratory);
-  EXPECT_THAT(ratings.test_sentences[0].text, HasSubstr("t(2) = 5.20, N = 3 (one left out), p = .035"));
+  EXPECT_THAT(ratings.test_sentences[0].text,
+              HasSubstr("t(2) = 5.20, N = 3 (one left out), p = .035"));
   EXPECT_THAT(tests->note.english(), HasSubstr("1 of 4"));
   ASSERT_EQ(ratings.questions.size(), 1U);
   EXPECT_THAT(ratings.questions[0].answer.english(), HasSubstr("80.00"));

@@ -572,7 +572,7 @@ TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {
   ASSERT_EQ(lines.size(), 2U) << "each limit is one line";
   EXPECT_EQ(lines[0].text.english(),
             "The protocol requires a device whose friction_N is at most 0.000100; the measured "
-            "value is 0.000200.");
+            "value is 0.000200. Choose another device, or relax the requirement in the protocol.");
   EXPECT_NE(lines[1].text.english().find("latency_s"), std::string::npos);
   ask_for(R"("limits": {"friction_N": 0.0001}, "refuse_rehearsal_warnings": true)");
   EXPECT_EQ(check("calibration").state, State::stop);

@@ -52,9 +52,9 @@ TEST(VerifyStudy, FindsTheSameInTheSameOrderWhateverTheThreads) {
   }
   ASSERT_EQ(alone.size(), static_cast<std::size_t>(kPeople));
   for (int i = 0; i < kPeople; ++i) {
-    EXPECT_THAT(
-        alone[static_cast<std::size_t>(i)],
-        testing::HasSubstr("participant p" + std::to_string(100 + i) + ": its stored plan"));
+    EXPECT_THAT(alone[static_cast<std::size_t>(i)],
+                testing::HasSubstr("participant p" + std::to_string(100 + i) +
+                                   ", trial 1: its stored plan"));
   }
   for (int i = 0; i < 5; ++i) EXPECT_EQ(problems_of(made.folder(), Access::read_only), alone);
   EXPECT_EQ(problems_of(made.folder(), Access::read_write), alone);

@@ -320,7 +320,7 @@ TEST_F(WatchedSession, MakesBinsOfAllThatTheProbeDoesAlsoBetweenAttempts) {
 
 TEST_F(WatchedSession, ExpectsTheTrialsThatAreLeftToTakeAsLongAsThoseThatWereDone) {
   begin(small_protocol(R"(, "repetitions": 3)"));
-  const int all = static_cast<int>(session_.plan.trials.size());
+  const int all = static_cast<int>(session_.course->plan().trials.size());
   ASSERT_EQ(all, 9);
   std::vector<std::optional<double>> left_s{};
   person_.at_question = [&](int, const Trial& trial) -> Reply {

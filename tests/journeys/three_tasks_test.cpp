@@ -1,5 +1,5 @@
-// Three tasks in one session, two groups of participants, and five scales in a trial; and pairs of the levels of a
-// factor: from check to report, and through kills.
+// Three tasks in one session, two groups of participants, and five scales in a trial; pairs of the levels of a factor;
+// interleaved staircases: from check to report, and through kills.
 
 #include <csignal>
 
@@ -66,6 +66,35 @@ nlohmann::ordered_json pairs_of_models() {
   return protocol;
 }
 
+/// Two interleaved staircases of four trials.
+nlohmann::ordered_json staircases() {
+  nlohmann::ordered_json protocol = small_selection(2);
+  protocol["format"] = "asperity.protocol/2";
+  protocol["kind"] = "discrimination";
+  protocol["name"] = "staircases";
+  for (const char* const key : {"textures", "factors", "realism_standard", "analysis"})
+    protocol.erase(key);
+  protocol["stimuli"] = nlohmann::ordered_json::parse(
+      R"({"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-5, "wavelength_m": 0.0025}}})");
+  nlohmann::ordered_json& block = protocol["blocks"]["main"];
+  for (const char* const key :
+       {"crossed", "listed", "drawn", "repetitions", "order", "maximum_in_a_row"}) {
+    block.erase(key);
+  }
+  block["vary"] = nlohmann::ordered_json::parse(
+      R"({"parameter": "amplitude_m", "of": "comparison", "relative_to": "standard",
+          "levels_percent": {"lowest": 5, "highest": 100, "step": 5}})");
+  block["procedure"] = nlohmann::ordered_json::parse(
+      R"({"method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10], "stop": {"trials": 4},
+          "tracks": [{"start": 50}, {"start": 25}]})");
+  block["presented"] = nlohmann::ordered_json::parse(
+      R"([{"role": "standard", "stimulus": "grating"}, {"role": "comparison", "stimulus": "grating"}])");
+  block["positions"] = "balanced";
+  block["question"] = {
+      {"name", "rougher"}, {"prompt", "Which is rougher?"}, {"judgement", "performance"}};
+  return protocol;
+}
+
 /// A protocol in a small study.
 class Tasks : public testing::Test {
  protected:
@@ -105,6 +134,13 @@ class Tasks : public testing::Test {
       EXPECT_EQ(tsv(tables.at("responses.tsv")).column(column),
                 tsv(expected.at("responses.tsv")).column(column));
     }
+    for (const char* const column : {"block", "repetition", "track", "step"}) {
+      EXPECT_EQ(tsv(tables.at("trials.tsv")).column(column),
+                tsv(expected.at("trials.tsv")).column(column));
+    }
+    EXPECT_EQ(tsv(tables.at("presentations.tsv")).column("stimulus"),
+              tsv(expected.at("presentations.tsv")).column("stimulus"))
+        << "the levels";
     EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"),
               std::vector<std::string>{"completed"});
   }
@@ -121,6 +157,11 @@ class ThreeTasks : public Tasks {
 class PairsOfModels : public Tasks {
  protected:
   PairsOfModels() : Tasks(pairs_of_models()) {}
+};
+
+class Staircases : public Tasks {
+ protected:
+  Staircases() : Tasks(staircases()) {}
 };
 
 TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
@@ -184,6 +225,30 @@ TEST_F(PairsOfModels, AreSimulatedVerifiedAnalysedExportedAndReported) {
 }
 
 TEST_F(PairsOfModels, ResumeAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
+
+TEST_F(Staircases, AreCheckedSimulatedVerifiedAnalysedExportedAndReported) {
+  const Outcome checked = asperity({"check", file_, "--study", small_.study()});
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out,
+              HasSubstr("block main: two-interval forced choice, one surface after the "
+                        "other, 2-down/1-up staircase (70.7 %), 4 trials × 2 "
+                        "interleaved tracks, about "));
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "3", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const Outcome verified = asperity({"verify", small_.study(), "--replay"});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_THAT(asperity({"analyze", small_.study()}).out,
+              HasSubstr("staircases 1.0.0 (discrimination, improved)"));
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  const std::vector<std::string> steps = tsv(tables.at("trials.tsv")).column("step");
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), "4"), 3 * 2);
+  const fs::path report = small_.place() / "report.html";
+  EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
+  EXPECT_THAT(text_of(report), HasSubstr("2-down/1-up staircase"));
+}
+
+TEST_F(Staircases, ResumeAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
 
 }  // namespace
 }  // namespace asperity::test

@@ -229,7 +229,7 @@ TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
     expect_found_after(
         "DROP TRIGGER trial_no_update; UPDATE trial SET " + std::string(change) +
             " WHERE session_id = 1 AND trial = 2",
-        "session 1 of participant virtual0001: its stored plan differs from the one");
+        "session 1 of participant virtual0001, trial 2: its stored plan differs from the one");
   }
   for (const char* change : {"item = 'other'", "model = 'other'", "texture = 'other'"}) {
     expect_found_after(

@@ -31,9 +31,10 @@ inline std::vector<ModelDeclaration> example_models() {
   height_map.parameters = {number("height_scale", 0.0, 10.0, 1.0), law};
   ModelDeclaration sinusoid{};
   sinusoid.id = "sinusoid";
-  sinusoid.needs_height_field = true;
   sinusoid.amplitude_parameter = "amplitude_m";
-  sinusoid.parameters = {number("amplitude_m", 0.0, 0.01, 0.0001)};
+  sinusoid.parameters = {number("amplitude_m", 0.0, 0.01, 0.0001),
+                         number("wavelength_m", 1e-4, 0.1, 0.0025)};
+  for (Parameter& parameter : sinusoid.parameters) parameter.unit = "m";
   ModelDeclaration stochastic{};
   stochastic.id = "stochastic";
   stochastic.needs_height_field = true;

@@ -13,7 +13,7 @@
 #include "protocols/file/protocol_reader.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/observer/virtual_observer.h"
-#include "protocols/plan/plan.h"
+#include "protocols/plan/course.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {
@@ -64,7 +64,7 @@ TEST_P(Library, RestsAtLeastEveryTenMinutesWithTheForceZeroed) {
   for (auto& [name, exploration] : read.explorations) {
     exploration.minimum_contact_s = exploration.maximum_contact_s;
   }
-  const Plan plan = make_plan(read, {.seed = 1, .counterbalance_row = 0});
+  const Plan plan = example_plan(read, {.seed = 1, .counterbalance_row = 0});
   const PlanCost cost = cost_of(read, plan);
   EXPECT_LE(cost.longest_without_break_s, 600.0);
   EXPECT_LE(cost.total_s, 3600.0);
@@ -165,8 +165,8 @@ TEST(LibraryProtocols, GiveTheSamePlansInGerman) {
   for (const InBothLanguages& both : in_both_languages()) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const Allocation request{.seed = seed, .counterbalance_row = static_cast<int>(seed)};
-      const Plan english = make_plan(both.english, request);
-      const Plan german = make_plan(both.german, request);
+      const Plan english = example_plan(both.english, request);
+      const Plan german = example_plan(both.german, request);
       ASSERT_EQ(german.trials.size(), english.trials.size());
       for (std::size_t i = 0; i < german.trials.size(); ++i) {
         EXPECT_EQ(without_wording(nlohmann::json::parse(json_of(german.trials[i]))),

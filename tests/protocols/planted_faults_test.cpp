@@ -315,7 +315,7 @@ const Fault kMeaning[] = {
      R"("listed")", "/blocks/main/listed", "exclude each other"},
     {"constraint_on_other_factor", R"("maximum_in_a_row": {"texture": 2})",
      R"("maximum_in_a_row": {"model": 2})", R"("model": 2})", "/blocks/main/maximum_in_a_row/model",
-     "applies only to factors that the block crosses or lists"},
+     "applies only to factors that the block crosses, lists or varies"},
     {"unknown_factor", R"("crossed": ["texture"])", R"("crossed": ["textur"])", R"("textur"])",
      "/blocks/main/crossed/0", R"(did you mean "texture"?)"},
     {"unset_factor", R"("crossed": ["texture"],)", "",

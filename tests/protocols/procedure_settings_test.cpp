@@ -98,7 +98,7 @@ TEST(ProcedureSettings, NeedAStartOnTheGrid) {
   EXPECT_THAT(problems_after([](UpDownTrack& track) { track.start = 10.5; }),
               ElementsAre(problem("start", "outside the bounds 1 and 10; choose")));
   EXPECT_THAT(problems_after([](UpDownTrack& track) { track.start = 5.2; }),
-              ElementsAre(problem("start", "the nearest level is 5")));
+              ElementsAre(problem("start", "use the nearest level, 5")));
 }
 
 TEST(ProcedureSettings, NeedARuleThatCounts) {

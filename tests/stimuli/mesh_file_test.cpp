@@ -154,7 +154,7 @@ TEST(MeshFile, OfPlyHasStrips) {
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4\n");
   EXPECT_EQ(found.mesh.triangles,
             (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
-  EXPECT_EQ(found.notes, std::vector<std::string>{"Strips divided into triangles: 2."});
+  EXPECT_EQ(found.notes, std::vector<std::string>{"Triangle strips divided into triangles: 2."});
 }
 
 TEST(MeshFile, OfPlyHasElementsThatAreNoneOfOurs) {

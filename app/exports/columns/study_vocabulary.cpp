@@ -40,6 +40,10 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
   for (const auto& [name, block] : specified.blocks) {
     vocabulary.kinds_of_blocks[{protocol.source_sha256, name}] =
         block.kind.empty() ? protocol.kind : block.kind;
+    if (const auto task = discrimination_task(name, block)) {
+      vocabulary.discriminations[{protocol.source_sha256, name}] = {.task = *task,
+                                                                    .drawn = block.drawn};
+    }
     for (const StoredProtocol::TrialQuestion& asked : block.questions) {
       if (asked.name.empty()) continue;
       StudyVocabulary::AnswerMeaning meaning{};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/exports/columns/export_column.h"
+#include "app/findings/study/discrimination_tasks.h"
 #include "protocols/design/analysis_declaration.h"
 
 namespace asperity {
@@ -49,6 +50,13 @@ struct StudyVocabulary {
   std::map<std::string, FactorMeaning> factors{};
   /// The kinds of experiment of the blocks, by the SHA-256 of the protocol file and the block.
   std::map<std::pair<std::string, std::string>, std::string> kinds_of_blocks{};
+  struct BlockOfDiscrimination {
+    DiscriminationTask task{};
+    /// Factors whose level is drawn for every trial: they are not conditions.
+    std::vector<std::string> drawn{};
+  };
+  /// Those of the blocks that are discriminations with a standard of a known value, by the same.
+  std::map<std::pair<std::string, std::string>, BlockOfDiscrimination> discriminations{};
   std::map<std::string, ParameterMeaning> parameters{};
   std::map<std::string, std::set<std::string>> limits{};  ///< kind → models that monitor it
   std::map<std::string, std::set<std::string>> assets{};  ///< declared role → models that used one

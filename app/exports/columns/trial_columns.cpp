@@ -63,6 +63,21 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
   add(at_least(
       0, column("repetition", "integer", "", "repetition of the same conditions; 0 for an anchor",
                 [](const Place& at) { return integer(at.trial->repetition); })));
+  const auto of_procedure = [](ExportColumn made) {
+    return missing("no procedure chose the level of the trial", at_least(1, std::move(made)));
+  };
+  add(of_procedure(
+      column("track", "integer", "",
+             "track of the procedure that chose the level, within the run of the block",
+             [](const Place& at) -> Cell {
+               if (!at.trial->track) return {};
+               return integer(*at.trial->track);
+             })));
+  add(of_procedure(column("step", "integer", "", "number of the trial within its track",
+                          [](const Place& at) -> Cell {
+                            if (!at.trial->step) return {};
+                            return integer(*at.trial->step);
+                          })));
   for (const auto& [name, factor] : vocabulary.factors) {
     ExportColumn made = missing(
         "the trial does not have this factor",

@@ -34,10 +34,13 @@ const CellWords& words_of_measures() {
       {"information_miller_madow",
        phrase("CellWords", "transmitted information, bias-corrected (Miller–Madow)")},
       {"information_plug_in", phrase("CellWords", "transmitted information, plug-in")},
+      {"jnd", phrase("CellWords", "just-noticeable difference (JND)")},
+      {"jnd_dprime1", phrase("CellWords", "JND at d′ = 1")},
       {"kappa", phrase("CellWords", "Cohen’s κ")},
       {"log_tie", phrase("CellWords", "ties, ln ν")},
       {"mallows_theta", phrase("CellWords", "Mallows’ θ (0 under guessing)")},
       {"order_effect", phrase("CellWords", "order effect, log odds")},
+      {"pse", phrase("CellWords", "point of subjective equality (PSE)")},
       {"right_items_in_all", phrase("CellWords", "correctly matched items")},
       {"right_items_per_go", phrase("CellWords", "correctly matched items per trial")},
       {"share_of_pictures_right",
@@ -45,6 +48,7 @@ const CellWords& words_of_measures() {
       {"time_of_halves",
        phrase("CellWords", "response time, s; change: ratio of the second to the first half")},
       {"time_per_10_trials", phrase("CellWords", "response time; change: ratio per 10 trials")},
+      {"weber", phrase("CellWords", "Weber fraction")},
       {"z", phrase("CellWords", "z of the correctly matched items")}};
   return kWords;
 }
@@ -53,12 +57,15 @@ const CellWords& words_of_tests() {
   static const CellWords kWords{
       {"accompanying_scales", phrase("CellWords", "accompanying scales")},
       {"condition", phrase("CellWords", "condition")},
+      {"conditions", phrase("CellWords", "conditions")},
       {"groups", phrase("CellWords", "groups")},
       {"information", phrase("CellWords", "information")},
       {"interaction", phrase("CellWords", "spacing by condition")},
       {"items", phrase("CellWords", "matched items")},
+      {"order", phrase("CellWords", "order of presentation")},
       {"pairs", phrase("CellWords", "pairs")},
       {"peaks", phrase("CellWords", "peaks")},
+      {"point_of_subjective_equality", phrase("CellWords", "point of subjective equality")},
       {"position", phrase("CellWords", "position")},
       {"preference", phrase("CellWords", "preference")},
       {"rated_pairs", phrase("CellWords", "pairs of items")},
@@ -120,6 +127,28 @@ const CellWords& words_of_reasons() {
       {"cannot be tested with one participant",
        phrase("CellWords", "cannot be tested with one participant")},
       {"nothing_varies", phrase("CellWords", "all stimuli or all responses are the same")},
+      {"all_wrong", phrase("CellWords", "no response is correct")},
+      {"above_levels", phrase("CellWords", "above the presented levels")},
+      {"below_levels", phrase("CellWords", "below the presented levels")},
+      {"conditions_between_participants",
+       phrase("CellWords",
+              "no participant has trials in every condition, and the test compares conditions "
+              "within participants")},
+      {"no_data", phrase("CellWords", "no responses")},
+      {"no_point_of_equality",
+       phrase("CellWords",
+              "responses are correct or incorrect, so that there is no point of "
+              "subjective equality")},
+      {"no_thresholds", phrase("CellWords", "too few thresholds could be estimated")},
+      {"not_defined", phrase("CellWords", "not defined")},
+      {"not_increasing", phrase("CellWords", "responses do not depend on the level as expected")},
+      {"one_level", phrase("CellWords", "only one level was presented")},
+      {"one_order",
+       phrase("CellWords", "too few participants felt the comparison in both positions")},
+      {"outside_levels", phrase("CellWords", "outside the presented levels")},
+      {"quasi_separated", phrase("CellWords", "only one level has both responses")},
+      {"separated", phrase("CellWords", "no level has both responses")},
+      {"slope_at_bound", phrase("CellWords", "steeper than the presented levels can resolve")},
       {"no_interior_maximum", phrase("CellWords", "no significant interior maximum")},
       {"at least one condition has no interior maximum",
        phrase("CellWords", "at least one condition has no interior maximum")},
@@ -207,19 +236,45 @@ const CellWords& words_in_any_column() {
   return kWords;
 }
 
+/// The end of a name that states a unit.
+struct UnitSuffix {
+  std::string_view suffix{};
+  std::string_view unit{};
+};
+
+/// Null for a name without a unit.
+const UnitSuffix* unit_suffix_of(const std::string& key) {
+  static constexpr std::array kSuffixes{UnitSuffix{"_m_per_s", "m/s"},
+                                        UnitSuffix{"_N_per_m", "N/m"},
+                                        UnitSuffix{"_N_s_per_m", "N·s/m"},
+                                        UnitSuffix{"_rad", "rad"},
+                                        UnitSuffix{"_Hz", "Hz"},
+                                        UnitSuffix{"_kg", "kg"},
+                                        UnitSuffix{"_dB", "dB"},
+                                        UnitSuffix{"_N", "N"},
+                                        UnitSuffix{"_m", "m"},
+                                        UnitSuffix{"_s", "s"}};
+  const auto* const found =
+      std::find_if(kSuffixes.begin(), kSuffixes.end(), [&key](const UnitSuffix& each) {
+        return key.size() > each.suffix.size() && key.ends_with(each.suffix);
+      });
+  return found == kSuffixes.end() ? nullptr : found;
+}
+
 }  // namespace
 
 std::string words_of_parameter(const std::string& key) {
-  constexpr std::array<std::string_view, 10> kUnits{
-      "_m_per_s", "_N_per_m", "_N_s_per_m", "_rad", "_Hz", "_kg", "_dB", "_N", "_m", "_s"};
   std::string words = key;
-  for (const std::string_view unit : kUnits) {
-    if (words.size() <= unit.size() || !words.ends_with(unit)) continue;
-    words.erase(words.size() - unit.size());
-    break;
+  if (const UnitSuffix* const unit = unit_suffix_of(key)) {
+    words.erase(words.size() - unit->suffix.size());
   }
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
+}
+
+std::string unit_of_parameter(const std::string& key) {
+  const UnitSuffix* const unit = unit_suffix_of(key);
+  return unit == nullptr ? std::string() : std::string(unit->unit);
 }
 
 Phrase words_of_cell(const std::string& column, const std::string& text) {

@@ -15,5 +15,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text);
 
 /// "amplitude" for the parameter or factor `amplitude_m`: its name as text, without the unit.
 std::string words_of_parameter(const std::string& key);
+/// "m" for the parameter or factor `amplitude_m`; empty for a name without a unit.
+std::string unit_of_parameter(const std::string& key);
 
 }  // namespace asperity

@@ -114,7 +114,8 @@ class Gathering {
     if (is_guessing(session, gathered.kind)) ++gathered.count.guessing_sessions;
     if (!participant.is_virtual && is_unfelt(session)) ++gathered.count.unfelt_sessions;
     participants_.insert(session.participant);
-    Session reading{.answers = answers,
+    Session reading{.session = session.session,
+                    .answers = answers,
                     .questions = questions,
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
     reading.options = reading.factors = reading.words;
@@ -157,10 +158,11 @@ class Gathering {
     for (const auto& [name, block] : specified.blocks) {
       if (block.phase != "main") continue;
       for (const StoredProtocol::TrialQuestion& question : block.questions) {
+        if (kind_of_stored(protocol.kind, block, question) != gathered.kind) continue;
+        gathered.blocks.try_emplace(name, block);
         const bool is_known =
             std::any_of(gathered.questions.begin(), gathered.questions.end(),
                         [&question](const auto& known) { return known.name == question.name; });
-        if (kind_of_stored(protocol.kind, block, question) != gathered.kind) continue;
         if (!is_known) gathered.questions.push_back(question);
         (kind_of_stored_block(protocol.kind, block) == gathered.kind ? has_own_questions_
                                                                      : has_accompanying_ones_) =
@@ -219,6 +221,7 @@ class Gathering {
  private:
   /// A session's indices of words, as far as the group has them.
   struct Session {
+    int session = 1;  ///< ordinal within the participant
     const SessionAnswers& answers;
     const QuestionsOfKind& questions;
     std::vector<std::optional<std::uint32_t>> words{};
@@ -321,10 +324,15 @@ class Gathering {
     for (const RepliesToQuestion& to : by_question) {
       const std::optional<double>& time_s = to.replies.back().from_cue_s;
       gathered.answers.push_back({.person = person,
+                                  .block = word(session, planned.block),
                                   .question = word(session, to.question),
                                   .factors = levels,
                                   .options = options(session, to.replies.back().options_json),
                                   .repetition = planned.repetition,
+                                  .session = session.session,
+                                  .block_ordinal = planned.block_ordinal,
+                                  .track = planned.track.value_or(0),
+                                  .step = planned.step.value_or(0),
                                   .continues_trial = &to != by_question.data(),
                                   .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
                                   .accompanied = accompanied,

@@ -75,11 +75,17 @@ struct AccompaniedResponse {
 
 /// The answer to one question in a valid attempt at a trial of the main phase.
 struct GatheredAnswer {
-  std::uint32_t person = 0;  ///< index in `people`
+  std::uint32_t person = 0;    ///< index in `people`
+  std::uint32_t block = 0;     ///< word of its name
   std::uint32_t question = 0;  ///< word of its name
   std::uint32_t factors = 0;   ///< index in `factor_levels`
   std::uint32_t options = 0;  ///< index in `option_lists`
   int repetition = 1;         ///< of the block, as planned
+  int session = 1;            ///< ordinal within the participant
+  int block_ordinal = 1;      ///< of the run of the block within the session
+  /// Where a procedure chose the level: the track within the run of the block, and the place in it, from 1; otherwise 0.
+  int track = 0;
+  int step = 0;
   /// Not the first answer of its trial: the trial asks several questions.
   bool continues_trial = false;
   /// From the cue, when the question was asked first, to the response; an assignment has one
@@ -131,6 +137,8 @@ struct GatheredAnswers {
   std::string design{};
   /// The questions of this kind in main blocks, each name once, in the order of the protocol.
   std::vector<StoredProtocol::TrialQuestion> questions{};
+  /// The main blocks with such a question, by name; of several files, as the first one states them.
+  std::map<std::string, StoredProtocol::Block, std::less<>> blocks{};
   std::size_t sources = 0;  ///< files of this name and version that differ in more than texts
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude

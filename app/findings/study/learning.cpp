@@ -10,6 +10,7 @@
 #include "analysis/learning.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/study_findings.h"
 
@@ -177,7 +178,10 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Finding> of_times =
       analysis_of(kLearningOfTimes, kLearningFamily, times_by_trial(gathered, numbers));
   std::vector<Finding> of_correct{};
-  if (std::optional<TidyInput> input = correct_by_trial(gathered, numbers)) {
+  // Over levels that a procedure chose, proportions correct depend on the procedure.
+  std::optional<TidyInput> input =
+      has_levels_of_procedure(gathered) ? std::nullopt : correct_by_trial(gathered, numbers);
+  if (input) {
     of_correct = analysis_of(kLearningCorrect, kLearningFamily, std::move(*input));
   }
   const bool has_ten = std::any_of(numbers.begin(), numbers.end(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/findings/study/kinds/discrimination_analysis.h"
 #include "app/findings/study/kinds/magnitude_analysis.h"
 #include "app/findings/study/kinds/matching_analysis.h"
 #include "app/findings/study/kinds/paired_comparison_analysis.h"
@@ -14,9 +15,10 @@
 namespace asperity {
 
 std::span<const StudyAnalysis* const> study_analyses() {
-  static const std::array kAnalyses{&selection_analysis(),   &matching_analysis(),
-                                    &recognition_analysis(), &magnitude_analysis(),
-                                    &rating_analysis(),      &paired_comparison_analysis()};
+  static const std::array kAnalyses{&selection_analysis(),     &matching_analysis(),
+                                    &recognition_analysis(),   &magnitude_analysis(),
+                                    &rating_analysis(),        &paired_comparison_analysis(),
+                                    &discrimination_analysis()};
   return kAnalyses;
 }
 

@@ -11,6 +11,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -465,7 +466,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
 
 Table reading_table(const NamedTable& table) {
   return reading_table(table.name == StudyTests::kTable ? with_joined_cells(table.table)
-                                                        : table.table);
+                                                        : with_quantities(table));
 }
 
 }  // namespace asperity

@@ -183,6 +183,14 @@ void ParticipantView::look() {
       arrange();
       emit scene_changed();
     }
+  } else if (auto facts = monitor_.facts(); facts && facts != facts_) {
+    // The plan has further trials, perhaps of another block with other pictures.
+    const bool has_another_block =
+        facts->plan && facts_->plan && !facts->plan->trials.empty() &&
+        !facts_->plan->trials.empty() &&
+        facts->plan->trials.back().block_ordinal != facts_->plan->trials.back().block_ordinal;
+    facts_ = std::move(facts);
+    if (has_another_block) prepare_pictures();
   }
   const SessionSnapshot snapshot = monitor_.snapshot();
   bool changed = false;

@@ -15,6 +15,7 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
 #include "results_schema/table.h"
 
@@ -134,14 +135,18 @@ QString in_full(const PlanStep& step, const Plan& plan) {
 }
 
 /// "48 trials · 48 contacts · about 42 min · at most 12 min without a break"
-QString cost_in_words(const PlanCost& cost) {
-  const QStringList facts{
+QString cost_in_words(const PlanCost& cost, const Plan& plan) {
+  QStringList facts{
       cost.trials == 1 ? PlanPreview::tr("1 trial") : PlanPreview::tr("%1 trials").arg(cost.trials),
       cost.contacts == 1 ? PlanPreview::tr("1 contact")
                          : PlanPreview::tr("%1 contacts").arg(cost.contacts),
       PlanPreview::tr("about %1").arg(text_of_duration(cost.total_s)),
       PlanPreview::tr("at most %1 without a break")
           .arg(text_of_duration(cost.longest_without_break_s))};
+  if (std::any_of(plan.trials.begin(), plan.trials.end(),
+                  [](const Trial& trial) { return trial.track.has_value(); })) {
+    facts.prepend(PlanPreview::tr("example of a session, whose levels depend on the responses"));
+  }
   return facts.join(" · ");
 }
 
@@ -281,11 +286,11 @@ void PlanPreview::make_plan_anew() {
   if (protocol_ == nullptr) return;
   work_.ask(
       [this, protocol = protocol_, allocation = allocation()]() -> NewestWork::Delivery {
-        auto plan = std::make_shared<const Plan>(make_plan(*protocol, allocation));
+        auto plan = std::make_shared<const Plan>(example_plan(*protocol, allocation));
         return [this, protocol, plan, cost = cost_of(*protocol, *plan)] {
           if (protocol != protocol_) return;
           plan_ = plan;
-          words_->setText(cost_in_words(cost));
+          words_->setText(cost_in_words(cost, *plan));
           show_plan();
         };
       },

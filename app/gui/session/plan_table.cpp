@@ -14,6 +14,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "protocols/plan/course.h"
 
 namespace asperity {
 
@@ -72,6 +73,16 @@ class NumberDelegate final : public QStyledItemDelegate {
   }
 };
 
+/// Those of all trials outside procedures, which do not depend on the responses: a code keeps its stimulus when the plan
+/// grows.
+BlindCodes codes_of_session(const SessionFacts& facts) {
+  const SessionRow& row = facts.row;
+  return {example_plan(*facts.protocol, {.seed = row.seed.empty() ? 0 : std::stoull(row.seed),
+                                         .counterbalance_row = row.counterbalance_row,
+                                         .group = row.group_level.value_or("")}),
+          row.seed};
+}
+
 }  // namespace
 
 PlanModel::PlanModel(QObject* parent) : QAbstractTableModel(parent) {}
@@ -83,9 +94,11 @@ void PlanModel::set_facts(std::shared_ptr<const SessionFacts> facts) {
   row_of_trial_.clear();
   if (facts_ != nullptr && facts_->plan != nullptr && facts_->protocol != nullptr) {
     const Plan& plan = *facts_->plan;
-    const BlindCodes codes(plan, facts_->row.seed);
+    if (!codes_ || codes_of_ != facts_->protocol) {
+      codes_of_ = facts_->protocol;
+      codes_ = codes_of_session(*facts_);
+    }
     veil_ = NameVeil(*facts_->protocol, plan);
-    const int blocks = plan.trials.empty() ? 0 : plan.trials.back().block_ordinal;
     int block = 0;
     for (const Trial& trial : plan.trials) {
       if (trial.block_ordinal != block) {
@@ -93,16 +106,17 @@ void PlanModel::set_facts(std::shared_ptr<const SessionFacts> facts) {
         Row heading{};
         heading.block = tr("Block %1 of %2, %3")
                             .arg(block)
-                            .arg(blocks)
+                            .arg(plan.blocks)
                             .arg(QString::fromStdString(trial.block));
         rows_.push_back(std::move(heading));
       }
       Row row{};
       row.trial = &trial;
-      row.code = QString::fromStdString(codes.of(trial));
+      row.code = QString::fromStdString(codes_->of(trial));
       row.name = stimulus_names(trial);
       for (const PlannedPresentation& surface : trial.presentations) {
-        row.surface_codes += QString::fromStdString(codes.of(surface));
+        row.surface_codes +=
+            QString::fromStdString(trial.track ? surface.code : codes_->of(surface));
         Trial alone{};
         alone.presentations.push_back(surface);
         row.surface_names += QString::fromStdString(unblinded_text(alone));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QtCore/QAbstractTableModel>
@@ -62,6 +63,8 @@ class PlanModel final : public QAbstractTableModel {
   QString text_of(const Row& row, int column) const;
 
   std::shared_ptr<const SessionFacts> facts_{};
+  std::shared_ptr<const Protocol> codes_of_{};
+  std::optional<BlindCodes> codes_{};  ///< of the session of `codes_of_`
   std::shared_ptr<const std::vector<AttemptSummary>> attempts_{};
   std::vector<Row> rows_{};
   std::vector<int> row_of_trial_{};

@@ -216,8 +216,10 @@ void SessionHeader::show_progress(const SessionSnapshot& snapshot) {
                                   : tr("Blocks: %1").arg(s.blocks));
   progress_->setMaximum(std::max(1, s.trials));
   progress_->setValue(s.trials_done);
-  set_if_new(*trial_, s.trial > 0 ? tr("trial %1 of %2").arg(s.trial).arg(s.trials)
-                                  : tr("trials: %1").arg(s.trials));
+  const QString all =
+      s.trials_are_estimated ? tr("about %1").arg(s.trials) : QString::number(s.trials);
+  set_if_new(*trial_,
+             s.trial > 0 ? tr("trial %1 of %2").arg(s.trial).arg(all) : tr("trials: %1").arg(all));
 }
 
 void SessionHeader::show_preparation(std::optional<double> fraction) {

@@ -53,9 +53,16 @@ void SessionWindow::refresh() {
 }
 
 void SessionWindow::take_facts(std::shared_ptr<const SessionFacts> facts) {
+  const bool has_grown =
+      facts_ != nullptr && facts != nullptr && facts->protocol == facts_->protocol;
   facts_ = std::move(facts);
   if (facts_ == nullptr || facts_->plan == nullptr || facts_->protocol == nullptr) return;
   header_->set_facts(facts_);
+  if (has_grown) {  // only the plan has further trials
+    troubles_->set_facts(facts_);
+    plan_->set_facts(facts_);
+    return;
+  }
   setWindowTitle(tr("%1 – Asperity").arg(header_->title()));
   band_->set_mode(facts_->row.mode);
   troubles_->set_facts(facts_);

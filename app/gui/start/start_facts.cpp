@@ -8,6 +8,7 @@
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/stored_protocol.h"
+#include "protocols/plan/course.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
@@ -44,7 +45,7 @@ ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesys
   try {
     chosen.protocol = std::make_shared<const Protocol>(load_protocol(file, models, study));
     chosen.sha256 = sha256_of(chosen.protocol->source);
-    chosen.cost = cost_of(*chosen.protocol, make_plan(*chosen.protocol, {1, 0}));
+    chosen.cost = cost_of(*chosen.protocol, example_plan(*chosen.protocol, {1, 0}));
   } catch (const ProtocolError& error) {
     chosen.problems = error.diagnostics();
   } catch (const std::exception& error) {

@@ -161,7 +161,9 @@ void SessionsPage::show_sessions(const std::vector<SessionOverview>& sessions) {
   sessions_ = sessions;
   std::vector<StudyTable::Row> rows{};
   for (const SessionOverview& session : sessions_) {
-    const QString trials = tr("%1 of %2").arg(session.done_trials).arg(session.planned_trials);
+    const QString trials = (session.planned_is_estimated ? tr("%1 of about %2") : tr("%1 of %2"))
+                               .arg(session.done_trials)
+                               .arg(session.planned_trials);
     rows.push_back(
         {QString::number(session.row.id),
          {text_cell(QString::fromStdString(session.row.participant)),
@@ -219,7 +221,9 @@ void SessionsPage::show_selected() {
   } else if (!study().can_be_written()) {
     reason_->setText(tr("This study is read-only: no session can be stored."));
   } else {
-    reason_->setText(tr("%1 of %2 trials are completed and stored.")
+    reason_->setText((session->planned_is_estimated
+                          ? tr("%1 of about %2 trials are completed and stored.")
+                          : tr("%1 of %2 trials are completed and stored."))
                          .arg(session->done_trials)
                          .arg(session->planned_trials));
   }

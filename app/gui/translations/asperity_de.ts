@@ -1655,6 +1655,210 @@
         <source>%1 The p values of the tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
         <translation>%1 Die p-Werte der Tests sind unkorrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
+    <message>
+        <source>Participants without an estimate of the %1 in every condition are left out of the test of the conditions</source>
+        <translation>Versuchspersonen ohne Schätzung (%1) in jeder Bedingung gehen nicht in den Test der Bedingungen ein</translation>
+    </message>
+    <message>
+        <source>Responses to trials without two surfaces and a level, which are left out: %1.</source>
+        <translation>Antworten zu Durchgängen ohne zwei Oberflächen und eine Stufe, die nicht ausgewertet werden: %1.</translation>
+    </message>
+    <message>
+        <source>The protocol does not state the judgement and the parameter that is varied with its value in the standard: thresholds cannot be estimated.</source>
+        <translation>Das Protokoll nennt nicht das Urteil und den variierten Parameter mit seinem Wert im Standardreiz: Schwellen können nicht geschätzt werden.</translation>
+    </message>
+    <message>
+        <source>%1, Weber fraction %2</source>
+        <translation>%1, Weber-Bruch %2</translation>
+    </message>
+    <message>
+        <source>%1, n = %2</source>
+        <translation>%1, n = %2</translation>
+    </message>
+    <message>
+        <source>For each participant and condition, a Weibull function of the difference from the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct responses. CIs of means are t-based.</source>
+        <translation>Für jede Versuchsperson und Bedingung wurde eine Weibull-Funktion der Differenz zum Standardreiz nach der Maximum-Likelihood-Methode angepasst, mit einer Ratewahrscheinlichkeit von 1/2 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %; die Schwelle ist die Differenz bei 75 % richtigen Antworten. Die KIs der Mittelwerte beruhen auf der t-Verteilung.</translation>
+    </message>
+    <message>
+        <source>For each participant and condition, a cumulative normal function of the parameter was fitted by maximum likelihood, with lapse rates of 2 % in both directions; the JND is half the distance between the values at 25 % and 75 %. CIs of means are t-based.</source>
+        <translation>Für jede Versuchsperson und Bedingung wurde eine kumulative Normalverteilung über dem Parameter nach der Maximum-Likelihood-Methode angepasst, mit Fehlerraten (lapse rates) von 2 % in beiden Richtungen; die Unterschiedsschwelle ist der halbe Abstand zwischen den Werten bei 25 % und 75 %. Die KIs der Mittelwerte beruhen auf der t-Verteilung.</translation>
+    </message>
+    <message>
+        <source>What is the detection threshold of the %1?</source>
+        <translation>Wie groß ist die Wahrnehmungsschwelle des Parameters %1?</translation>
+    </message>
+    <message>
+        <source>How large is the just-noticeable difference of the %1?</source>
+        <translation>Wie groß ist die Unterschiedsschwelle des Parameters %1?</translation>
+    </message>
+    <message>
+        <source>It could not be estimated: no participant has a threshold within the presented levels.</source>
+        <translation>Sie konnte nicht geschätzt werden: Bei keiner Versuchsperson liegt die Schwelle innerhalb der dargebotenen Stufen.</translation>
+    </message>
+    <message>
+        <source>Mean detection threshold: %1.</source>
+        <translation>Mittlere Wahrnehmungsschwelle: %1.</translation>
+    </message>
+    <message>
+        <source>Mean just-noticeable difference: %1.</source>
+        <translation>Mittlere Unterschiedsschwelle: %1.</translation>
+    </message>
+    <message>
+        <source>Is the point of subjective equality different from the standard?</source>
+        <translation>Weicht der Punkt der subjektiven Gleichheit vom Standardreiz ab?</translation>
+    </message>
+    <message>
+        <source>Wilcoxon signed-rank test of the participants&apos; points of subjective equality against the standard.</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test der Punkte der subjektiven Gleichheit der Versuchspersonen gegen den Standardreiz.</translation>
+    </message>
+    <message>
+        <source>It could not be estimated: no participant has a point of subjective equality within the presented levels.</source>
+        <translation>Er konnte nicht geschätzt werden: Bei keiner Versuchsperson liegt der Punkt der subjektiven Gleichheit innerhalb der dargebotenen Stufen.</translation>
+    </message>
+    <message>
+        <source>Mean point of subjective equality: %1; standard: %2.</source>
+        <translation>Mittlerer Punkt der subjektiven Gleichheit: %1; Standardreiz: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Significantly different from the standard, %2: %3.</source>
+        <translation>%1 Signifikant vom Standardreiz verschieden, %2: %3.</translation>
+    </message>
+    <message>
+        <source>%1 Not significantly different from the standard, %2: %3.</source>
+        <translation>%1 Nicht signifikant vom Standardreiz verschieden, %2: %3.</translation>
+    </message>
+    <message>
+        <source>Do the thresholds differ between the conditions?</source>
+        <translation>Unterscheiden sich die Schwellen zwischen den Bedingungen?</translation>
+    </message>
+    <message>
+        <source>Wilcoxon signed-rank test of the participants&apos; thresholds.</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test der Schwellen der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Friedman test of the participants&apos; thresholds.</source>
+        <translation>Friedman-Test der Schwellen der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Not tested: fewer than two participants have a threshold in every condition.</source>
+        <translation>Nicht getestet: Weniger als zwei Versuchspersonen haben in jeder Bedingung eine Schwelle.</translation>
+    </message>
+    <message>
+        <source>Yes: mean thresholds %1 (%2).</source>
+        <translation>Ja: mittlere Schwellen %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Not significantly: mean thresholds %1 (%2). This does not show that they are equal.</source>
+        <translation>Nicht signifikant: mittlere Schwellen %1 (%2). Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Mean thresholds: %1 (%2).</source>
+        <translation>Mittlere Schwellen: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Does the order of presentation matter?</source>
+        <translation>Spielt die Reihenfolge der Darbietung eine Rolle?</translation>
+    </message>
+    <message>
+        <source>Wilcoxon signed-rank test of each participant&apos;s proportions of choices of the comparison presented first and second.</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test der Anteile, mit denen jede Versuchsperson den Vergleichsreiz wählte, wenn er zuerst und wenn er als Zweites dargeboten wurde.</translation>
+    </message>
+    <message>
+        <source>This cannot be estimated: no participant felt the comparison in both positions.</source>
+        <translation>Das kann nicht geschätzt werden: Keine Versuchsperson fühlte den Vergleichsreiz an beiden Positionen.</translation>
+    </message>
+    <message>
+        <source>%1 percentage points</source>
+        <translation>%1 Prozentpunkte</translation>
+    </message>
+    <message>
+        <source>the difference between the proportions of choices of the comparison, presented first minus presented second, was %1</source>
+        <translation>die Differenz der Anteile der Wahlen des Vergleichsreizes, zuerst minus als Zweites dargeboten, betrug %1</translation>
+    </message>
+    <message>
+        <source>Not tested: %1.</source>
+        <translation>Nicht getestet: %1.</translation>
+    </message>
+    <message>
+        <source>Yes: %1 (%2).</source>
+        <translation>Ja: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Not significantly: %1 (%2).</source>
+        <translation>Nicht signifikant: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>On average, %1 (%2).</source>
+        <translation>Im Mittel gilt: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Performance: a Weibull function of the difference from the standard, fitted by maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %. 95 % CI: delta method, truncated at 0.</source>
+        <translation>Leistungsurteil: Weibull-Funktion der Differenz zum Standardreiz, angepasst nach der Maximum-Likelihood-Methode, mit einer Ratewahrscheinlichkeit von 1/2 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %. JND: Differenz bei 75 % richtigen Antworten; JND bei d′ = 1: bei 76 %. 95-%-KI: Delta-Methode, bei 0 abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Comparison: a cumulative normal function of the parameter, fitted by maximum likelihood with lapse rates of 2 % in both directions. PSE: the value at which both responses are equally frequent; JND: half the distance between the values at 25 % and 75 %, without lapses. 95 % CI: delta method, for the JND on the logarithmic scale.</source>
+        <translation>Vergleichsurteil: kumulative Normalverteilung über dem Parameter, angepasst nach der Maximum-Likelihood-Methode, mit Fehlerraten (lapse rates) von 2 % in beiden Richtungen. PSE: Wert, bei dem beide Antworten gleich häufig sind; JND: halber Abstand zwischen den Werten bei 25 % und 75 %, ohne Fehlerraten. 95-%-KI: Delta-Methode, für die JND auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Weber fraction: JND divided by the standard. Thresholds outside the presented levels are not reported. Deviance with its degrees of freedom and p (χ²): goodness of fit, indicative only with few trials per level.</source>
+        <translation>Weber-Bruch: JND geteilt durch den Standardreiz. Schwellen außerhalb der dargebotenen Stufen werden nicht berichtet. Devianz mit Freiheitsgraden und p (χ²): Anpassungsgüte, bei wenigen Durchgängen je Stufe nur ein Anhaltspunkt.</translation>
+    </message>
+    <message>
+        <source>Mean thresholds</source>
+        <translation>Mittlere Schwellen</translation>
+    </message>
+    <message>
+        <source>Means over the participants whose threshold could be estimated, with t-based 95 % CIs.</source>
+        <translation>Mittelwerte über die Versuchspersonen, deren Schwelle geschätzt werden konnte, mit 95-%-KIs nach der t-Verteilung.</translation>
+    </message>
+    <message>
+        <source>Thresholds of the participants</source>
+        <translation>Schwellen der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Responses by level</source>
+        <translation>Antworten je Stufe</translation>
+    </message>
+    <message>
+        <source>Hits are correct responses.</source>
+        <translation>Treffer sind richtige Antworten.</translation>
+    </message>
+    <message>
+        <source>Hits are choices of the standard, because the comparison was chosen less often at higher levels.</source>
+        <translation>Treffer sind Wahlen des Standardreizes, weil der Vergleichsreiz bei höheren Stufen seltener gewählt wurde.</translation>
+    </message>
+    <message>
+        <source>Hits are choices of the comparison.</source>
+        <translation>Treffer sind Wahlen des Vergleichsreizes.</translation>
+    </message>
+    <message>
+        <source>Choices of the comparison by its position</source>
+        <translation>Wahlen des Vergleichsreizes nach seiner Position</translation>
+    </message>
+    <message>
+        <source>Proportions of choices of the comparison presented first and second, and their difference (first − second).</source>
+        <translation>Anteile der Wahlen des Vergleichsreizes, wenn er zuerst und wenn er als Zweites dargeboten wurde, und ihre Differenz (zuerst − als Zweites).</translation>
+    </message>
+    <message>
+        <source>discrimination</source>
+        <translation>Unterscheidung</translation>
+    </message>
+    <message>
+        <source>Trials of each track</source>
+        <translation>Durchgänge jeder Folge (Track)</translation>
+    </message>
+    <message>
+        <source>The trials whose level a procedure chose from the responses, by track and in their order.</source>
+        <translation>Die Durchgänge, deren Stufe ein Verfahren aus den Antworten wählte, nach Folge (Track) und in ihrer Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>It is uncertain whether choices of the comparison increase or decrease with the level: their covariance with the level is not significantly different from 0 (α = .05). The psychometric functions may count the choices of the other surface.</source>
+        <translation>Es ist unsicher, ob die Wahlen des Vergleichsreizes mit der Stufe zu- oder abnehmen: Ihre Kovarianz mit der Stufe unterscheidet sich nicht signifikant von 0 (α = 0,05). Die psychometrischen Funktionen zählen möglicherweise die Wahlen der anderen Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Not tested: no participant has trials in every condition, and this test compares conditions within participants.</source>
+        <translation>Nicht getestet: Keine Versuchsperson hat Durchgänge in allen Bedingungen, und dieser Test vergleicht Bedingungen innerhalb der Versuchspersonen.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2156,6 +2360,90 @@
     <message>
         <source>question</source>
         <translation>Frage</translation>
+    </message>
+    <message>
+        <source>responses, comparison first</source>
+        <translation>Antworten, Vergleichsreiz zuerst</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>JND, 95 % CI</source>
+        <translation>JND, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>JND at d′ = 1</source>
+        <translation>JND bei d′ = 1</translation>
+    </message>
+    <message>
+        <source>JND at d′ = 1, 95 % CI</source>
+        <translation>JND bei d′ = 1, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>PSE</source>
+        <translation>PSE</translation>
+    </message>
+    <message>
+        <source>PSE, 95 % CI</source>
+        <translation>PSE, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>deviance</source>
+        <translation>Devianz</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>hits</source>
+        <translation>Treffer</translation>
+    </message>
+    <message>
+        <source>responses, comparison second</source>
+        <translation>Antworten, Vergleichsreiz als Zweites</translation>
+    </message>
+    <message>
+        <source>comparison chosen, first</source>
+        <translation>Vergleichsreiz gewählt, zuerst</translation>
+    </message>
+    <message>
+        <source>comparison chosen, second</source>
+        <translation>Vergleichsreiz gewählt, als Zweites</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>Weber fraction, 95 % CI</source>
+        <translation>Weber-Bruch, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation>Treffer</translation>
+    </message>
+    <message>
+        <source>trial of the track</source>
+        <translation>Durchgang der Folge (Track)</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>Folge (Track)</translation>
+    </message>
+    <message>
+        <source>number of the block</source>
+        <translation>Nummer des Blocks</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
     </message>
 </context>
 <context>
@@ -2686,6 +2974,94 @@
     <message>
         <source>no participant has both correct and incorrect responses</source>
         <translation>keine Versuchsperson hat sowohl richtige als auch falsche Antworten</translation>
+    </message>
+    <message>
+        <source>conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>order of presentation</source>
+        <translation>Reihenfolge der Darbietung</translation>
+    </message>
+    <message>
+        <source>point of subjective equality</source>
+        <translation>Punkt der subjektiven Gleichheit</translation>
+    </message>
+    <message>
+        <source>no response is correct</source>
+        <translation>keine Antwort ist richtig</translation>
+    </message>
+    <message>
+        <source>below the presented levels</source>
+        <translation>unterhalb der dargebotenen Stufen</translation>
+    </message>
+    <message>
+        <source>no responses</source>
+        <translation>keine Antworten</translation>
+    </message>
+    <message>
+        <source>responses are correct or incorrect, so that there is no point of subjective equality</source>
+        <translation>Antworten sind richtig oder falsch, sodass es keinen Punkt der subjektiven Gleichheit gibt</translation>
+    </message>
+    <message>
+        <source>too few thresholds could be estimated</source>
+        <translation>zu wenige Schwellen konnten geschätzt werden</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>responses do not depend on the level as expected</source>
+        <translation>die Antworten hängen nicht wie erwartet von der Stufe ab</translation>
+    </message>
+    <message>
+        <source>only one level was presented</source>
+        <translation>nur eine Stufe wurde dargeboten</translation>
+    </message>
+    <message>
+        <source>too few participants felt the comparison in both positions</source>
+        <translation>zu wenige Versuchspersonen fühlten den Vergleichsreiz an beiden Positionen</translation>
+    </message>
+    <message>
+        <source>outside the presented levels</source>
+        <translation>außerhalb der dargebotenen Stufen</translation>
+    </message>
+    <message>
+        <source>only one level has both responses</source>
+        <translation>nur auf einer Stufe kommen beide Antworten vor</translation>
+    </message>
+    <message>
+        <source>no level has both responses</source>
+        <translation>auf keiner Stufe kommen beide Antworten vor</translation>
+    </message>
+    <message>
+        <source>steeper than the presented levels can resolve</source>
+        <translation>steiler, als die dargebotenen Stufen auflösen</translation>
+    </message>
+    <message>
+        <source>just-noticeable difference (JND)</source>
+        <translation>Unterschiedsschwelle (JND)</translation>
+    </message>
+    <message>
+        <source>JND at d′ = 1</source>
+        <translation>JND bei d′ = 1</translation>
+    </message>
+    <message>
+        <source>point of subjective equality (PSE)</source>
+        <translation>Punkt der subjektiven Gleichheit (PSE)</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>above the presented levels</source>
+        <translation>oberhalb der dargebotenen Stufen</translation>
+    </message>
+    <message>
+        <source>no participant has trials in every condition, and the test compares conditions within participants</source>
+        <translation>keine Versuchsperson hat Durchgänge in allen Bedingungen, und der Test vergleicht Bedingungen innerhalb der Versuchspersonen</translation>
     </message>
 </context>
 <context>
@@ -3707,6 +4083,78 @@
         <source>Points are the standardised scores of the items, arrows %1 times the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
         <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch beurteilt.</translation>
     </message>
+    <message>
+        <source>Psychometric functions of participant %1</source>
+        <translation>Psychometrische Funktionen der Versuchsperson %1</translation>
+    </message>
+    <message>
+        <source>difference of the %1 from the standard</source>
+        <translation>Differenz zum Standardreiz: %1</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: points of subjective equality, with 95 % CIs by the delta method.</source>
+        <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit 95-%-KIs nach der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>%1 of the comparison</source>
+        <translation>%1 des Vergleichsreizes</translation>
+    </message>
+    <message>
+        <source>proportion of choices</source>
+        <translation>Anteil der Wahlen</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standardreiz</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants whose threshold could be estimated, bars their t-based 95 % CIs.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, deren Schwelle geschätzt werden konnte, Balken ihre 95-%-KIs nach der t-Verteilung.</translation>
+    </message>
+    <message>
+        <source>Points of subjective equality</source>
+        <translation>Punkte der subjektiven Gleichheit</translation>
+    </message>
+    <message>
+        <source>point of subjective equality, mean with its 95 % CI</source>
+        <translation>Punkt der subjektiven Gleichheit, Mittelwert mit 95-%-KI</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>threshold, mean with its 95 % CI</source>
+        <translation>Schwelle, Mittelwert mit 95-%-KI</translation>
+    </message>
+    <message>
+        <source>Levels over the trials of each track</source>
+        <translation>Stufen über die Durchgänge jeder Folge (Track)</translation>
+    </message>
+    <message>
+        <source>Filled symbols: correct responses; open symbols: incorrect ones. Rings: reversals, after which the level changes its direction.</source>
+        <translation>Gefüllte Symbole: richtige Antworten; offene Symbole: falsche. Ringe: Umkehrpunkte, nach denen die Stufe ihre Richtung ändert.</translation>
+    </message>
+    <message>
+        <source>No track has a trial.</source>
+        <translation>Keine Folge (Track) hat einen Durchgang.</translation>
+    </message>
+    <message>
+        <source>trial of the track</source>
+        <translation>Durchgang der Folge (Track)</translation>
+    </message>
+    <message>
+        <source>Tracks of participant %1</source>
+        <translation>Folgen (Tracks) der Versuchsperson %1</translation>
+    </message>
+    <message>
+        <source>Filled symbols: hits (correct responses, or choices of the comparison); open symbols: other responses. Rings: reversals, after which the level changes its direction.</source>
+        <translation>Gefüllte Symbole: Treffer (richtige Antworten oder Wahlen des Vergleichsreizes); offene Symbole: andere Antworten. Ringe: Umkehrpunkte, nach denen die Stufe ihre Richtung ändert.</translation>
+    </message>
+    <message>
+        <source>%1 Names: the run of the block, and the track within it.</source>
+        <translation>%1 Namen: der Durchlauf des Blocks und die Folge (Track) darin.</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>
@@ -4722,11 +5170,11 @@
         <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff erreicht %4 bis %5 mm. Die Oberfläche verschieben oder verkleinern oder ein Gerät mit größerem Arbeitsraum wählen.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at most %2; the measured value is %3. Choose another device, or lower the requirement in the protocol.</source>
+        <source>The protocol requires a device whose %1 is at most %2; the measured value is %3. Choose another device, or relax the requirement in the protocol.</source>
         <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; der gemessene Wert ist %3. Ein anderes Gerät wählen oder die Anforderung im Protokoll senken.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at least %2; the measured value is %3. Choose another device, or lower the requirement in the protocol.</source>
+        <source>The protocol requires a device whose %1 is at least %2; the measured value is %3. Choose another device, or relax the requirement in the protocol.</source>
         <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; der gemessene Wert ist %3. Ein anderes Gerät wählen oder die Anforderung im Protokoll senken.</translation>
     </message>
     <message>
@@ -4821,7 +5269,7 @@
         <translation>die Sitzung begann an einem Gerät, an dem keine Versuchsperson die Oberflächen fühlen kann, und wird ebenso fortgesetzt; das steht in ihrem Bericht</translation>
     </message>
     <message>
-        <source>%1; choose another device, or lower the requirement in the protocol</source>
+        <source>%1; choose another device, or relax the requirement in the protocol</source>
         <translation>%1; ein anderes Gerät wählen oder die Anforderung im Protokoll senken</translation>
     </message>
     <message>
@@ -8464,6 +8912,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Group of the participant</source>
         <translation>Gruppe der Versuchsperson</translation>
     </message>
+    <message>
+        <source>example of a session, whose levels depend on the responses</source>
+        <translation>Beispiel einer Sitzung, deren Stufen von den Antworten abhängen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PlanTable</name>
@@ -9496,6 +9948,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space do the same.</source>
         <translation>Setzt die Kraft sofort auf null, von jedem Fenster aus. F12, Pause/Untbr und Strg+Leertaste tun dasselbe.</translation>
     </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionParts</name>
@@ -9820,6 +10276,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Filter</source>
         <translation>Filter</translation>
+    </message>
+    <message>
+        <source>%1 of about %2</source>
+        <translation>%1 von etwa %2</translation>
+    </message>
+    <message>
+        <source>%1 of about %2 trials are completed and stored.</source>
+        <translation>%1 von etwa %2 Durchgängen sind abgeschlossen und gespeichert.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "app/findings/study/task_words.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
@@ -19,6 +20,7 @@ namespace {
 std::string factors_text(const Protocol& protocol) {
   std::vector<std::string> factors{};
   for (const auto& [name, factor] : protocol.factors) {
+    if (is_varied(protocol, name)) continue;  // described with the task
     std::string meaning = factor.meaning;
     if (meaning.ends_with('.')) meaning.pop_back();
     factors.push_back(factor_text(name, factor) + (meaning.empty() ? "" : ": " + meaning));

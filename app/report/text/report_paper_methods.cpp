@@ -14,6 +14,7 @@
 #include "app/report/text/report_paper.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
@@ -165,7 +166,10 @@ std::string paper_environment(const ReportFacts& facts) {
 
 std::string factors_sentence(const Protocol& protocol) {
   std::vector<std::string> factors{};
-  for (const auto& [name, factor] : protocol.factors) factors.push_back(factor_text(name, factor));
+  for (const auto& [name, factor] : protocol.factors) {
+    // The levels of a varied parameter belong to the description of the task.
+    if (!is_varied(protocol, name)) factors.push_back(factor_text(name, factor));
+  }
   if (factors.empty()) return {};
   return (factors.size() == 1 ? "The factor was " : "The factors were ") + listed(factors) + '.';
 }

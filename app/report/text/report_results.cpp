@@ -142,6 +142,9 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"goes", "trials"},
       {"high_label", "label of the maximum"},
       {"inverted_u", "inverted U"},
+      {"first_responses", "responses, comparison first"},
+      {"jnd", "JND"},
+      {"jnd_dprime1", "JND at d′ = 1"},
       {"log_odds", "log odds ratio"},
       {"log_worth", "log-worth"},
       {"low_label", "label of the minimum"},
@@ -154,13 +157,18 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"partial_eta_squared", "partial η²"},
       {"peak_m 95 %", "95 % CI (m)"},
       {"person", "participant"},
+      {"pse", "PSE"},
       {"persons", "participants"},
       {"r_squared", "R²"},
       {"right", "correct"},
       {"sd", "SD"},
+      {"second_responses", "responses, comparison second"},
+      {"share_first", "comparison chosen, first"},
+      {"share_second", "comparison chosen, second"},
       {"status", "reason"},
       {"time_s", "response time (s)"},
       {"time_s 95 %", "95" + no_break + "% CI (s)"},
+      {"weber", "Weber fraction"},
       {"zeta", "ζ"}};
   if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
   if (column.starts_with("wilson")) return "Wilson 95" + no_break + "% CI";
@@ -228,6 +236,8 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"half.difference.status", "the CI of the change of the proportion correct over the trials"},
       {"half.ratio.status", "the CI of the change of response times over the trials"},
       {"icc", "the reliability over repetitions"},
+      {"jnd", "the just-noticeable difference"},
+      {"jnd.dprime1", "the just-noticeable difference at d′ = 1"},
       {"mallows.theta", "Mallows’ θ"},
       {"mauchly.W", "Mauchly’s test of sphericity"},
       {"mixed.status", "the logistic regression with random intercepts"},
@@ -239,6 +249,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"pooled.deff", "the design effect of pooling"},
       {"pooled.se.cluster", "the cluster-robust standard error of the pooled proportion"},
       {"precision", "the precision (positive predictive value)"},
+      {"pse", "the point of subjective equality"},
       {"quad.c.t", "the test of the curvature"},
       {"recall", "the recall"},
       {"relabel.W", "Kendall’s W"},
@@ -256,6 +267,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"subj.t.p.two", "the test of the mean proportion"},
       {"tost.p", "the equivalence test"},
       {"trend.t", "the test of the trend"},
+      {"weber", "the Weber fraction"},
       {"welch.t", "Welch’s test"}};
   if (const auto known = kWords.find(quantity); known != kWords.end()) return known->second;
   if (const TestMethod* method = test_method(quantity)) return "the " + method->name.english();

@@ -22,11 +22,11 @@ std::optional<RehearsalWarning> warning_of_limit(const DeviceQuantity& quantity,
     const Phrase text = at_most ? phrase("Rehearsal",
                                          "The protocol requires a device whose %1 is at most %2; "
                                          "the measured value is %3. Choose another device, or "
-                                         "lower the requirement in the protocol.")
+                                         "relax the requirement in the protocol.")
                                 : phrase("Rehearsal",
                                          "The protocol requires a device whose %1 is at least "
                                          "%2; the measured value is %3. Choose another device, or "
-                                         "lower the requirement in the protocol.");
+                                         "relax the requirement in the protocol.");
     return RehearsalWarning{.id = "limit_" + name,
                             .pointer = pointer_to("/device/limits", name),
                             .asked = limit,

@@ -8,6 +8,7 @@
 #include "analysis/number_text.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/tasks/protocol_files.h"
+#include "protocols/plan/course.h"
 
 namespace asperity {
 namespace {
@@ -42,7 +43,7 @@ double recording_bytes(const Protocol& protocol) {
   if (!protocol.record) return 0.0;
   // An attempt is recorded from its first pause to its response. Together that is at most the whole session.
   constexpr double kBytesPerRecord = sizeof(std::int64_t) + kRecordingColumns * sizeof(float);
-  const PlanCost cost = cost_of(protocol, make_plan(protocol, {1, 0}));
+  const PlanCost cost = cost_of(protocol, example_plan(protocol, {1, 0}));
   return cost.total_s * protocol.rate_Hz * kBytesPerRecord;
 }
 

@@ -1,0 +1,131 @@
+#include "app/exports/threshold_columns.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <set>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/cell_words.h"
+
+namespace asperity {
+
+namespace {
+
+/// A threshold as columns: the end of its name, its quantity, and its description.
+struct ThresholdOfWide {
+  const char* ending = "";
+  const char* quantity = "";
+  const char* description = "";
+  bool has_unit = true;
+};
+
+std::vector<ThresholdOfWide> thresholds_of(const DiscriminationTask& task) {
+  std::vector<ThresholdOfWide> all{};
+  if (!task.is_performance) {
+    all.push_back({"_pse", "pse", "point of subjective equality"});
+  }
+  if (task.is_detection()) {
+    all.push_back({"_threshold", "jnd", "detection threshold at 75 % correct responses"});
+    return all;
+  }
+  all.push_back({"_jnd", "jnd",
+                 task.is_performance
+                     ? "just-noticeable difference at 75 % correct responses"
+                     : "just-noticeable difference, half the distance between 25 % and 75 %"});
+  all.push_back({"_weber", "weber", "Weber fraction", false});
+  return all;
+}
+
+std::string key_of_person(std::size_t person) { return std::to_string(person); }
+
+/// Choices of the standard in place of those of the comparison.
+HitsByValue of_standard(HitsByValue hits) {
+  for (auto& [value, count] : hits) count.hits = count.trials - count.hits;
+  return hits;
+}
+
+}  // namespace
+
+void ThresholdColumns::add(std::size_t person, const DiscriminationTask& task,
+                           const std::string& block, const Condition& condition,
+                           const DiscriminationTrial& trial) {
+  auto known = std::find_if(tasks_.begin(), tasks_.end(),
+                            [&task](const OfTask& each) { return each.task == task; });
+  if (known == tasks_.end()) known = tasks_.insert(tasks_.end(), OfTask{.task = task});
+  Condition in_block{{"block", {0.0, block}}};
+  in_block.insert(in_block.end(), condition.begin(), condition.end());
+  HitCount& count = known->choices[in_block][person][trial.value];
+  ++count.trials;
+  count.hits += trial.chose_comparison ? 1 : 0;
+}
+
+std::vector<ThresholdColumns::Column> ThresholdColumns::make(const std::string& name,
+                                                             const std::string& of) const {
+  std::vector<Column> columns{};
+  for (const OfTask& each : tasks_) {
+    const bool is_alone = tasks_.size() == 1;
+    for (Column& column : make_task(each, is_alone ? name : name + '_' + each.task.name,
+                                    is_alone ? of : of + ", block " + each.task.name)) {
+      columns.push_back(std::move(column));
+    }
+  }
+  return columns;
+}
+
+std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& of_task,
+                                                                  const std::string& name,
+                                                                  const std::string& of) const {
+  std::map<std::string, std::set<std::pair<double, std::string>>> levels{};
+  std::vector<HitsByValue> all{};
+  for (const auto& [condition, people] : of_task.choices) {
+    for (const auto& [factor, level] : condition) levels[factor].insert(level);
+    for (const auto& [person, hits] : people) all.push_back(hits);
+  }
+  const bool counts_standard = !of_task.task.is_performance && trend_of_choices(all) < 0.0;
+  std::vector<Column> columns{};
+  for (const auto& [condition, people] : of_task.choices) {
+    std::string name_of_condition = name;
+    std::string when{};
+    for (const auto& [factor, level] : condition) {
+      if (levels.at(factor).size() < 2) continue;
+      name_of_condition += '_' + level.second;
+      when += (when.empty() ? " where " : ", ") + factor + " = " + level.second;
+    }
+    std::vector<DiscriminationData> data{};
+    Column n{};
+    n.column = {.name = name_of_condition + "_n",
+                .description = "number of responses" + of + when,
+                .type = "integer",
+                .unit = "1",
+                .minimum = 0.0};
+    for (const auto& [person, hits] : people) {
+      std::int64_t trials = 0;
+      for (const auto& [value, count] : hits) trials += static_cast<std::int64_t>(count.trials);
+      n.cells[person] = trials;
+      data.push_back({key_of_person(person), counts_standard ? of_standard(hits) : hits});
+    }
+    const DiscriminationFit fit = fit_discrimination(of_task.task, data);
+    const FoundNumbers found(fit.thresholds);
+    for (const ThresholdOfWide& threshold : thresholds_of(of_task.task)) {
+      Column made{};
+      const std::string& unit = of_task.task.varied.unit;
+      made.column = {.name = name_of_condition + threshold.ending,
+                     .description = std::string(threshold.description) + " of the " +
+                                    words_of_parameter(of_task.task.varied.parameter) + of + when,
+                     .type = "number",
+                     .unit = threshold.has_unit && !unit.empty() ? unit : "1",
+                     .missing =
+                         "no such response, or the threshold cannot be estimated within the "
+                         "presented levels"};
+      for (const auto& [person, hits] : people) {
+        made.cells[person] = found.cell(threshold.quantity, key_of_person(person));
+      }
+      columns.push_back(std::move(made));
+    }
+    columns.push_back(std::move(n));
+  }
+  return columns;
+}
+
+}  // namespace asperity

@@ -1,0 +1,48 @@
+// Makes the columns of the wide table for the thresholds of a discrimination.
+
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/exports/columns/export_column.h"
+#include "app/findings/study/discrimination_thresholds.h"
+
+namespace asperity {
+
+/// The choices of the participants in one discrimination, by condition, and their thresholds as columns: for each condition
+/// the point of subjective equality (judgement of comparison), the just-noticeable difference, the Weber fraction (unless
+/// the standard is 0) and the number of responses. Proportions of responses over the levels are not columns: they depend on
+/// how the levels were chosen.
+class ThresholdColumns final {
+ public:
+  /// By name of the factor: the level as a number, 0 for a name, and as text.
+  using Condition = std::vector<std::pair<std::string, std::pair<double, std::string>>>;
+
+  /// `person`: index of the row. `block`: its name, a condition where the task has several. `condition`: without the factor
+  /// of the level.
+  void add(std::size_t person, const DiscriminationTask& task, const std::string& block,
+           const Condition& condition, const DiscriminationTrial& trial);
+
+  struct Column {
+    ExportColumn column{};
+    std::map<std::size_t, Cell> cells{};  ///< by person; missing where there is none
+  };
+  /// `name`: the beginning of the names; `of`: the end of the descriptions.
+  std::vector<Column> make(const std::string& name, const std::string& of) const;
+
+ private:
+  struct OfTask {
+    DiscriminationTask task{};
+    std::map<Condition, std::map<std::size_t, HitsByValue>> choices{};
+  };
+  std::vector<Column> make_task(const OfTask& of_task, const std::string& name,
+                                const std::string& of) const;
+
+  std::vector<OfTask> tasks_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,225 @@
+// The tests of a discrimination: order, conditions, and the point of subjective equality.
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/findings/study/answer_columns.h"
+#include "app/findings/study/discrimination_questions.h"
+#include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/kinds/discrimination_analysis.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/tidy/finding_list.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kFirst = "comparison_first";
+constexpr const char* kSecond = "comparison_second";
+constexpr const char* kWilcoxonP = "wilcoxon.exact.p.two";
+
+/// The keys of findings of a task begin with its name where there are several.
+std::vector<Finding> scores_compared(const std::string& analysis, ScoreRows scores,
+                                     const std::vector<std::string>& items) {
+  TidyInput input = std::move(scores).take("subject", "item", "the thresholds");
+  input.options.set("items", items);
+  return analysis_of(analysis.c_str(), "rating", std::move(input));
+}
+
+/// The same findings without the means of the items, which other tables have.
+void keep_tests(const std::vector<Finding>& findings, AnalysisOutcome& outcome) {
+  keep_findings(findings, outcome, [](const Finding& finding) {
+    return finding.quantity.starts_with("wilcoxon.") || finding.quantity.starts_with("friedman.") ||
+           finding.quantity.starts_with("kendall.");
+  });
+}
+
+std::string with_task(const std::string& what, const std::string& task) {
+  return task.empty() ? what : what + " (" + task + ')';
+}
+
+void test_order(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                StudyTests& tests, AnalysisOutcome& outcome) {
+  ScoreRows scores(gathered);
+  std::size_t with_both = 0;
+  for (const OrderOfPerson& own : results.orders) {
+    if (!own.has_both()) continue;
+    ++with_both;
+    scores.add(own.person, kFirst, proportion(own.first));
+    scores.add(own.person, kSecond, proportion(own.second));
+  }
+  keep_findings(results.order, outcome);
+  if (with_both < 2) {
+    tests.add_untested(
+        "order", results.name,
+        gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone : "one_order");
+    return;
+  }
+  const std::string analysis = results.name.empty() ? "order_test" : "order_test:" + results.name;
+  const std::vector<Finding> findings =
+      scores_compared(analysis, std::move(scores), {kFirst, kSecond});
+  keep_tests(findings, outcome);
+  tests.add("order", results.name, FoundNumbers(findings), kWilcoxonP, both(kFirst, kSecond));
+}
+
+/// The participants' numbers of one threshold by condition, as scores.
+struct ConditionScores {
+  ScoreRows rows;
+  std::size_t complete = 0;  ///< participants with a number in every condition
+};
+
+ConditionScores scores_of_conditions(const GatheredAnswers& gathered,
+                                     const DiscriminationResults& results,
+                                     const std::string& quantity) {
+  const FoundNumbers found(results.fit.thresholds);
+  ConditionScores scores{.rows = ScoreRows(gathered)};
+  std::vector<std::size_t> numbers(gathered.people.size());
+  for (const auto& function : results.functions) {
+    const auto value = found.value(quantity, function.data.key);
+    if (!value) continue;
+    scores.rows.add(function.person, results.conditions[function.condition], *value);
+    ++numbers[function.person];
+  }
+  scores.complete = static_cast<std::size_t>(
+      std::count(numbers.begin(), numbers.end(), results.conditions.size()));
+  return scores;
+}
+
+void test_conditions(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                     StudyTests& tests, AnalysisOutcome& outcome) {
+  if (results.conditions.size() < 2) return;
+  std::vector<std::pair<std::string, std::string>> measures{{"jnd", results.name_of_threshold()}};
+  if (!results.study.task.is_performance) measures.emplace_back("pse", "PSE");
+  for (const auto& [quantity, shown] : measures) {
+    const std::string about = with_task(shown, results.name);
+    ConditionScores scores = scores_of_conditions(gathered, results, quantity);
+    if (scores.complete < 2) {
+      tests.add_untested("conditions", about,
+                         gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone
+                         : results.has_participant_in_all_conditions()
+                             ? "no_thresholds"
+                             : "conditions_between_participants");
+      continue;
+    }
+    std::string analysis = "conditions_" + quantity;
+    if (!results.name.empty()) analysis += ':' + results.name;
+    const std::vector<Finding> findings =
+        scores_compared(analysis, std::move(scores.rows), results.conditions);
+    keep_tests(findings, outcome);
+    const FoundNumbers found(findings);
+    if (results.conditions.size() == 2) {
+      tests.add("conditions", about, found, kWilcoxonP,
+                both(results.conditions[0], results.conditions[1]));
+    } else {
+      tests.add("conditions", about, found, "friedman.p");
+    }
+    tests.leave_out(gathered.people.size() - scores.complete,
+                    phrase("Analysis",
+                           "Participants without an estimate of the %1 in every condition are "
+                           "left out of the test of the conditions")
+                        .with(shown));
+  }
+}
+
+void test_equality(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                   StudyTests& tests, AnalysisOutcome& outcome) {
+  const FoundNumbers found(results.fit.thresholds);
+  for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
+    const std::string about = results.about_equality(condition);
+    ScoreRows scores(gathered);
+    std::size_t estimated = 0;
+    for (const auto& function : results.functions) {
+      if (function.condition != condition) continue;
+      const auto pse = found.value("pse", function.data.key);
+      if (!pse) continue;
+      ++estimated;
+      scores.add(function.person, "pse", *pse);
+      scores.add(function.person, "standard", results.study.task.standard());
+    }
+    if (estimated < 2) {
+      tests.add_untested(
+          "point_of_subjective_equality", about,
+          gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone : "no_thresholds");
+      continue;
+    }
+    const std::vector<Finding> findings = scores_compared(
+        "equality:" + results.conditions[condition], std::move(scores), {"pse", "standard"});
+    keep_tests(findings, outcome);
+    tests.add("point_of_subjective_equality", about, FoundNumbers(findings), kWilcoxonP,
+              both("pse", "standard"));
+  }
+}
+
+void remark_on_left_out(const std::vector<DiscriminationStudy>& studies, AnalysisOutcome& outcome) {
+  std::size_t left_out = 0;
+  for (const DiscriminationStudy& study : studies) left_out += study.left_out;
+  if (left_out == 0) return;
+  outcome.remarks.push_back(
+      phrase("Analysis",
+             "Responses to trials without two surfaces and a level, which are left out: %1.")
+          .with(std::to_string(left_out)));
+}
+
+void remark_on_direction(const DiscriminationResults& results, AnalysisOutcome& outcome) {
+  if (!results.study.is_direction_uncertain) return;
+  const Phrase remark = phrase(
+      "Analysis",
+      "It is uncertain whether choices of the comparison increase or decrease with the level: "
+      "their covariance with the level is not significantly different from 0 (α = .05). The "
+      "psychometric functions may count the choices of the other surface.");
+  outcome.remarks.push_back(
+      results.name.empty() ? remark : phrase("Analysis", "%1: %2").with(results.name, remark));
+}
+
+}  // namespace
+
+void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<DiscriminationStudy> studies = discrimination_studies(gathered);
+  remark_on_left_out(studies, outcome);
+  if (studies.empty()) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The protocol does not state the judgement and the parameter that is varied with "
+               "its value in the standard: thresholds cannot be estimated."));
+    return;
+  }
+  std::vector<DiscriminationResults> all{};
+  for (const DiscriminationStudy& study : studies) {
+    all.emplace_back(gathered, study, studies.size() > 1);
+  }
+  StudyTests tests(gathered);
+  bool has_comparison = false;
+  for (const DiscriminationResults& results : all) {
+    keep_findings(results.fit.thresholds, outcome);
+    // A reason why a function could not be fitted is the status of its thresholds.
+    keep_findings(results.fit.functions, outcome, [](const Finding& finding) {
+      const std::string& quantity = finding.quantity;
+      return finding.status == "ok" &&
+             (quantity.starts_with("fit.") || quantity.starts_with("deviance") ||
+              quantity == "bound.beta" || quantity == "loglik");
+    });
+    keep_findings(results.means, outcome);
+    test_order(gathered, results, tests, outcome);
+    test_conditions(gathered, results, tests, outcome);
+    if (results.study.task.is_performance) continue;
+    has_comparison = true;
+    remark_on_direction(results, outcome);
+    test_equality(gathered, results, tests, outcome);
+  }
+  if (!has_comparison && tests.is_in_family("point_of_subjective_equality")) {
+    tests.add_untested("point_of_subjective_equality", "", "no_point_of_equality");
+  }
+  if (tests.is_in_family("conditions") && tests.find("conditions") == nullptr &&
+      std::all_of(all.begin(), all.end(),
+                  [](const auto& each) { return each.conditions.size() < 2; })) {
+    tests.add_untested("conditions", "", "one_condition");
+  }
+  add_discrimination_tables(gathered, all, outcome);
+  tests.finish(outcome);
+  for (const DiscriminationResults& results : all) ask_discrimination(results, tests, outcome);
+}
+
+}  // namespace asperity

@@ -1,0 +1,274 @@
+#include "app/findings/study/discrimination_questions.h"
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/study/test_sentences.h"
+
+namespace asperity {
+
+namespace {
+
+/// "12.3 µm (95 % CI [10 µm, 14.6 µm])"
+Phrase mean_threshold_text(const Finding& mean) {
+  const std::string value = reading_quantity(*mean.value, mean.unit);
+  if (!mean.low || !mean.high) return value;
+  return phrase("Analysis", "%1 (95 % CI [%2, %3])")
+      .with(value, reading_quantity(*mean.low, mean.unit), reading_quantity(*mean.high, mean.unit));
+}
+
+/// "wood: 12.3 µm (95 % CI …); metal: 14 µm (…)", without a name where there is one condition. Empty without a number.
+Phrase mean_thresholds_text(const DiscriminationResults& results, const std::string& quantity,
+                            const std::string& fraction) {
+  const FoundNumbers found(results.means);
+  Phrase all{};
+  for (const std::string& condition : results.conditions) {
+    const Finding* const mean = found.find(quantity, condition);
+    if (mean == nullptr || !mean->value) continue;
+    Phrase one = mean_threshold_text(*mean);
+    const Finding* const part = fraction.empty() ? nullptr : found.find(fraction, condition);
+    if (part != nullptr && part->value) {
+      one = phrase("Analysis", "%1, Weber fraction %2").with(one, mean_threshold_text(*part));
+    }
+    one = phrase("Analysis", "%1, n = %2").with(one, std::to_string(mean->n));
+    if (results.conditions.size() > 1) one = phrase("Analysis", "%1: %2").with(condition, one);
+    all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
+  }
+  return all;
+}
+
+const Finding* first_mean(const DiscriminationResults& results, const std::string& quantity,
+                          const FoundNumbers& found) {
+  for (const std::string& condition : results.conditions) {
+    const Finding* const mean = found.find(quantity, condition);
+    if (mean != nullptr && mean->value) return mean;
+  }
+  return nullptr;
+}
+
+std::string name_of_question(const char* name, const DiscriminationResults& results) {
+  return results.name.empty() ? name : std::string(name) + ':' + results.name;
+}
+
+Phrase method_of_thresholds(const DiscriminationResults& results) {
+  if (results.study.task.is_performance) {
+    return phrase("Analysis",
+                  "For each participant and condition, a Weibull function of the difference from "
+                  "the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a "
+                  "lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct "
+                  "responses. CIs of means are t-based.");
+  }
+  return phrase("Analysis",
+                "For each participant and condition, a cumulative normal function of the parameter "
+                "was fitted by maximum likelihood, with lapse rates of 2 % in both directions; the "
+                "JND is half the distance between the values at 25 % and 75 %. CIs of means are "
+                "t-based.");
+}
+
+void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outcome) {
+  const std::string parameter = words_of_parameter(results.study.task.varied.parameter);
+  const bool is_detection = results.study.task.is_detection();
+  const Phrase question =
+      (is_detection ? phrase("Analysis", "What is the detection threshold of the %1?")
+                    : phrase("Analysis", "How large is the just-noticeable difference of the %1?"))
+          .with(parameter);
+  const FoundNumbers found(results.means);
+  const Phrase means = mean_thresholds_text(results, "mean.jnd", "mean.weber");
+  const Phrase answer =
+      means.empty()
+          ? phrase("Analysis",
+                   "It could not be estimated: no participant has a threshold within the presented "
+                   "levels.")
+          : (is_detection ? phrase("Analysis", "Mean detection threshold: %1.")
+                          : phrase("Analysis", "Mean just-noticeable difference: %1."))
+                .with(means);
+  add_question(outcome, name_of_question("threshold", results).c_str(), question, answer,
+               method_of_thresholds(results), means.empty() ? kThresholds : kMeanThresholds,
+               first_mean(results, "mean.jnd", found));
+}
+
+void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
+                  AnalysisOutcome& outcome) {
+  if (results.study.task.is_performance) return;
+  const DiscriminationTask& task = results.study.task;
+  const Phrase question =
+      phrase("Analysis", "Is the point of subjective equality different from the standard?");
+  const Phrase method =
+      phrase("Analysis",
+             "Wilcoxon signed-rank test of the participants' points of subjective equality against "
+             "the standard.");
+  const FoundNumbers found(results.means);
+  const Phrase means = mean_thresholds_text(results, "mean.pse", "");
+  const std::string name = name_of_question("point_of_subjective_equality", results);
+  if (means.empty()) {
+    add_question(outcome, name.c_str(), question,
+                 phrase("Analysis",
+                        "It could not be estimated: no participant has a point of subjective "
+                        "equality within the presented levels."),
+                 method, kThresholds, nullptr);
+    return;
+  }
+  const std::string standard = reading_quantity(task.standard(), task.varied.unit);
+  Phrase answer = phrase("Analysis", "Mean point of subjective equality: %1; standard: %2.")
+                      .with(means, standard);
+  for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
+    const StudyTest* const test =
+        tests.find("point_of_subjective_equality", results.about_equality(condition));
+    if (test == nullptr || !test->p) continue;
+    const Phrase about = words_of_cell("about", test->about);
+    answer = (test->is_significant()
+                  ? phrase("Analysis", "%1 Significantly different from the standard, %2: %3.")
+                  : phrase("Analysis", "%1 Not significantly different from the standard, %2: %3."))
+                 .with(answer, about, p_text(*test));
+  }
+  add_question(outcome, name.c_str(), question, answer, method, kMeanThresholds,
+               first_mean(results, "mean.pse", found));
+}
+
+void ask_conditions(const DiscriminationResults& results, const StudyTests& tests,
+                    AnalysisOutcome& outcome) {
+  if (results.conditions.size() < 2) return;
+  const std::string about = results.name.empty()
+                                ? results.name_of_threshold()
+                                : results.name_of_threshold() + " (" + results.name + ')';
+  const StudyTest* const test = tests.find("conditions", about);
+  const Phrase question = phrase("Analysis", "Do the thresholds differ between the conditions?");
+  const Phrase method =
+      results.conditions.size() == 2
+          ? phrase("Analysis", "Wilcoxon signed-rank test of the participants' thresholds.")
+          : phrase("Analysis", "Friedman test of the participants' thresholds.");
+  const std::string name = name_of_question("conditions", results);
+  if (test == nullptr || !test->p) {
+    add_question(outcome, name.c_str(), question,
+                 results.has_participant_in_all_conditions()
+                     ? phrase("Analysis",
+                              "Not tested: fewer than two participants have a threshold in every "
+                              "condition.")
+                     : phrase("Analysis",
+                              "Not tested: no participant has trials in every condition, and this "
+                              "test compares conditions within participants."),
+                 method, kThresholds, nullptr);
+    return;
+  }
+  const FoundNumbers found(results.means);
+  const Phrase means = mean_thresholds_text(results, "mean.jnd", "");
+  const auto with_numbers = [&](const Phrase& words) { return words.with(means, p_text(*test)); };
+  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: mean thresholds %1 (%2).")),
+                        with_numbers(phrase("Analysis",
+                                            "Not significantly: mean thresholds %1 (%2). This does "
+                                            "not show that they are equal.")),
+                        with_numbers(phrase("Analysis", "Mean thresholds: %1 (%2)."))};
+  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kMeanThresholds,
+               first_mean(results, "mean.jnd", found));
+}
+
+void ask_order(const DiscriminationResults& results, const StudyTests& tests,
+               AnalysisOutcome& outcome) {
+  const Phrase question = phrase("Analysis", "Does the order of presentation matter?");
+  const Phrase method =
+      phrase("Analysis",
+             "Wilcoxon signed-rank test of each participant's proportions of choices of the "
+             "comparison presented first and second.");
+  const std::string name = name_of_question(kOrderEffect, results);
+  const FoundNumbers found(results.order);
+  const Finding* const mean = found.find("order.difference", results.name);
+  const StudyTest* const test = tests.find("order", results.name);
+  if (mean == nullptr || !mean->value) {
+    add_question(outcome, name.c_str(), question,
+                 phrase("Analysis",
+                        "This cannot be estimated: no participant felt the comparison in both "
+                        "positions."),
+                 method, kOrderEffect, nullptr);
+    return;
+  }
+  Phrase difference = phrase("Analysis", "%1 percentage points").with(reading_points(*mean->value));
+  if (mean->low && mean->high) {
+    difference = phrase("Analysis", "%1 (95 % CI [%2, %3])")
+                     .with(difference, reading_points(*mean->low), reading_points(*mean->high));
+  }
+  const Phrase estimate =
+      phrase("Analysis",
+             "the difference between the proportions of choices of the comparison, presented first "
+             "minus presented second, was %1")
+          .with(difference);
+  if (test == nullptr || !test->p) {
+    add_question(outcome, name.c_str(), question,
+                 phrase("Analysis", "Not tested: %1.").with(estimate), method, kOrderEffect, mean);
+    return;
+  }
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(estimate, p_text(*test));
+  };
+  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: %1 (%2).")),
+                        with_numbers(phrase("Analysis", "Not significantly: %1 (%2).")),
+                        with_numbers(phrase("Analysis", "On average, %1 (%2)."))};
+  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kOrderEffect,
+               mean);
+}
+
+/// "JND 12.3 µm (95 % CI …)" of a mean.
+std::string mean_of_paper(const char* measure, const Finding& mean) {
+  return std::string(measure) + ' ' + mean_threshold_text(mean).english();
+}
+
+/// The conditions in which the standard is 0 and responses are correct or incorrect (`DiscriminationTask::is_detection`):
+/// then there is a difference at d′ = 1, or the reason why there is none.
+std::set<std::string> conditions_of_detections(const std::vector<Finding>& findings) {
+  std::set<std::string> of_performance{};
+  std::set<std::string> of_zero{};
+  for (const Finding& finding : findings) {
+    if (finding.analysis != kThresholds) continue;
+    if (finding.quantity == "jnd.dprime1") of_performance.insert(finding.key);
+    if (finding.quantity == "standard" && finding.value == 0.0) of_zero.insert(finding.key);
+  }
+  std::set<std::string> conditions{};
+  for (const std::string& key : of_zero) {
+    if (of_performance.contains(key)) conditions.insert(key.substr(key.find('|') + 1));
+  }
+  return conditions;
+}
+
+}  // namespace
+
+void ask_discrimination(const DiscriminationResults& results, const StudyTests& tests,
+                        AnalysisOutcome& outcome) {
+  ask_thresholds(results, outcome);
+  ask_equality(results, tests, outcome);
+  ask_conditions(results, tests, outcome);
+  ask_order(results, tests, outcome);
+}
+
+EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
+  std::vector<Finding> means{};
+  for (const Finding& finding : outcome.findings) {
+    if (finding.analysis == kMeanThresholds && finding.value) means.push_back(finding);
+  }
+  const std::set<std::string> detections = conditions_of_detections(outcome.findings);
+  std::string text{};
+  const FoundNumbers found(means);
+  for (const Finding* const jnd : found.all("mean.jnd")) {
+    std::vector<std::string> parts{};
+    if (const Finding* const pse = found.find("mean.pse", jnd->key)) {
+      parts.push_back(mean_of_paper("PSE", *pse));
+    }
+    const Finding* const weber = found.find("mean.weber", jnd->key);
+    const bool is_detection = detections.contains(jnd->key);
+    parts.push_back(mean_of_paper(is_detection ? "detection threshold" : "JND", *jnd));
+    if (weber != nullptr) parts.push_back(mean_of_paper("Weber fraction", *weber));
+    text += text.empty() ? "Mean thresholds were: " : "; ";
+    if (jnd->key != "all") text += jnd->key + ", ";
+    for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
+    text += ", N = " + reading_count(jnd->n);
+  }
+  if (text.empty()) return {};
+  return {.text = text + '.'};
+}
+
+}  // namespace asperity

@@ -1,0 +1,22 @@
+// The questions of a discrimination, with their answers in a sentence.
+
+#pragma once
+
+#include <string>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/estimate_sentences.h"
+#include "app/findings/study/study_tests.h"
+
+namespace asperity {
+
+/// Once the tests are finished: how large the thresholds are, whether the point of subjective equality differs from the
+/// standard, whether thresholds differ between conditions, and whether the order of presentation matters.
+void ask_discrimination(const DiscriminationResults& results, const StudyTests& tests,
+                        AnalysisOutcome& outcome);
+
+/// The mean thresholds, as a sentence of a paper.
+EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome);
+
+}  // namespace asperity

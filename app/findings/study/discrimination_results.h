@@ -1,0 +1,80 @@
+// Joins the thresholds of a discrimination, their means and the order effect, and makes tables of them.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/discrimination_tasks.h"
+#include "app/findings/study/discrimination_thresholds.h"
+
+namespace asperity {
+
+/// The tables, and the analyses of their findings.
+inline constexpr const char* kThresholds = "thresholds";
+inline constexpr const char* kMeanThresholds = "mean_thresholds";
+inline constexpr const char* kPsychometric = "psychometric";
+inline constexpr const char* kOrderEffect = "order";
+/// The table of the trials whose level a procedure chose, by track and step; absent without such trials.
+inline constexpr const char* kTracks = "tracks";
+
+/// The choices of the comparison by one participant, by the position of the comparison.
+struct OrderOfPerson {
+  std::uint32_t person = 0;
+  HitCount first{};   ///< the comparison was presented first
+  HitCount second{};  ///< the standard was
+
+  bool has_both() const { return first.trials > 0 && second.trials > 0; }
+  /// Proportion of choices of the comparison presented first, minus that of the comparison presented second.
+  double difference() const { return proportion(first) - proportion(second); }
+};
+
+/// The results of one task.
+struct DiscriminationResults {
+  DiscriminationResults(const GatheredAnswers& gathered, const DiscriminationStudy& of,
+                        bool is_one_of_several);
+
+  const DiscriminationStudy& study;
+  /// Of the task where there are several, otherwise empty.
+  std::string name{};
+  std::vector<std::string>
+      conditions{};  ///< the names of the study's conditions, after that of the task
+  /// Of the gathered people and the conditions with trials; keys: "PARTICIPANT|CONDITION".
+  struct Function {
+    std::uint32_t person = 0;
+    std::size_t condition = 0;
+    DiscriminationData data{};
+  };
+  std::vector<Function> functions{};
+  DiscriminationFit fit{};
+  /// By condition, analysis `mean_thresholds`: mean.pse, mean.jnd, mean.jnd.dprime1, mean.weber over the participants with
+  /// such a number.
+  std::vector<Finding> means{};
+  std::vector<OrderOfPerson> orders{};  ///< of the participants with trials
+  std::vector<Finding> order{};  ///< analysis `order`: the mean of `OrderOfPerson::difference`
+
+  /// Whether conditions can be compared within participants: at least one has trials in all of them.
+  bool has_participant_in_all_conditions() const;
+
+  /// What the test of the point of subjective equality of a condition is about: "amplitude", "amplitude (wood)".
+  std::string about_equality(std::size_t condition) const;
+
+  /// "PSE", "JND", "detection threshold".
+  std::string name_of_threshold() const {
+    return study.task.is_detection() ? "detection threshold" : "JND";
+  }
+};
+
+/// Appends the tables of all tasks.
+void add_discrimination_tables(const GatheredAnswers& gathered,
+                               const std::vector<DiscriminationResults>& all,
+                               AnalysisOutcome& outcome);
+
+/// For display: quantities with the prefix of their unit, "12.3 µm", and without the columns of units and parameters; a
+/// table of another name is unchanged.
+Table with_quantities(const NamedTable& table);
+
+}  // namespace asperity

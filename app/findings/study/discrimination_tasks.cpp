@@ -1,0 +1,201 @@
+#include "app/findings/study/discrimination_tasks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "app/findings/study/cell_words.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kComparisonRole = "comparison";
+constexpr double kClearTrend = 1.96;  // two-sided, α = .05
+
+/// The block of a trial, as a word, and its levels by factor: without that of the parameter, and without those that are drawn
+/// for every trial, which would divide the trials into small groups.
+struct ConditionOfTrial {
+  std::uint32_t block = kNoWord;
+  std::map<std::string, std::uint32_t, std::less<>> levels{};
+};
+
+ConditionOfTrial condition_of(const GatheredAnswers& gathered, const GatheredAnswer& answer,
+                              const std::string& varied) {
+  ConditionOfTrial condition{.block = answer.block,
+                             .levels = gathered.factor_levels[answer.factors]};
+  condition.levels.erase(varied);
+  const auto block = gathered.blocks.find(gathered.word(answer.block));
+  if (block == gathered.blocks.end()) return condition;
+  for (const std::string& factor : block->second.drawn) condition.levels.erase(factor);
+  return condition;
+}
+
+/// Names the conditions of a task by the blocks, if there are several, and the factors that have several levels.
+class ConditionNames final {
+ public:
+  void add(const ConditionOfTrial& condition) {
+    blocks_.insert(condition.block);
+    for (const auto& [factor, level] : condition.levels) of_factor_[factor].insert(level);
+  }
+  std::string name(const GatheredAnswers& gathered, const ConditionOfTrial& condition) const {
+    std::string name = blocks_.size() > 1 ? gathered.word(condition.block) : std::string();
+    for (const auto& [factor, level] : condition.levels) {
+      if (of_factor_.at(factor).size() < 2) continue;
+      name += (name.empty() ? "" : ", ") + gathered.word(level);
+    }
+    return name.empty() ? "all" : name;
+  }
+
+ private:
+  std::set<std::uint32_t> blocks_{};
+  std::map<std::string, std::set<std::uint32_t>> of_factor_{};
+};
+
+/// The conditions in the order of their levels: numbers ascending, then names.
+bool is_before(const std::string& one, const std::string& other) {
+  const std::optional<double> first = number_in(one);
+  const std::optional<double> second = number_in(other);
+  if (first.has_value() != second.has_value()) return first.has_value();
+  return first && second && *first != *second ? *first < *second : one < other;
+}
+
+DiscriminationStudy study_of(const GatheredAnswers& gathered, const DiscriminationTask& task,
+                             const std::set<std::string, std::less<>>& blocks) {
+  DiscriminationStudy study{.task = task};
+  std::vector<const GatheredAnswer*> answers{};
+  ConditionNames names{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    if (!blocks.contains(gathered.word(answer.block))) continue;
+    const auto surfaces = gathered.surfaces_of(answer);
+    const std::string& level = gathered.word(gathered.level(answer, task.varied.factor));
+    if (surfaces.size() != 2 || !number_in(level)) {
+      ++study.left_out;
+      continue;
+    }
+    answers.push_back(&answer);
+    names.add(condition_of(gathered, answer, task.varied.factor));
+  }
+  std::vector<std::string> conditions{};
+  for (const GatheredAnswer* const answer : answers) {
+    conditions.push_back(names.name(gathered, condition_of(gathered, *answer, task.varied.factor)));
+  }
+  study.conditions = conditions;
+  std::sort(study.conditions.begin(), study.conditions.end(), is_before);
+  study.conditions.erase(std::unique(study.conditions.begin(), study.conditions.end()),
+                         study.conditions.end());
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const GatheredAnswer& answer = *answers[i];
+    const auto place = std::find(study.conditions.begin(), study.conditions.end(), conditions[i]);
+    const auto surfaces = gathered.surfaces_of(answer);
+    study.trials.push_back(
+        {.person = answer.person,
+         .condition = static_cast<std::size_t>(place - study.conditions.begin()),
+         .value = *number_in(gathered.word(gathered.level(answer, task.varied.factor))),
+         .chose_comparison = gathered.word(gathered.reply_of(answer).answer) == kComparisonRole,
+         .comparison_first = gathered.word(surfaces[0].item) == kComparisonRole,
+         .session = answer.session,
+         .block_ordinal = answer.block_ordinal,
+         .track = answer.track,
+         .step = answer.step});
+  }
+  HitsByValue choices{};
+  for (const DiscriminationTrial& trial : study.trials) {
+    HitCount& count = choices[trial.value];
+    ++count.trials;
+    count.hits += trial.chose_comparison ? 1 : 0;
+  }
+  const double trend = trend_of_choices({&choices, 1});
+  study.counts_standard = !task.is_performance && trend < 0.0;
+  study.is_direction_uncertain = !task.is_performance && std::abs(trend) < kClearTrend;
+  return study;
+}
+
+}  // namespace
+
+double trend_of_choices(std::span<const HitsByValue> all) {
+  double trials = 0.0;
+  double values = 0.0;
+  double hits = 0.0;
+  for (const HitsByValue& each : all) {
+    for (const auto& [value, count] : each) {
+      trials += static_cast<double>(count.trials);
+      values += value * static_cast<double>(count.trials);
+      hits += static_cast<double>(count.hits);
+    }
+  }
+  double products = 0.0;
+  double squares = 0.0;
+  for (const HitsByValue& each : all) {
+    for (const auto& [value, count] : each) {
+      const double deviation = value - values / trials;
+      const auto of_value = static_cast<double>(count.trials);
+      products += deviation * (static_cast<double>(count.hits) - of_value * hits / trials);
+      squares += of_value * deviation * deviation;
+    }
+  }
+  const double squares_of_hits = hits * (trials - hits) / trials;
+  if (trials < 2.0 || squares <= 0.0 || squares_of_hits <= 0.0) return 0.0;
+  return products / std::sqrt(squares * squares_of_hits / (trials - 1.0));
+}
+
+bool DiscriminationTask::operator==(const DiscriminationTask& other) const {
+  const auto parts = [](const DiscriminationTask& task) {
+    return std::tie(task.is_performance, task.question, task.prompt, task.varied.factor,
+                    task.varied.parameter, task.varied.standard);
+  };
+  return parts(*this) == parts(other);
+}
+
+std::optional<DiscriminationTask> discrimination_task(const std::string& block_name,
+                                                      const StoredProtocol::Block& block) {
+  if (!block.vary || !block.vary->standard) return std::nullopt;
+  const auto asked = std::find_if(block.questions.begin(), block.questions.end(),
+                                  [](const auto& each) { return !each.judgement.empty(); });
+  if (asked == block.questions.end()) return std::nullopt;
+  DiscriminationTask task{.name = block_name,
+                          .question = asked->name,
+                          .prompt = asked->prompt,
+                          .is_performance = asked->judgement == "performance",
+                          .varied = *block.vary};
+  task.varied.unit = unit_of_parameter(task.varied.parameter);
+  return task;
+}
+
+bool has_levels_of_procedure(const StoredProtocol::Block& block) { return block.has_procedure; }
+
+bool has_levels_of_procedure(const GatheredAnswers& gathered) {
+  return std::any_of(gathered.blocks.begin(), gathered.blocks.end(),
+                     [](const auto& each) { return has_levels_of_procedure(each.second); });
+}
+
+std::vector<DiscriminationStudy> discrimination_studies(const GatheredAnswers& gathered) {
+  struct BlocksOfTask {
+    DiscriminationTask task{};
+    std::set<std::string, std::less<>> blocks{};
+    bool has_procedure = false;
+  };
+  std::vector<BlocksOfTask> tasks{};
+  for (const auto& [name, block] : gathered.blocks) {
+    const std::optional<DiscriminationTask> task = discrimination_task(name, block);
+    if (!task) continue;
+    auto known = std::find_if(tasks.begin(), tasks.end(),
+                              [&task](const auto& each) { return each.task == *task; });
+    if (known == tasks.end()) known = tasks.insert(tasks.end(), BlocksOfTask{.task = *task});
+    known->blocks.insert(name);
+    known->has_procedure = known->has_procedure || has_levels_of_procedure(block);
+  }
+  std::vector<DiscriminationStudy> studies{};
+  for (const BlocksOfTask& each : tasks) {
+    DiscriminationStudy study = study_of(gathered, each.task, each.blocks);
+    study.has_levels_of_procedure = each.has_procedure;
+    if (!study.trials.empty()) studies.push_back(std::move(study));
+  }
+  return studies;
+}
+
+}  // namespace asperity

@@ -1,0 +1,93 @@
+// Represents the responses of a discrimination as choices of the comparison by value of the parameter.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/proportion.h"
+#include "app/findings/study/gathered_answers.h"
+#include "protocols/design/dimension.h"
+
+namespace asperity {
+
+/// What the trials of one or more blocks of a discrimination have in common. How a block states its levels (as values,
+/// differences, percentages, …) is not part of it.
+struct DiscriminationTask {
+  std::string name{};      ///< of the first of these blocks
+  std::string question{};  ///< name of the question
+  std::string prompt{};    ///< its text
+  /// The comparison is the correct response; otherwise no response is correct.
+  bool is_performance = true;
+  Dimension
+      varied{};  ///< with the unit of the parameter and the value of the standard; without levels
+
+  double standard() const { return *varied.standard; }
+  /// Whether the standard has nothing of the parameter, so that the comparison is detected.
+  bool is_detection() const { return is_performance && standard() == 0.0; }
+  bool operator==(const DiscriminationTask& other) const;
+};
+
+/// The task of a block as stored; nothing where it states no judgement, parameter or value of the standard.
+std::optional<DiscriminationTask> discrimination_task(const std::string& block_name,
+                                                      const StoredProtocol::Block& block);
+
+/// Whether a procedure chose the levels of the block from the responses. Proportions over such levels depend on the
+/// procedure and are never reported.
+bool has_levels_of_procedure(const StoredProtocol::Block& block);
+/// The same of any of the gathered blocks.
+bool has_levels_of_procedure(const GatheredAnswers& gathered);
+
+/// Hits of a psychometric function by value of the parameter: correct responses, or choices of the surface whose choices
+/// increase with the value.
+using HitsByValue = std::map<double, HitCount>;
+
+/// The covariance of hits and values over the trials of all together, divided by its standard deviation under random
+/// assignment of the responses to the trials: approximately standard normal where hits do not depend on the value, negative
+/// where they decrease with it; 0 where all values or all responses are equal.
+double trend_of_choices(std::span<const HitsByValue> all);
+
+struct DiscriminationTrial {
+  std::uint32_t person = 0;   ///< index of the gathered people
+  std::size_t condition = 0;  ///< index of the conditions
+  double value = 0.0;         ///< of the parameter, of the comparison
+  bool chose_comparison = false;
+  bool comparison_first = false;
+  /// As in GatheredAnswer. The numbers of tracks are unique within a run of a block, so that session, block ordinal and
+  /// track identify a track of a participant.
+  int session = 1;
+  int block_ordinal = 1;
+  int track = 0;
+  int step = 0;
+};
+
+/// The trials of one task, in the order of the responses.
+struct DiscriminationStudy {
+  DiscriminationTask task{};
+  bool has_levels_of_procedure = false;
+  /// The block where several have responses, and combinations of the levels of all other factors that have several and are
+  /// not drawn for every trial: "strong, wood, 2"; "all" without these.
+  std::vector<std::string> conditions{};
+  std::vector<DiscriminationTrial> trials{};
+  /// The comparison is chosen less often as the parameter increases, as after the question which surface is smoother: the
+  /// psychometric function is that of the choices of the standard. Only without correct responses.
+  bool counts_standard = false;
+  /// Without correct responses: the trend of the choices is not significantly different from 0, so that `counts_standard` may
+  /// be wrong.
+  bool is_direction_uncertain = false;
+  std::size_t left_out = 0;  ///< responses without a value of the parameter
+
+  bool is_hit(const DiscriminationTrial& trial) const {
+    return trial.chose_comparison != counts_standard;
+  }
+};
+
+/// A study per task, in the order of the names of the blocks; tasks without a response are absent.
+std::vector<DiscriminationStudy> discrimination_studies(const GatheredAnswers& gathered);
+
+}  // namespace asperity

@@ -1,0 +1,347 @@
+#include "app/findings/study/discrimination_thresholds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "analysis/psychometric_function.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/answer_columns.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/tidy/finding_list.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kFunctions = "psychometric";
+constexpr double kThresholdConfidence = 0.95;
+constexpr double kNormalQuantile = 1.959963984540054;  // of 97.5 %
+constexpr double kQuartileOfNormal = 0.6744897501960817;
+
+/// Why there is no number: a word for programs and a sentence.
+struct WhyNoThreshold {
+  std::string word{};
+  std::string sentence{};
+};
+
+WhyNoThreshold threshold_outside_levels() {
+  return {"outside_levels",
+          "the threshold is outside the presented levels: present levels around it"};
+}
+
+WhyNoThreshold equality_outside_levels() {
+  return {"outside_levels",
+          "the point of subjective equality is outside the presented levels: present levels around "
+          "it"};
+}
+
+WhyNoThreshold quartiles_outside_levels() {
+  return {"outside_levels",
+          "the values at 25 % and 75 % are not both within the presented levels: present a wider "
+          "range of levels"};
+}
+
+WhyNoThreshold slope_at_bound() {
+  return {"slope_at_bound",
+          "the function is steeper than the presented levels can resolve: present levels nearer to "
+          "the threshold"};
+}
+
+WhyNoThreshold why_not_performance(const Finding& status) {
+  if (status.word == "all_correct") {
+    return {"below_levels",
+            "every response is correct: the threshold is below the presented levels; present "
+            "smaller differences"};
+  }
+  if (status.word == "all_wrong") {
+    return {status.word, "every response is incorrect: present larger differences"};
+  }
+  if (status.word == "not_increasing") {
+    return {status.word,
+            "the proportion correct does not increase with the difference from the standard: "
+            "present larger differences"};
+  }
+  return {status.word, status.status};
+}
+
+WhyNoThreshold why_not_comparison(const Finding& status) {
+  if (status.word == "all_correct") {
+    return {"below_levels",
+            "every response is the one of high levels: the point of subjective equality is below "
+            "the presented levels; present lower levels"};
+  }
+  if (status.word == "all_wrong") {
+    return {"above_levels",
+            "every response is the one of low levels: the point of subjective equality is above "
+            "the presented levels; present higher levels"};
+  }
+  if (status.word == "not_increasing") {
+    return {status.word,
+            "the proportion of hits does not increase with the level: present a wider range of "
+            "levels"};
+  }
+  return {status.word, status.status};
+}
+
+/// `status`: of the family `psyfit`; null without one.
+WhyNoThreshold why_not_fitted(const DiscriminationTask& task, const Finding* status) {
+  if (status == nullptr || status->word == "ok") {
+    return {"not_defined", "no threshold is defined for these data"};
+  }
+  return task.is_performance ? why_not_performance(*status) : why_not_comparison(*status);
+}
+
+bool is_slope_at_bound(const FoundNumbers& found, const std::string& key) {
+  const Finding* const at_bound = found.find("bound.beta", key);
+  return at_bound != nullptr && at_bound->word == "TRUE";
+}
+
+/// The smallest and the greatest x with trials.
+std::pair<double, double> presented_range(const DiscriminationTask& task, const HitsByValue& hits) {
+  std::optional<std::pair<double, double>> range{};
+  for (const auto& [value, count] : hits) {
+    if (count.trials == 0) continue;
+    const double x = task.is_performance ? std::abs(value - task.standard()) : value;
+    if (!range) range.emplace(x, x);
+    range->first = std::min(range->first, x);
+    range->second = std::max(range->second, x);
+  }
+  return range.value_or(std::pair{0.0, 0.0});
+}
+
+std::size_t trials_in(const HitsByValue& hits) {
+  std::size_t trials = 0;
+  for (const auto& [value, count] : hits) trials += static_cast<std::size_t>(count.trials);
+  return trials;
+}
+
+/// Collects the thresholds of one function after another.
+class ThresholdList final {
+ public:
+  explicit ThresholdList(const DiscriminationTask& task) : task_(task) {}
+
+  void begin(const DiscriminationData& data) {
+    key_ = data.key;
+    n_ = trials_in(data.hits);
+    std::tie(lowest_, highest_) = presented_range(task_, data.hits);
+  }
+
+  bool is_presented(double x) const { return x >= lowest_ && x <= highest_; }
+
+  void none(const char* quantity, const WhyNoThreshold& why) {
+    list_.word(quantity, key_, why.word, why.sentence, basis("", ""));
+  }
+
+  void number(const char* quantity, double value, Basis basis) {
+    list_.number(quantity, key_, value, std::move(basis));
+  }
+
+  /// The just-noticeable difference and, with a standard, the Weber fraction.
+  void difference(const char* quantity, double value, const Basis& estimate) {
+    number(quantity, value, estimate);
+    if (std::string(quantity) != "jnd" || task_.standard() == 0.0) return;
+    const double standard = std::abs(task_.standard());
+    Basis fraction = estimate;
+    fraction.unit = "1";
+    fraction.method = "just-noticeable difference divided by the standard; " + estimate.method;
+    if (fraction.interval) {
+      fraction.interval->low /= standard;
+      fraction.interval->high /= standard;
+    }
+    number("weber", value / standard, fraction);
+  }
+
+  void no_difference(const WhyNoThreshold& why) {
+    none("jnd", why);
+    if (task_.standard() != 0.0) none("weber", why);
+  }
+
+  Basis basis(std::string method, const std::string& unit) const {
+    return {.n = n_, .method = std::move(method), .unit = unit.empty() ? "1" : unit};
+  }
+
+  const std::string& key() const { return key_; }
+  std::vector<Finding> take() { return list_.take(); }
+
+ private:
+  const DiscriminationTask& task_;
+  FindingList list_{};
+  std::string key_{};
+  std::size_t n_ = 0;
+  double lowest_ = 0.0;
+  double highest_ = 0.0;
+};
+
+Basis with_interval(Basis basis, double low, double high) {
+  basis.interval = ConfidenceInterval{.low = low, .high = high};
+  basis.confidence = kThresholdConfidence;
+  return basis;
+}
+
+std::string unit_of_slope(const std::string& unit) { return unit.empty() ? "1" : "1/" + unit; }
+
+/// The difference at a proportion correct, from the findings of the fit with this `pt`.
+void add_performance(const DiscriminationTask& task, const char* quantity,
+                     const FoundNumbers& found, ThresholdList& list) {
+  const Finding* const threshold = found.find("threshold", list.key());
+  if (threshold == nullptr || !threshold->value) {
+    const WhyNoThreshold why = why_not_fitted(task, found.find("status", list.key()));
+    if (std::string(quantity) == "jnd") return list.no_difference(why);
+    return list.none(quantity, why);
+  }
+  if (!list.is_presented(*threshold->value)) {
+    if (std::string(quantity) == "jnd") return list.no_difference(threshold_outside_levels());
+    return list.none(quantity, threshold_outside_levels());
+  }
+  Basis estimate = list.basis(
+      "Weibull function of the difference from the standard, maximum likelihood; delta interval, "
+      "truncated at 0",
+      task.varied.unit);
+  if (threshold->low && threshold->high) {
+    estimate = with_interval(estimate, std::max(0.0, *threshold->low), *threshold->high);
+  }
+  list.difference(quantity, *threshold->value, estimate);
+}
+
+/// x at the lower and the upper quartile, and their half distance.
+void add_comparison(const DiscriminationTask& task, const FoundNumbers& found,
+                    ThresholdList& list) {
+  const std::string& key = list.key();
+  const auto alpha = found.value("fit.alpha", key);
+  const auto beta = found.value("fit.beta", key);
+  if (!alpha || !beta) {
+    const WhyNoThreshold why = why_not_fitted(task, found.find("status", key));
+    list.none("pse", why);
+    return list.no_difference(why);
+  }
+  const std::string method = "cumulative normal function of the parameter, maximum likelihood";
+  const Finding* const threshold = found.find("threshold", key);
+  if (!list.is_presented(*alpha)) {
+    list.none("pse", equality_outside_levels());
+  } else {
+    Basis estimate = list.basis(method + "; delta interval", task.varied.unit);
+    if (threshold != nullptr && threshold->low && threshold->high) {
+      estimate = with_interval(estimate, *threshold->low, *threshold->high);
+    }
+    list.number("pse", *alpha, estimate);
+  }
+  const double jnd = kQuartileOfNormal / *beta;
+  if (is_slope_at_bound(found, key)) return list.no_difference(slope_at_bound());
+  if (!list.is_presented(*alpha - jnd) || !list.is_presented(*alpha + jnd)) {
+    return list.no_difference(quartiles_outside_levels());
+  }
+  Basis estimate = list.basis("½(x75 − x25) of the " + method + "; delta interval of its logarithm",
+                              task.varied.unit);
+  if (const auto error = found.value("se.beta", key)) {
+    const double factor = std::exp(kNormalQuantile * *error / *beta);
+    estimate = with_interval(estimate, jnd / factor, jnd * factor);
+  }
+  list.difference("jnd", jnd, estimate);
+}
+
+/// The slope at the threshold, where the threshold is within the presented levels.
+void add_slope(const DiscriminationTask& task, const FoundNumbers& found, ThresholdList& list) {
+  const auto threshold = found.value(task.is_performance ? "threshold" : "fit.alpha", list.key());
+  const WhyNoThreshold not_fitted = why_not_fitted(task, found.find("status", list.key()));
+  if (!threshold) return list.none("slope", not_fitted);
+  if (!list.is_presented(*threshold)) {
+    return list.none("slope",
+                     task.is_performance ? threshold_outside_levels() : equality_outside_levels());
+  }
+  if (is_slope_at_bound(found, list.key())) return list.none("slope", slope_at_bound());
+  const auto slope = found.value("slope.at.threshold", list.key());
+  if (!slope) return list.none("slope", not_fitted);
+  list.number("slope", *slope,
+              list.basis("slope dψ/dx at the threshold", unit_of_slope(task.varied.unit)));
+}
+
+std::vector<Finding> functions_at(const DiscriminationTask& task,
+                                  std::span<const DiscriminationData> data, double performance) {
+  TidyInput input = psychometric_input(task, data, performance);
+  std::vector<Finding> findings = analysis_of(kFunctions, "psyfit", std::move(input));
+  // A comparison of two of these functions is not part of the study's tests.
+  std::erase_if(findings, [](const Finding& finding) {
+    return finding.quantity.starts_with("lr.same.function");
+  });
+  const std::string unit = task.varied.unit.empty() ? "1" : task.varied.unit;
+  for (Finding& finding : findings) {
+    if (finding.quantity == "fit.alpha" || finding.quantity == "threshold") finding.unit = unit;
+  }
+  return findings;
+}
+
+}  // namespace
+
+TidyInput psychometric_input(const DiscriminationTask& task,
+                             std::span<const DiscriminationData> data, double proportion_of_hits) {
+  LabelRows conditions{};
+  NumberColumn levels{};
+  NumberColumn trials{};
+  NumberColumn hits{};
+  for (const DiscriminationData& one : data) {
+    HitsByValue by_level{};
+    for (const auto& [value, count] : one.hits) {
+      const double x = task.is_performance ? std::abs(value - task.standard()) : value;
+      by_level[x].trials += count.trials;
+      by_level[x].hits += count.hits;
+    }
+    for (const auto& [x, count] : by_level) {
+      conditions.add(one.key);
+      levels.push_back(x);
+      trials.push_back(static_cast<double>(count.trials));
+      hits.push_back(static_cast<double>(count.hits));
+    }
+  }
+  TidyInput input{};
+  input.tables.emplace_back(
+      std::vector<TidyTable::Column>{{"condition", std::move(conditions).take()},
+                                     {"x", std::move(levels)},
+                                     {"n", std::move(trials)},
+                                     {"k", std::move(hits)}},
+      "the responses");
+  input.options.set("bootstrap", 0.0);
+  input.options.set("pt", proportion_of_hits);
+  if (task.is_performance) {
+    input.options.set("shape", std::string("weibull"));
+    input.options.set("gamma", 0.5);
+    input.options.set("lambda", std::string("free"));
+    input.options.set("lambda_max", kGreatestLapseRate);
+  } else {
+    input.options.set("shape", std::string("normal"));
+    input.options.set("gamma", kSymmetricLapseRate);
+    input.options.set("lambda", kSymmetricLapseRate);
+  }
+  return input;
+}
+
+DiscriminationFit fit_discrimination(const DiscriminationTask& task,
+                                     std::span<const DiscriminationData> data) {
+  DiscriminationFit fit{};
+  if (data.empty()) return fit;
+  fit.functions = functions_at(task, data, task.is_performance ? kProportionAtThreshold : 0.5);
+  const std::vector<Finding> at_unit_sensitivity =
+      task.is_performance ? functions_at(task, data, kProportionAtUnitSensitivity)
+                          : std::vector<Finding>{};
+  const FoundNumbers found(fit.functions);
+  const FoundNumbers found_at_unit(at_unit_sensitivity);
+  ThresholdList list(task);
+  for (const DiscriminationData& one : data) {
+    list.begin(one);
+    list.number("standard", task.standard(),
+                list.basis("value of the parameter in the standard", task.varied.unit));
+    if (task.is_performance) {
+      add_performance(task, "jnd", found, list);
+      add_performance(task, "jnd.dprime1", found_at_unit, list);
+    } else {
+      add_comparison(task, found, list);
+    }
+    add_slope(task, found, list);
+  }
+  fit.thresholds = list.take();
+  for (Finding& finding : fit.thresholds) finding.analysis = "thresholds";
+  return fit;
+}
+
+}  // namespace asperity

@@ -1,0 +1,54 @@
+// Estimates thresholds of a discrimination by psychometric functions.
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/finding.h"
+#include "analysis/proportion.h"
+#include "app/findings/study/discrimination_tasks.h"
+#include "app/findings/tidy/tidy_families.h"
+
+namespace asperity {
+
+/// One psychometric function, with the key of its findings.
+struct DiscriminationData {
+  std::string key{};
+  HitsByValue hits{};
+};
+
+/// The proportion correct with d′ = 1 in two-alternative forced choice without bias: Φ(1/√2).
+inline constexpr double kProportionAtUnitSensitivity = 0.7602499389065233;
+inline constexpr double kProportionAtThreshold = 0.75;
+/// The lapse rate of each of the two responses where no response is correct.
+inline constexpr double kSymmetricLapseRate = 0.02;
+/// The greatest lapse rate that is fitted where responses are correct or incorrect.
+inline constexpr double kGreatestLapseRate = 0.06;
+
+/// The table and the options of the family `psyfit` for the threshold at this proportion of hits.
+///
+/// performance: a Weibull function of the absolute difference x from the standard, γ = 1/2, λ fitted between 0 and
+/// `kGreatestLapseRate`. comparison: a cumulative normal function of the value x of the parameter, γ = λ =
+/// `kSymmetricLapseRate`.
+TidyInput psychometric_input(const DiscriminationTask& task,
+                             std::span<const DiscriminationData> data, double proportion_of_hits);
+
+struct DiscriminationFit {
+  std::vector<Finding> functions{};  ///< of the family `psyfit`, analysis `psychometric`
+  /// By key, analysis `thresholds`, in the unit of the parameter unless stated otherwise:
+  ///   pse          of a comparison: the value at which both responses are equally frequent, without lapses
+  ///   jnd          performance: the difference from the standard at 75 % correct responses; comparison: ½(x75 − x25),
+  ///                without lapses
+  ///   jnd.dprime1  performance: the difference from the standard at d′ = 1
+  ///   weber        jnd divided by the standard, without a unit; not for a standard of 0
+  ///   slope        dψ/dx at the threshold; a status as well where the fitted slope is at its bound
+  ///   standard     the value of the parameter in the standard
+  /// A word and a status in place of a number that cannot be estimated, or that is outside the presented levels.
+  std::vector<Finding> thresholds{};
+};
+DiscriminationFit fit_discrimination(const DiscriminationTask& task,
+                                     std::span<const DiscriminationData> data);
+
+}  // namespace asperity

@@ -1,0 +1,190 @@
+#include "app/findings/study/kinds/discrimination_analysis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/discrimination_questions.h"
+#include "app/findings/study/task_words.h"
+#include "app/words/text_parts.h"
+#include "protocols/kinds/discrimination.h"
+#include "protocols/plan/block_design.h"
+
+namespace asperity {
+
+namespace {
+
+using Block = Protocol::Block;
+
+constexpr std::array kDiscriminationClaims{
+    TestClaim{"order", "",
+              "The comparison was chosen significantly more often when it was presented first than "
+              "when it was presented second",
+              "The comparison was chosen significantly less often when it was presented first than "
+              "when it was presented second",
+              "The proportions of choices of the comparison presented first and second were not "
+              "significantly different"},
+    TestClaim{"conditions", "", "The %1 was significantly different between the conditions", "",
+              "The %1 was not significantly different between the conditions"},
+    TestClaim{"point_of_subjective_equality", "",
+              "The point of subjective equality of the %1 was significantly above the standard",
+              "The point of subjective equality of the %1 was significantly below the standard",
+              "The point of subjective equality of the %1 was not significantly different from the "
+              "standard"}};
+
+/// The main blocks of this kind that vary a parameter relative to a stated standard.
+std::vector<const Block*> discrimination_blocks(const Protocol& protocol) {
+  std::vector<const Block*> blocks{};
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.phase != Phase::main || block.kind != discrimination_kind().id) continue;
+    if (block.vary && block.vary->standard) blocks.push_back(&block);
+  }
+  return blocks;
+}
+
+const Protocol::TrialQuestionTemplate* judged_question(const Block& block) {
+  const auto asked = std::find_if(block.questions.begin(), block.questions.end(),
+                                  [](const auto& each) { return each.judgement.has_value(); });
+  return asked == block.questions.end() ? nullptr : &*asked;
+}
+
+bool is_performance(const Block& block) {
+  const auto* const asked = judged_question(block);
+  return asked != nullptr && asked->judgement == DiscriminationJudgement::performance;
+}
+
+std::string unit_of(const Block& block) {
+  return block.vary->unit.empty() ? unit_of_parameter(block.vary->parameter) : block.vary->unit;
+}
+
+std::string level_text(const Block& block, double level) {
+  constexpr int kDigits = 2;
+  switch (block.vary->measure) {
+    case LevelMeasure::value:
+    case LevelMeasure::difference:
+      return reading_quantity(level, unit_of(block));
+    case LevelMeasure::percent:
+      return reading_quantity(level, "") + " %";
+    case LevelMeasure::ratio:
+      return reading_signed(level, kDigits);
+    case LevelMeasure::decibels:
+      return reading_quantity(level, "") + " dB";
+  }
+  return {};
+}
+
+/// "differed from the standard by 5 %, 10 % and 20 %", after "The comparison".
+std::string levels_text(const Block& block) {
+  constexpr std::size_t kMostListed = 12;
+  const std::vector<double> levels = block.vary->levels();
+  std::vector<std::string> texts{};
+  for (const double level : levels) texts.push_back(level_text(block, level));
+  const std::string values = texts.size() > kMostListed
+                                 ? texts.front() + " to " + texts.back() + " in " +
+                                       std::to_string(texts.size()) + " levels"
+                                 : listed(texts);
+  switch (block.vary->measure) {
+    case LevelMeasure::value:
+      return "has values of " + values;
+    case LevelMeasure::difference:
+    case LevelMeasure::percent:
+      return "differs from it by " + values;
+    case LevelMeasure::ratio:
+      return "has ratios to it of " + values;
+    case LevelMeasure::decibels:
+      return "has levels re the standard of " + values;
+  }
+  return {};
+}
+
+std::string task_of_block(const Block& block) {
+  const auto* const asked = judged_question(block);
+  std::string text =
+      "two-interval forced choice. In each trial, a standard and a comparison are presented one "
+      "after the other, in either order, and one of them is to be chosen";
+  if (asked != nullptr) text += ": " + quoted(asked->prompt);
+  if (asked == nullptr || !asked->prompt.ends_with('?')) text += '.';
+  text += " The " + words_of_parameter(block.vary->parameter) + " of the standard is " +
+          reading_quantity(*block.vary->standard, unit_of(block)) + "; that of the comparison " +
+          levels_text(block) + ". ";
+  if (block.procedure) {
+    text += "Choice of the level: " + procedure_text(block) + ". ";
+  }
+  return text + (is_performance(block)
+                     ? "The comparison is the correct response (judgement of performance)."
+                     : "No response is correct or incorrect (judgement of comparison).");
+}
+
+std::string task_of_discrimination(const Protocol& protocol) {
+  std::string text{};
+  for (const Block* const block : discrimination_blocks(protocol)) {
+    const std::string task = task_of_block(*block);
+    if (text.find(task) != std::string::npos) continue;
+    text += (text.empty() ? "Task: " : " Further task: ") + task;
+  }
+  return text.empty()
+             ? "Task: in each trial, a standard and a comparison are presented, and one of "
+               "them is to be chosen."
+             : text;
+}
+
+/// In the past tense of a paper.
+std::string paper_levels(const Block& block) {
+  std::string text = levels_text(block);
+  text.replace(0, text.find(' '), text.starts_with("differs") ? "differed" : "had");
+  return text;
+}
+
+std::string paper_thresholds(const Block& block) {
+  if (!is_performance(block)) {
+    return "No response was correct or incorrect. For each participant and condition, a cumulative "
+           "normal function was fitted to the choices by maximum likelihood, with lapse rates "
+           "fixed at 2 % in both directions. The point of subjective equality (PSE) is the value "
+           "at which both responses are equally frequent, the just-noticeable difference (JND) "
+           "half the distance between the values at 25 % and 75 %.";
+  }
+  const std::string fit =
+      "The choice of the comparison was correct. For each participant and condition, a Weibull "
+      "function of the difference from the standard was fitted to the correct responses by maximum "
+      "likelihood, with the guess rate fixed at 50 % and a lapse rate between 0 and 6 %. The ";
+  return fit +
+         (*block.vary->standard == 0.0 ? "detection threshold is the value"
+                                       : "just-noticeable difference (JND) is the difference") +
+         " at 75 % correct responses.";
+}
+
+std::string paper_task_of_discrimination(const Protocol& protocol) {
+  std::string text =
+      " one after the other, a standard and a comparison in either order, and one "
+      "of them was to be chosen (two-interval forced choice, 2IFC).";
+  for (const Block* const block : discrimination_blocks(protocol)) {
+    const std::string details =
+        " The " + words_of_parameter(block->vary->parameter) + " of the standard was " +
+        reading_quantity(*block->vary->standard, unit_of(*block)) + "; that of the comparison " +
+        paper_levels(*block) + ". " +
+        (block->procedure ? "Levels were chosen by a procedure (" + procedure_text(*block) + "). "
+                          : "") +
+        paper_thresholds(*block);
+    if (text.find(details) == std::string::npos) text += details;
+  }
+  return text;
+}
+
+}  // namespace
+
+const StudyAnalysis& discrimination_analysis() {
+  static const StudyAnalysis kAnalysis{.kind = "discrimination",
+                                       .name = phrase("Analysis", "discrimination"),
+                                       .claims = kDiscriminationClaims,
+                                       .task = task_of_discrimination,
+                                       .task_for_paper = paper_task_of_discrimination,
+                                       .analyze = analyze_discrimination,
+                                       .estimates = thresholds_sentence};
+  return kAnalysis;
+}
+
+}  // namespace asperity

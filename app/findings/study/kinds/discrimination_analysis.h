@@ -1,0 +1,15 @@
+// Analyses the kind "discrimination".
+
+#pragma once
+
+#include "app/findings/study/study_analysis.h"
+
+namespace asperity {
+
+/// Choices between a standard and a comparison: psychometric functions and thresholds per participant and condition, their
+/// means, the effect of the order of presentation, and tests of the thresholds.
+void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+const StudyAnalysis& discrimination_analysis();
+
+}  // namespace asperity

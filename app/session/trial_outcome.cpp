@@ -1,0 +1,57 @@
+#include "app/session/trial_outcome.h"
+
+#include <algorithm>
+
+#include "app/study_files/parameter_json.h"
+
+namespace asperity {
+
+TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const AttemptRow& attempt) {
+  const Protocol::Block& block = protocol.blocks.at(trial.block);
+  const Dimension& dimension = block.vary.value();
+  const bool is_timeout = attempt.outcome == AttemptOutcome::timed_out;
+  if (attempt.outcome != AttemptOutcome::answered && !is_timeout) return {};
+  const auto varied = std::find_if(
+      attempt.presentations.begin(), attempt.presentations.end(),
+      [&dimension](const PresentationRow& surface) { return surface.role == dimension.role; });
+  if (varied == attempt.presentations.end()) return {};
+  const auto judged = std::find_if(
+      block.questions.begin(), block.questions.end(),
+      [](const Protocol::TrialQuestionTemplate& asked) { return asked.judgement.has_value(); });
+  const auto response =
+      std::find_if(attempt.responses.begin(), attempt.responses.end(),
+                   [&](const ResponseRow& row) { return row.question == judged->name; });
+  // A deadline may also be missed at a later question of the trial.
+  const bool is_missing = response == attempt.responses.end();
+  if (is_missing && !(is_timeout && block.procedure.value().timeouts_are_incorrect)) return {};
+  const ParameterValues values = parameter_values_in(varied->parameters_json);
+  return {.answer = TrialOutcome::Answer{
+              .value = number_of(values, dimension.parameter),
+              .chose_varied = !is_missing && response->answer == varied->item}};
+}
+
+AttemptNumbers set_aside_in(const std::vector<DecisionRow>& decisions) {
+  AttemptNumbers numbers{};
+  for (const DecisionRow& decision : decisions) {
+    if (decision.verdict == Verdict::set_aside) {
+      numbers.emplace(decision.trial.value_or(0), decision.attempt.value_or(0));
+    }
+  }
+  return numbers;
+}
+
+void advance_through(Course& course, const Protocol& protocol,
+                     const std::vector<AttemptRow>& attempts, const AttemptNumbers& set_aside) {
+  while (const Trial* const trial = course.awaited()) {
+    const auto first =
+        std::find_if(attempts.begin(), attempts.end(), [&](const AttemptRow& attempt) {
+          return attempt.trial == trial->ordinal &&
+                 (attempt.valid || attempt.outcome == AttemptOutcome::skipped ||
+                  set_aside.contains({attempt.trial, attempt.attempt}));
+        });
+    if (first == attempts.end()) return;
+    course.advance(outcome_of(protocol, *trial, *first));
+  }
+}
+
+}  // namespace asperity

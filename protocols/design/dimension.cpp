@@ -1,0 +1,103 @@
+// Implements the measures of levels.
+
+#include "protocols/design/dimension.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// 12 significant digits: 50 µm + 50 % is stored as 7.5e-05, not as 7.500000000000001e-05.
+double rounded(double value) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::scientific, 11);
+  std::from_chars(text.data(), written.ptr, value);
+  return value;
+}
+
+}  // namespace
+
+double value_at(LevelMeasure measure, double level, double standard) {
+  switch (measure) {
+    case LevelMeasure::value:
+      break;
+    case LevelMeasure::difference:
+      return rounded(standard + level);
+    case LevelMeasure::percent:
+      return rounded(standard + standard * level / 100.0);
+    case LevelMeasure::ratio:
+      return rounded(standard * level);
+    case LevelMeasure::decibels:
+      return rounded(standard * std::pow(10.0, level / 20.0));
+  }
+  return level;
+}
+
+double level_at_value(LevelMeasure measure, double value, double standard) {
+  switch (measure) {
+    case LevelMeasure::value:
+      break;
+    case LevelMeasure::difference:
+      return value - standard;
+    case LevelMeasure::percent:
+      return 100.0 * (value - standard) / standard;
+    case LevelMeasure::ratio:
+      return value / standard;
+    case LevelMeasure::decibels:
+      return 20.0 * std::log10(value / standard);
+  }
+  return value;
+}
+
+bool is_relative(LevelMeasure measure) noexcept { return measure != LevelMeasure::value; }
+
+bool needs_positive_standard(LevelMeasure measure) noexcept {
+  return measure != LevelMeasure::value && measure != LevelMeasure::difference;
+}
+
+std::string_view key_of(LevelMeasure measure) noexcept {
+  switch (measure) {
+    case LevelMeasure::value:
+      break;
+    case LevelMeasure::difference:
+      return "levels_difference";
+    case LevelMeasure::percent:
+      return "levels_percent";
+    case LevelMeasure::ratio:
+      return "levels_ratio";
+    case LevelMeasure::decibels:
+      return "levels_decibels";
+  }
+  return "levels";
+}
+
+std::vector<double> Dimension::levels() const {
+  std::vector<double> all = list;
+  if (grid) {
+    ProcedureProblems problems{};
+    check_grid(*grid, "", problems);
+    all = problems.empty() ? levels_of(*grid) : std::vector<double>{};
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<double> Dimension::values() const {
+  std::vector<double> all = levels();
+  for (double& level : all) level = value_of(level);
+  return all;
+}
+
+bool has_levels(const Dimension& dimension) {
+  if (!dimension.grid) return !dimension.list.empty();
+  ProcedureProblems problems{};
+  check_grid(*dimension.grid, "", problems);
+  return problems.empty();
+}
+
+}  // namespace asperity

@@ -1,0 +1,182 @@
+// Implements the checks of the parameter that the trials of a block vary.
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocols/file/meaning_checks.h"
+
+namespace asperity {
+
+using Block = Protocol::Block;
+
+namespace {
+
+std::size_t count_of_role(const Block& block, const std::string& role) {
+  return static_cast<std::size_t>(
+      std::count_if(block.presented.begin(), block.presented.end(),
+                    [&role](const auto& each) { return each.role == role; }));
+}
+
+std::vector<std::string> roles_in(const Block& block) {
+  std::vector<std::string> roles{};
+  for (const Protocol::Presented& presented : block.presented) roles.push_back(presented.role);
+  return roles;
+}
+
+std::string levels_at(const Dimension& dimension, const std::string& pointer) {
+  return pointer + "/vary/" + std::string(key_of(dimension.measure));
+}
+
+}  // namespace
+
+void Meaning::check_dimension(const Block& block, const std::string& pointer) {
+  if (!block.vary) return;
+  const Dimension& dimension = *block.vary;
+  const std::string place = pointer + "/vary";
+  const auto& stated = document_.root().at("blocks").at(block.name).at("vary");
+  int keys = 0;
+  for (const auto& [key, value] : stated.items()) keys += key.starts_with("levels") ? 1 : 0;
+  if (keys != 1) {
+    report(place, std::string(keys == 0 ? "no levels are stated" : "levels are stated twice") +
+                      "; write exactly one of \"levels\", \"levels_difference\", "
+                      "\"levels_percent\", \"levels_ratio\" and \"levels_decibels\"");
+    return;
+  }
+  const auto factors = document_.root().find("factors");
+  if (factors != document_.root().end() && factors->contains(dimension.factor)) {
+    report(place + (stated.contains("factor") ? "/factor" : "/parameter"),
+           "the factor " + in_quotes(dimension.factor) +
+               " is already declared under /factors; state another name as \"factor\" here, or "
+               "remove that factor");
+    return;
+  }
+  for (const auto& [name, other] : protocol_.blocks) {
+    if (name == block.name || !other.vary || other.vary->factor != dimension.factor ||
+        other.vary->parameter == dimension.parameter) {
+      continue;
+    }
+    report(place + (stated.contains("factor") ? "/factor" : "/parameter"),
+           "the block " + in_quotes(name) + " varies the parameter " +
+               in_quotes(other.vary->parameter) + " under the name " + in_quotes(dimension.factor) +
+               "; state another name as \"factor\" in one of them");
+    return;
+  }
+  if (count_of_role(block, dimension.role) != 1) {
+    report(place + "/of", std::to_string(count_of_role(block, dimension.role)) +
+                              " surfaces of the block have the role " + in_quotes(dimension.role) +
+                              "; state the role of exactly one: " + one_of(roles_in(block)));
+    return;
+  }
+  if (check_standard(block, pointer)) check_values(block, pointer);
+}
+
+/// The surface to which levels refer. False where the values of the levels cannot be computed.
+bool Meaning::check_standard(const Block& block, const std::string& pointer) {
+  const Dimension& dimension = *block.vary;
+  const std::string place = pointer + "/vary";
+  if (!dimension.standard_role.empty() && (dimension.standard_role == dimension.role ||
+                                           count_of_role(block, dimension.standard_role) != 1)) {
+    report(place + "/relative_to", "no other surface of the block has the role " +
+                                       in_quotes(dimension.standard_role) +
+                                       "; state the role of the surface to which levels refer");
+    return false;
+  }
+  if (!is_relative(dimension.measure)) return true;
+  const std::string key(key_of(dimension.measure));
+  if (dimension.standard_role.empty()) {
+    report_key(levels_at(dimension, pointer),
+               in_quotes(key) +
+                   " needs a standard; add \"relative_to\" with the role of the "
+                   "surface to which the levels refer");
+    return false;
+  }
+  if (!dimension.standard) {
+    report(place + "/relative_to",
+           "the stimulus of the " + dimension.standard_role + " does not state a number for " +
+               in_quotes(dimension.parameter) + ", to which the levels refer; state it there");
+    return false;
+  }
+  if (needs_positive_standard(dimension.measure) && !(*dimension.standard > 0.0)) {
+    report_key(levels_at(dimension, pointer),
+               "the standard is " + digits(*dimension.standard) + ", and " + in_quotes(key) +
+                   " needs a standard above 0; use \"levels\" or \"levels_difference\"");
+    return false;
+  }
+  return true;
+}
+
+void Meaning::check_values(const Block& block, const std::string& pointer) {
+  const Dimension& dimension = *block.vary;
+  const std::string at_levels = levels_at(dimension, pointer);
+  const std::string at_parameter = pointer + "/vary/parameter";
+  if (dimension.grid) {
+    ProcedureProblems problems{};
+    check_grid(*dimension.grid, "", problems);
+    for (const ProcedureProblem& problem : problems.all()) {
+      report(at_levels + "/" + problem.setting, problem.message);
+    }
+    if (!problems.empty()) return;
+    if (size_of(*dimension.grid) > kMaximumTrials) {
+      report(at_levels + "/step", "the grid has " + std::to_string(size_of(*dimension.grid)) +
+                                      " levels, and every level is checked before a session; use "
+                                      "a larger step or a narrower range");
+      return;
+    }
+  }
+  const std::vector<double> levels = dimension.levels();
+  if (std::adjacent_find(levels.begin(), levels.end()) != levels.end()) {
+    report(at_levels, "a level is stated twice; state each level once");
+  }
+  const auto presented =
+      std::find_if(block.presented.begin(), block.presented.end(),
+                   [&dimension](const auto& each) { return each.role == dimension.role; });
+  const auto stimulus = protocol_.stimuli.find(presented->stimulus);
+  if (stimulus == protocol_.stimuli.end()) return;  // reported at its own location
+  const auto bound = stimulus->second.parameters.find(dimension.parameter);
+  if (bound != stimulus->second.parameters.end() && !bound->second.factor.empty()) {
+    report(at_parameter, "the stimulus " + in_quotes(presented->stimulus) +
+                             " binds this parameter to the factor " +
+                             in_quotes(bound->second.factor) +
+                             "; state a number there, or present another stimulus");
+    return;
+  }
+  for (const auto& [id, place] :
+       texts_of(stimulus->second.model, pointer_to("/stimuli", stimulus->first) + "/model")) {
+    const auto model = models_.find(id);
+    if (model == models_.end()) continue;  // reported at its own location
+    const std::vector<Parameter>& parameters = model->second->parameters;
+    const auto declared =
+        std::find_if(parameters.begin(), parameters.end(), [&dimension](const Parameter& each) {
+          return each.name == dimension.parameter && each.kind != ParameterKind::choice;
+        });
+    if (declared == parameters.end()) {
+      std::map<std::string, int> names{};
+      for (const Parameter& each : parameters) {
+        if (each.kind != ParameterKind::choice) names[each.name] = 0;
+      }
+      report(at_parameter, "the model " + in_quotes(id) + ": " +
+                               unknown_name("numeric parameter", dimension.parameter, names));
+      continue;
+    }
+    if (stimulus->second.equal_force && model->second->amplitude_parameter == dimension.parameter) {
+      report(at_parameter, "equal_force of the stimulus " + in_quotes(presented->stimulus) +
+                               " determines this parameter; remove it there, or vary another "
+                               "parameter");
+    }
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const double value = dimension.value_of(levels[i]);
+      const auto complaint = complaint_about(*declared, value);
+      if (!complaint) continue;
+      const auto in_list = std::find(dimension.list.begin(), dimension.list.end(), levels[i]) -
+                           dimension.list.begin();
+      const std::string at = dimension.grid
+                                 ? at_levels + (i == 0 ? "/lowest" : "/highest")
+                                 : pointer_to(at_levels, static_cast<std::size_t>(in_list));
+      report(at, "the level " + digits(levels[i]) + " is a value of " + digits(value) + ": " +
+                     *complaint);
+      if (dimension.grid && i > 0) break;
+    }
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,161 @@
+#include "protocols/file/levels_from_json.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/file/json_reading.h"
+
+namespace asperity {
+
+using Block = Protocol::Block;
+using nlohmann::json;
+
+namespace {
+
+/// The parameter of one of the models that the stimulus can have; null if none has it.
+const Parameter* parameter_of(const std::vector<ModelDeclaration>& models, const std::string& id,
+                              const std::string& name) {
+  for (const ModelDeclaration& model : models) {
+    if (!id.empty() && model.id != id) continue;
+    for (const Parameter& parameter : model.parameters) {
+      if (parameter.name == name) return &parameter;
+    }
+  }
+  return nullptr;
+}
+
+LevelGrid grid_of(const json& object) {
+  LevelGrid grid{};
+  read(object, "lowest", grid.lowest);
+  read(object, "highest", grid.highest);
+  read(object, "step", grid.step);
+  read_choice(object, "scale", grid.scale,
+              {{"linear", LevelScale::linear},
+               {"log10", LevelScale::log10},
+               {"db", LevelScale::decibel},
+               {"ratio", LevelScale::ratio}});
+  return grid;
+}
+
+StopRules stop_rules_of(const json& object) {
+  StopRules stop{};
+  const auto found = object.find("stop");
+  if (found == object.end()) return stop;
+  read(*found, "trials", stop.trials);
+  read(*found, "reversals", stop.reversals);
+  read(*found, "clipped_moves", stop.clipped_moves);
+  return stop;
+}
+
+/// The steps of one direction: those of this direction, or those of both.
+StepList steps_of(const json& object, const char* direction) {
+  StepList steps{};
+  read(object, "steps", steps);
+  read(object, direction, steps);
+  return steps;
+}
+
+ProcedureSettings settings_of(const json& object, const json& track, const Dimension& dimension) {
+  const LevelGrid grid = dimension.grid.value_or(LevelGrid{});
+  double start = 0.0;
+  read(object, "start", start);
+  read(track, "start", start);
+  const auto method = object.at("method").get<std::string>();
+  if (method == transformed_up_down().id) {
+    UpDownTrack settings{.grid = grid,
+                         .start = start,
+                         .steps_up = steps_of(object, "steps_up"),
+                         .steps_down = steps_of(object, "steps_down"),
+                         .stop = stop_rules_of(object)};
+    read(object, "down", settings.rule.down);
+    read(object, "up", settings.rule.up);
+    return TransformedUpDown{std::move(settings)};
+  }
+  if (method == weighted_up_down().id) {
+    WeightedUpDown settings{.grid = grid,
+                            .start = start,
+                            .steps_down = steps_of(object, "steps_down"),
+                            .stop = stop_rules_of(object)};
+    read(object, "target", settings.target);
+    return settings;
+  }
+  ConstantStimuli settings{};
+  if (has_levels(dimension)) settings.levels = dimension.levels();
+  read(object, "repetitions", settings.repetitions);
+  return settings;
+}
+
+}  // namespace
+
+Dimension dimension_in(const json& object) {
+  Dimension dimension{};
+  read(object, "parameter", dimension.parameter);
+  dimension.factor = dimension.parameter;
+  read(object, "factor", dimension.factor);
+  read(object, "of", dimension.role);
+  read(object, "relative_to", dimension.standard_role);
+  for (const LevelMeasure measure :
+       {LevelMeasure::value, LevelMeasure::difference, LevelMeasure::percent, LevelMeasure::ratio,
+        LevelMeasure::decibels}) {
+    const auto found = object.find(key_of(measure));
+    if (found == object.end()) continue;
+    dimension.measure = measure;
+    if (found->is_object()) {
+      dimension.grid = grid_of(*found);
+    } else {
+      dimension.list = found->get<std::vector<double>>();
+    }
+  }
+  return dimension;
+}
+
+void declare_dimension(Block& block, Protocol& protocol, const std::set<std::string>& of_file,
+                       const std::vector<ModelDeclaration>& models) {
+  Dimension& dimension = *block.vary;
+  std::string model{};
+  for (const Protocol::Presented& presented : block.presented) {
+    const auto stimulus = protocol.stimuli.find(presented.stimulus);
+    if (stimulus == protocol.stimuli.end()) continue;
+    if (presented.role == dimension.role) model = stimulus->second.model.value.value_or("");
+    if (presented.role != dimension.standard_role) continue;
+    const auto stated = stimulus->second.parameters.find(dimension.parameter);
+    if (stated == stimulus->second.parameters.end() || !stated->second.value) continue;
+    if (const auto* const number = std::get_if<double>(&*stated->second.value)) {
+      dimension.standard = *number;
+    }
+  }
+  const Parameter* const parameter = parameter_of(models, model, dimension.parameter);
+  if (parameter != nullptr) dimension.unit = parameter->unit;
+  if (!has_levels(dimension) || of_file.contains(dimension.factor)) return;
+  Factor& factor = protocol.factors[dimension.factor];
+  factor.name = dimension.factor;
+  if (parameter != nullptr && factor.meaning.empty()) {
+    factor.meaning = parameter->meaning;
+    factor.unit = parameter->unit;
+  }
+  for (const double value : dimension.values()) {
+    if (std::find(factor.levels.begin(), factor.levels.end(), Level(value)) ==
+        factor.levels.end()) {
+      factor.levels.emplace_back(value);
+    }
+  }
+  std::sort(factor.levels.begin(), factor.levels.end());
+}
+
+Block::LevelProcedure procedure_in(const json& object, const Dimension& dimension) {
+  Block::LevelProcedure procedure{};
+  if (const auto tracks = object.find("tracks"); tracks != object.end()) {
+    for (const json& track : *tracks) {
+      procedure.tracks.push_back(settings_of(object, track, dimension));
+    }
+  } else {
+    procedure.tracks.push_back(settings_of(object, json::object(), dimension));
+  }
+  read_choice(object, "timed_out", procedure.timeouts_are_incorrect,
+              {{"same_level", false}, {"incorrect", true}});
+  return procedure;
+}
+
+}  // namespace asperity

@@ -1,0 +1,28 @@
+// Declares the conversion of the keys "vary" and "procedure" of a block.
+
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "protocols/design/protocol.h"
+
+namespace asperity {
+
+/// The key "vary", as it is stated.
+Dimension dimension_in(const nlohmann::json& object);
+
+/// Completes the dimension of a block by what the presented stimuli state, and declares its factor in the protocol. A
+/// factor of the file (`of_file`) with this name remains, which the check of meaning reports.
+void declare_dimension(Protocol::Block& block, Protocol& protocol,
+                       const std::set<std::string>& of_file,
+                       const std::vector<ModelDeclaration>& models);
+
+/// The key "procedure", with the levels of the block's dimension.
+Protocol::Block::LevelProcedure procedure_in(const nlohmann::json& object,
+                                             const Dimension& dimension);
+
+}  // namespace asperity

@@ -1,0 +1,157 @@
+// Implements the checks of the procedure of a block.
+
+#include <algorithm>
+#include <array>
+
+#include "protocols/file/levels_from_json.h"
+#include "protocols/file/meaning_checks.h"
+#include "protocols/plan/level_tracks.h"
+
+namespace asperity {
+
+using Block = Protocol::Block;
+
+namespace {
+
+/// The keys that only some methods have.
+struct MethodKeys {
+  std::string_view method{};
+  std::vector<std::string_view> keys{};
+};
+
+const std::array<MethodKeys, 3>& keys_of_methods() {
+  static const std::array<MethodKeys, 3> kKeys{
+      MethodKeys{"constant_stimuli", {"repetitions"}},
+      MethodKeys{"transformed_up_down",
+                 {"down", "up", "start", "steps", "steps_up", "steps_down", "stop", "tracks"}},
+      MethodKeys{"weighted_up_down", {"target", "start", "steps", "steps_down", "stop", "tracks"}}};
+  return kKeys;
+}
+
+/// The place of a setting of a procedure in its file.
+std::string place_of_setting(const std::string& setting, const nlohmann::json& stated,
+                             const std::string& pointer) {
+  if (setting == "levels") return pointer + "/vary";
+  std::string key = setting;
+  std::replace(key.begin(), key.end(), '.', '/');
+  if (key.starts_with("steps_") && !stated.contains(key)) key = "steps";
+  const std::string first = key.substr(0, key.find('/'));
+  const std::string place = pointer + "/procedure";
+  if (!stated.contains(first)) return place;
+  const bool has_member = key == first || stated.at(first).contains(key.substr(first.size() + 1));
+  return place + '/' + (has_member ? key : first);
+}
+
+}  // namespace
+
+void Meaning::check_procedure(const Block& block, const std::string& pointer) {
+  const auto& object = document_.root().at("blocks").at(block.name);
+  const auto stated = object.find("procedure");
+  if (stated == object.end()) return;
+  const std::string place = pointer + "/procedure";
+  if (!block.procedure) {
+    report(
+        place,
+        "a procedure chooses the levels of a parameter; add \"vary\", which states the parameter "
+        "and its levels");
+    return;
+  }
+  if (!kind_of(block).has_judgement) {
+    report_key(place,
+               "only a discrimination has a procedure; remove this key, or set \"kind\" to "
+               "\"discrimination\"");
+    return;
+  }
+  for (const char* const key : {"repetitions", "maximum_in_a_row", "until"}) {
+    if (!object.contains(key)) continue;
+    report_key(pointer + "/" + key,
+               "in a block with a procedure, the procedure determines the trials; remove this key");
+  }
+  const auto method = stated->at("method").get<std::string>();
+  std::vector<std::string_view> own{};
+  for (const MethodKeys& each : keys_of_methods()) {
+    if (each.method == method) own = each.keys;
+  }
+  for (const auto& [key, value] : stated->items()) {
+    const bool is_of_some = std::any_of(
+        keys_of_methods().begin(), keys_of_methods().end(), [&key = key](const auto& each) {
+          return std::find(each.keys.begin(), each.keys.end(), key) != each.keys.end();
+        });
+    if (is_of_some && std::find(own.begin(), own.end(), key) == own.end()) {
+      report_key(pointer_to(place, key), "the method " + in_quotes(method) +
+                                             " has no such key; remove it, or use a method "
+                                             "that has it");
+    }
+  }
+  for (const auto& [name, at] : texts_of(block.exploration, pointer + "/exploration")) {
+    const auto exploration = protocol_.explorations.find(name);
+    if (exploration == protocol_.explorations.end() ||
+        exploration->second.on_failure != Exploration::OnFailure::requeue_at_end_of_block) {
+      continue;
+    }
+    report(pointer_to("/explorations", name) + "/on_failure",
+           "the block " + in_quotes(block.name) +
+               " has a procedure, which needs the response to a trial before the next one; use "
+               "\"repeat_now\" or \"flag\"");
+  }
+  if (!has_levels(*block.vary)) return;  // reported at /vary
+  const bool is_constant = method == constant_stimuli().id;
+  if (!is_constant && !block.vary->grid) {
+    report(pointer + "/vary/" + std::string(key_of(block.vary->measure)),
+           "the method " + in_quotes(method) +
+               " moves in steps; state the levels as a grid: {\"lowest\": …, \"highest\": …, "
+               "\"step\": …}");
+    return;
+  }
+  const auto is_performance = [](const Protocol::TrialQuestionTemplate& question) {
+    return question.judgement == DiscriminationJudgement::performance;
+  };
+  const std::vector<double> values = block.vary->values();
+  if (!is_constant && block.vary->standard && values.back() <= *block.vary->standard &&
+      std::any_of(block.questions.begin(), block.questions.end(), is_performance)) {
+    report(
+        place + "/method",
+        "the method " + in_quotes(method) +
+            " presents a lower level after correct responses, but below the standard lower levels "
+            "are easier; state levels above the standard, or use \"constant_stimuli\"");
+    return;
+  }
+  check_track_starts(block, pointer);
+}
+
+/// The settings of every track; those that tracks share are reported once.
+void Meaning::check_track_starts(const Block& block, const std::string& pointer) {
+  const auto& stated = document_.root().at("blocks").at(block.name).at("procedure");
+  const std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
+  bool is_usable = true;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const bool has_start = stated.contains("tracks") && stated.at("tracks").at(i).contains("start");
+    if (!has_start && !stated.contains("start") &&
+        !std::holds_alternative<ConstantStimuli>(tracks[i])) {
+      report(pointer + "/procedure",
+             "no start is stated; add \"start\", the level of the first "
+             "trial, well above the expected threshold");
+      is_usable = false;
+      continue;
+    }
+    for (const ProcedureProblem& problem : problems_of(tracks[i])) {
+      is_usable = false;
+      const std::string place = problem.setting == "start" && has_start
+                                    ? pointer_to(pointer + "/procedure/tracks", i) + "/start"
+                                    : place_of_setting(problem.setting, stated, pointer);
+      report(place, problem.message);
+    }
+  }
+  if (!is_usable) return;
+  const auto known = [this](const std::string& name) { return protocol_.factors.contains(name); };
+  if (block.all_pairs || !std::all_of(block.crossed.begin(), block.crossed.end(), known)) return;
+  if (most_trials_of(protocol_, block) > kMaximumTrials) {
+    report(pointer + "/procedure",
+           "this block can have " + std::to_string(most_trials_of(protocol_, block)) +
+               " trials, more than " + std::to_string(kMaximumTrials) +
+               ", too many for a participant; reduce the maximum number of trials of a track, the "
+               "tracks or the levels of the other factors");
+  }
+}
+
+}  // namespace asperity

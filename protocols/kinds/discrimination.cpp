@@ -1,0 +1,192 @@
+// The tests, checks and judgement of a discrimination.
+
+#include "protocols/kinds/discrimination.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "protocols/design/wording.h"
+
+namespace asperity {
+
+namespace {
+
+using Block = Protocol::Block;
+
+constexpr std::array kDiscriminationTests{
+    KindTest{"order", "is the comparison chosen equally often in both positions"},
+    KindTest{"conditions", "do the thresholds differ between the conditions"},
+    KindTest{"point_of_subjective_equality",
+             "is the point of subjective equality different from the standard"}};
+
+constexpr std::array<std::string_view, 2> kDiscriminationRoles{"standard", "comparison"};
+
+std::string item_of_discrimination(const PlannedPresentation& surface) { return surface.role; }
+
+std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestionTemplate& question,
+                                                   const Trial&) {
+  if (question.judgement != DiscriminationJudgement::performance) return {};
+  return {"comparison"};
+}
+
+/// Where every level is above the standard, or every level below it.
+bool is_one_sided(const Dimension& dimension) {
+  const std::vector<double> values = dimension.values();
+  const double standard = *dimension.standard;
+  return values.front() > standard || values.back() < standard;
+}
+
+bool is_two_sided(const Dimension& dimension) {
+  const std::vector<double> values = dimension.values();
+  return values.front() < *dimension.standard && values.back() > *dimension.standard;
+}
+
+/// Whether the block varies the comparison relative to a standard of a known value.
+bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
+  const std::optional<Dimension>& vary = checked.block.vary;
+  if (!vary) {
+    problems.report(checked.pointer,
+                    "a discrimination needs the parameter in which the comparison differs from the "
+                    "standard; add \"vary\"");
+    return false;
+  }
+  if (vary->role != "comparison") {
+    problems.report(checked.pointer + "/vary/of",
+                    "a discrimination varies the comparison; write \"comparison\"");
+    return false;
+  }
+  if (vary->standard_role != "standard") {
+    problems.report(checked.pointer + "/vary",
+                    "the levels of a discrimination are compared with the standard; set "
+                    "\"relative_to\" to \"standard\"");
+    return false;
+  }
+  if (!vary->standard) {
+    problems.report(checked.pointer + "/vary/relative_to",
+                    "the stimulus of the standard does not state a number for " +
+                        in_quotes(vary->parameter) + "; state it there");
+    return false;
+  }
+  return has_levels(*vary);  // otherwise reported at the levels
+}
+
+void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
+  if (!checked.question.judgement) {
+    problems.report(checked.at_question,
+                    "a discrimination needs \"judgement\": \"performance\" where the comparison is "
+                    "the correct response, or \"comparison\" where no response is correct");
+    return;
+  }
+  if (!check_varied(checked, problems)) return;
+  const Dimension& dimension = *checked.block.vary;
+  if (dimension.levels().empty()) return;  // reported with the parameter
+  const std::string at_levels = checked.pointer + "/vary/" + std::string(key_of(dimension.measure));
+  if (*checked.question.judgement == DiscriminationJudgement::performance) {
+    if (!is_one_sided(dimension)) {
+      problems.report(
+          at_levels,
+          "with the judgement \"performance\" the comparison is the correct response, so "
+          "that every level must be above the standard, or every level below it; "
+          "remove the others, or use the judgement \"comparison\"");
+    }
+    return;
+  }
+  if (!is_two_sided(dimension)) {
+    problems.report(
+        at_levels,
+        "the judgement \"comparison\" estimates the point of subjective equality, which "
+        "needs levels below and above the standard; add some, or use the judgement "
+        "\"performance\"");
+  }
+  if (checked.block.feedback != Block::Feedback::none) {
+    problems.report(
+        checked.pointer + "/feedback",
+        "with the judgement \"comparison\" no response is correct or incorrect; set it to "
+        "\"none\"");
+  }
+  if (checked.block.until) {
+    problems.report(checked.pointer + "/until",
+                    "with the judgement \"comparison\" no response is correct or incorrect; remove "
+                    "this key");
+  }
+}
+
+void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& problems) {
+  const Protocol::TrialQuestionTemplate& question = checked.question;
+  const std::vector<Protocol::Presented>& presented = checked.block.presented;
+  const auto has_role = [&presented](std::string_view role) {
+    return std::count_if(presented.begin(), presented.end(),
+                         [role](const auto& each) { return each.role == role; }) == 1;
+  };
+  if (presented.size() != 2 || !has_role("standard") || !has_role("comparison")) {
+    problems.report(checked.pointer + "/presented",
+                    "a discrimination presents one surface with the role \"standard\" and one with "
+                    "the role \"comparison\"; list these two");
+    return;
+  }
+  for (std::size_t i = 0; i < presented.size(); ++i) {
+    if (presented[i].item.empty()) continue;
+    problems.report_key(checked.pointer + "/presented/" + std::to_string(i) + "/item",
+                        "in a discrimination the role names each surface; remove this key");
+  }
+  if (checked.block.phase == Phase::main &&
+      checked.block.positions == Block::Positions::as_listed) {
+    problems.report(checked.pointer + "/presented",
+                    "the same surface would always be presented first, so that an order "
+                    "effect could not be distinguished from a difference; set \"positions\" to "
+                    "\"balanced\" or \"shuffle\"");
+  }
+  if (!question.pictures.empty()) {
+    problems.report(checked.at_question + "/pictures",
+                    "in a discrimination the options are the surfaces felt; remove this key");
+  }
+  if (!question.correct_factor.empty()) {
+    problems.report(
+        checked.at_question + "/correct_factor",
+        "in a discrimination the judgement determines the correct response; remove this "
+        "key");
+  }
+  if (question.allow_cannot_tell) {
+    problems.report(
+        checked.at_question + "/allow_cannot_tell",
+        "a discrimination is a forced choice between the two surfaces; remove this key");
+  }
+  check_judgement(checked, problems);
+}
+
+/// The surface with the greater magnitude (VirtualObserver::compare), whatever the question asks for; the other one
+/// where the judgement is of performance and the level is below the standard. A parameter on which the magnitude does
+/// not depend gives responses by chance.
+VirtualResponse judge_discrimination(const Judgement& judgement) {
+  const Block& block = judgement.protocol.blocks.at(judgement.trial.block);
+  const auto asked =
+      std::find_if(block.questions.begin(), block.questions.end(),
+                   [&judgement](const auto& each) { return each.name == judgement.question.name; });
+  const bool chooses_less = asked->judgement == DiscriminationJudgement::performance &&
+                            block.vary->values().front() < *block.vary->standard;
+  const std::size_t greater =
+      *judgement.observer.compare(judgement.felt[0], judgement.felt[1], 0.0);
+  return {ChosenOption{chooses_less ? 1 - greater : greater}, false};
+}
+
+}  // namespace
+
+const ExperimentKind& discrimination_kind() {
+  static const ExperimentKind kKind{.id = "discrimination",
+                                    .name = "discrimination",
+                                    .roles = kDiscriminationRoles,
+                                    .form = ChoiceForm{},
+                                    .has_judgement = true,
+                                    .has_correct_responses = true,
+                                    .tests = kDiscriminationTests,
+                                    .item_of = item_of_discrimination,
+                                    .correct_of = correct_of_discrimination,
+                                    .check_block = check_block_of_discrimination,
+                                    .judge = judge_discrimination};
+  return kKind;
+}
+
+}  // namespace asperity

@@ -1,0 +1,266 @@
+// Implements the course of a session: the flow in order, from the protocol, the seed, the row and the outcomes.
+
+#include "protocols/plan/course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "protocols/plan/block_rows.h"
+#include "protocols/plan/groups.h"
+#include "protocols/plan/squares.h"
+#include "protocols/plan/trial_order.h"
+
+namespace asperity {
+
+using Block = Protocol::Block;
+using Run = Protocol::Run;
+
+namespace {
+
+Square square_of(Protocol::Counterbalance how, std::size_t levels) {
+  switch (how) {
+    case Protocol::Counterbalance::none:
+      break;
+    case Protocol::Counterbalance::latin:
+      return latin_square(levels);
+    case Protocol::Counterbalance::williams:
+      return williams_square(levels);
+  }
+  return {latin_square(levels).front()};
+}
+
+/// The factors that are iterated outside blocks, in the order of the flow, without duplicates.
+std::vector<std::string> iterated_factors(const Protocol& protocol) {
+  std::vector<std::string> factors{};
+  for (const Protocol::Step& step : protocol.flow) {
+    const auto* const run = std::get_if<Run>(&step);
+    if (run == nullptr || run->for_each.empty()) continue;
+    if (std::find(factors.begin(), factors.end(), run->for_each) == factors.end()) {
+      factors.push_back(run->for_each);
+    }
+  }
+  return factors;
+}
+
+/// The row of the square that the allocation assigns to this factor. With several factors the row number is
+/// decomposed like the digits of a number, so that no two orders always occur together.
+std::vector<std::size_t> counterbalanced(const Protocol& protocol, const Allocation& allocation,
+                                         const std::string& factor, std::size_t levels) {
+  const Square square = square_of(protocol.counterbalance, levels);
+  const int rows = counterbalance_rows(protocol);
+  auto row = static_cast<std::size_t>(((allocation.counterbalance_row % rows) + rows) % rows);
+  for (const std::string& before : iterated_factors(protocol)) {
+    if (before == factor) break;
+    row /= square_of(protocol.counterbalance, protocol.factors.at(before).levels.size()).size();
+  }
+  return square[row % square.size()];
+}
+
+std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow>& rows,
+                                  const Random& random) {
+  const OrderProblem problem = order_problem(block, rows);
+  if (block.order == Block::Order::fixed) {
+    std::vector<std::size_t> order(problem.trials);
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    return order;
+  }
+  auto order = random_order(problem, random);
+  if (!order) {
+    throw std::runtime_error(
+        "block " + block.name +
+        ": no order of its trials satisfies maximum_in_a_row; allow more in a row");
+  }
+  return std::move(*order);
+}
+
+}  // namespace
+
+int counterbalance_rows(const Protocol& protocol) {
+  std::size_t rows = 1;
+  for (const std::string& factor : iterated_factors(protocol)) {
+    rows *= square_of(protocol.counterbalance, protocol.factors.at(factor).levels.size()).size();
+  }
+  return static_cast<int>(rows);
+}
+
+Course::Course(const Protocol& protocol, const Allocation& allocation)
+    : protocol_(&protocol),
+      random_(Random(allocation.seed).split("plan")),
+      maker_(protocol, random_) {
+  expand_flow(allocation);
+  proceed();
+}
+
+void Course::expand_flow(const Allocation& allocation) {
+  const FactorLevels group = group_factor(*protocol_, allocation.group);
+  for (const Protocol::Step& step : protocol_->flow) {
+    if (const auto* const run = std::get_if<Run>(&step)) {
+      expand(*run, group, allocation);
+    } else if (const auto* const screen = std::get_if<Protocol::Screen>(&step)) {
+      units_.emplace_back(PlanStep(*screen));
+    } else if (const auto* const check = std::get_if<Protocol::Check>(&step)) {
+      units_.emplace_back(PlanStep(*check));
+    } else if (const auto* const pause = std::get_if<Protocol::Break>(&step)) {
+      units_.emplace_back(PlanStep(*pause));
+    } else {
+      units_.emplace_back(PlanStep(std::get<Protocol::Ask>(step)));
+    }
+  }
+  for (Unit& unit : units_) {
+    auto* const run = std::get_if<BlockRun>(&unit);
+    if (run == nullptr) continue;
+    run->ordinal = ++plan_.blocks;
+    run->random = random_.split(run->block->name).split(static_cast<std::uint64_t>(run->ordinal));
+  }
+}
+
+void Course::expand(const Run& run, const FactorLevels& group, const Allocation& allocation) {
+  const Block& block = protocol_->blocks.at(run.block);
+  if (run.for_each.empty()) {
+    units_.emplace_back(BlockRun{.run = &run, .block = &block, .outer = group});
+    return;
+  }
+  const std::vector<Level>& levels = protocol_->factors.at(run.for_each).levels;
+  bool is_first = true;
+  for (const std::size_t index :
+       counterbalanced(*protocol_, allocation, run.for_each, levels.size())) {
+    if (!is_first && run.pause) units_.emplace_back(PlanStep(*run.pause));
+    is_first = false;
+    FactorLevels outer = group;
+    outer[run.for_each] = levels[index];
+    units_.emplace_back(BlockRun{.run = &run, .block = &block, .outer = std::move(outer)});
+  }
+}
+
+void Course::proceed() {
+  if (add_next_of_tracks()) return;
+  while (next_unit_ < units_.size()) {
+    const Unit& unit = units_[next_unit_++];
+    if (const auto* const step = std::get_if<PlanStep>(&unit)) {
+      plan_.steps.push_back(*step);
+      continue;
+    }
+    const BlockRun& run = std::get<BlockRun>(unit);
+    if (!run.block->procedure) {
+      add_block(run);
+      continue;
+    }
+    tracks_.emplace(*protocol_, run);
+    if (add_next_of_tracks()) return;
+  }
+}
+
+/// False where no track is under way, or the last one is finished.
+bool Course::add_next_of_tracks() {
+  if (!tracks_) return false;
+  const std::size_t before = tracks_->trials();
+  std::optional<Trial> trial = tracks_->next(maker_);
+  if (!trial) {
+    tracks_.reset();
+    return false;
+  }
+  add_pause(*tracks_->run().run, before);
+  add(std::move(*trial));
+  return true;
+}
+
+void Course::add_block(const BlockRun& run) {
+  const Block& block = *run.block;
+  const std::vector<BlockRow> rows = rows_of(*protocol_, block);
+  const std::vector<std::size_t> order = order_of(block, rows, run.random.split("order"));
+  const std::size_t trials =
+      block.until ? std::min(order.size(), static_cast<std::size_t>(block.until->maximum_trials))
+                  : order.size();
+  std::map<std::string, std::vector<Level>, std::less<>> drawn{};
+  for (const std::string& factor : block.drawn) {
+    drawn[factor] = balanced_draws(protocol_->factors.at(factor).levels, trials,
+                                   run.random.split("drawn").split(factor));
+  }
+  const auto positions =
+      positions_of(block.positions, block.presented.size(), trials, run.random.split("positions"));
+  if (!block.anchor.empty()) {
+    Trial anchor{};
+    anchor.repetition = 0;
+    anchor.factors = run.outer;
+    anchor.factors.insert(block.anchor.begin(), block.anchor.end());
+    anchor =
+        maker_.make(std::move(anchor), run, {block.presented.front()}, run.random.split("anchor"));
+    anchor.presentations.front().role = "anchor";
+    add(std::move(anchor));
+  }
+  for (std::size_t i = 0; i < trials; ++i) {
+    add_pause(*run.run, i);
+    Trial trial{};
+    trial.repetition = static_cast<int>(order[i] / rows.size()) + 1;
+    trial.factors = run.outer;
+    const BlockRow& row = rows[order[i] % rows.size()];
+    trial.factors.insert(row.factors.begin(), row.factors.end());
+    for (const auto& [factor, levels] : drawn) trial.factors[factor] = levels[i];
+    const std::vector<Protocol::Presented> listed = surfaces_of(block, row);
+    std::vector<Protocol::Presented> surfaces{};
+    for (const std::size_t index : positions[i]) surfaces.push_back(listed[index]);
+    add(maker_.make(std::move(trial), run, surfaces, run.random.split("pictures").split(i)));
+  }
+}
+
+/// The break within a block, before the trial that follows `trials` trials of it.
+void Course::add_pause(const Run& run, std::size_t trials) {
+  if (trials > 0 && run.pause && run.break_every_trials > 0 &&
+      trials % static_cast<std::size_t>(run.break_every_trials) == 0) {
+    plan_.steps.emplace_back(*run.pause);
+  }
+}
+
+void Course::add(Trial trial) {
+  trial.ordinal = static_cast<int>(plan_.trials.size()) + 1;
+  plan_.steps.emplace_back(TrialStep{plan_.trials.size()});
+  plan_.trials.push_back(std::move(trial));
+}
+
+const Trial* Course::awaited() const noexcept { return tracks_ ? &plan_.trials.back() : nullptr; }
+
+std::size_t Course::trials_before_last_outcome() const noexcept {
+  return trials_before_.value_or(plan_.trials.size());
+}
+
+void Course::advance(const TrialOutcome& outcome) {
+  if (!tracks_) throw std::logic_error("the plan of the session is complete");
+  std::optional<LevelAnswer> answer{};
+  if (outcome.answer) {
+    const Dimension& dimension = *tracks_->run().block->vary;
+    answer = {.level = dimension.level_of(outcome.answer->value),
+              .is_correct = outcome.answer->chose_varied};
+  }
+  tracks_->answer(answer);
+  trials_before_ = plan_.trials.size();
+  proceed();
+}
+
+Plan make_plan(const Protocol& protocol, const Allocation& allocation) {
+  return Course(protocol, allocation).plan();
+}
+
+Plan example_plan(const Protocol& protocol, const Allocation& allocation) {
+  Course course(protocol, allocation);
+  Random observer = Random(allocation.seed).split("example observer");
+  while (const Trial* const trial = course.awaited()) {
+    const Dimension& dimension = *protocol.blocks.at(trial->block).vary;
+    const double value = std::get<double>(trial->factors.at(dimension.factor));
+    const std::vector<double> values = dimension.values();
+    // A logistic function of the place among the levels, from chance to certainty.
+    const auto place = std::lower_bound(values.begin(), values.end(), value) - values.begin();
+    const double middle = 0.5 * static_cast<double>(values.size() - 1);
+    const double from_middle = (static_cast<double>(place) - middle) / std::max(middle, 0.5);
+    const double chance = values.front() < dimension.standard.value_or(values.front()) ? 0.0 : 0.5;
+    const double chosen = chance + (1.0 - chance) / (1.0 + std::exp(-5.0 * from_middle));
+    course.advance({.answer = TrialOutcome::Answer{.value = value,
+                                                   .chose_varied = observer.uniform() < chosen}});
+  }
+  return course.plan();
+}
+
+}  // namespace asperity

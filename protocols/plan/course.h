@@ -1,0 +1,77 @@
+// Declares the course of a session: its plan, which grows with the answers where a procedure chooses levels.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "protocols/plan/level_tracks.h"
+#include "protocols/plan/plan.h"
+#include "protocols/plan/trial_maker.h"
+
+namespace asperity {
+
+/// The input of a procedure from one trial.
+struct TrialOutcome {
+  /// The value of the varied parameter that was delivered, and whether the surface with it was chosen; nothing where
+  /// there is no answer that counts for the track.
+  struct Answer {
+    double value = 0.0;
+    bool chose_varied = false;
+  };
+  std::optional<Answer> answer{};
+};
+
+/// The trial sequence of one session.
+///
+/// A session without procedures has its complete plan from the beginning. Otherwise the plan ends with the first trial
+/// of a procedure: the outcome of this trial determines the next one, and so on to the end of the block, which is
+/// followed by the trials of further blocks up to the next procedure.
+///
+/// A course is a function of protocol, allocation and outcomes. Resuming, verifying and replaying a session make it
+/// again from the stored outcomes and compare it with the stored trials.
+class Course final {
+ public:
+  /// The protocol must outlive the course. Errors: as `make_plan`.
+  Course(const Protocol& protocol, const Allocation& allocation);
+
+  /// The trials and steps that are determined so far. A reference to a trial remains valid when the plan grows.
+  const Plan& plan() const noexcept { return plan_; }
+  /// The trial whose outcome determines what follows: the last one of the plan. Null when the plan is complete.
+  const Trial* awaited() const noexcept;
+  /// The number of trials before the last outcome; all of them where there was none.
+  std::size_t trials_before_last_outcome() const noexcept;
+  /// Continues the plan after the outcome of the awaited trial.
+  ///
+  /// Errors: std::logic_error when the plan is complete.
+  void advance(const TrialOutcome& outcome);
+
+ private:
+  /// A step of the flow, or one run of a block of it.
+  using Unit = std::variant<PlanStep, BlockRun>;
+
+  void expand_flow(const Allocation& allocation);
+  void expand(const Protocol::Run& run, const FactorLevels& group, const Allocation& allocation);
+  void proceed();
+  void add_block(const BlockRun& run);
+  bool add_next_of_tracks();
+  void add_pause(const Protocol::Run& run, std::size_t trials);
+  void add(Trial trial);
+
+  const Protocol* protocol_;
+  Random random_;
+  TrialMaker maker_;
+  std::vector<Unit> units_{};
+  std::size_t next_unit_ = 0;
+  std::optional<LevelTracks> tracks_{};  ///< of the block that is being run
+  std::optional<std::size_t> trials_before_{};
+  Plan plan_{};
+};
+
+/// The course of a session whose answers come from an observer with a threshold in the middle of the levels: for
+/// estimates of durations, and to show an example of a session before it begins. Equal to `make_plan` for a protocol
+/// without procedures.
+Plan example_plan(const Protocol& protocol, const Allocation& allocation);
+
+}  // namespace asperity

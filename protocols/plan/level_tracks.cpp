@@ -1,0 +1,100 @@
+// Implements interleaved tracks.
+
+#include "protocols/plan/level_tracks.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "protocols/plan/block_rows.h"
+
+namespace asperity {
+
+LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
+    : protocol_(&protocol), run_(std::move(run)), rows_(rows_of(protocol, *run_.block)) {
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    for (const ProcedureSettings& settings : run_.block->procedure->tracks) {
+      Track track{.row = row, .settings = settings};
+      track.random = run_.random.split("track").split(static_cast<std::uint64_t>(tracks_.size()));
+      tracks_.push_back(std::move(track));
+    }
+  }
+}
+
+std::optional<double> LevelTracks::next_level(const Track& track) {
+  const Procedure& procedure = procedure_of(track.settings);
+  // Trials without an answer repeat their level: a participant who no longer responds must not repeat it for ever.
+  if (track.trials >= kMostPresented * procedure.most_trials(track.settings)) return std::nullopt;
+  const NextStep step = procedure.next(track.settings, track.answers, track.random);
+  const auto* const next = std::get_if<NextLevel>(&step);
+  return next == nullptr ? std::nullopt : std::optional(next->level);
+}
+
+void LevelTracks::begin_round() {
+  std::vector<std::size_t> open{};
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    if (next_level(tracks_[i])) open.push_back(i);
+  }
+  if (run_.block->order == Protocol::Block::Order::fixed) {
+    open.resize(std::min<std::size_t>(open.size(), 1));
+  } else {
+    Random random = run_.random.split("round").split(static_cast<std::uint64_t>(rounds_));
+    random.shuffle(std::span(open));
+  }
+  ++rounds_;
+  round_.assign(open.rbegin(), open.rend());
+}
+
+std::optional<Trial> LevelTracks::next(const TrialMaker& maker) {
+  if (round_.empty()) begin_round();
+  if (round_.empty()) return std::nullopt;
+  awaited_ = round_.back();
+  round_.pop_back();
+  return trial_of(awaited_, next_level(tracks_[awaited_]).value(), maker);
+}
+
+void LevelTracks::answer(const std::optional<LevelAnswer>& answer) {
+  if (answer) tracks_.at(awaited_).answers.push_back(*answer);
+}
+
+Trial LevelTracks::trial_of(std::size_t index, double level, const TrialMaker& maker) {
+  const Protocol::Block& block = *run_.block;
+  Track& track = tracks_[index];
+  const std::size_t step = ++track.trials;
+  const BlockRow& row = rows_[track.row];
+  Trial trial{};
+  trial.track = TrackStep{.track = static_cast<int>(index) + 1, .step = static_cast<int>(step)};
+  trial.repetition = static_cast<int>(step);
+  trial.factors = run_.outer;
+  trial.factors.insert(row.factors.begin(), row.factors.end());
+  trial.factors[block.vary->factor] = block.vary->value_of(level);
+  for (const std::string& factor : block.drawn) {
+    trial.factors[factor] = balanced_draws(protocol_->factors.at(factor).levels, step,
+                                           track.random.split("drawn").split(factor))
+                                .back();
+  }
+  const std::vector<Protocol::Presented> listed = surfaces_of(block, row);
+  std::vector<Protocol::Presented> surfaces{};
+  const auto positions =
+      positions_of(block.positions, listed.size(), step, track.random.split("positions"));
+  for (const std::size_t surface : positions.back()) {
+    surfaces.push_back(listed[surface]);
+  }
+  const Random pictures = run_.random.split("pictures").split(static_cast<std::uint64_t>(trials_));
+  ++trials_;
+  return maker.make(std::move(trial), run_, surfaces, pictures);
+}
+
+std::size_t most_trials_of(const Protocol& protocol, const Protocol::Block& block) {
+  const std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
+  const std::size_t of_row =
+      std::accumulate(tracks.begin(), tracks.end(), std::size_t{0},
+                      [](std::size_t sum, const ProcedureSettings& settings) {
+                        return sum + procedure_of(settings).most_trials(settings);
+                      });
+  return of_row * row_count(protocol, block);
+}
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+// Declares the tracks of one run of a block whose levels a procedure chooses.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "analysis/random.h"
+#include "protocols/design/protocol.h"
+#include "protocols/plan/trial_maker.h"
+
+namespace asperity {
+
+/// The tracks of a block with a procedure: one for every combination of the other factors and every track of the
+/// procedure, in this order.
+///
+/// A track also ends when it has presented `kMostPresented` times its maximum number of trials, answered or not.
+///
+/// Tracks are interleaved in rounds: in each round every track that is not finished has one trial, in random order
+/// (`Block::Order::shuffle`). With the order `fixed` a track begins when the one before is finished.
+class LevelTracks final {
+ public:
+  /// The protocol and the block must outlive the tracks.
+  LevelTracks(const Protocol& protocol, BlockRun run);
+
+  const BlockRun& run() const noexcept { return run_; }
+  /// Trials so far.
+  std::size_t trials() const noexcept { return trials_; }
+
+  /// The next trial, without its ordinal; nothing when all tracks are finished. It has to be answered before the next
+  /// one is determined.
+  std::optional<Trial> next(const TrialMaker& maker);
+  /// The answer to the last trial; nothing where it does not count for its track, which then has the same level in
+  /// another trial.
+  void answer(const std::optional<LevelAnswer>& answer);
+
+  static constexpr std::size_t kMostPresented = 2;
+
+ private:
+  struct Track {
+    std::size_t row = 0;
+    ProcedureSettings settings{};
+    Random random{0};
+    std::vector<LevelAnswer> answers{};
+    std::size_t trials = 0;
+  };
+
+  /// The level of the next trial of a track; nothing when it is finished.
+  static std::optional<double> next_level(const Track& track);
+  void begin_round();
+  Trial trial_of(std::size_t index, double level, const TrialMaker& maker);
+
+  const Protocol* protocol_;
+  BlockRun run_{};
+  std::vector<BlockRow> rows_{};
+  std::vector<Track> tracks_{};
+  std::vector<std::size_t>
+      round_{};  // the tracks that still follow in this round, the next one last
+  std::size_t rounds_ = 0;
+  std::size_t trials_ = 0;
+  std::size_t awaited_ = 0;
+};
+
+/// The maximum number of trials of one run of a block with a procedure.
+std::size_t most_trials_of(const Protocol& protocol, const Protocol::Block& block);
+
+}  // namespace asperity

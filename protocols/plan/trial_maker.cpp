@@ -1,0 +1,251 @@
+// Implements the making of one trial: stimuli resolved from factors, options, correct responses.
+
+#include "protocols/plan/trial_maker.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/squares.h"
+
+namespace asperity {
+
+using Block = Protocol::Block;
+
+namespace {
+
+const Level& presented_level(const FactorLevels& factors, const FactorLevels& with,
+                             const std::string& name) {
+  const auto own = with.find(name);
+  return own == with.end() ? factors.at(name) : own->second;
+}
+
+std::string resolved(const Binding<std::string>& binding, const FactorLevels& factors,
+                     const FactorLevels& with) {
+  if (binding.value) return *binding.value;
+  return binding.factor.empty() ? std::string{}
+                                : text_of(presented_level(factors, with, binding.factor));
+}
+
+/// A body of the protocol with the paths of its files. `texture` is applied to a surface without one.
+std::optional<BodyDescription> planned_body(const Protocol& protocol, const std::string& name,
+                                            const std::string& texture) {
+  if (name.empty()) return {};
+  BodyDescription body = protocol.bodies.at(name);
+  if (!body.mesh && !body.texture && !texture.empty()) body.texture = texture;
+  if (body.texture) body.height_field = protocol.textures.at(*body.texture).height_field;
+  return body;
+}
+
+PlannedPresentation presentation_of(const Protocol& protocol, const Block& block,
+                                    const Protocol::Presented& presented,
+                                    const FactorLevels& factors) {
+  const StimulusTemplate& source = protocol.stimuli.at(presented.stimulus);
+  PlannedPresentation planned{};
+  planned.role = presented.role;
+  planned.stimulus_template = source.name;
+  planned.stimulus.model = resolved(source.model, factors, presented.with);
+  planned.stimulus.texture = resolved(source.texture, factors, presented.with);
+  planned.stimulus.name = source.name;
+  const std::string surface = resolved(source.surface, factors, presented.with);
+  const std::string tool = resolved(source.tool, factors, presented.with);
+  for (const std::string& part : {planned.stimulus.texture, planned.stimulus.model,
+                                  source.surface.factor.empty() ? std::string{} : surface,
+                                  source.tool.factor.empty() ? std::string{} : tool}) {
+    if (!part.empty()) planned.stimulus.name += "_" + part;
+  }
+  if (!planned.stimulus.texture.empty()) {
+    planned.stimulus.height_field = protocol.textures.at(planned.stimulus.texture).height_field;
+    planned.stimulus.declared_assets = protocol.textures.at(planned.stimulus.texture).assets;
+  }
+  planned.stimulus.surface = planned_body(protocol, surface, planned.stimulus.texture);
+  planned.stimulus.tool = planned_body(protocol, tool, {});
+  for (const auto& [name, binding] : source.parameters) {
+    if (binding.value) {
+      planned.stimulus.parameters[name] = *binding.value;
+    } else {
+      const Level& level = presented_level(factors, presented.with, binding.factor);
+      planned.stimulus.parameters[name] = level;
+      planned.stimulus.name += "_" + text_of(level);
+    }
+  }
+  if (block.vary && block.vary->role == presented.role) {
+    const Level& level = factors.at(block.vary->factor);
+    planned.stimulus.parameters[block.vary->parameter] = level;
+    planned.stimulus.name += "_" + text_of(level);
+  }
+  planned.stimulus.material = protocol.material;
+  planned.stimulus.patch = protocol.patch;
+  planned.equal_force = source.equal_force;
+  planned.item = presented.item.empty() ? kind_of(block).item_of(planned) : presented.item;
+  return planned;
+}
+
+std::string place_code(std::size_t index) { return std::string(1, static_cast<char>('A' + index)); }
+
+std::string with_code(std::string prompt, const std::string& code) {
+  constexpr std::string_view kPlaceholder = "{code}";
+  for (std::size_t at = prompt.find(kPlaceholder); at != std::string::npos;
+       at = prompt.find(kPlaceholder, at + code.size())) {
+    prompt.replace(at, kPlaceholder.size(), code);
+  }
+  return prompt;
+}
+
+/// The texture of the first surface, where it has one.
+const Texture* texture_of(const Protocol& protocol, const Trial& trial) {
+  const auto texture = protocol.textures.find(trial.presentations.front().stimulus.texture);
+  return texture == protocol.textures.end() ? nullptr : &texture->second;
+}
+
+TrialQuestion planned_question(const Protocol& protocol,
+                               const Protocol::TrialQuestionTemplate& source, const Trial& trial,
+                               const std::vector<std::string>& pictures) {
+  TrialQuestion question{};
+  question.name = source.name;
+  question.prompt = source.prompt;
+  question.form = source.form;
+  if (!has_options(question.form)) return question;
+  if (!source.words.empty()) {
+    for (const Protocol::TrialQuestionTemplate::Word& word : source.words) {
+      const std::string label = std::to_string(question.options.size() + 1);
+      question.options.push_back({word.value, label, std::nullopt, word.text});
+    }
+  } else if (pictures.empty()) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      question.options.push_back({planned.item, planned.code, std::nullopt, {}});
+    }
+    if (!source.tie.empty()) {
+      const std::string label = std::to_string(question.options.size() + 1);
+      question.options.push_back({kTieOption, label, std::nullopt, source.tie});
+    }
+  } else {
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      question.options.push_back(
+          {pictures[i], std::to_string(i + 1), protocol.textures.at(pictures[i]).picture, {}});
+    }
+  }
+  if (source.allow_cannot_tell) {
+    question.options.push_back({"cannot_tell", "I cannot tell", std::nullopt, {}});
+  }
+  const ExperimentKind& kind = kind_named(trial.kind);
+  if (kind.correct_of != nullptr) question.correct = kind.correct_of(source, trial);
+  return question;
+}
+
+}  // namespace
+
+std::vector<Level> balanced_draws(const std::vector<Level>& levels, std::size_t count,
+                                  Random random) {
+  std::vector<Level> draws{};
+  while (draws.size() < count) {
+    std::vector<Level> round = levels;
+    random.shuffle(std::span<Level>(round));
+    const std::size_t wanted = std::min(round.size(), count - draws.size());
+    draws.insert(draws.end(), round.begin(), round.begin() + static_cast<std::ptrdiff_t>(wanted));
+  }
+  return draws;
+}
+
+std::vector<std::vector<std::size_t>> positions_of(Block::Positions how, std::size_t surfaces,
+                                                   std::size_t trials, Random random) {
+  std::vector<std::vector<std::size_t>> orders{};
+  std::vector<std::size_t> listed(surfaces);
+  for (std::size_t i = 0; i < surfaces; ++i) listed[i] = i;
+  switch (how) {
+    case Block::Positions::as_listed:
+      orders.assign(trials, listed);
+      break;
+    case Block::Positions::shuffle:
+      for (std::size_t trial = 0; trial < trials; ++trial) {
+        orders.push_back(listed);
+        random.shuffle(std::span<std::size_t>(orders.back()));
+      }
+      break;
+    case Block::Positions::balanced: {
+      // Complete Latin squares follow each other, each shuffled separately. The two halves of an odd Williams square
+      // alternate, so that orders are balanced too as far as possible.
+      const Square williams = williams_square(surfaces);
+      const std::size_t halves = williams.size() / surfaces;
+      std::size_t half = static_cast<std::size_t>(random.below(halves));
+      while (orders.size() < trials) {
+        Square rows(williams.begin() + static_cast<std::ptrdiff_t>(half * surfaces),
+                    williams.begin() + static_cast<std::ptrdiff_t>((half + 1) * surfaces));
+        random.shuffle(std::span<std::vector<std::size_t>>(rows));
+        const std::size_t wanted = std::min(rows.size(), trials - orders.size());
+        orders.insert(orders.end(), rows.begin(),
+                      rows.begin() + static_cast<std::ptrdiff_t>(wanted));
+        half = (half + 1) % halves;
+      }
+      break;
+    }
+  }
+  return orders;
+}
+
+std::vector<Protocol::Presented> surfaces_of(const Block& block, const BlockRow& row) {
+  std::vector<Protocol::Presented> surfaces = block.presented;
+  for (std::size_t i = 0; i < row.pair.size(); ++i) {
+    surfaces[i].with[block.all_pairs->factor] = row.pair[i];
+    surfaces[i].item = text_of(row.pair[i]);
+  }
+  return surfaces;
+}
+
+Trial TrialMaker::make(Trial trial, const BlockRun& run,
+                       const std::vector<Protocol::Presented>& surfaces,
+                       const Random& pictures) const {
+  const Block& block = *run.block;
+  trial.block = block.name;
+  trial.kind = block.kind;
+  trial.block_ordinal = run.ordinal;
+  trial.phase = block.phase;
+  for (const Protocol::Presented& surface : surfaces) {
+    trial.presentations.push_back(presentation_of(*protocol_, block, surface, trial.factors));
+    trial.presentations.back().position = static_cast<int>(trial.presentations.size());
+    trial.presentations.back().code = place_code(trial.presentations.size() - 1);
+  }
+  const Texture* const texture = texture_of(*protocol_, trial);
+  trial.experimenter_prompt = texture == nullptr
+                                  ? block.experimenter_prompt
+                                  : with_code(block.experimenter_prompt, texture->code);
+  if (texture != nullptr && protocol_->realism_standard == RealismStandard::photograph) {
+    trial.standard_picture = texture->picture;
+  }
+  trial.allow_revisit = block.allow_revisit;
+  trial.pictures_after_feeling = block.pictures_after_feeling;
+  for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+    // The first question has the stream that it had when it was the only one.
+    const Random of_question = trial.questions.empty() ? pictures : pictures.split(question.name);
+    trial.questions.push_back(
+        planned_question(*protocol_, question, trial, pictures_of(question, of_question)));
+  }
+  trial.on_one_page = block.on_one_page;
+  trial.page_prompt = block.page_prompt;
+  if (block.shuffles_questions) {
+    Random order = pictures.split("question order");
+    order.shuffle(std::span<TrialQuestion>(trial.questions));
+  }
+  return trial;
+}
+
+/// Questions with the same pictures show them at the same positions, unless they are reshuffled.
+std::vector<std::string> TrialMaker::pictures_of(const Protocol::TrialQuestionTemplate& question,
+                                                 Random of_trial) const {
+  std::vector<std::string> pictures = question.pictures;
+  std::sort(pictures.begin(), pictures.end());
+  if (question.reshuffle_pictures) {
+    of_trial.shuffle(std::span<std::string>(pictures));
+  } else {
+    Random of_session = of_session_.split("pictures of the session");
+    for (const std::string& picture : pictures) of_session = of_session.split(picture);
+    of_session.shuffle(std::span<std::string>(pictures));
+  }
+  return pictures;
+}
+
+}  // namespace asperity

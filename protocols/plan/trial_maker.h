@@ -1,0 +1,58 @@
+// Declares the making of one trial: its surfaces and questions, once its factors are known.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/random.h"
+#include "protocols/design/protocol.h"
+#include "protocols/design/trial.h"
+#include "protocols/plan/block_rows.h"
+
+namespace asperity {
+
+/// What distinguishes one run of a block from the others of a session.
+struct BlockRun {
+  const Protocol::Run* run = nullptr;
+  const Protocol::Block* block = nullptr;
+  int ordinal = 0;       ///< 1-based within the session
+  FactorLevels outer{};  ///< of the group, and of `Run::for_each`
+  Random random{0};      ///< the stream of this run
+};
+
+/// The surfaces of a trial in the listed order: where the block has pairs, with the levels of the pair of the row.
+std::vector<Protocol::Presented> surfaces_of(const Protocol::Block& block, const BlockRow& row);
+
+/// Makes the trials of one session.
+class TrialMaker final {
+ public:
+  /// The protocol must outlive the maker. `of_session` is the stream of the plan.
+  TrialMaker(const Protocol& protocol, const Random& of_session)
+      : protocol_(&protocol), of_session_(of_session) {}
+
+  /// Completes a trial whose ordinal, repetition and factors are set. `surfaces`: in the order of presentation;
+  /// `pictures`: the stream of its options.
+  Trial make(Trial trial, const BlockRun& run, const std::vector<Protocol::Presented>& surfaces,
+             const Random& pictures) const;
+
+ private:
+  std::vector<std::string> pictures_of(const Protocol::TrialQuestionTemplate& question,
+                                       Random of_trial) const;
+
+  const Protocol* protocol_;
+  Random of_session_;
+};
+
+/// `count` draws from `levels` in random order, each level equally often as far as possible. A longer series begins with
+/// the shorter one.
+std::vector<Level> balanced_draws(const std::vector<Level>& levels, std::size_t count,
+                                  Random random);
+
+/// The order of `surfaces` surfaces in each of `trials` trials. A longer series begins with the shorter one.
+std::vector<std::vector<std::size_t>> positions_of(Protocol::Block::Positions how,
+                                                   std::size_t surfaces, std::size_t trials,
+                                                   Random random);
+
+}  // namespace asperity

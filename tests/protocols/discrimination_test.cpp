@@ -1,0 +1,368 @@
+// Discriminations and the parameter that the trials of a block vary: plans, measures of levels, and what a file cannot ask.
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "protocols/design/dimension.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_problems.h"
+#include "protocols/file/stored_protocol.h"
+#include "protocols/plan/plan.h"
+#include "tests/protocols/example.h"
+
+namespace asperity {
+namespace {
+
+/// Not `json`, which names variables of other tests.
+using ProtocolJson = nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr const char* kBlock = "/blocks/comparisons";
+
+/// Two-interval forced choice: an amplitude of 50 µm, and 5, 10, 20, 30 and 50 % above.
+ProtocolJson amplitude_jnd() {
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name != "amplitude_jnd") continue;
+    ProtocolJson protocol = ProtocolJson::parse(each.text);
+    ProtocolJson& block = protocol["blocks"]["comparisons"];
+    block.erase("procedure");
+    block["vary"]["levels_percent"] = {5, 10, 20, 30, 50};
+    block["repetitions"] = 16;
+    return protocol;
+  }
+  ADD_FAILURE() << "the library has no such protocol";
+  return {};
+}
+
+ProtocolJson& main_block(ProtocolJson& protocol) { return protocol["blocks"]["comparisons"]; }
+
+/// The same with levels on both sides and a judgement of comparison.
+ProtocolJson comparison_of_amplitudes() {
+  ProtocolJson protocol = amplitude_jnd();
+  main_block(protocol)["vary"]["levels_percent"] = {-30, -10, 0, 10, 30};
+  main_block(protocol)["question"]["judgement"] = "comparison";
+  return protocol;
+}
+
+ProtocolReading reading_of_discrimination(const ProtocolJson& protocol) {
+  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
+}
+
+Protocol valid_discrimination(const ProtocolJson& protocol) {
+  const ProtocolReading reading = reading_of_discrimination(protocol);
+  for (const Diagnostic& problem : reading.problems) {
+    ADD_FAILURE() << problem.pointer << ": " << problem.message;
+  }
+  return reading.protocol.value();
+}
+
+using Change = std::function<void(ProtocolJson& protocol)>;
+
+/// The messages at a pointer after a change of a valid protocol.
+std::string problems_at(ProtocolJson protocol, const std::string& pointer, const Change& change) {
+  change(protocol);
+  std::string messages{};
+  for (const Diagnostic& problem : reading_of_discrimination(protocol).problems) {
+    if (problem.pointer == pointer) messages += problem.message + '\n';
+  }
+  return messages;
+}
+
+struct FaultOfBlock {
+  const char* pointer = "";  ///< below the main block
+  const char* message = "";
+  Change change{};
+};
+
+void expect_faults(const ProtocolJson& valid, const std::vector<FaultOfBlock>& faults) {
+  for (const FaultOfBlock& fault : faults) {
+    SCOPED_TRACE(fault.message);
+    EXPECT_THAT(problems_at(valid, std::string(kBlock) + fault.pointer, fault.change),
+                HasSubstr(fault.message));
+  }
+}
+
+TEST(Discriminations, ArePlannedWithEveryLevelInBothOrders) {
+  const Plan plan = make_plan(valid_discrimination(amplitude_jnd()), {1, 0});
+  std::map<std::string, int> by_level{};
+  std::map<std::string, int> comparison_first{};
+  for (const Trial& trial : plan.trials) {
+    if (trial.phase != Phase::main) continue;
+    const std::string level = text_of(trial.factors.at("amplitude_m"));
+    ++by_level[level];
+    ASSERT_EQ(trial.presentations.size(), 2U);
+    comparison_first[level] += trial.presentations[0].item == "comparison" ? 1 : 0;
+    for (const PlannedPresentation& planned : trial.presentations) {
+      EXPECT_EQ(planned.item, planned.role);
+      const double amplitude_m = std::get<double>(planned.stimulus.parameters.at("amplitude_m"));
+      EXPECT_EQ(text_of(Level(amplitude_m)), planned.role == "standard" ? "5e-05" : level);
+    }
+    const Trial& asked = trial;
+    EXPECT_EQ(asked.questions.front().correct, std::vector<std::string>{"comparison"});
+  }
+  ASSERT_EQ(by_level.size(), 5U);
+  for (const auto& [level, trials] : by_level) {
+    EXPECT_EQ(trials, 16) << level;
+  }
+  EXPECT_TRUE(by_level.contains("7.5e-05")) << "50 µm + 50 %";
+  int first = 0;
+  for (const auto& [level, trials] : comparison_first) first += trials;
+  EXPECT_EQ(first, 40) << "positions are balanced";
+}
+
+TEST(Discriminations, ByComparisonHaveNoCorrectResponse) {
+  const Plan plan = make_plan(valid_discrimination(comparison_of_amplitudes()), {1, 0});
+  for (const Trial& trial : plan.trials) {
+    if (trial.phase != Phase::main) continue;
+    EXPECT_TRUE(trial.questions.front().correct.empty());
+  }
+}
+
+TEST(Discriminations, RefuseSurfacesThatAreNotAStandardAndAComparison) {
+  const ProtocolJson standard{{"role", "standard"}, {"stimulus", "grating"}};
+  const ProtocolJson comparison{{"role", "comparison"}, {"stimulus", "grating"}};
+  expect_faults(
+      amplitude_jnd(),
+      {{"/presented", "one surface with the role \"standard\"",
+        [&](ProtocolJson& p) { main_block(p)["presented"] = {comparison}; }},
+       {"/presented", "one surface with the role \"standard\"",
+        [&](ProtocolJson& p) {
+          main_block(p)["presented"] = {standard, standard, comparison};
+        }},
+       {"/presented/1/item", "the role names each surface",
+        [&](ProtocolJson& p) { main_block(p)["presented"][1]["item"] = "grating"; }},
+       {"/presented", "the same surface would always be presented first",
+        [&](ProtocolJson& p) { main_block(p)["positions"] = "as_listed"; }},
+       {"/question/correct_factor", "the judgement determines the correct response",
+        [&](ProtocolJson& p) { main_block(p)["question"]["correct_factor"] = "amplitude_m"; }},
+       {"/question/allow_cannot_tell", "a forced choice between the two surfaces",
+        [&](ProtocolJson& p) { main_block(p)["question"]["allow_cannot_tell"] = true; }}});
+}
+
+TEST(Discriminations, RefuseABlockWithoutAStandardOfAKnownValue) {
+  expect_faults(
+      amplitude_jnd(),
+      {{"/question", "a discrimination needs \"judgement\"",
+        [](ProtocolJson& p) { main_block(p)["question"].erase("judgement"); }},
+       {"", "add \"vary\"", [](ProtocolJson& p) { main_block(p).erase("vary"); }},
+       {"/vary/of", "varies the comparison",
+        [](ProtocolJson& p) {
+          main_block(p)["vary"] = {
+              {"parameter", "amplitude_m"}, {"of", "standard"}, {"levels", {1e-5}}};
+        }},
+       {"/vary", "set \"relative_to\" to \"standard\"",
+        [](ProtocolJson& p) {
+          main_block(p)["vary"] = {
+              {"parameter", "amplitude_m"}, {"of", "comparison"}, {"levels", {1e-5}}};
+        }},
+       {"/vary/relative_to", "does not state a number for \"amplitude_m\"", [](ProtocolJson& p) {
+          p["stimuli"]["plain"] = {{"model", "sinusoid"},
+                                   {"parameters", {{"wavelength_m", 0.0025}}}};
+          main_block(p)["vary"].erase("levels_percent");
+          main_block(p)["vary"]["levels"] = {1e-5};
+          main_block(p)["presented"][0]["stimulus"] = "plain";
+        }}});
+}
+
+TEST(Discriminations, RefuseLevelsThatDoNotSuitTheJudgement) {
+  expect_faults(
+      amplitude_jnd(),
+      {{"/vary/levels_percent", "every level must be above the standard, or every level below",
+        [](ProtocolJson& p) {
+          main_block(p)["vary"]["levels_percent"] = {-10, 10};
+        }},
+       {"/vary/levels_percent", "every level must be above the standard, or every level below",
+        [](ProtocolJson& p) {
+          main_block(p)["vary"]["levels_percent"] = {0, 10};
+        }}});
+  expect_faults(comparison_of_amplitudes(),
+                {{"/vary/levels_percent", "needs levels below and above the standard",
+                  [](ProtocolJson& p) {
+                    main_block(p)["vary"]["levels_percent"] = {0, 10};
+                  }},
+                 {"/feedback", "no response is correct or incorrect",
+                  [](ProtocolJson& p) { main_block(p)["feedback"] = "correctness"; }}});
+}
+
+TEST(Discriminations, OfDecreasingLevelsAreValid) {
+  ProtocolJson protocol = amplitude_jnd();
+  for (const char* const block : {"practice", "comparisons"}) {
+    protocol["blocks"][block]["vary"]["levels_percent"] = {-50, -20};
+  }
+  (void)valid_discrimination(protocol);
+}
+
+TEST(VariedParameters, RefuseLevelsThatAreMissingOrStatedTwice) {
+  expect_faults(
+      amplitude_jnd(),
+      {{"/vary", "no levels are stated",
+        [](ProtocolJson& p) { main_block(p)["vary"].erase("levels_percent"); }},
+       {"/vary", "levels are stated twice",
+        [](ProtocolJson& p) { main_block(p)["vary"]["levels_ratio"] = {1.1}; }},
+       {"/vary/levels_percent", "a level is stated twice",
+        [](ProtocolJson& p) {
+          main_block(p)["vary"]["levels_percent"] = {5, 10, 5};
+        }},
+       {"/vary/levels_percent/highest", "",
+        [](ProtocolJson& p) {
+          main_block(p)["vary"]["levels_percent"] = {{"lowest", 50}, {"highest", 5}, {"step", 5}};
+        }},
+       {"/vary/levels_percent/step", "every level is checked before a session",
+        [](ProtocolJson& p) {
+          main_block(p)["vary"]["levels_percent"] = {
+              {"lowest", 1}, {"highest", 51}, {"step", 0.00501}};
+        }}});
+}
+
+TEST(VariedParameters, RefuseNamesThatAreTakenOrUnknown) {
+  expect_faults(amplitude_jnd(),
+                {{"/vary/parameter", "already declared under /factors",
+                  [](ProtocolJson& p) {
+                    p["factors"]["amplitude_m"] = {{"levels", {1, 2}}};
+                  }},
+                 {"/vary/factor", "already declared under /factors",
+                  [](ProtocolJson& p) {
+                    p["factors"]["size"] = {{"levels", {1, 2}}};
+                    main_block(p)["vary"]["factor"] = "size";
+                  }},
+                 {"/vary/of", "surfaces of the block have the role \"target\"",
+                  [](ProtocolJson& p) { main_block(p)["vary"]["of"] = "target"; }},
+                 {"/vary/relative_to", "no other surface of the block has the role",
+                  [](ProtocolJson& p) { main_block(p)["vary"]["relative_to"] = "comparison"; }},
+                 {"/vary/parameter", "amplitude",
+                  [](ProtocolJson& p) {
+                    for (const char* const block : {"practice", "comparisons"}) {
+                      p["blocks"][block]["vary"]["parameter"] = "amplitud_m";
+                    }
+                    p["stimuli"]["grating"]["parameters"]["amplitud_m"] = 5e-5;
+                  }},
+                 {"/vary/parameter", "equal_force",
+                  [](ProtocolJson& p) {
+                    p["stimuli"]["forced"] = p["stimuli"]["grating"];
+                    p["stimuli"]["forced"]["parameters"].erase("amplitude_m");
+                    p["stimuli"]["forced"]["equal_force"] = {{"rms_N", 0.3}};
+                    main_block(p)["presented"][1]["stimulus"] = "forced";
+                  }},
+                 {"/vary/parameter", "binds this parameter to the factor", [](ProtocolJson& p) {
+                    p["factors"]["size"] = {{"levels", {1e-5, 2e-5}}};
+                    p["stimuli"]["bound"] = p["stimuli"]["grating"];
+                    p["stimuli"]["bound"]["parameters"]["amplitude_m"] = {{"factor", "size"}};
+                    main_block(p)["presented"][1]["stimulus"] = "bound";
+                    main_block(p)["crossed"] = {"size"};
+                  }}});
+}
+
+TEST(VariedParameters, RefuseLevelsRelativeToNoStandardOrToZero) {
+  expect_faults(amplitude_jnd(),
+                {{"/vary/levels_percent", "needs a standard; add \"relative_to\"",
+                  [](ProtocolJson& p) { main_block(p)["vary"].erase("relative_to"); }},
+                 {"/vary/relative_to", "to which the levels refer",
+                  [](ProtocolJson& p) {
+                    p["stimuli"]["plain"] = {{"model", "sinusoid"},
+                                             {"parameters", {{"wavelength_m", 0.0025}}}};
+                    main_block(p)["presented"][0]["stimulus"] = "plain";
+                  }},
+                 {"/vary/levels_percent", "needs a standard above 0", [](ProtocolJson& p) {
+                    p["stimuli"]["smooth"] = p["stimuli"]["grating"];
+                    p["stimuli"]["smooth"]["parameters"]["amplitude_m"] = 0;
+                    main_block(p)["presented"][0]["stimulus"] = "smooth";
+                  }}});
+}
+
+TEST(VariedParameters, RefuseValuesThatTheModelDoesNotPermit) {
+  expect_faults(amplitude_jnd(),
+                {{"/vary/levels_percent/4", "is a value of ",
+                  [](ProtocolJson& p) {
+                    main_block(p)["vary"]["levels_percent"] = {5, 10, 20, 30, 1e6};
+                  }},
+                 {"/vary/levels_percent/highest", "is a value of ", [](ProtocolJson& p) {
+                    main_block(p)["vary"]["levels_percent"] = {
+                        {"lowest", 100000}, {"highest", 900000}, {"step", 100000}};
+                  }}});
+}
+
+TEST(VariedParameters, OfADetectionHaveDifferencesOrValues) {
+  ProtocolJson protocol = amplitude_jnd();
+  protocol["stimuli"]["smooth"] = protocol["stimuli"]["grating"];
+  protocol["stimuli"]["smooth"]["parameters"]["amplitude_m"] = 0;
+  for (const char* const block : {"practice", "comparisons"}) {
+    ProtocolJson& vary = protocol["blocks"][block]["vary"];
+    vary.erase("levels_percent");
+    vary["levels"] = {1e-6, 2e-6, 5e-6};
+    protocol["blocks"][block]["presented"][0]["stimulus"] = "smooth";
+  }
+  const Protocol read = valid_discrimination(protocol);
+  EXPECT_EQ(read.blocks.at("comparisons").vary->standard, 0.0);
+  EXPECT_EQ(read.blocks.at("comparisons").vary->unit, "m");
+}
+
+TEST(VariedParameters, HaveLevelsOnAGrid) {
+  ProtocolJson protocol = amplitude_jnd();
+  main_block(protocol)["vary"]["levels_percent"] = {{"lowest", 10}, {"highest", 50}, {"step", 20}};
+  const Protocol read = valid_discrimination(protocol);
+  EXPECT_THAT(read.blocks.at("comparisons").vary->values(),
+              testing::ElementsAre(5.5e-5, 6.5e-5, 7.5e-5));
+  EXPECT_EQ(read.factors.at("amplitude_m").unit, "m");
+}
+
+TEST(VariedParameters, KeepTheirMeasureInTheStoredProtocol) {
+  const StoredProtocol stored = stored_protocol(amplitude_jnd().dump());
+  const StoredProtocol::Block& block = stored.blocks.at("comparisons");
+  ASSERT_TRUE(block.vary);
+  EXPECT_EQ(block.vary->parameter, "amplitude_m");
+  EXPECT_EQ(block.vary->factor, "amplitude_m");
+  EXPECT_EQ(block.vary->measure, LevelMeasure::percent);
+  EXPECT_EQ(block.vary->standard, 5e-5);
+  EXPECT_EQ(block.questions.front().judgement, "performance");
+  EXPECT_FALSE(block.has_procedure);
+  ProtocolJson protocol = amplitude_jnd();
+  const auto has_procedure = [&protocol](const char* method) {
+    main_block(protocol)["procedure"] = {{"method", method}};
+    return stored_protocol(protocol.dump()).blocks.at("comparisons").has_procedure;
+  };
+  EXPECT_TRUE(has_procedure("weighted_up_down"));
+  EXPECT_FALSE(has_procedure("constant_stimuli")) << "does not depend on the responses";
+  EXPECT_THAT(stored.factors.at("amplitude_m").meaning, HasSubstr("amplitude_m of the comparison"));
+}
+
+TEST(Dimensions, ReturnFromEveryMeasureToTheSameLevel) {
+  constexpr double kStandard = 5e-5;
+  for (const LevelMeasure measure :
+       {LevelMeasure::value, LevelMeasure::difference, LevelMeasure::percent, LevelMeasure::ratio,
+        LevelMeasure::decibels}) {
+    for (const double level : {0.25, 1.0, 3.0, 12.5}) {
+      const double value = value_at(measure, level, kStandard);
+      EXPECT_NEAR(level_at_value(measure, value, kStandard), level, 1e-6 * level)
+          << key_of(measure);
+    }
+  }
+  EXPECT_DOUBLE_EQ(value_at(LevelMeasure::difference, -1e-5, kStandard), 4e-5);
+  EXPECT_DOUBLE_EQ(value_at(LevelMeasure::percent, 50.0, kStandard), 7.5e-5);
+  EXPECT_DOUBLE_EQ(value_at(LevelMeasure::ratio, 2.0, kStandard), 1e-4);
+  EXPECT_NEAR(value_at(LevelMeasure::decibels, 20.0, kStandard), 5e-4, 1e-15);
+  EXPECT_DOUBLE_EQ(value_at(LevelMeasure::value, 3e-5, kStandard), 3e-5);
+}
+
+TEST(Dimensions, ListLevelsInAscendingOrderWithTheirValues) {
+  const Dimension dimension{
+      .measure = LevelMeasure::percent, .list = {30, -10, 5}, .standard = 1e-4};
+  EXPECT_THAT(dimension.levels(), testing::ElementsAre(-10.0, 5.0, 30.0));
+  EXPECT_THAT(dimension.values(), testing::ElementsAre(9e-5, 1.05e-4, 1.3e-4));
+  EXPECT_EQ(dimension.value_of(0.0), 1e-4);
+  EXPECT_NEAR(dimension.level_of(2e-4), 100.0, 1e-9);
+  EXPECT_FALSE(is_relative(LevelMeasure::value));
+  EXPECT_TRUE(is_relative(LevelMeasure::difference));
+  EXPECT_FALSE(needs_positive_standard(LevelMeasure::difference));
+  EXPECT_TRUE(needs_positive_standard(LevelMeasure::decibels));
+}
+
+}  // namespace
+}  // namespace asperity
