@@ -78,11 +78,10 @@ void Conductor::begin() {
   for (AttemptRow& attempt : std::exchange(session_.attempts, {})) tally_->add(std::move(attempt));
   if (session_.resumed) {
     study_.reopen_session(session_.row.id);
-    store_trials(study_.plan(session_.row.id).size());
-    for (const DecisionRow& decision : study_.decisions(session_.row.id)) {
-      if (decision.verdict == Verdict::set_aside) {
-        tally_->remember_set_aside(decision.trial.value_or(0), decision.attempt.value_or(0));
-      }
+    // Only a plan that depends on responses can have trials that are not stored yet.
+    if (session_.row.expected_trials) store_trials(study_.plan(session_.row.id).size());
+    for (const auto& [trial, attempt] : set_aside_in(study_.decisions(session_.row.id))) {
+      tally_->remember_set_aside(trial, attempt);
     }
   }
   // Before the first step that may fail: a session that is in the store can be resumed.

@@ -93,11 +93,6 @@ std::vector<double> Dimension::values() const {
   return all;
 }
 
-bool has_levels(const Dimension& dimension) {
-  if (!dimension.grid) return !dimension.list.empty();
-  ProcedureProblems problems{};
-  check_grid(*dimension.grid, "", problems);
-  return problems.empty();
-}
+bool has_levels(const Dimension& dimension) { return !dimension.levels().empty(); }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Sessions whose levels a procedure chooses: resumed after an interruption anywhere, they go on with the same levels.
+// Sessions whose levels a procedure chooses: resumed after an interruption anywhere, they continue with the same levels.
 
 #include <string>
 #include <vector>
