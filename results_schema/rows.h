@@ -117,6 +117,22 @@ struct AssetRow {
 /// The SHA-256 of the asset of that role, if there is one.
 std::optional<std::string> asset_sha256(const std::vector<AssetRow>& assets, std::string_view role);
 
+/// One visit of the hand to a surface: from a contact until another surface is presented or touched, or until this one
+/// is presented again.
+struct VisitRow {
+  std::int64_t contact_ns = 0;  ///< first tick of contact
+  std::int64_t offset_ns = 0;   ///< last tick of contact
+  double contact_s = 0.0;       ///< above 0
+  double path_m = 0.0;          ///< travelled along the surface in contact
+  /// Of the pressing force; absent where the surface was never completely faded in.
+  std::optional<double> force_mean_N{};
+  std::optional<double> force_sd_N{};
+  double speed_mean_m_per_s = 0.0;  ///< tangential, over the ticks of contact
+  double speed_sd_m_per_s = 0.0;
+
+  bool operator==(const VisitRow&) const = default;
+};
+
 struct PresentationRow {
   int position = 0;  ///< 1-based
   std::string role{};
@@ -127,6 +143,11 @@ struct PresentationRow {
   std::string texture{};
   std::string parameters_json = "{}";  ///< complete, as rendered, matching solved
   std::string seed{};
+  /// Of the surface without its texture, and the height of its plane above that of the workspace. Absent in attempts that
+  /// were stored before schema version 11, where they are those of the protocol, and 0.
+  std::optional<double> stiffness_N_per_m{};
+  std::optional<double> friction{};
+  std::optional<double> raised_m{};
   std::optional<std::int64_t> onset_ns{};    ///< first tick with the surface rendered
   std::optional<std::int64_t> contact_ns{};  ///< first tick with the probe in the surface
   std::optional<std::int64_t> offset_ns{};
@@ -135,6 +156,8 @@ struct PresentationRow {
   std::optional<double> achieved_texture_force_N{};  ///< RMS in the same band, from the record
   std::vector<AssetRow> assets{};                    ///< as read: by role
   std::vector<ModelLimitRow> limits{};               ///< by kind; of a model that watches any
+  /// In temporal order; empty also in attempts that were stored before schema version 11.
+  std::vector<VisitRow> visits{};
 };
 
 struct ResponseRow {

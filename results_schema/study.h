@@ -80,7 +80,7 @@ struct StudyWords {
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 10;
+  static constexpr int kSchemaVersion = 11;
 
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
@@ -194,7 +194,7 @@ class Study final {
   std::vector<AttemptRow> attempts(std::int64_t session_id) const;
   std::optional<AttemptRow> attempt(std::int64_t id) const;
   /// Of the attempts of a session what analyses count, which is read much faster than `attempts`.
-  SessionAnswers answers(std::int64_t session_id) const;
+  SessionAnswers answers(std::int64_t session_id, AnswerParts parts = AnswerParts::answers) const;
   /// Of every session, by its id: without reading what hangs on attempts.
   std::map<std::int64_t, SessionCounts> session_counts() const;
   /// Of one session.

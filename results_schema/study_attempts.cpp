@@ -13,22 +13,32 @@ void insert_presentations(Database& database, std::int64_t attempt_id,
   Statement statement(database,
                       "INSERT INTO presentation (attempt_id, position, role, item, stimulus, "
                       "model, model_version, texture, parameters_json, seed, onset_ns, contact_ns, "
-                      "offset_ns, contact_s, matched_texture_force_N, achieved_texture_force_N) "
-                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                      "offset_ns, contact_s, matched_texture_force_N, achieved_texture_force_N, "
+                      "stiffness_N_per_m, friction, raised_m) "
+                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement asset(database, "INSERT INTO presentation_asset VALUES (?, ?, ?, ?)");
   Statement limit(database, "INSERT INTO model_limit VALUES (?, ?, ?, ?)");
+  Statement visit(database, "INSERT INTO visit VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const PresentationRow& row : rows) {
     statement
         .bind(attempt_id, row.position, row.role, row.item, row.stimulus, row.model,
               row.model_version, row.texture, row.parameters_json, row.seed, row.onset_ns,
               row.contact_ns, row.offset_ns, row.contact_s, row.matched_texture_force_N,
-              row.achieved_texture_force_N)
+              row.achieved_texture_force_N, row.stiffness_N_per_m, row.friction, row.raised_m)
         .run();
     for (const AssetRow& each : row.assets) {
       asset.bind(attempt_id, row.position, each.role, each.sha256).run();
     }
     for (const ModelLimitRow& each : row.limits) {
       limit.bind(attempt_id, row.position, each.kind, each.ticks).run();
+    }
+    int number = 0;
+    for (const VisitRow& each : row.visits) {
+      visit
+          .bind(attempt_id, row.position, ++number, each.contact_ns, each.offset_ns, each.contact_s,
+                each.path_m, each.force_mean_N, each.force_sd_N, each.speed_mean_m_per_s,
+                each.speed_sd_m_per_s)
+          .run();
     }
   }
 }
@@ -92,7 +102,7 @@ void read_presentations(Database& database, const std::string& which, std::int64
       database,
       "SELECT attempt_id, position, role, item, stimulus, model, model_version, texture, "
       "parameters_json, seed, onset_ns, contact_ns, offset_ns, contact_s, "
-      "matched_texture_force_N, achieved_texture_force_N "
+      "matched_texture_force_N, achieved_texture_force_N, stiffness_N_per_m, friction, raised_m "
       "FROM presentation WHERE " +
           which + " ORDER BY attempt_id, position");
   statement.bind(key);
@@ -102,7 +112,7 @@ void read_presentations(Database& database, const std::string& which, std::int64
     statement.read(id, row.position, row.role, row.item, row.stimulus, row.model, row.model_version,
                    row.texture, row.parameters_json, row.seed, row.onset_ns, row.contact_ns,
                    row.offset_ns, row.contact_s, row.matched_texture_force_N,
-                   row.achieved_texture_force_N);
+                   row.achieved_texture_force_N, row.stiffness_N_per_m, row.friction, row.raised_m);
     attempts.of(id).presentations.push_back(std::move(row));
   }
 }
@@ -136,6 +146,26 @@ void read_limits(Database& database, const std::string& which, std::int64_t key,
     statement.read(id, position, row.kind, row.ticks);
     for (PresentationRow& presentation : attempts.of(id).presentations) {
       if (presentation.position == position) presentation.limits.push_back(row);
+    }
+  }
+}
+
+void read_visit_rows(Database& database, const std::string& which, std::int64_t key,
+                     Attempts& attempts) {
+  Statement statement(database,
+                      "SELECT attempt_id, position, contact_ns, offset_ns, contact_s, path_m, "
+                      "force_mean_N, force_sd_N, speed_mean_m_per_s, speed_sd_m_per_s "
+                      "FROM visit WHERE " +
+                          which + " ORDER BY attempt_id, position, visit");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    int position = 0;
+    VisitRow row;
+    statement.read(id, position, row.contact_ns, row.offset_ns, row.contact_s, row.path_m,
+                   row.force_mean_N, row.force_sd_N, row.speed_mean_m_per_s, row.speed_sd_m_per_s);
+    for (PresentationRow& presentation : attempts.of(id).presentations) {
+      if (presentation.position == position) presentation.visits.push_back(row);
     }
   }
 }
@@ -227,6 +257,7 @@ std::vector<AttemptRow> read_attempts(Database& database, const std::string& whi
   read_presentations(database, hanging, key, attempts);
   read_assets(database, hanging, key, attempts);
   read_limits(database, hanging, key, attempts);
+  read_visit_rows(database, hanging, key, attempts);
   read_responses(database, hanging, key, attempts);
   read_servo(database, hanging, key, attempts);
   read_compliance(database, hanging, key, attempts);

@@ -281,6 +281,11 @@ class StudyExport final {
       here.parameters = &parameters_.of(presentation.parameters_json);
       add("presentations", here);
       stimuli_.add(here);
+      for (const VisitRow& visit : presentation.visits) {
+        here.visit = &visit;
+        ++here.visit_number;
+        add("visits", here);
+      }
     }
     files.begin_attempt(study_, at);
     sort_responses(attempt.responses);

@@ -55,7 +55,9 @@ void ThresholdColumns::add(std::size_t person, const DiscriminationTask& task,
   if (known == tasks_.end()) known = tasks_.insert(tasks_.end(), OfTask{.task = task});
   Condition in_block{{"block", {0.0, block}}};
   in_block.insert(in_block.end(), condition.begin(), condition.end());
-  HitCount& count = known->choices[in_block][person][trial.value];
+  OfTask::Choices& choices = known->choices[in_block][person];
+  choices.by_procedure = choices.by_procedure || trial.by_procedure;
+  HitCount& count = choices.of_comparison[trial.value];
   ++count.trials;
   count.hits += trial.chose_comparison ? 1 : 0;
 }
@@ -80,7 +82,7 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
   std::vector<HitsByValue> all{};
   for (const auto& [condition, people] : of_task.choices) {
     for (const auto& [factor, level] : condition) levels[factor].insert(level);
-    for (const auto& [person, hits] : people) all.push_back(hits);
+    for (const auto& [person, choices] : people) all.push_back(choices.of_comparison);
   }
   const bool counts_standard = !of_task.task.is_performance && trend_of_choices(all) < 0.0;
   std::vector<Column> columns{};
@@ -99,11 +101,14 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
                 .type = "integer",
                 .unit = "1",
                 .minimum = 0.0};
-    for (const auto& [person, hits] : people) {
+    for (const auto& [person, choices] : people) {
+      const HitsByValue& hits = choices.of_comparison;
       std::int64_t trials = 0;
       for (const auto& [value, count] : hits) trials += static_cast<std::int64_t>(count.trials);
       n.cells[person] = trials;
-      data.push_back({key_of_person(person), counts_standard ? of_standard(hits) : hits});
+      data.push_back({.key = key_of_person(person),
+                      .hits = counts_standard ? of_standard(hits) : hits,
+                      .by_procedure = choices.by_procedure});
     }
     const DiscriminationFit fit = fit_discrimination(of_task.task, data);
     const FoundNumbers found(fit.thresholds);

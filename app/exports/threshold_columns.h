@@ -37,7 +37,11 @@ class ThresholdColumns final {
  private:
   struct OfTask {
     DiscriminationTask task{};
-    std::map<Condition, std::map<std::size_t, HitsByValue>> choices{};
+    struct Choices {
+      HitsByValue of_comparison{};
+      bool by_procedure = false;
+    };
+    std::map<Condition, std::map<std::size_t, Choices>> choices{};
   };
   std::vector<Column> make_task(const OfTask& of_task, const std::string& name,
                                 const std::string& of) const;

@@ -145,7 +145,9 @@ bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condi
   if (!value) return false;
   discriminations_[asked_of(at)].add(
       people_.size() - 1, task, at.trial->block, others,
-      {.value = *value, .chose_comparison = at.response->answer == "comparison"});
+      {.value = *value,
+       .chose_comparison = at.response->answer == "comparison",
+       .by_procedure = at.trial->track && task.has_levels_of_procedure});
   return true;
 }
 

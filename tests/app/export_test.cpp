@@ -45,7 +45,7 @@ TEST(Export, WritesTheFilesThatAreDocumented) {
                           "compliance.tsv", "events.json", "events.tsv", "import.R", "import.py",
                           "participants.tsv", "presentations.tsv", "psychds", "responses.tsv",
                           "servo_quality.tsv", "sessions.tsv", "stimuli.tsv", "trials.sav",
-                          "trials.tsv", "virtual", "wide.csv", "wide.sav"));
+                          "trials.tsv", "virtual", "visits.tsv", "wide.csv", "wide.sav"));
   EXPECT_THAT(names_in(made.beside("out") / "virtual"),
               ElementsAre("bids", "psychds", "trials.sav", "wide.csv", "wide.sav"));
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("out", "study"));
@@ -55,7 +55,7 @@ TEST(Export, WritesWhatIsAskedForBesideTheTables) {
   MadeUpStudy made;
   fill(made);
   const Exported tables(made);
-  EXPECT_EQ(names_in(tables.folder()).size(), 16U);
+  EXPECT_EQ(names_in(tables.folder()).size(), 17U);
   EXPECT_THAT(names_in(tables.folder()), Not(Contains("wide.csv")));
   ExportOptions wide{};
   wide.formats = {ExportFormat::wide};
@@ -124,9 +124,9 @@ TEST(Export, BeginsEveryTableWithItsKeysAndSaysWhoIsVirtual) {
   const Exported tables(made);
   const std::vector<std::string> keys{"participant", "session", "trial", "attempt"};
   const std::map<std::string, std::size_t> depth{
-      {"participants", 1},  {"sessions", 2},      {"trials", 3},
-      {"attempts", 4},      {"presentations", 4}, {"responses", 4},
-      {"servo_quality", 4}, {"compliance", 4},    {"events", 4}};
+      {"participants", 1},  {"sessions", 2},  {"trials", 3},        {"attempts", 4},
+      {"presentations", 4}, {"responses", 4}, {"servo_quality", 4}, {"compliance", 4},
+      {"events", 4},        {"visits", 4}};
   for (const auto& [name, keys_of_table] : depth) {
     std::vector<std::string> expected(keys.begin(),
                                       keys.begin() + static_cast<std::ptrdiff_t>(keys_of_table));
@@ -147,9 +147,9 @@ TEST(Export, HasOneRowPerThing) {
   fill(made);
   const Exported tables(made);
   const std::map<std::string, std::size_t> expected{
-      {"participants", 2},  {"sessions", 2},      {"trials", 3},
-      {"attempts", 3},      {"presentations", 6}, {"responses", 5},
-      {"servo_quality", 0}, {"compliance", 0},    {"events", 0}};
+      {"participants", 2},  {"sessions", 2},  {"trials", 3},        {"attempts", 3},
+      {"presentations", 6}, {"responses", 5}, {"servo_quality", 0}, {"compliance", 0},
+      {"events", 0},        {"visits", 0}};
   for (const auto& [name, rows] : expected) EXPECT_EQ(tables.table(name).rows.size(), rows) << name;
 }
 

@@ -77,6 +77,11 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_EQ(asset_sha256(assets, "vibrations").has_value(), GetParam() >= 8);
   EXPECT_TRUE(attempts[2].presentations.at(1).assets.empty());
   EXPECT_EQ(attempts[2].presentations.at(0).limits.size(), GetParam() >= 3 ? 2U : 0U);
+  ASSERT_EQ(attempts[2].presentations.at(0).visits.size(), GetParam() >= 11 ? 2U : 0U);
+  if (GetParam() >= 11) {
+    EXPECT_EQ(attempts[2].presentations[0].visits[0].path_m, 0.06);
+  }
+  EXPECT_EQ(attempts[2].presentations[0].stiffness_N_per_m.has_value(), GetParam() >= 11);
   EXPECT_EQ(attempts[2].compliance.at(0).p95, 1.2);
   EXPECT_EQ(attempts[2].excluded.value_or("counts").text, GetParam() >= 2 ? "sneezed" : "counts");
 }

@@ -164,19 +164,24 @@ std::vector<Forbidden> forbidden_statements() {
       {"delete presentation", "DELETE FROM presentation"},
       {"replace presentation",
        "INSERT OR REPLACE INTO presentation VALUES "
-       "(2,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL)"},
+       "(2,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL,NULL,NULL,"
+       "NULL)"},
       {"presentation of no attempt",
        "INSERT INTO presentation VALUES "
-       "(99,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL)"},
+       "(99,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL,NULL,NULL,"
+       "NULL)"},
       {"text in a number",
        "INSERT INTO presentation VALUES "
-       "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,'long',NULL,NULL,NULL,NULL)"},
+       "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,'long',NULL,NULL,NULL,NULL,NULL,"
+       "NULL,NULL)"},
       {"parameters that are not JSON",
        "INSERT INTO presentation VALUES "
-       "(2,3,'r','i','s','m','1','t','{',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL)"},
+       "(2,3,'r','i','s','m','1','t','{',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL,NULL,NULL,"
+       "NULL)"},
       {"a body's hash that is none",
        "INSERT INTO presentation VALUES "
-       "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,'stone',NULL)"},
+       "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,'stone',NULL,NULL,"
+       "NULL,NULL)"},
       {"update presentation_asset", "UPDATE presentation_asset SET role = 'other'"},
       {"delete presentation_asset", "DELETE FROM presentation_asset"},
       {"replace presentation_asset",
@@ -226,6 +231,15 @@ std::vector<Forbidden> forbidden_statements() {
        "INSERT INTO compliance VALUES (NULL,2,1,'mood',NULL,NULL,0,0,0,0,0,NULL,NULL)"},
       {"fraction above 1",
        "INSERT INTO compliance VALUES (NULL,2,2,'contact_s',NULL,NULL,0,0,0,0,0,1.5,NULL)"},
+      {"update visit", "UPDATE visit SET contact_s = 1"},
+      {"delete visit", "DELETE FROM visit"},
+      {"replace visit", "INSERT OR REPLACE INTO visit VALUES (2,1,1,0,1,1,0,NULL,NULL,0,0)"},
+      {"visit of no presentation", "INSERT INTO visit VALUES (2,9,1,0,1,1,0,NULL,NULL,0,0)"},
+      {"visit without contact", "INSERT INTO visit VALUES (2,1,7,0,1,0,0,NULL,NULL,0,0)"},
+      {"visit that ends before it begins",
+       "INSERT INTO visit VALUES (2,1,7,1,0,1,0,NULL,NULL,0,0)"},
+      {"spread of a force without its mean",
+       "INSERT INTO visit VALUES (2,1,7,0,1,1,0,NULL,0.1,0,0)"},
       {"update recording", "UPDATE recording SET path = 'recordings/other'"},
       {"delete recording", "DELETE FROM recording"},
       {"replace recording",

@@ -235,8 +235,13 @@ TEST(Study, GivesBackAnAttemptWithAllThatHangsOnIt) {
   ASSERT_EQ(first.limits.size(), 2U);
   EXPECT_EQ(first.limits[1].kind, "too_fast");
   EXPECT_EQ(first.limits[1].ticks, 12);
+  EXPECT_EQ(first.visits, some_attempt(1).presentations[0].visits);
+  EXPECT_EQ(first.stiffness_N_per_m, 450.0);
+  EXPECT_EQ(first.friction, 0.25);
+  EXPECT_EQ(first.raised_m, 0.001);
   EXPECT_TRUE(row.presentations[1].assets.empty());
   EXPECT_TRUE(row.presentations[1].limits.empty());
+  EXPECT_TRUE(row.presentations[1].visits.empty());
   EXPECT_EQ(first.seed, "17");
   EXPECT_EQ(first.onset_ns, wanted.onset_ns);
   EXPECT_EQ(first.contact_ns, wanted.onset_ns + 1);

@@ -40,6 +40,8 @@ struct ExportPlace {
   const nlohmann::json* factors = nullptr;     ///< of the trial
   const nlohmann::json* parameters = nullptr;  ///< of the presentation
   const ServoQualityRow* servo = nullptr;
+  const VisitRow* visit = nullptr;
+  int visit_number = 0;  ///< of the surface, from 1
   const ComplianceRow* compliance = nullptr;
   const TimedEvent* event = nullptr;
 };

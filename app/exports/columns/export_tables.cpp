@@ -20,6 +20,7 @@ std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
           {"trials", trial_columns(vocabulary)},
           {"attempts", attempt_columns()},
           {"presentations", presentation_columns(vocabulary)},
+          {"visits", visit_columns()},
           {"responses", response_columns(vocabulary)},
           {"servo_quality", servo_columns()},
           {"compliance", compliance_columns()},

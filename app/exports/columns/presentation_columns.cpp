@@ -23,7 +23,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   add(at_least(1, column("position", "integer", "", "place in the order of the trial's surfaces",
                          [](const Place& at) { return integer(at.presentation->position); })));
   text("role", "role of the surface in the trial", &PresentationRow::role);
-  columns.back().levels = {"alternative", "target", "anchor"};
+  columns.back().levels = {"alternative", "target", "anchor", "standard", "comparison"};
   text("item", "name of the surface in the responses", &PresentationRow::item);
   text("stimulus", "stimulus of the protocol", &PresentationRow::stimulus);
   text("model", "force model", &PresentationRow::model);
@@ -51,6 +51,19 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
     sha256(role, "SHA-256 of a file that the force model needs; models: " + comma_separated(models),
            "the model does not need this file");
   }
+  const auto number = [&add](const char* name, const char* unit, const char* description,
+                             std::optional<double> PresentationRow::*member) {
+    add(missing(
+        "the attempt was stored before schema version 11; the value is that of the protocol",
+        column(name, "number", unit, description,
+               [member](const Place& at) { return optional_cell(at.presentation->*member); })));
+  };
+  number("stiffness_N_per_m", "N/m", "stiffness of the surface without its texture",
+         &PresentationRow::stiffness_N_per_m);
+  number("friction", "1", "Coulomb friction coefficient of the surface",
+         &PresentationRow::friction);
+  number("raised_m", "m", "height of the plane of the surface above that of the workspace",
+         &PresentationRow::raised_m);
   text("seed", "seed of the renderer, a 64-bit integer", &PresentationRow::seed);
   const auto time = [&add](const char* name, const char* description, const char* when,
                            auto member) {

@@ -21,6 +21,7 @@ Columns attempt_columns();
 Columns presentation_columns(const StudyVocabulary& vocabulary);
 Columns response_columns(const StudyVocabulary& vocabulary);
 Columns servo_columns();
+Columns visit_columns();
 Columns compliance_columns();
 Columns event_columns();
 
