@@ -38,7 +38,7 @@ Parameter friction_speed_parameter() {
           .choices = {},
           .default_value = 0.010,
           .meaning =
-              "Speed v0 below which dry friction falls off towards rest: "
+              "Speed v0 below which Coulomb friction decreases to zero at rest: "
               "mu N v / sqrt(v^2 + v0^2)"};
 }
 
@@ -71,8 +71,8 @@ SurfaceContact::SurfaceContact(const SurfacePatch& patch, const Material& materi
 PatchPoint SurfaceContact::locate(const glm::dvec3& position_m) const noexcept {
   const double x_m = position_m.x - patch_.centre_m.x;
   const double y_m = position_m.y - patch_.centre_m.y;
-  PatchPoint point{.x_m = patch_.motion_scale * x_m,
-                   .y_m = patch_.motion_scale * y_m,
+  PatchPoint point{.x_m = patch_.motion_scale * x_m + patch_.texture_origin_m.x,
+                   .y_m = patch_.motion_scale * y_m + patch_.texture_origin_m.y,
                    .height_m = position_m.z - patch_.centre_m.z};
   switch (patch_.edge) {
     case PatchEdge::wall:

@@ -15,7 +15,7 @@ namespace asperity {
 
 /// The position of the probe relative to a patch.
 struct PatchPoint {
-  double x_m = 0.0;  ///< on the texture: motion_scale · (device − centre)
+  double x_m = 0.0;  ///< on the texture: motion_scale · (device − centre) + texture_origin
   double y_m = 0.0;
   double height_m = 0.0;   ///< p_z − z_s, of the tip above the reference plane
   double gain = 1.0;       ///< of a fading border; 0 outside the patch

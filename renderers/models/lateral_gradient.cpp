@@ -41,7 +41,7 @@ ForceModel lateral_gradient_model() {
   ModelDeclaration declaration{
       .id = "lateral_gradient",
       .version = "1",
-      .summary = "A flat plate that pushes sideways in proportion to the slope of the texture",
+      .summary = "A flat plate with a lateral force proportional to the slope of the texture",
       .source = "Minsky (1995), Computational haptics: the Sandpaper system, PhD thesis, MIT",
       .needs_height_field = true,
       .feels_applied_force = false,

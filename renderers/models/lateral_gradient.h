@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// Renders a flat plate whose texture only pushes sideways, down the slope.
+/// Renders a flat plate whose texture exerts a lateral force only, down the slope.
 ///
 ///   w   = max(0, z_s − p_z)                penetration of the flat plate [m]
 ///   F_n = k·w                              k the Material's stiffness [N/m]

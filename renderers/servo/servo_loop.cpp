@@ -269,6 +269,7 @@ void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
   const RenderedTick rendered = renderer.tick(record.probe, renderer_dt_s);
   record.rendered = rendered.wrench;
   record.penetration_m = rendered.penetration_m;
+  if (rendered.part != 0) record.presentation = rendered.part;
   if (!is_finite(rendered)) {
     set(record, TickFlag::limited_not_finite);
     raise(Fault::not_finite);

@@ -15,7 +15,9 @@ namespace asperity {
 
 /// A renderer and the id of the attempt that it belongs to.
 struct Presentation {
-  std::uint64_t id = 0;  ///< not 0; stored in every TickRecord of this presentation
+  /// Not 0; stored in every TickRecord of this presentation, except where the renderer states another surface
+  /// (RenderedTick::part), whose number is stored instead.
+  std::uint64_t id = 0;
   std::unique_ptr<ForceRenderer> renderer{};
 };
 

@@ -32,7 +32,8 @@ struct TickRecord {
   Wrench sent{};      ///< to the device
   double penetration_m = 0.0;
   double gain = 0.0;               ///< of the ramp, 0 to 1
-  std::uint64_t presentation = 0;  ///< Presentation::id; 0 in free space
+  std::uint64_t presentation =
+      0;  ///< Presentation::id, or the part that was rendered; 0 in free space
   std::uint32_t flags = 0;
   std::int32_t lateness_ns = 0;   ///< start of the tick minus its deadline, saturating
   std::int32_t execution_ns = 0;  ///< duration of the tick; 0 if stepped

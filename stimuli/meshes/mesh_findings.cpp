@@ -29,7 +29,7 @@ std::vector<std::string> sentences_of(const MeshFindings& found) {
   state("Parts left out as debris, each far smaller than the whole", found.debris_parts);
   state("Parts left out because they are flat and enclose no volume", found.flat_parts);
   state("Faces left out with these parts", found.dropped_faces);
-  state("Parts inverted because they were inside out", found.inside_out_parts);
+  state("Parts reversed because they were inside out", found.inside_out_parts);
   state("Cavities, which cannot be reached from outside", found.cavities);
   if (found.parts > 1) state("Separate parts", found.parts);
   return sentences;

@@ -4,7 +4,7 @@
 
 namespace asperity {
 
-/// The bulk properties of a surface: a spring normal to it and dry friction along it.
+/// The bulk properties of a surface: a spring normal to it and Coulomb friction along it.
 ///
 /// Models that are compared share one Material, so that they differ only in texture.
 struct Material {

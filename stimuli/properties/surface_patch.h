@@ -25,7 +25,7 @@ enum class PatchEdge {
 ///
 /// The patch lies in a plane parallel to the device's x–y plane, +z outward. Its own frame has its origin in the
 /// patch's centre. Motion on the surface is motion of the device times `motion_scale` in x and y: surface =
-/// motion_scale · (device − centre); z is never scaled.
+/// motion_scale · (device − centre) + texture_origin; z is never scaled.
 ///
 /// Units: metres, in the device's frame; `motion_scale` is dimensionless.
 struct SurfacePatch {
@@ -35,6 +35,7 @@ struct SurfacePatch {
   PatchEdge edge = PatchEdge::fade;
   double edge_width_m = 0.005;
   double motion_scale = 1.0;
+  glm::dvec2 texture_origin_m{0.0};  ///< the point of the texture at the patch's centre
 };
 
 }  // namespace asperity

@@ -1,0 +1,150 @@
+// Implements the blend of adjacent patches.
+
+#include "renderers/force/adjacent_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+namespace {
+
+// Two sides that are closer are the same: patches are computed from the same numbers on different ways.
+constexpr double kSame_m = 1e-9;
+// Beyond every workspace of a device.
+constexpr double kUnbounded_m = 1e3;
+
+double blended(double u) noexcept {
+  u = std::clamp(u, 0.0, 1.0);
+  return u * u * (3.0 - 2.0 * u);
+}
+
+glm::dvec2 lowest_of(const SurfacePatch& patch) {
+  return glm::dvec2(patch.centre_m) - 0.5 * patch.extent_m;
+}
+
+glm::dvec2 highest_of(const SurfacePatch& patch) {
+  return glm::dvec2(patch.centre_m) + 0.5 * patch.extent_m;
+}
+
+bool overlap(const SurfacePatch& a, const SurfacePatch& b) {
+  for (int axis = 0; axis < 2; ++axis) {
+    if (lowest_of(a)[axis] >= highest_of(b)[axis] - kSame_m ||
+        lowest_of(b)[axis] >= highest_of(a)[axis] - kSame_m) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void refuse(std::size_t patch, const std::string& problem) {
+  throw std::invalid_argument("patch " + std::to_string(patch + 1) + ' ' + problem);
+}
+
+void require_place(std::span<const AdjacentPatch> patches, std::size_t index,
+                   const SurfacePatch& workspace, double blend_m) {
+  const SurfacePatch& patch = patches[index].inputs.patch;
+  if (std::abs(patch.centre_m.z - workspace.centre_m.z) > kSame_m) {
+    refuse(index, "must lie in the plane of the workspace");
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    if (lowest_of(patch)[axis] < lowest_of(workspace)[axis] - kSame_m ||
+        highest_of(patch)[axis] > highest_of(workspace)[axis] + kSame_m) {
+      refuse(index, "extends beyond the workspace; make it smaller");
+    }
+    if (2.0 * blend_m > patch.extent_m[axis]) {
+      refuse(index, "must be at least twice as wide as its blend");
+    }
+  }
+  for (std::size_t other = 0; other < index; ++other) {
+    if (overlap(patch, patches[other].inputs.patch)) {
+      refuse(index, "overlaps patch " + std::to_string(other + 1) + "; move them apart");
+    }
+  }
+}
+
+/// The flat surface has the default of every model, whatever the surfaces beside it have.
+ParameterValues parameters_of_friction() {
+  const Parameter speed = friction_speed_parameter();
+  return {{speed.name, speed.default_value}};
+}
+
+}  // namespace
+
+RendererInputs without_border(RendererInputs inputs) {
+  inputs.patch.edge = PatchEdge::fade;
+  inputs.patch.edge_width_m = 0.0;
+  inputs.patch.extent_m = glm::dvec2(kUnbounded_m);
+  return inputs;
+}
+
+AdjacentPatches::AdjacentPatches(std::span<const AdjacentPatch> patches,
+                                 const SurfacePatch& workspace, const Material& material,
+                                 double blend_m)
+    : flat_(workspace, material, parameters_of_friction()), blend_m_(blend_m) {
+  if (patches.empty()) throw std::invalid_argument("there must be at least one patch");
+  if (!(blend_m > 0.0)) throw std::invalid_argument("the width of the blend must be positive");
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    require_place(patches, i, workspace, blend_m);
+    const SurfacePatch& place = patches[i].inputs.patch;
+    Patch patch{.renderer = make_renderer(*patches[i].model, without_border(patches[i].inputs)),
+                .lowest_m = lowest_of(place),
+                .highest_m = highest_of(place)};
+    for (int axis = 0; axis < 2; ++axis) {
+      patch.blends_below[axis] =
+          lowest_of(place)[axis] > lowest_of(workspace)[axis] + kSame_m ? 1.0 : 0.0;
+      patch.blends_above[axis] =
+          highest_of(place)[axis] < highest_of(workspace)[axis] - kSame_m ? 1.0 : 0.0;
+    }
+    patches_.push_back(std::move(patch));
+  }
+}
+
+void AdjacentPatches::reset(const ProbeState&) noexcept { entered_ = 0; }
+
+double AdjacentPatches::weight_of(const Patch& patch, const glm::dvec3& position_m) const noexcept {
+  double weight = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double below_m = position_m[axis] - patch.lowest_m[axis];
+    const double above_m = patch.highest_m[axis] - position_m[axis];
+    if (patch.blends_below[axis] > 0.0) weight *= blended(below_m / blend_m_);
+    if (patch.blends_above[axis] > 0.0) weight *= blended(above_m / blend_m_);
+  }
+  return weight;
+}
+
+RenderedTick AdjacentPatches::tick(const ProbeState& probe, double dt_s) noexcept {
+  PatchPoint point = flat_.locate(probe.position_m);
+  const glm::dvec3 wall_N(point.wall_N, 0.0);
+  point.wall_N = glm::dvec2(0.0);  // belongs to the workspace, not to one of the surfaces
+  RenderedTick blend{};
+  if (const double depth_m = -point.height_m; depth_m > 0.0 && point.gain > 0.0) {
+    const double normal_N = flat_.material().stiffness_N_per_m * depth_m;
+    blend = flat_.force(
+        point, probe,
+        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = depth_m});
+  }
+  double weight = 0.0;
+  std::size_t entered = 0;
+  for (std::size_t i = 0; i < patches_.size() && entered == 0; ++i) {
+    weight = weight_of(patches_[i], probe.position_m);
+    if (weight > 0.0) entered = i + 1;
+  }
+  if (entered != 0) {
+    ForceRenderer& renderer = *patches_[entered - 1].renderer;
+    if (entered != entered_) renderer.reset(probe);
+    const RenderedTick of_patch = renderer.tick(probe, dt_s);
+    const double share = weight * point.gain;
+    blend.wrench.force_N = share * of_patch.wrench.force_N + (1.0 - weight) * blend.wrench.force_N;
+    blend.wrench.torque_N_m = share * of_patch.wrench.torque_N_m;
+    blend.penetration_m = (point.gain > 0.0 ? weight * of_patch.penetration_m : 0.0) +
+                          (1.0 - weight) * blend.penetration_m;
+  }
+  entered_ = entered;
+  if (blend.penetration_m > 0.0) blend.wrench.force_N += wall_N;
+  blend.part = static_cast<std::uint32_t>(entered);
+  return blend;
+}
+
+}  // namespace asperity
