@@ -42,6 +42,13 @@ constexpr std::array kFamilies{
         "blocks: largest number of ranges of trials, 12 if absent; conf", learning_findings,
         "blocks,conf"},
     TidyFamily{
+        "lmm",
+        "subject,y and one column per factor and covariate: one measurement per row, y empty "
+        "where there is none",
+        "fixed: factors with their levels, as {\"texture\": [\"wood\", \"metal\"]}; "
+        "covariates: columns of numbers; scale: linear, log; conf",
+        lmm_findings, "fixed,covariates,scale,conf"},
+    TidyFamily{
         "magnitude",
         "subject,probe,spacing,estimate and optionally rep: one estimate per row, empty where "
         "there is none; the estimates of a cell are averaged as logarithms; and b,s1,s2,...: "
