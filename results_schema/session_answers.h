@@ -29,11 +29,24 @@ struct SessionAnswers {
     std::optional<int> step{};
   };
   struct Surface {
+    int position = 1;  ///< as PresentationRow::position
     std::uint32_t item = 0;
     std::uint32_t model = 0;
     std::uint32_t texture = 0;
     std::optional<double> matched_texture_force_N{};
     std::optional<double> achieved_texture_force_N{};
+  };
+  /// How one surface was explored in one attempt, from its compliance rows. Nothing where a quantity was not stored, or had no
+  /// samples: the force on a surface that was not touched is not 0.
+  struct Exploration {
+    std::optional<double> contact_s{};
+    std::optional<double> strokes{};
+    std::optional<double> stroke_length_m{};  ///< mean over strokes
+    /// Means and standard deviations over the samples of contact.
+    std::optional<double> force_N{};
+    std::optional<double> force_sd_N{};
+    std::optional<double> speed_m_per_s{};
+    std::optional<double> speed_sd_m_per_s{};
   };
   struct Reply {
     std::uint32_t question = 0;
@@ -60,15 +73,24 @@ struct SessionAnswers {
   std::vector<Trial> trials{};      ///< the plan, in order
   std::vector<Attempt> attempts{};  ///< by trial, attempt
   std::vector<Surface> surfaces{};  ///< of an attempt together, by position
+  std::vector<Exploration> explorations{};  ///< as `surfaces`; empty where they were not read
   std::vector<Reply> replies{};     ///< of an attempt together, by question and item
 
   std::span<const Surface> surfaces_of(const Attempt& attempt) const {
     return std::span(surfaces).subspan(attempt.first_surface, attempt.surfaces);
   }
+  std::span<const Exploration> explorations_of(const Attempt& attempt) const {
+    return explorations.empty()
+               ? std::span<const Exploration>()
+               : std::span(explorations).subspan(attempt.first_surface, attempt.surfaces);
+  }
   std::span<const Reply> replies_of(const Attempt& attempt) const {
     return std::span(replies).subspan(attempt.first_reply, attempt.replies);
   }
 };
+
+/// What is read of a session's attempts: the exploration has five rows per surface, most of what is stored of an attempt.
+enum class AnswerParts { answers, answers_and_exploration };
 
 /// How far a session has come.
 struct SessionCounts {

@@ -74,7 +74,7 @@ using Places = std::unordered_map<std::int64_t, SessionAnswers::Attempt*>;
 
 void read_surfaces(Database& database, std::int64_t session_id, SessionAnswers& answers,
                    const Places& attempts, WordPlaces& words) {
-  Statement statement(database, std::string("SELECT attempt_id, item, model, texture, "
+  Statement statement(database, std::string("SELECT attempt_id, position, item, model, texture, "
                                             "matched_texture_force_N, achieved_texture_force_N "
                                             "FROM presentation") +
                                     kOfSession + "ORDER BY attempt_id, position");
@@ -85,7 +85,7 @@ void read_surfaces(Database& database, std::int64_t session_id, SessionAnswers& 
   while (statement.step()) {
     std::int64_t id = 0;
     SessionAnswers::Surface surface{};
-    statement.read(id, item, model, texture, surface.matched_texture_force_N,
+    statement.read(id, surface.position, item, model, texture, surface.matched_texture_force_N,
                    surface.achieved_texture_force_N);
     surface.item = words.place(item);
     surface.model = words.place(model);
@@ -93,6 +93,61 @@ void read_surfaces(Database& database, std::int64_t session_id, SessionAnswers& 
     SessionAnswers::Attempt& attempt = *attempts.at(id);
     if (attempt.surfaces++ == 0) attempt.first_surface = answers.surfaces.size();
     answers.surfaces.push_back(surface);
+  }
+}
+
+/// Of a row of `compliance`.
+struct StoredSummary {
+  double mean = 0.0;
+  double sd = 0.0;
+  double p95 = 0.0;
+
+  /// How a quantity without samples is stored: no hand in contact presses or moves with exactly 0.
+  bool has_no_samples() const { return mean == 0.0 && sd == 0.0 && p95 == 0.0; }
+};
+
+/// Sets the quantity that the row is about. Contact time and strokes are one number, which is 0 without contact.
+void set_quantity(const std::string& quantity, const StoredSummary& summary,
+                  SessionAnswers::Exploration& exploration) {
+  if (quantity == "contact_s") {
+    exploration.contact_s = summary.mean;
+  } else if (quantity == "strokes") {
+    exploration.strokes = summary.mean;
+  } else if (summary.has_no_samples()) {
+    return;
+  } else if (quantity == "stroke_length_m") {
+    exploration.stroke_length_m = summary.mean;
+  } else if (quantity == "normal_force_N") {
+    exploration.force_N = summary.mean;
+    exploration.force_sd_N = summary.sd;
+  } else if (quantity == "speed_m_per_s") {
+    exploration.speed_m_per_s = summary.mean;
+    exploration.speed_sd_m_per_s = summary.sd;
+  }
+}
+
+/// After `read_surfaces`. A row without its surface, as in a damaged study, is left out.
+void read_explorations(Database& database, std::int64_t session_id, SessionAnswers& answers,
+                       const Places& attempts) {
+  answers.explorations.resize(answers.surfaces.size());
+  Statement statement(
+      database,
+      std::string("SELECT attempt_id, position, quantity, mean, sd, p95 FROM compliance") +
+          kOfSession);
+  statement.bind(session_id);
+  std::string quantity;
+  while (statement.step()) {
+    std::int64_t id = 0;
+    int position = 0;
+    StoredSummary summary{};
+    statement.read(id, position, quantity, summary.mean, summary.sd, summary.p95);
+    const SessionAnswers::Attempt& attempt = *attempts.at(id);
+    for (std::size_t i = 0; i < attempt.surfaces; ++i) {
+      const std::size_t place = attempt.first_surface + i;
+      if (answers.surfaces[place].position != position) continue;
+      set_quantity(quantity, summary, answers.explorations[place]);
+      break;
+    }
   }
 }
 
@@ -226,8 +281,8 @@ std::map<std::int64_t, SessionCounts> counts_in(Database& database, const Which&
 
 }  // namespace
 
-SessionAnswers Study::answers(std::int64_t session_id) const {
-  return store_->read([session_id](Database& database) {
+SessionAnswers Study::answers(std::int64_t session_id, AnswerParts parts) const {
+  return store_->read([session_id, parts](Database& database) {
     SessionAnswers answers{};
     WordPlaces words(answers.words);
     read_plan(database, session_id, answers, words);
@@ -240,6 +295,9 @@ SessionAnswers Study::answers(std::int64_t session_id) const {
       places.emplace(row.id, &answers.attempts.back());
     }
     read_surfaces(database, session_id, answers, places, words);
+    if (parts == AnswerParts::answers_and_exploration) {
+      read_explorations(database, session_id, answers, places);
+    }
     read_replies(database, session_id, answers, places, words);
     for (const AttemptRow& row : attempts.rows()) {
       SessionAnswers::Attempt& attempt = *places.at(row.id);

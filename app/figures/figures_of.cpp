@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/figures/figure_kinds.h"
+#include "app/findings/study/exploration.h"
 #include "app/findings/study/learning.h"
 #include "app/findings/study/response_times.h"
 
@@ -87,7 +88,7 @@ void add_groups(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   }
 }
 
-/// Response times and learning.
+/// Response times, learning and contact times.
 void add_times(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   struct Kind {
     const char* analysis = "";
@@ -103,6 +104,10 @@ void add_times(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
     figures.push_back(kind.figure(found));
     figures.back().table = kind.table;
   }
+  const std::vector<Finding> explored = part_of(outcome.findings, kExploration);
+  if (explored.empty()) return;
+  figures.push_back(contact_times_figure(FoundNumbers(explored)));
+  figures.back().table = kExploration;
 }
 
 /// Of one scale a row per item; of several a profile, which follows the answer for the last of them,

@@ -165,6 +165,67 @@ Figure response_times_figure(const FoundNumbers& found) {
   return figure;
 }
 
+Figure contact_times_figure(const FoundNumbers& found) {
+  const std::string quantity = "contact_s";
+  const auto key_without_quantity = [&quantity](const Finding& finding) {
+    return finding.key == quantity ? std::string() : finding.key.substr(quantity.size() + 1);
+  };
+  const auto of_contact = [&](const char* name) {
+    std::vector<Finding> of{};
+    for (const Finding* one : found.all(name)) {
+      const bool is_of_it = one->key == quantity || one->key.starts_with(quantity + '|');
+      if (!is_of_it || !one->value) continue;
+      of.push_back(*one);
+      of.back().key = key_without_quantity(*one);
+    }
+    return of;
+  };
+  Figure figure{.name = "contact_times",
+                .title = phrase("Figures", "Contact times by condition"),
+                .shape = FigureShape::rows};
+  const std::vector<Finding> medians = of_contact("median");
+  if (medians.empty()) {
+    figure.instead = phrase("Figures", "No trial has a stored contact time.");
+    return figure;
+  }
+  const std::vector<Finding> own = of_contact("subject.value");
+  std::vector<const Finding*> of_participants{};
+  for (const Finding& one : own) of_participants.push_back(&one);
+  const auto singles = singles_by_condition(of_participants);
+  FigureSeries points{};
+  std::vector<SingleValues> rows{};
+  double highest = 0.0;
+  for (const Finding& median : medians) {
+    const auto place = static_cast<double>(figure.y.places.size());
+    const std::string key = median.key.empty() ? quantity : quantity + '|' + median.key;
+    const std::optional<double> lower = found.value("quartile.lower", key);
+    const std::optional<double> upper = found.value("quartile.upper", key);
+    const bool has_quartiles = lower && upper && median.n > 1;
+    points.points.push_back(
+        {.x = *median.value,
+         .y = place,
+         .x_interval = has_quartiles ? std::optional(FigureSpan{*lower, *upper}) : std::nullopt});
+    figure.y.places.push_back(phrase("Figures", "%1 (n = %2)")
+                                  .with(name_of_condition(median.key), std::to_string(median.n)));
+    highest = std::max(highest, upper.value_or(*median.value));
+    if (const auto values = singles.find(median.key); values != singles.end()) {
+      rows.push_back({.place = place, .values = values->second});
+      for (const double value : values->second) highest = std::max(highest, value);
+    }
+  }
+  figure.x = {.name = phrase("Figures", "contact time per surface"), .unit = "s"};
+  figure.x.low = 0.0;
+  figure.x.high = highest > 0.0 ? highest * kBeyondMarks : 1.0;
+  figure.series.push_back(std::move(points));
+  figure.series.push_back(singles_in_rows(rows, figure.x, 0));
+  figure.note = with_note_on_singles(
+      phrase("Figures",
+             "Points are medians over the participants of each participant’s median contact time, "
+             "bars the quartiles."),
+      figure);
+  return figure;
+}
+
 Figure times_over_trials_figure(const FoundNumbers& found) {
   Figure figure = course_figure(found);
   figure.name = "times_over_trials";

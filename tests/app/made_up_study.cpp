@@ -27,6 +27,7 @@ AttemptRow attempt_of(const MadeUpTrial& made, int trial, int segment) {
   attempt.recording = made.recording;
   attempt.events = made.events;
   attempt.presentations = made.surfaces;
+  attempt.compliance = made.compliance;
   int position = 0;
   for (PresentationRow& surface : attempt.presentations) surface.position = ++position;
   for (std::size_t i = 0; i < made.answers.size(); ++i) {

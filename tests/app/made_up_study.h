@@ -18,6 +18,7 @@ namespace asperity {
 struct MadeUpTrial {
   std::string factors_json = "{}";
   std::vector<PresentationRow> surfaces{};
+  std::vector<ComplianceRow> compliance{};  ///< how they were explored
   std::vector<std::string> answers{};
   /// As many as answers, or none. An answer to one that begins with a digit or a sign is a number.
   std::vector<std::string> questions{};

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "app/findings/study/exploration.h"
 #include "app/findings/study/gathered_answers.h"
 #include "app/findings/study/learning.h"
 #include "app/findings/study/response_times.h"
@@ -141,6 +142,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
       if (!outcome.tables.empty()) {
         add_response_times(gathered, outcome);
         add_learning(gathered, outcome);
+        add_exploration(gathered, outcome);
       }
     } else {
       outcome.remarks.push_back(

@@ -20,8 +20,11 @@ const CellWords& words_of_measures() {
       {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
       {"cronbach_alpha", phrase("CellWords", "Cronbach’s α")},
       {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},
+      {"contact_s", phrase("CellWords", "contact time, s")},
       {"d_prime", phrase("CellWords", "d′")},
       {"equal_items", phrase("CellWords", "equal items")},
+      {"force_N", phrase("CellWords", "mean normal force, N")},
+      {"force_sd_N", phrase("CellWords", "SD of the normal force, N")},
       {"goodness_of_fit", phrase("CellWords", "goodness of fit")},
       {"items_of_halves",
        phrase("CellWords", "proportion of correctly matched items; change: second − first half")},
@@ -41,10 +44,15 @@ const CellWords& words_of_measures() {
       {"mallows_theta", phrase("CellWords", "Mallows’ θ (0 under guessing)")},
       {"order_effect", phrase("CellWords", "order effect, log odds")},
       {"pse", phrase("CellWords", "point of subjective equality (PSE)")},
+      {"response_s", phrase("CellWords", "response time, s")},
       {"right_items_in_all", phrase("CellWords", "correctly matched items")},
       {"right_items_per_go", phrase("CellWords", "correctly matched items per trial")},
       {"share_of_pictures_right",
        phrase("CellWords", "proportion correct, “cannot tell” left out")},
+      {"speed_m_per_s", phrase("CellWords", "mean speed, m/s")},
+      {"speed_sd_m_per_s", phrase("CellWords", "SD of the speed, m/s")},
+      {"stroke_length_m", phrase("CellWords", "stroke length, m")},
+      {"strokes", phrase("CellWords", "strokes")},
       {"time_of_halves",
        phrase("CellWords", "response time, s; change: ratio of the second to the first half")},
       {"time_per_10_trials", phrase("CellWords", "response time; change: ratio per 10 trials")},
@@ -82,10 +90,15 @@ const CellWords& words_of_tests() {
 
 const CellWords& words_of_trial_factors() {
   static const CellWords kWords{{"all", phrase("CellWords", "all trials")},
+                                {"block", phrase("CellWords", "block")},
+                                {"block_place", phrase("CellWords", "block position")},
                                 {"column", phrase("CellWords", "repetition")},
                                 {"condition", phrase("CellWords", "condition")},
+                                {"session_place", phrase("CellWords", "session number")},
                                 {"spacing_m", phrase("CellWords", "spacing (m)")},
-                                {"texture", phrase("CellWords", "texture")}};
+                                {"surface", phrase("CellWords", "surface")},
+                                {"texture", phrase("CellWords", "texture")},
+                                {"trial_place", phrase("CellWords", "trial, per 10")}};
   return kWords;
 }
 
@@ -124,6 +137,12 @@ const CellWords& words_of_single_units() {
 
 const CellWords& words_of_reasons() {
   static const CellWords kWords{
+      {"dependent", phrase("CellWords", "cannot be distinguished from the effects above")},
+      {"no_participant_variance",
+       phrase("CellWords", "the variance between participants is estimated as 0")},
+      {"no_residual_variance", phrase("CellWords", "there is no error variance")},
+      {"too_few_participants", phrase("CellWords", "too few participants")},
+      {"too_few_rows", phrase("CellWords", "too few measurements")},
       {"cannot be tested with one participant",
        phrase("CellWords", "cannot be tested with one participant")},
       {"nothing_varies", phrase("CellWords", "all stimuli or all responses are the same")},

@@ -120,7 +120,9 @@ class Gathering {
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
     reading.options = reading.factors = reading.words;
     std::map<int, const SessionAnswers::Trial*> planned{};
+    std::map<int, int> first_of_block{};  ///< the trial, by the ordinal of the block
     for (const SessionAnswers::Trial& trial : answers.trials) {
+      first_of_block.try_emplace(trial.block_ordinal, trial.trial);
       if (!reading.asks(trial)) continue;
       planned[trial.trial] = &trial;
       if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
@@ -141,7 +143,9 @@ class Gathering {
           break;
         case AnalysisUse::counted:
           if (attempt.flagged) ++gathered.count.flagged;
-          add_answers(reading, attempt, person(participant), *trial->second);
+          add_answers(reading, attempt, person(participant),
+                      {.trial = *trial->second,
+                       .place = attempt.trial - first_of_block[trial->second->block_ordinal] + 1});
           break;
       }
     }
@@ -311,14 +315,23 @@ class Gathering {
     return response;
   }
 
+  struct PlannedTrial {
+    const SessionAnswers::Trial& trial;
+    int place = 1;  ///< in the run of its block
+  };
+
   void add_answers(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
-                   const SessionAnswers::Trial& planned) {
+                   const PlannedTrial& of_plan) {
+    const SessionAnswers::Trial& planned = of_plan.trial;
     const std::string& block = session.answers.words[planned.block];
     const auto by_question = replies_by_question(session, attempt, block);
     if (by_question.empty()) return;
     const std::size_t first_surface = gathered.surfaces.size();
     const auto surfaces = session.answers.surfaces_of(attempt);
     for (const SessionAnswers::Surface& surface : surfaces) add_surface(session, surface);
+    const auto explorations = session.answers.explorations_of(attempt);
+    gathered.explorations.insert(gathered.explorations.end(), explorations.begin(),
+                                 explorations.end());
     const std::uint32_t levels = factors(session, planned.factors_json);
     const auto accompanied = accompanied_response(session, attempt, block);
     for (const RepliesToQuestion& to : by_question) {
@@ -331,6 +344,7 @@ class Gathering {
                                   .repetition = planned.repetition,
                                   .session = session.session,
                                   .block_ordinal = planned.block_ordinal,
+                                  .trial_of_block = of_plan.place,
                                   .track = planned.track.value_or(0),
                                   .step = planned.step.value_or(0),
                                   .continues_trial = &to != by_question.data(),
@@ -386,13 +400,14 @@ class AnswersInOrder final {
     if (ahead_.valid()) return ahead_.get();
     if (second_ && next_ < sessions_.size()) {
       try {
-        ahead_ = std::async(std::launch::async,
-                            [this, id = sessions_[next_].id] { return second_->answers(id); });
+        ahead_ = std::async(std::launch::async, [this, id = sessions_[next_].id] {
+          return second_->answers(id, AnswerParts::answers_and_exploration);
+        });
       } catch (const std::system_error&) {
         second_.reset();  // no thread is available: reading on one thread takes longer
       }
     }
-    return study_.answers(sessions_[own].id);
+    return study_.answers(sessions_[own].id, AnswerParts::answers_and_exploration);
   }
 
  private:

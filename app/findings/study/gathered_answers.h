@@ -83,6 +83,7 @@ struct GatheredAnswer {
   int repetition = 1;         ///< of the block, as planned
   int session = 1;            ///< ordinal within the participant
   int block_ordinal = 1;      ///< of the run of the block within the session
+  int trial_of_block = 1;     ///< place in the run of the block, as planned
   /// Where a procedure chose the level: the track within the run of the block, and the place in it, from 1; otherwise 0.
   int track = 0;
   int step = 0;
@@ -159,6 +160,8 @@ struct GatheredAnswers {
   std::vector<std::map<std::string, std::uint32_t, std::less<>>> factor_levels{};
   std::vector<GatheredAnswer> answers{};                 ///< by participant and session
   std::vector<FeltSurface> surfaces{};
+  /// How they were explored, as `surfaces`.
+  std::vector<SessionAnswers::Exploration> explorations{};
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
 

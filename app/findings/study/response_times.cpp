@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -13,53 +12,21 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
+#include "app/findings/study/trial_factors.h"
 
 namespace asperity {
 
 namespace {
 
-/// A factor that varies between trials: the level of each response, none where it has no level.
-struct TrialFactor {
-  std::string name{};
-  LabelColumn levels{};
-};
-
 /// An empty text: no level.
 using LevelOf = std::function<std::string(const GatheredAnswer&)>;
 
-/// In the declared order; then numbers in ascending order, then names.
-void sort_trial_levels(const std::vector<std::string>& declared, std::vector<std::string>& levels) {
-  std::sort(levels.begin(), levels.end(), [&declared](const std::string& a, const std::string& b) {
-    const auto place = [&declared](const std::string& level) {
-      return std::find(declared.begin(), declared.end(), level);
-    };
-    if (place(a) != place(b)) return place(a) < place(b);
-    const auto first = number_in(a);
-    const auto second = number_in(b);
-    if (first.has_value() != second.has_value()) return first.has_value();
-    return first && second && *first != *second ? *first < *second : a < b;
-  });
-}
-
-TrialFactor trial_factor(const std::string& name, const GatheredAnswers& gathered,
-                         const std::vector<std::string>& declared, const LevelOf& level_of) {
+TrialFactor factor_of_answers(const std::string& name, const GatheredAnswers& gathered,
+                              const std::vector<std::string>& declared, const LevelOf& level_of) {
   std::vector<std::string> by_answer{};
   by_answer.reserve(gathered.answers.size());
-  std::unordered_map<std::string, std::size_t> code_of{};
-  TrialFactor factor{.name = name};
-  for (const GatheredAnswer& answer : gathered.answers) {
-    by_answer.push_back(level_of(answer));
-    const std::string& level = by_answer.back();
-    if (!level.empty() && code_of.emplace(level, 0).second) factor.levels.names.push_back(level);
-  }
-  sort_trial_levels(declared, factor.levels.names);
-  for (std::size_t code = 0; code < factor.levels.names.size(); ++code) {
-    code_of[factor.levels.names[code]] = code;
-  }
-  for (const std::string& level : by_answer) {
-    factor.levels.codes.push_back(level.empty() ? LabelColumn::kMissing : code_of.at(level));
-  }
-  return factor;
+  for (const GatheredAnswer& answer : gathered.answers) by_answer.push_back(level_of(answer));
+  return trial_factor(name, by_answer, declared);
 }
 
 /// The texture of the surfaces of a trial, where they all have the same one.
@@ -82,17 +49,17 @@ std::vector<TrialFactor> factors_of(const GatheredAnswers& gathered) {
   };
   std::vector<TrialFactor> factors{};
   if (gathered.has_estimates()) {
-    factors.push_back(trial_factor("condition", gathered, gathered.estimation.conditions,
-                                   level_of(gathered.estimation.condition)));
+    factors.push_back(factor_of_answers("condition", gathered, gathered.estimation.conditions,
+                                        level_of(gathered.estimation.condition)));
     factors.push_back(
-        trial_factor("spacing_m", gathered, {}, [&gathered](const GatheredAnswer& answer) {
+        factor_of_answers("spacing_m", gathered, {}, [&gathered](const GatheredAnswer& answer) {
           const std::optional<double> spacing_m = gathered.spacing_m(answer);
           return spacing_m ? number_text(*spacing_m) : std::string();
         }));
   } else {
     factors.push_back(
-        trial_factor(std::string(kColumnFactor), gathered, {}, level_of(kColumnFactor)));
-    factors.push_back(trial_factor(
+        factor_of_answers(std::string(kColumnFactor), gathered, {}, level_of(kColumnFactor)));
+    factors.push_back(factor_of_answers(
         "texture", gathered, gathered.pictures,
         [&gathered](const GatheredAnswer& answer) { return common_texture(gathered, answer); }));
   }

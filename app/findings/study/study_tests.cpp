@@ -12,6 +12,8 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/exploration.h"
+#include "app/findings/study/exploration_model.h"
 #include "app/findings/study/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -465,8 +467,11 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
 }
 
 Table reading_table(const NamedTable& table) {
-  return reading_table(table.name == StudyTests::kTable ? with_joined_cells(table.table)
-                                                        : with_quantities(table));
+  if (table.name == StudyTests::kTable) return reading_table(with_joined_cells(table.table));
+  const bool is_of_exploration = table.name == kExploration || table.name == kExplorationForces ||
+                                 table.name == kExplorationModel;
+  return reading_table(is_of_exploration ? with_exploration_as_read(table)
+                                         : with_quantities(table));
 }
 
 }  // namespace asperity

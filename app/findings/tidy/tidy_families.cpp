@@ -15,6 +15,13 @@ namespace {
 constexpr std::array kFamilies{
     TidyFamily{"components", "item,scale,score: one score per item and scale", "",
                components_findings, ""},
+    TidyFamily{
+        "description",
+        "subject,value and one column per factor: one measurement per row, value empty where "
+        "there is none",
+        "average: of the measurements of a participant: mean, median; factors: columns with "
+        "their levels, as {\"texture\": [\"wood\", \"metal\"]}",
+        description_findings, "average,factors"},
     TidyFamily{"equivalence",
                "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
                "subject,group,value: two samples; one row per participant",

@@ -65,6 +65,7 @@ std::string family_names();
 const TidyFamily& tidy_family(const std::string& name);
 
 std::vector<Finding> components_findings(const TidyInput& input);
+std::vector<Finding> description_findings(const TidyInput& input);
 std::vector<Finding> equivalence_findings(const TidyInput& input);
 std::vector<Finding> glmm_findings(const TidyInput& input);
 std::vector<Finding> group_findings(const TidyInput& input);

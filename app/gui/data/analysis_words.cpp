@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/exploration.h"
 #include "app/gui/look/words.h"
 
 namespace asperity {
@@ -86,6 +87,7 @@ constexpr std::array kHeadings{
     Word{"mean 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "mean, 95 % CI")},
     Word{"mean_rank", QT_TRANSLATE_NOOP("AnalysisWords", "mean rank")},
     Word{"measure", QT_TRANSLATE_NOOP("AnalysisWords", "measure")},
+    Word{"measurements", QT_TRANSLATE_NOOP("AnalysisWords", "measurements")},
     Word{"median", QT_TRANSLATE_NOOP("AnalysisWords", "median")},
     Word{"method", QT_TRANSLATE_NOOP("AnalysisWords", "method")},
     Word{"minimum", QT_TRANSLATE_NOOP("AnalysisWords", "minimum")},
@@ -179,6 +181,9 @@ QString AnalysisWords::of_heading(const NamedTable& table, const std::string& co
   const bool is_picture = table.name == kConfusion && column != table.table.columns.front();
   if (is_picture) return QString::fromStdString(column);
   if (table.name == "loadings" && column == "of") return tr("quantity");
+  if (is_explored_quantity(table, column)) {
+    return words_as_published(words_of_cell("measure", column));
+  }
   if (const char* shown = shown_in(kHeadings, column)) return tr(shown);
   constexpr std::string_view kColumn = "column_";  // and the level of the factor
   if (column.starts_with(kColumn)) {

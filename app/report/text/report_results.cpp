@@ -7,6 +7,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/exploration.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/study/test_methods.h"
@@ -120,6 +121,7 @@ std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const To
 
 std::string heading_of(const NamedTable& table, const std::string& column) {
   if (table.name == "loadings" && column == "of") return "quantity";
+  if (is_explored_quantity(table, column)) return words_of_cell("measure", column).english();
   const std::string no_break = "\u00A0";
   static const std::map<std::string, std::string> kHeadings{
       {"about", "comparison"},
@@ -238,6 +240,8 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"icc", "the reliability over repetitions"},
       {"jnd", "the just-noticeable difference"},
       {"jnd.dprime1", "the just-noticeable difference at d′ = 1"},
+      {"lmm.beta", "the effect on times"},
+      {"lmm.status", "the linear mixed model of times"},
       {"mallows.theta", "Mallows’ θ"},
       {"mauchly.W", "Mauchly’s test of sphericity"},
       {"mixed.status", "the logistic regression with random intercepts"},

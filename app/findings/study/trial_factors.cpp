@@ -1,0 +1,55 @@
+#include "app/findings/study/trial_factors.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+void sort_trial_levels(const std::vector<std::string>& declared, std::vector<std::string>& levels) {
+  std::sort(levels.begin(), levels.end(), [&declared](const std::string& a, const std::string& b) {
+    const auto place = [&declared](const std::string& level) {
+      return std::find(declared.begin(), declared.end(), level);
+    };
+    if (place(a) != place(b)) return place(a) < place(b);
+    const auto first = number_in(a);
+    const auto second = number_in(b);
+    if (first.has_value() != second.has_value()) return first.has_value();
+    return first && second && *first != *second ? *first < *second : a < b;
+  });
+}
+
+}  // namespace
+
+TrialFactor trial_factor(const std::string& name, const std::vector<std::string>& by_row,
+                         const std::vector<std::string>& declared) {
+  std::unordered_map<std::string, std::size_t> code_of{};
+  TrialFactor factor{.name = name};
+  for (const std::string& level : by_row) {
+    if (!level.empty() && code_of.emplace(level, 0).second) factor.levels.names.push_back(level);
+  }
+  sort_trial_levels(declared, factor.levels.names);
+  for (std::size_t code = 0; code < factor.levels.names.size(); ++code) {
+    code_of[factor.levels.names[code]] = code;
+  }
+  factor.levels.codes.reserve(by_row.size());
+  for (const std::string& level : by_row) {
+    factor.levels.codes.push_back(level.empty() ? LabelColumn::kMissing : code_of.at(level));
+  }
+  return factor;
+}
+
+bool are_same_groups(const TrialFactor& one, const TrialFactor& other) {
+  if (one.levels.names.size() != other.levels.names.size()) return false;
+  std::unordered_map<std::size_t, std::size_t> other_of{};
+  for (std::size_t row = 0; row < one.levels.codes.size(); ++row) {
+    const std::size_t code = other.levels.codes[row];
+    if (other_of.emplace(one.levels.codes[row], code).first->second != code) return false;
+  }
+  return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,27 @@
+// Makes columns of tidy tables from what varies between trials or surfaces: factors with their levels in order.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "results_schema/tidy_table.h"
+
+namespace asperity {
+
+/// A factor with the level of each row, none where it has no level.
+struct TrialFactor {
+  std::string name{};
+  LabelColumn levels{};
+};
+
+/// `by_row`: the level of each row, an empty text where it has none. Levels are in the order of `declared`; then
+/// numbers in ascending order, then names.
+TrialFactor trial_factor(const std::string& name, const std::vector<std::string>& by_row,
+                         const std::vector<std::string>& declared = {});
+
+/// Whether both divide the rows into the same groups.
+bool are_same_groups(const TrialFactor& one, const TrialFactor& other);
+
+}  // namespace asperity
