@@ -174,7 +174,7 @@ std::variant<double, NoLinearMixed> best_lambda(const ParticipantSums& sums) {
 std::vector<Eigen::Index> dependent_columns(const Eigen::MatrixXd& design) {
   // Cholesky's decomposition of the columns' correlations, without the columns that turn out to be dependent. What is left
   // of a column's variance is 1 − R² of its regression on the columns before it.
-  constexpr double kNoVariance = 1e-10;
+  constexpr double kNothingLeft = 1e-10;
   const Eigen::RowVectorXd means = design.colwise().mean();
   const auto rows = static_cast<double>(design.rows());
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(design.cols(), design.cols());
@@ -193,7 +193,7 @@ std::vector<Eigen::Index> dependent_columns(const Eigen::MatrixXd& design) {
     }
     const double left = variance - L.row(column).squaredNorm();
     const bool is_constant = variance <= kRoundingOfSquares * rows * means(column) * means(column);
-    if (is_constant || left <= kNoVariance * variance) {
+    if (is_constant || left <= kNothingLeft * variance) {
       L.row(column).setZero();
       dependent.push_back(column);
     } else {

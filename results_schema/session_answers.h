@@ -36,10 +36,14 @@ struct SessionAnswers {
     std::optional<double> matched_texture_force_N{};
     std::optional<double> achieved_texture_force_N{};
   };
-  /// How one surface was explored in one attempt, from its compliance rows. Nothing where a quantity was not stored, or had no
+  /// How one surface was explored in one attempt, from its compliance rows and its visits. Nothing where a quantity was not stored, or had no
   /// samples: the force on a surface that was not touched is not 0.
   struct Exploration {
     std::optional<double> contact_s{};
+    /// From the rows of visits. Nothing in attempts without any, such as those that were stored before schema version 11;
+    /// 0 of a surface that was not touched in an attempt with visits to others.
+    std::optional<double> visits{};
+    std::optional<double> path_m{};
     std::optional<double> strokes{};
     std::optional<double> stroke_length_m{};  ///< mean over strokes
     /// Means and standard deviations over the samples of contact.

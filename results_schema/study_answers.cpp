@@ -126,10 +126,46 @@ void set_quantity(const std::string& quantity, const StoredSummary& summary,
   }
 }
 
-/// After `read_surfaces`. A row without its surface, as in a damaged study, is left out.
+/// The exploration of the surface at a position; null for a row without its surface, as in a damaged study.
+SessionAnswers::Exploration* exploration_at(SessionAnswers& answers,
+                                            const SessionAnswers::Attempt& attempt, int position) {
+  for (std::size_t i = 0; i < attempt.surfaces; ++i) {
+    const std::size_t place = attempt.first_surface + i;
+    if (answers.surfaces[place].position == position) return &answers.explorations[place];
+  }
+  return nullptr;
+}
+
+void read_visits(Database& database, std::int64_t session_id, SessionAnswers& answers,
+                 const Places& attempts) {
+  Statement statement(database,
+                      std::string("SELECT attempt_id, position, count(*), sum(path_m) FROM visit") +
+                          kOfSession + "GROUP BY attempt_id, position");
+  statement.bind(session_id);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    int position = 0;
+    double visits = 0.0;
+    double path_m = 0.0;
+    statement.read(id, position, visits, path_m);
+    const SessionAnswers::Attempt& attempt = *attempts.at(id);
+    for (std::size_t i = 0; i < attempt.surfaces; ++i) {
+      SessionAnswers::Exploration& one = answers.explorations[attempt.first_surface + i];
+      one.visits = one.visits.value_or(0.0);
+      one.path_m = one.path_m.value_or(0.0);
+    }
+    SessionAnswers::Exploration* const visited = exploration_at(answers, attempt, position);
+    if (visited == nullptr) continue;
+    visited->visits = visits;
+    visited->path_m = path_m;
+  }
+}
+
+/// After `read_surfaces`.
 void read_explorations(Database& database, std::int64_t session_id, SessionAnswers& answers,
                        const Places& attempts) {
   answers.explorations.resize(answers.surfaces.size());
+  read_visits(database, session_id, answers, attempts);
   Statement statement(
       database,
       std::string("SELECT attempt_id, position, quantity, mean, sd, p95 FROM compliance") +
@@ -141,13 +177,9 @@ void read_explorations(Database& database, std::int64_t session_id, SessionAnswe
     int position = 0;
     StoredSummary summary{};
     statement.read(id, position, quantity, summary.mean, summary.sd, summary.p95);
-    const SessionAnswers::Attempt& attempt = *attempts.at(id);
-    for (std::size_t i = 0; i < attempt.surfaces; ++i) {
-      const std::size_t place = attempt.first_surface + i;
-      if (answers.surfaces[place].position != position) continue;
-      set_quantity(quantity, summary, answers.explorations[place]);
-      break;
-    }
+    SessionAnswers::Exploration* const explored =
+        exploration_at(answers, *attempts.at(id), position);
+    if (explored != nullptr) set_quantity(quantity, summary, *explored);
   }
 }
 

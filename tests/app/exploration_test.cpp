@@ -185,6 +185,55 @@ TEST(Exploration, HasARowWithoutNumbersWhereNothingIsStored) {
               Not(HasSubstr("Not stored")));
 }
 
+// Two surfaces in a trial, the first visited twice. Attempts of earlier versions have contact times, and no visits.
+TEST(Exploration, HasVisitsAndPathWhereTheyAreStored) {
+  const auto trial_of = [](bool has_visits) {
+    MadeUpTrial trial{};
+    trial.surfaces = {surface_of("wood", "height_map", "wood"),
+                      surface_of("metal", "height_map", "metal")};
+    trial.answers = {"wood", "metal"};
+    trial.right = trial.answers;
+    trial.options = trial.answers;
+    explore(trial, {2.0, 1.0, 0.05});
+    explore(trial, {0.0, {}, {}});
+    if (has_visits) {
+      trial.surfaces[0].visits = {{.contact_ns = 7'000'000'000,
+                                   .offset_ns = 8'000'000'000,
+                                   .contact_s = 0.5,
+                                   .path_m = 0.1},
+                                  {.contact_ns = 9'000'000'000,
+                                   .offset_ns = 9'900'000'000,
+                                   .contact_s = 0.5,
+                                   .path_m = 0.3}};
+    }
+    return trial;
+  };
+  const auto outcome_of = [&](bool has_visits) {
+    MadeUpStudy made;
+    const std::int64_t protocol = made.add_protocol("matching", "matching");
+    for (const char* const label : {"a", "b"}) {
+      made.add_person(label, "F");
+      made.add_session(label, protocol, {trial_of(has_visits), trial_of(has_visits)});
+    }
+    return analyze_study(made.study()).front();
+  };
+  const AnalysisOutcome stored = outcome_of(true);
+  EXPECT_NEAR(ExploredCells(stored, kExploration, "visits", "surface", "wood").number("mean"), 2.0,
+              1e-12);
+  EXPECT_NEAR(ExploredCells(stored, kExploration, "path_m", "surface", "wood").number("mean"), 0.4,
+              1e-12);
+  EXPECT_NEAR(ExploredCells(stored, kExploration, "visits", "surface", "metal").number("mean"), 0.0,
+              1e-12);
+  const AnalysisOutcome earlier = outcome_of(false);
+  for (const char* const measure : {"visits", "path_m"}) {
+    const ExploredCells missing(earlier, kExploration, measure, "all");
+    EXPECT_EQ(missing.at("measurements"), Cell{std::int64_t{0}});
+    EXPECT_EQ(missing.at("mean"), Cell{});
+  }
+  EXPECT_THAT(exploration_table(earlier, kExploration)->note.english(),
+              HasSubstr("Not stored by these sessions: visits, path in contact, m."));
+}
+
 TEST(Exploration, IsAbsentWhereNoneIsStored) {
   MadeUpTrial trial = explored_trial("wood", {1.0, 0.5, 0.04});
   trial.compliance.clear();
@@ -196,8 +245,9 @@ TEST(Exploration, IsAbsentWhereNoneIsStored) {
 TEST(Exploration, IsDisplayedWithARowPerCondition) {
   const AnalysisOutcome outcome = analyze_explored(kTwoParticipants);
   const Table times = reading_table(*exploration_table(outcome, kExploration));
-  EXPECT_THAT(times.columns, ElementsAre("factor", "level", "persons", "measurements", "contact_s",
-                                         "strokes", "stroke_length_m", "response_s"));
+  EXPECT_THAT(times.columns,
+              ElementsAre("factor", "level", "persons", "measurements", "contact_s", "visits",
+                          "path_m", "strokes", "stroke_length_m", "response_s"));
   ASSERT_EQ(times.rows.size(), 3U);
   EXPECT_EQ(times.rows[2][1], Cell{"wood"});
   EXPECT_EQ(times.rows[2][4], Cell{"2.50 [2.25, 2.75]"});

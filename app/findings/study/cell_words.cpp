@@ -43,6 +43,7 @@ const CellWords& words_of_measures() {
       {"log_tie", phrase("CellWords", "ties, ln ν")},
       {"mallows_theta", phrase("CellWords", "Mallows’ θ (0 under guessing)")},
       {"order_effect", phrase("CellWords", "order effect, log odds")},
+      {"path_m", phrase("CellWords", "path in contact, m")},
       {"pse", phrase("CellWords", "point of subjective equality (PSE)")},
       {"response_s", phrase("CellWords", "response time, s")},
       {"right_items_in_all", phrase("CellWords", "correctly matched items")},
@@ -56,6 +57,7 @@ const CellWords& words_of_measures() {
       {"time_of_halves",
        phrase("CellWords", "response time, s; change: ratio of the second to the first half")},
       {"time_per_10_trials", phrase("CellWords", "response time; change: ratio per 10 trials")},
+      {"visits", phrase("CellWords", "visits")},
       {"weber", phrase("CellWords", "Weber fraction")},
       {"z", phrase("CellWords", "z of the correctly matched items")}};
   return kWords;

@@ -38,6 +38,8 @@ struct ExploredQuantity {
 /// In the order of the tables. A quantity that only later versions store is missing in earlier sessions.
 constexpr std::array kExploredQuantities{
     ExploredQuantity{kExploration, "contact_s", 2, true, &ExploredSurface::contact_s},
+    ExploredQuantity{kExploration, "visits", 2, false, &ExploredSurface::visits},
+    ExploredQuantity{kExploration, "path_m", 3, false, &ExploredSurface::path_m},
     ExploredQuantity{kExploration, "strokes", 2, false, &ExploredSurface::strokes},
     ExploredQuantity{kExploration, "stroke_length_m", 4, false, &ExploredSurface::stroke_length_m},
     ExploredQuantity{kExploration, "response_s", 2, true, nullptr},

@@ -166,8 +166,8 @@ class ModelTable final {
 };
 
 /// "Contact time changes by a factor of 0.93 per 10 trials, 95 % CI [0.90, 0.96]."
-void add_change(const ModelledTimes& times, const Phrase& sentence, const Finding* ratio,
-                Phrase& note) {
+void add_change_sentence(const ModelledTimes& times, const Phrase& sentence, const Finding* ratio,
+                         Phrase& note) {
   if (ratio == nullptr || !ratio->low || !ratio->high) return;
   const auto digits = [](double value) { return reading_signed(value, 2); };
   note = phrase("Analysis", "%1 %2")
@@ -176,16 +176,16 @@ void add_change(const ModelledTimes& times, const Phrase& sentence, const Findin
 }
 
 void add_sentences(const ModelledTimes& times, const FoundNumbers& found, Phrase& note) {
-  add_change(times,
-             phrase("Analysis",
-                    "%1 changes by a factor of %2 per 10 trials of a block, 95 % CI "
-                    "[%3, %4]."),
-             found.find("lmm.ratio", kTrialPlace), note);
-  add_change(
+  add_change_sentence(times,
+                      phrase("Analysis",
+                             "%1 changes by a factor of %2 per 10 trials of a block, 95 % CI "
+                             "[%3, %4]."),
+                      found.find("lmm.ratio", kTrialPlace), note);
+  add_change_sentence(
       times,
       phrase("Analysis", "%1 changes by a factor of %2 from block to block, 95 % CI [%3, %4]."),
       found.find("lmm.ratio", kBlockPlace), note);
-  add_change(
+  add_change_sentence(
       times,
       phrase("Analysis", "%1 changes by a factor of %2 from session to session, 95 % CI [%3, %4]."),
       found.find("lmm.ratio", kSessionPlace), note);

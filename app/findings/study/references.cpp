@@ -37,12 +37,18 @@ constexpr std::array kReferences{
     Reference{"Kendall 1939", "Kendall & Babington Smith, 1939",
               "Kendall, M. G., & Babington Smith, B. (1939). The problem of m rankings. The Annals "
               "of Mathematical Statistics, 10(3), 275–287."},
+    Reference{"Laird 1982", "Laird & Ware, 1982",
+              "Laird, N. M., & Ware, J. H. (1982). Random-effects models for longitudinal data. "
+              "Biometrics, 38(4), 963–974."},
     Reference{"McCullagh 1980", "McCullagh, 1980",
               "McCullagh, P. (1980). Regression models for ordinal data. Journal of the Royal "
               "Statistical Society: Series B, 42(2), 109–142."},
     Reference{"Miller 1955", "Miller, 1955",
               "Miller, G. A. (1955). Note on the bias of information estimates. In H. Quastler "
               "(Ed.), Information theory in psychology (pp. 95–100). Free Press."},
+    Reference{"Satterthwaite 1946", "Satterthwaite, 1946",
+              "Satterthwaite, F. E. (1946). An approximate distribution of estimates of variance "
+              "components. Biometrics Bulletin, 2(6), 110–114."},
     Reference{
         "Wilcoxon 1945", "Wilcoxon, 1945",
         "Wilcoxon, F. (1945). Individual comparisons by ranking methods. Biometrics Bulletin, "

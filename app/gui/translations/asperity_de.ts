@@ -1859,6 +1859,58 @@
         <source>Not tested: no participant has trials in every condition, and this test compares conditions within participants.</source>
         <translation>Nicht getestet: Keine Versuchsperson hat Durchgänge in allen Bedingungen, und dieser Test vergleicht Bedingungen innerhalb der Versuchspersonen.</translation>
     </message>
+    <message>
+        <source>Of each participant the median of times and the mean of other quantities, over surfaces (of response times: over trials); of these, median [quartiles] or mean (SD) over the participants. Force and speed: mean and SD over the time in contact.</source>
+        <translation>Für jede Versuchsperson der Median von Zeiten und der Mittelwert anderer Größen über die Oberflächen (bei Reaktionszeiten: über die Durchgänge); davon Median [Quartile] oder Mittelwert (SD) über die Versuchspersonen. Kraft und Geschwindigkeit: Mittelwert und SD über die Zeit im Kontakt.</translation>
+    </message>
+    <message>
+        <source>%1 Not stored by these sessions: %2.</source>
+        <translation>%1 In diesen Sitzungen nicht gespeichert: %2.</translation>
+    </message>
+    <message>
+        <source>Exploration by condition: times and strokes</source>
+        <translation>Exploration nach Bedingung: Zeiten und Striche</translation>
+    </message>
+    <message>
+        <source>Exploration by condition: force and speed</source>
+        <translation>Exploration nach Bedingung: Kraft und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Contact times and response times: linear mixed models</source>
+        <translation>Kontaktdauern und Reaktionszeiten: lineare gemischte Modelle</translation>
+    </message>
+    <message>
+        <source>%1 changes by a factor of %2 per 10 trials of a block, 95 % CI [%3, %4].</source>
+        <translation>%1 ändert sich je 10 Durchgänge eines Blocks um den Faktor %2, 95-%-KI [%3; %4].</translation>
+    </message>
+    <message>
+        <source>%1 changes by a factor of %2 from block to block, 95 % CI [%3, %4].</source>
+        <translation>%1 ändert sich von Block zu Block um den Faktor %2, 95-%-KI [%3; %4].</translation>
+    </message>
+    <message>
+        <source>%1 changes by a factor of %2 from session to session, 95 % CI [%3, %4].</source>
+        <translation>%1 ändert sich von Sitzung zu Sitzung um den Faktor %2, 95-%-KI [%3; %4].</translation>
+    </message>
+    <message>
+        <source>%1 %2: the intraclass correlation is %3.</source>
+        <translation>%1 %2: Die Intraklassenkorrelation beträgt %3.</translation>
+    </message>
+    <message>
+        <source>%1 %2: left out without a time above 0: %3.</source>
+        <translation>%1 %2: ohne Zeit über 0 ausgelassen: %3.</translation>
+    </message>
+    <message>
+        <source>Linear mixed models of the natural logarithms [Laird &amp; Ware, 1982], fitted by restricted maximum likelihood (REML), with random intercepts of participants; F tests and t-based 95 % CIs with Satterthwaite’s degrees of freedom [Satterthwaite, 1946]. Ratios: to the reference level of a condition, per 10 trials of a block, per block or per session. The tests are exploratory and uncorrected; they are liberal where participants differ in these effects, which the models do not include.</source>
+        <translation>Lineare gemischte Modelle der natürlichen Logarithmen [Laird &amp; Ware, 1982], mit REML (Restricted Maximum Likelihood) geschätzt, mit zufälligen Achsenabschnitten der Versuchspersonen; F-Tests und t-basierte 95-%-KIs mit Freiheitsgraden nach Satterthwaite [Satterthwaite, 1946]. Verhältnisse: zur Referenzstufe einer Bedingung, je 10 Durchgänge eines Blocks, je Block oder je Sitzung. Die Tests sind explorativ und unkorrigiert; sie sind liberal, wenn sich Versuchspersonen in diesen Effekten unterscheiden, was die Modelle nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Contact time</source>
+        <translation>Die Kontaktdauer</translation>
+    </message>
+    <message>
+        <source>Response time</source>
+        <translation>Die Reaktionszeit</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2444,6 +2496,10 @@
     <message>
         <source>session</source>
         <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>Messungen</translation>
     </message>
 </context>
 <context>
@@ -3062,6 +3118,86 @@
     <message>
         <source>no participant has trials in every condition, and the test compares conditions within participants</source>
         <translation>keine Versuchsperson hat Durchgänge in allen Bedingungen, und der Test vergleicht Bedingungen innerhalb der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>contact time, s</source>
+        <translation>Kontaktdauer, s</translation>
+    </message>
+    <message>
+        <source>mean normal force, N</source>
+        <translation>mittlere Normalkraft, N</translation>
+    </message>
+    <message>
+        <source>SD of the normal force, N</source>
+        <translation>SD der Normalkraft, N</translation>
+    </message>
+    <message>
+        <source>path in contact, m</source>
+        <translation>Weg im Kontakt, m</translation>
+    </message>
+    <message>
+        <source>response time, s</source>
+        <translation>Reaktionszeit, s</translation>
+    </message>
+    <message>
+        <source>mean speed, m/s</source>
+        <translation>mittlere Geschwindigkeit, m/s</translation>
+    </message>
+    <message>
+        <source>SD of the speed, m/s</source>
+        <translation>SD der Geschwindigkeit, m/s</translation>
+    </message>
+    <message>
+        <source>stroke length, m</source>
+        <translation>Strichlänge, m</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>visits</source>
+        <translation>Besuche</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>block position</source>
+        <translation>Position des Blocks</translation>
+    </message>
+    <message>
+        <source>session number</source>
+        <translation>Nummer der Sitzung</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>trial, per 10</source>
+        <translation>Durchgang, je 10</translation>
+    </message>
+    <message>
+        <source>cannot be distinguished from the effects above</source>
+        <translation>von den Effekten darüber nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>the variance between participants is estimated as 0</source>
+        <translation>die Varianz zwischen den Versuchspersonen wird auf 0 geschätzt</translation>
+    </message>
+    <message>
+        <source>there is no error variance</source>
+        <translation>es gibt keine Fehlervarianz</translation>
+    </message>
+    <message>
+        <source>too few participants</source>
+        <translation>zu wenige Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>too few measurements</source>
+        <translation>zu wenige Messungen</translation>
     </message>
 </context>
 <context>
@@ -4154,6 +4290,22 @@
     <message>
         <source>%1 Names: the run of the block, and the track within it.</source>
         <translation>%1 Namen: der Durchlauf des Blocks und die Folge (Track) darin.</translation>
+    </message>
+    <message>
+        <source>Contact times by condition</source>
+        <translation>Kontaktdauern nach Bedingung</translation>
+    </message>
+    <message>
+        <source>No trial has a stored contact time.</source>
+        <translation>Für keinen Durchgang ist eine Kontaktdauer gespeichert.</translation>
+    </message>
+    <message>
+        <source>contact time per surface</source>
+        <translation>Kontaktdauer je Oberfläche</translation>
+    </message>
+    <message>
+        <source>Points are medians over the participants of each participant’s median contact time, bars the quartiles.</source>
+        <translation>Punkte sind Mediane der medianen Kontaktdauern der Versuchspersonen, Balken die Quartile.</translation>
     </message>
 </context>
 <context>

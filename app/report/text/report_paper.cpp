@@ -10,6 +10,7 @@
 #include "app/findings/study/references.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/test_methods.h"
+#include "app/report/text/report_exploration.h"
 #include "app/study_files/program.h"
 #include "app/words/text_parts.h"
 
@@ -159,6 +160,7 @@ std::string paper_statistics(const AnalysisOutcome& outcome, std::span<const Tes
         "on the logit scale.");
   }
   sentences.push_back(methods_text(printed, sources));
+  sentences.push_back(exploration_method(outcome, sources));
   return with_sentences(sentences);
 }
 
@@ -183,6 +185,7 @@ std::string results_paragraph(const AnalysisOutcome& outcome,
     sentences.push_back("The table of tests contains " + reading_count(more) +
                         (more == 1 ? " further test." : " further tests."));
   }
+  sentences.push_back(exploration_results(outcome));
   return with_sentences(sentences);
 }
 

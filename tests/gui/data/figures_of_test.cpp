@@ -18,6 +18,7 @@
 #include "app/figures/single_participants.h"
 #include "app/figures/sweep_figure.h"
 #include "app/findings/found_numbers.h"
+#include "app/findings/study/exploration.h"
 #include "app/findings/tidy/reference_case.h"
 #include "renderers/built_in_models.h"
 
@@ -670,6 +671,47 @@ TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
             "Points are geometric means over the participants, bars their t-based 90 % CIs on the "
             "logarithmic scale. Response times are measured from the cue to the response. Small "
             "pale marks: individual participants.");
+}
+
+// Of three participants in all trials, of two with wood; other quantities stand between the findings.
+TEST(FiguresOf, PutContactTimesByConditionWithTheirQuartiles) {
+  AnalysisOutcome outcome{};
+  const auto add = [&outcome](const char* quantity, const char* key, double value, std::size_t n) {
+    Finding& finding = outcome.findings.emplace_back();
+    finding.analysis = kExploration;
+    finding.quantity = quantity;
+    finding.key = key;
+    finding.value = value;
+    finding.n = n;
+  };
+  add("median", "contact_s", 4.0, 3);
+  add("quartile.lower", "contact_s", 3.0, 3);
+  add("quartile.upper", "contact_s", 6.0, 3);
+  add("subject.value", "contact_s|P1", 2.0, 1);
+  add("subject.value", "contact_s|P2", 4.0, 1);
+  add("subject.value", "contact_s|P3", 8.0, 1);
+  add("median", "contact_s|texture=wood", 5.0, 2);
+  add("quartile.lower", "contact_s|texture=wood", 4.5, 2);
+  add("quartile.upper", "contact_s|texture=wood", 5.5, 2);
+  add("subject.value", "contact_s|P1|texture=wood", 4.0, 1);
+  add("subject.value", "contact_s|P2|texture=wood", 6.0, 1);
+  add("median", "response_s", 1.0, 3);
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 1U);
+  const Figure& figure = figures.front();
+  EXPECT_EQ(figure.name, "contact_times");
+  EXPECT_EQ(figure.table, kExploration);
+  EXPECT_EQ(places_of(figure.y), (std::vector<std::string>{"all trials (n = 3)", "wood (n = 2)"}));
+  const FigureSeries& medians = figure.series.front();
+  ASSERT_EQ(medians.points.size(), 2U);
+  EXPECT_EQ(medians.points[0].x, 4.0);
+  EXPECT_EQ(medians.points[0].x_interval->low, 3.0);
+  EXPECT_EQ(medians.points[1].x_interval->high, 5.5);
+  const FigureSeries& singles = singles_in(figure);
+  ASSERT_EQ(singles.points.size(), 5U);
+  EXPECT_EQ(singles.points[4].x, 6.0);
+  EXPECT_EQ(figure.x.low, 0.0);
+  EXPECT_GT(figure.x.high, 8.0);
 }
 
 TEST(FiguresOf, PutALineOfEachParticipantBehindTheCourseOverTrials) {
