@@ -112,11 +112,15 @@ class ExplorationTable final {
 
  private:
   Phrase note_on_exploration() const {
-    const Phrase note = phrase(
-        "Analysis",
-        "Of each participant the median of times and the mean of other quantities, over surfaces "
-        "(of response times: over trials); of these, median [quartiles] or mean (SD) over the "
-        "participants. Force and speed: mean and SD over the time in contact.");
+    const Phrase note =
+        table_.name == kExplorationForces
+            ? phrase("Analysis",
+                     "Mean and SD of each surface, over the time in contact; mean (SD) over the "
+                     "participants of each participant’s mean over the surfaces.")
+            : phrase("Analysis",
+                     "Of each participant the median of times and the mean of other quantities, over "
+                     "surfaces (of response times: over trials); of these, median [quartiles] or "
+                     "mean (SD) over the participants.");
     if (missing_.empty()) return note;
     return phrase("Analysis", "%1 Not stored by these sessions: %2.").with(note, missing_);
   }

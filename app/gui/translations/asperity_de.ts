@@ -1860,10 +1860,6 @@
         <translation>Nicht getestet: Keine Versuchsperson hat Durchgänge in allen Bedingungen, und dieser Test vergleicht Bedingungen innerhalb der Versuchspersonen.</translation>
     </message>
     <message>
-        <source>Of each participant the median of times and the mean of other quantities, over surfaces (of response times: over trials); of these, median [quartiles] or mean (SD) over the participants. Force and speed: mean and SD over the time in contact.</source>
-        <translation>Für jede Versuchsperson der Median von Zeiten und der Mittelwert anderer Größen über die Oberflächen (bei Reaktionszeiten: über die Durchgänge); davon Median [Quartile] oder Mittelwert (SD) über die Versuchspersonen. Kraft und Geschwindigkeit: Mittelwert und SD über die Zeit im Kontakt.</translation>
-    </message>
-    <message>
         <source>%1 Not stored by these sessions: %2.</source>
         <translation>%1 In diesen Sitzungen nicht gespeichert: %2.</translation>
     </message>
@@ -1910,6 +1906,14 @@
     <message>
         <source>Response time</source>
         <translation>Die Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>Mean and SD of each surface, over the time in contact; mean (SD) over the participants of each participant’s mean over the surfaces.</source>
+        <translation>Mittelwert und SD je Oberfläche über die Zeit im Kontakt; Mittelwert (SD) über die Versuchspersonen von deren Mittelwerten über die Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Of each participant the median of times and the mean of other quantities, over surfaces (of response times: over trials); of these, median [quartiles] or mean (SD) over the participants.</source>
+        <translation>Für jede Versuchsperson der Median von Zeiten und der Mittelwert anderer Größen über die Oberflächen (bei Reaktionszeiten: über die Durchgänge); davon Median [Quartile] oder Mittelwert (SD) über die Versuchspersonen.</translation>
     </message>
 </context>
 <context>
