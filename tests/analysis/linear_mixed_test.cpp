@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
-#include "analysis/t_test.h"
 
 namespace asperity {
 namespace {

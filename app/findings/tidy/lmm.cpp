@@ -74,14 +74,26 @@ MixedColumns mixed_columns(const TidyTable& table, const FamilyOptions& options)
   return read;
 }
 
+/// A column of the design: the indicator of a level, or a covariate.
+struct DesignColumn {
+  const LabelColumn* factor = nullptr;  ///< null: a covariate
+  std::size_t level = 0;
+  const NumberColumn* covariate = nullptr;
+
+  double at(std::size_t row) const {
+    if (factor == nullptr) return *(*covariate)[row];
+    return factor->codes[row] == level ? 1.0 : 0.0;
+  }
+};
+
 /// The terms with their columns, as if all could be distinguished; levels without a row are left out.
-std::vector<MixedTerm> terms_of(const MixedColumns& read, std::vector<std::vector<double>>& columns,
+std::vector<MixedTerm> terms_of(const MixedColumns& read, std::vector<DesignColumn>& columns,
                                 std::vector<std::string>& without_rows) {
   std::vector<MixedTerm> terms{};
-  const auto add_column = [&](const std::string& key, std::vector<double> column) {
+  const auto add_column = [&](const std::string& key, const DesignColumn& column) {
     terms.back().keys.push_back(key);
     ++terms.back().columns.count;
-    columns.push_back(std::move(column));
+    columns.push_back(column);
   };
   for (const auto& [name, column] : read.factors) {
     std::vector<std::size_t> rows_of_level(column.names.size());
@@ -96,11 +108,7 @@ std::vector<MixedTerm> terms_of(const MixedColumns& read, std::vector<std::vecto
         continue;
       }
       if (!std::exchange(is_reference, false)) {
-        std::vector<double> indicator{};
-        for (const std::size_t row : read.complete) {
-          indicator.push_back(column.codes[row] == level ? 1.0 : 0.0);
-        }
-        add_column(both(name, column.names[level]), std::move(indicator));
+        add_column(both(name, column.names[level]), {.factor = &column, .level = level});
       }
     }
     if (terms.back().keys.empty()) terms.pop_back();  // one level: there is nothing to compare
@@ -108,21 +116,22 @@ std::vector<MixedTerm> terms_of(const MixedColumns& read, std::vector<std::vecto
   for (const auto& [name, column] : read.covariates) {
     terms.push_back({.name = name,
                      .columns = {.first = static_cast<Eigen::Index>(columns.size()), .count = 0}});
-    std::vector<double> numbers{};
-    for (const std::size_t row : read.complete) numbers.push_back(*column[row]);
-    add_column(name, std::move(numbers));
+    add_column(name, {.covariate = &column});
   }
   return terms;
 }
 
 /// `columns` without the intercept.
-Eigen::MatrixXd design_of(std::size_t rows, const std::vector<std::vector<double>>& columns) {
-  Eigen::MatrixXd design(static_cast<Eigen::Index>(rows),
+Eigen::MatrixXd design_of(const std::vector<std::size_t>& rows,
+                          const std::vector<DesignColumn>& columns) {
+  Eigen::MatrixXd design(static_cast<Eigen::Index>(rows.size()),
                          static_cast<Eigen::Index>(columns.size()) + 1);
   design.col(0).setOnes();
   for (std::size_t column = 0; column < columns.size(); ++column) {
-    design.col(static_cast<Eigen::Index>(column) + 1) =
-        Eigen::Map<const Eigen::VectorXd>(columns[column].data(), design.rows());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      design(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(column) + 1) =
+          columns[column].at(rows[i]);
+    }
   }
   return design;
 }
@@ -132,9 +141,9 @@ MixedTable mixed_table(const TidyInput& input) {
   const MixedColumns read = mixed_columns(table, input.options);
   MixedTable made{.left_out = table.rows() - read.complete.size(),
                   .is_logarithmic = is_logarithmic(input.options)};
-  std::vector<std::vector<double>> columns{};
+  std::vector<DesignColumn> columns{};
   const std::vector<MixedTerm> terms = terms_of(read, columns, made.without_rows);
-  const Eigen::MatrixXd full = design_of(read.complete.size(), columns);
+  Eigen::MatrixXd full = design_of(read.complete, columns);
   const std::vector<Eigen::Index> dependent = dependent_columns(full);
   std::vector<Eigen::Index> kept{0};
   for (MixedTerm term : terms) {
@@ -151,8 +160,13 @@ MixedTable mixed_table(const TidyInput& input) {
     for (Eigen::Index i = 0; i < term.columns.count; ++i) kept.push_back(first + i);
     made.terms.push_back(std::move(term));
   }
-  made.data.design = full(Eigen::all, kept);
-  made.data.y.resize(full.rows());
+  // Without a copy where all columns are kept: there may be millions of rows.
+  if (made.dependent.empty()) {
+    made.data.design = std::move(full);
+  } else {
+    made.data.design = full(Eigen::all, kept);
+  }
+  made.data.y.resize(made.data.design.rows());
   std::vector<std::optional<std::size_t>> number_of(read.participants.names.size());
   for (std::size_t i = 0; i < read.complete.size(); ++i) {
     const std::size_t row = read.complete[i];
