@@ -129,18 +129,16 @@ TEST(RecoveryTable, HasTheThresholdsOfAtLeast2000ObserversPerCell) {
   EXPECT_LE(stored.rmse.at({"1u3d", "fit_target", 3.5, 0.02, 60.0}), 0.058);
 }
 
-// The bar is 1.1 times the RMSE of the other program. An RMSE of n normal errors has a standard error of 1/√(2n) of it: two
-// standard errors of the ratio are added. The mean of all ratios shows that neither program is better.
+// The bar is 1.1 times the RMSE of the other program, which all cells hold; the greatest ratio is 1.091. The mean of all
+// ratios shows that neither program is better.
 TEST(RecoveryTable, IsAsPreciseAsAnIndependentSimulation) {
   const StoredErrors stored = stored_errors("docs/data/threshold_recovery.tsv");
   const StoredErrors independent = stored_errors("tests/recovery/independent.tsv");
   EXPECT_EQ(independent.rmse.size(), 5U * 9U * 5U + 4U * 9U * 5U);
-  const double error =
-      std::sqrt(1.0 / (2.0 * stored.observers) + 1.0 / (2.0 * independent.observers));
   double logarithms = 0.0;
   for (const auto& [cell, rmse] : independent.rmse) {
     const auto& [procedure, estimate, beta, lapse, trials] = cell;
-    EXPECT_LE(stored.rmse.at(cell), 1.1 * (1.0 + 2.0 * error) * rmse)
+    EXPECT_LE(stored.rmse.at(cell), 1.1 * rmse)
         << procedure << ' ' << estimate << ' ' << beta << ' ' << lapse << ' ' << trials;
     logarithms += std::log(stored.rmse.at(cell) / rmse);
   }
