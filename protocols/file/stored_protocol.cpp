@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <map>
 #include <set>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "analysis/number_text.h"
 #include "protocols/answers/scale_form.h"
+#include "protocols/file/levels_from_json.h"
 #include "protocols/file/protocol_from_json.h"
 
 namespace asperity {
@@ -240,6 +242,19 @@ std::optional<Dimension> stored_dimension(const Json& protocol, const Json& bloc
   return dimension;
 }
 
+std::vector<ProcedureSettings> stored_tracks(const Json& block) {
+  try {
+    std::vector<ProcedureSettings> tracks =
+        procedure_in(member_of(block, "procedure"), dimension_in(member_of(block, "vary"))).tracks;
+    const bool can_be_used =
+        std::all_of(tracks.begin(), tracks.end(),
+                    [](const ProcedureSettings& each) { return problems_of(each).empty(); });
+    return can_be_used ? tracks : std::vector<ProcedureSettings>{};
+  } catch (const std::exception&) {
+    return {};  // of a version of the program with other procedures
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> StoredProtocol::kinds() const {
@@ -338,6 +353,7 @@ StoredProtocol stored_protocol(const std::string& source) {
     const Json& procedure = member_of(block, "procedure");
     made.has_procedure =
         procedure.is_object() && text_in(procedure, "method") != "constant_stimuli";
+    if (made.has_procedure) made.tracks = stored_tracks(block);
     if (made.vary) {
       read.factors[made.vary->factor].meaning =
           "Value of the parameter " + made.vary->parameter + " of the " + made.vary->role;

@@ -10,6 +10,7 @@
 
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/dimension.h"
+#include "protocols/procedures/procedure.h"
 
 namespace asperity {
 
@@ -50,6 +51,8 @@ struct StoredProtocol {
     std::optional<Dimension> vary{};  ///< without levels and unit
     std::vector<std::string> drawn{};  ///< factors whose level is drawn for every trial
     bool has_procedure = false;  ///< that chose the levels from the responses; not constant stimuli
+    /// Of this procedure, for every combination of the other factors; empty where they cannot be used.
+    std::vector<ProcedureSettings> tracks{};
   };
 
   std::string title{};
