@@ -157,6 +157,10 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
   }
   const TidyInput input = input_of_functions(drawn, unit);
   Figure figure = psychometric_figure(input, FoundNumbers(findings), unit.text);
+  const bool is_repeated =
+      std::any_of(drawn.names.begin(), drawn.names.end(), [&](const std::string& condition) {
+        return thresholds.find("without", drawn.participant + '|' + condition) != nullptr;
+      });
   const std::string parameter = words_of_parameter(drawn.parameter);
   figure.name =
       file_name("psychometric_" + drawn.participant + (drawn.is_performance ? "" : "_comparison"));
@@ -165,12 +169,27 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
       phrase("Figures", "Psychometric functions of participant %1").with(drawn.participant);
   if (drawn.is_performance) {
     figure.x.name = phrase("Figures", "difference of the %1 from the standard").with(parameter);
+    if (is_repeated) {
+      figure.note =
+          phrase(
+              "Figures",
+              "Filled symbols: proportions correct, larger for more trials. Curves: "
+              "maximum-likelihood psychometric functions. Open symbols: thresholds, the level of "
+              "%1 % correct, with 95 % CIs by running the procedure again.")
+              .with(number_text(100.0 * kProportionAtThreshold));
+    }
     return figure;
   }
   figure.note = phrase("Figures",
                        "Filled symbols: proportions of choices, larger for more trials. Curves: "
                        "maximum-likelihood psychometric functions. Open symbols: points of "
                        "subjective equality, with 95 % CIs by the delta method.");
+  if (is_repeated) {
+    figure.note = phrase("Figures",
+                         "Filled symbols: proportions of choices, larger for more trials. Curves: "
+                         "maximum-likelihood psychometric functions. Open symbols: points of "
+                         "subjective equality, with 95 % CIs by running the procedure again.");
+  }
   figure.x.name = phrase("Figures", "%1 of the comparison").with(parameter);
   figure.y.name = phrase("Figures", "proportion of choices");
   figure.references.clear();

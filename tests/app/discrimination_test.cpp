@@ -19,11 +19,15 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/discrimination_coverage.h"
+#include "app/findings/study/discrimination_thresholds.h"
+#include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/study_tests.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
@@ -734,6 +738,153 @@ TEST(Discrimination, ListsTheTrialsOfTracksInTheirOrder) {
   }
   EXPECT_EQ(listed, expected);
   EXPECT_EQ(tracks.rows.back()[*column_of(tracks, "level")], Cell(kAbove_m.back()));
+}
+
+/// A 3-down/1-up staircase from 2 to 100 % above the standard, as in the library's amplitude_jnd.
+json staircase_protocol(int trials) {
+  json protocol = discrimination_protocol("performance");
+  json& block = protocol["blocks"]["only"];
+  block["vary"].erase("levels");
+  block["vary"]["levels_percent"] = {{"lowest", 2}, {"highest", 100}, {"step", 2}};
+  block["procedure"] = {{"method", "transformed_up_down"},
+                        {"down", 3},
+                        {"up", 1},
+                        {"steps", {16, 8, 4}},
+                        {"stop", {{"trials", trials}}},
+                        {"tracks", {{{"start", 50}}, {{"start", 34}}}}};
+  return protocol;
+}
+
+/// The trials of the tracks of the staircase by this observer.
+std::vector<MadeUpTrial> staircase_trials(const PsychometricFunction& observer,
+                                          const json& protocol, std::uint64_t seed) {
+  const StoredProtocol::Block block = stored_protocol(protocol.dump()).blocks.at("only");
+  std::vector<MadeUpTrial> trials{};
+  for (std::size_t i = 0; i < block.tracks.size(); ++i) {
+    const auto chance = [&](double level) {
+      return observer.value(block.vary->value_of(level) - kStandard_m);
+    };
+    const Random of_track = Random(seed).split(static_cast<std::uint64_t>(i));
+    int step = 0;
+    for (const LevelAnswer& answer : simulated_track(block.tracks[i], chance, of_track)) {
+      MadeUpTrial trial = discriminated({.value_m = block.vary->value_of(answer.level),
+                                         .chose_comparison = answer.is_correct,
+                                         .comparison_first = step % 2 == 0});
+      trial.track = static_cast<int>(i) + 1;
+      trial.step = ++step;
+      trials.push_back(std::move(trial));
+    }
+  }
+  return trials;
+}
+
+AnalysisOutcome outcome_of_staircases(const json& protocol, int people, std::size_t kept) {
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
+  for (int person = 0; person < people; ++person) {
+    const std::string label = "p" + std::to_string(10 + person);
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials =
+        staircase_trials(kPerformer, protocol, 200 + static_cast<std::uint64_t>(person));
+    trials.resize(std::min(kept, trials.size()));
+    made.add_session(label, id, trials);
+  }
+  return outcome_of_discrimination(made);
+}
+
+TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
+  const json protocol = staircase_protocol(40);
+  const AnalysisOutcome outcome = outcome_of_staircases(protocol, 12, 80);
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  const FoundNumbers found(thresholds);
+  const double jnd_m = kPerformer.inverse(0.75);
+  int given = 0;
+  int holding = 0;
+  for (const Finding* const jnd : found.all("jnd")) {
+    if (!jnd->value) continue;
+    ASSERT_TRUE(jnd->low && jnd->high) << jnd->key;
+    EXPECT_THAT(jnd->method, HasSubstr("running the procedure again: 500 repetitions"));
+    EXPECT_THAT(jnd->method, Not(HasSubstr("delta")));
+    EXPECT_LT(*jnd->low, *jnd->value);
+    EXPECT_GT(*jnd->high, *jnd->value);
+    ++given;
+    holding += *jnd->low <= jnd_m && jnd_m <= *jnd->high ? 1 : 0;
+    const auto without = found.value("without", jnd->key);
+    ASSERT_TRUE(without);
+    EXPECT_LT(*without, 250.0);
+  }
+  EXPECT_GE(given, 10);
+  EXPECT_GE(holding, given - 2) << "of 95 % intervals";
+  const std::vector<Finding> functions = part_of(outcome, "psychometric");
+  for (const Finding* const beta : FoundNumbers(functions).all("fit.beta")) {
+    EXPECT_GE(*beta->value, 1.0);
+    EXPECT_LE(*beta->value, 8.0);
+  }
+  const NamedTable& table = discrimination_table(outcome, "thresholds");
+  EXPECT_TRUE(column_of(table.table, "without_threshold"));
+  EXPECT_THAT(table.note.english(), HasSubstr("running the procedure again"));
+  const AnalysisOutcome again = outcome_of_staircases(protocol, 12, 80);
+  EXPECT_EQ(part_of(again, "thresholds"), thresholds) << "the same for the same responses";
+}
+
+// A track that ended before its rule did is repeated with as many trials as it has.
+TEST(Discrimination, RepeatsUnfinishedTracksWithTheirNumberOfTrials) {
+  const json protocol = staircase_protocol(120);
+  const AnalysisOutcome unfinished = outcome_of_staircases(protocol, 1, 60);
+  const AnalysisOutcome finished = outcome_of_staircases(staircase_protocol(60), 1, 60);
+  const std::vector<Finding> thresholds = part_of(unfinished, "thresholds");
+  EXPECT_EQ(thresholds, part_of(finished, "thresholds"));
+  const Finding* const jnd = FoundNumbers(thresholds).find("jnd", "p10|all");
+  EXPECT_TRUE(jnd != nullptr && jnd->low && jnd->high);
+  const StoredProtocol::Block block = stored_protocol(protocol.dump()).blocks.at("only");
+  ASSERT_EQ(block.tracks.size(), 2U);
+  Dimension varied = *block.vary;
+  const DiscriminationTask task{.is_performance = true, .varied = varied};
+  const PlacedTrials placed{.tracks = {{.settings = block.tracks[0], .levels = varied}},
+                            .fixed = {{60e-6, 7}}};
+  std::uint64_t trials = 0;
+  for (const PsychometricBlock& one : run_again(task, placed, kPerformer, Random(1))) {
+    trials += one.trials;
+  }
+  EXPECT_EQ(trials, 120U + 7U);
+}
+
+TEST(Discrimination, HasNoIntervalOfAProcedureThatCannotBeRepeated) {
+  const json protocol = staircase_protocol(40);
+  json unknown = protocol;
+  unknown["blocks"]["only"]["procedure"]["steps"] = {3};  // not on the grid
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("jnd", "discrimination", unknown.dump());
+  made.add_person("p1", "");
+  made.add_session("p1", id, staircase_trials(kPerformer, protocol, 3));
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  const Finding* const jnd = FoundNumbers(thresholds).find("jnd", "p1|all");
+  ASSERT_TRUE(jnd != nullptr && jnd->value);
+  EXPECT_FALSE(jnd->low || jnd->high);
+  EXPECT_THAT(jnd->method, HasSubstr("cannot be repeated"));
+}
+
+TEST(Discrimination, StatesTheSimulatedCoverageOfItsIntervals) {
+  const auto note_of = [](const json& protocol, std::size_t kept) {
+    return discrimination_table(outcome_of_staircases(protocol, 1, kept), "thresholds")
+        .note.english();
+  };
+  const auto coverages = simulated_coverages();
+  const auto is_of_library = [](const SimulatedCoverage& each) {
+    return each.down == 3 && each.tracks == 2 && each.trials == 40;
+  };
+  std::vector<SimulatedCoverage> rows{};
+  std::copy_if(coverages.begin(), coverages.end(), std::back_inserter(rows), is_of_library);
+  ASSERT_EQ(rows.size(), 2U);
+  const bool deviates = std::any_of(rows.begin(), rows.end(), [](const SimulatedCoverage& row) {
+    return row.coverage_percent < 93.0 || row.coverage_percent > 97.0;
+  });
+  const std::string simulated = note_of(staircase_protocol(40), 80);
+  EXPECT_EQ(simulated.find("3-down/1-up, 2 × 40 trials") != std::string::npos, deviates)
+      << simulated;
+  EXPECT_THAT(simulated, Not(HasSubstr("was not simulated")));
+  EXPECT_THAT(note_of(staircase_protocol(41), 82), HasSubstr("was not simulated"));
 }
 
 TEST(Discrimination, StatesWhyThereAreNoThresholds) {

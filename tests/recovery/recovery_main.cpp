@@ -1,4 +1,5 @@
-// Simulates observers and prints the errors of their thresholds as TSV: see scripts/recovery.
+// Simulates observers and prints the errors of their thresholds, or the coverage of their intervals, as TSV: see
+// scripts/recovery.
 
 #include <charconv>
 #include <cstdio>
@@ -8,6 +9,7 @@
 #include <string_view>
 
 #include "tests/recovery/recovery.h"
+#include "tests/recovery/threshold_coverage.h"
 
 namespace {
 
@@ -27,6 +29,7 @@ int main(int count, char** arguments) try {
   using namespace asperity;
   RecoveryRun run{};
   std::string_view only{};
+  bool of_intervals = false;
   for (int i = 1; i < count; ++i) {
     const std::string_view argument = arguments[i];
     if (argument == "--list") {
@@ -36,10 +39,15 @@ int main(int count, char** arguments) try {
       }
       return 0;
     }
+    if (argument == "--intervals") {
+      of_intervals = true;
+      continue;
+    }
     if (argument != "--observers" && argument != "--jobs" && argument != "--seed" &&
         argument != "--procedure") {
-      throw std::runtime_error("there is no option " + std::string(argument) +
-                               "; there are --list, --observers, --jobs, --seed and --procedure");
+      throw std::runtime_error(
+          "there is no option " + std::string(argument) +
+          "; there are --list, --intervals, --observers, --jobs, --seed and --procedure");
     }
     if (++i == count) throw std::runtime_error(std::string(argument) + " needs a value");
     if (argument == "--procedure") {
@@ -50,6 +58,16 @@ int main(int count, char** arguments) try {
     (argument == "--observers" ? run.observers
      : argument == "--jobs"    ? run.jobs
                                : run.seed) = number;
+  }
+  if (of_intervals) {
+    std::printf("%s\n", interval_coverage_header().c_str());
+    for (const CoverageCell& cell : coverage_cells()) {
+      const IntervalCoverage coverage =
+          interval_coverage(cell, {.observers = run.observers, .jobs = run.jobs, .seed = run.seed});
+      std::printf("%s\n", row_text(cell, coverage).c_str());
+      std::fflush(stdout);
+    }
+    return 0;
   }
   std::printf("%s\n", recovery_header().c_str());
   for (const RecoveryProcedure& procedure : recovery_procedures()) {

@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/findings/study/discrimination_coverage.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/tidy_table.h"
+#include "tests/recovery/threshold_coverage.h"
 
 namespace asperity {
 namespace {
@@ -143,6 +145,49 @@ TEST(RecoveryTable, IsAsPreciseAsAnIndependentSimulation) {
     logarithms += std::log(stored.rmse.at(cell) / rmse);
   }
   EXPECT_NEAR(logarithms / static_cast<double>(independent.rmse.size()), 0.0, 0.03);
+}
+
+TEST(IntervalCoverage, IsTheSameForAnyNumberOfJobs) {
+  const CoverageCell cell = coverage_cells().back();
+  const IntervalCoverage one = interval_coverage(cell, {.observers = 6, .jobs = 1});
+  EXPECT_EQ(one, interval_coverage(cell, {.observers = 6, .jobs = 2}));
+  EXPECT_EQ(one.observers, 6U);
+}
+
+// With 40 observers and a coverage of 90 % or more, fewer than 31 of 40 have a probability below 1 in 100.
+TEST(IntervalCoverage, OfRepeatedProceduresIsNearWhatTheyState) {
+  for (const std::size_t cell : {1U, 5U}) {  // 3-down/1-up, 2 × 40 trials
+    const IntervalCoverage coverage =
+        interval_coverage(coverage_cells()[cell], {.observers = 40, .jobs = 2, .seed = 5});
+    EXPECT_GE(coverage.intervals, 34U);
+    EXPECT_LE(coverage.below + coverage.above, coverage.intervals - 31U * coverage.intervals / 40U);
+    EXPECT_GT(coverage.without, 0U) << "some repetitions have no threshold, and they are counted";
+    EXPECT_LT(coverage.without, 40U * 250U);
+  }
+}
+
+TEST(IntervalCoverageTable, IsWhatTheProgramStatesNextToItsIntervals) {
+  const std::filesystem::path path =
+      std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/data/interval_coverage.tsv";
+  const TidyTable table(read_file(path), path.string());
+  const auto procedures = table.texts("procedure");
+  const auto betas = table.all_numbers("beta");
+  const auto observers = table.all_numbers("observers");
+  const auto covered = table.all_numbers("covered");
+  const auto stated = simulated_coverages();
+  const std::vector<CoverageCell> cells = coverage_cells();
+  ASSERT_EQ(table.rows(), cells.size());
+  ASSERT_EQ(stated.size(), cells.size());
+  for (std::size_t row = 0; row < cells.size(); ++row) {
+    EXPECT_GE(observers[row], 1000.0);
+    EXPECT_EQ(procedures[row], cells[row].procedure);
+    EXPECT_EQ(stated[row].procedure, cells[row].procedure);
+    EXPECT_EQ(betas[row], cells[row].beta);
+    EXPECT_EQ(stated[row].beta, cells[row].beta);
+    EXPECT_EQ(stated[row].tracks, cells[row].tracks.size());
+    EXPECT_EQ(stated[row].tracks * stated[row].trials, cells[row].trials());
+    EXPECT_NEAR(stated[row].coverage_percent, 100.0 * covered[row], 0.051);
+  }
 }
 
 TEST(RecoveryTable, HasARowPerEstimateAndNumberOfTrials) {

@@ -58,18 +58,28 @@ std::string name_of_question(const char* name, const DiscriminationResults& resu
 }
 
 Phrase method_of_thresholds(const DiscriminationResults& results) {
-  if (results.study.task.is_performance) {
-    return phrase("Analysis",
-                  "For each participant and condition, a Weibull function of the difference from "
-                  "the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a "
-                  "lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct "
-                  "responses. CIs of means are t-based.");
+  if (!results.study.task.is_performance) {
+    return phrase(
+        "Analysis",
+        "For each participant and condition, a cumulative normal function of the parameter "
+        "was fitted by maximum likelihood, with lapse rates of 2 % in both directions; the "
+        "JND is half the distance between the values at 25 % and 75 %. CIs of means are "
+        "t-based.");
   }
-  return phrase("Analysis",
-                "For each participant and condition, a cumulative normal function of the parameter "
-                "was fitted by maximum likelihood, with lapse rates of 2 % in both directions; the "
-                "JND is half the distance between the values at 25 % and 75 %. CIs of means are "
-                "t-based.");
+  const Phrase method =
+      phrase("Analysis",
+             "For each participant and condition, a Weibull function of the difference from "
+             "the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a "
+             "lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct "
+             "responses. CIs of means are t-based.");
+  if (!results.study.has_levels_of_procedure) return method;
+  return phrase("Analysis", "%1 %2")
+      .with(method,
+            phrase("Analysis",
+                   "Where a procedure chose the levels from the responses, the slope was limited "
+                   "to %1 to %2.")
+                .with(reading_number(kSlopesOfProcedures.least),
+                      reading_number(kSlopesOfProcedures.greatest)));
 }
 
 void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outcome) {

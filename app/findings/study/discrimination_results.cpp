@@ -12,6 +12,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/discrimination_coverage.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {
@@ -33,18 +34,21 @@ constexpr std::array kColumns{ThresholdColumn{"pse", "pse", "mean.pse"},
 std::vector<DiscriminationResults::Function> functions_of(
     const GatheredAnswers& gathered, const DiscriminationStudy& study,
     const std::vector<std::string>& conditions) {
-  std::map<std::pair<std::uint32_t, std::size_t>, HitsByValue> counted{};
+  std::map<std::pair<std::uint32_t, std::size_t>, std::vector<const DiscriminationTrial*>> groups{};
   for (const DiscriminationTrial& trial : study.trials) {
-    HitCount& count = counted[{trial.person, trial.condition}][trial.value];
-    ++count.trials;
-    count.hits += study.is_hit(trial) ? 1 : 0;
+    groups[{trial.person, trial.condition}].push_back(&trial);
   }
   std::vector<DiscriminationResults::Function> functions{};
-  for (auto& [of, hits] : counted) {
-    functions.push_back(
-        {.person = of.first,
-         .condition = of.second,
-         .data = {both(gathered.people[of.first].label, conditions[of.second]), std::move(hits)}});
+  for (const auto& [of, trials] : groups) {
+    DiscriminationData data{.key = both(gathered.people[of.first].label, conditions[of.second])};
+    for (const DiscriminationTrial* const trial : trials) {
+      HitCount& count = data.hits[trial->value];
+      ++count.trials;
+      count.hits += study.is_hit(*trial) ? 1 : 0;
+      data.by_procedure = data.by_procedure || trial->by_procedure;
+    }
+    if (data.by_procedure) data.placed = placed_trials(gathered, study, trials);
+    functions.push_back({.person = of.first, .condition = of.second, .data = std::move(data)});
   }
   return functions;
 }
@@ -131,7 +135,8 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
       if (is_missing && why == Cell{}) why = finding->word;
     }
     const Finding* const at_bound = functions.find("bound.beta", key);
-    if (why == Cell{} && at_bound != nullptr && at_bound->word == "TRUE") {
+    const bool has_limits = results.study.task.is_performance && function.data.by_procedure;
+    if (why == Cell{} && !has_limits && at_bound != nullptr && at_bound->word == "TRUE") {
       why = std::string("slope_at_bound");  // and therefore without an interval
     }
     std::int64_t responses = 0;
@@ -142,6 +147,7 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
     row.push_back(functions.count("deviance.df", key));
     row.push_back(functions.cell("deviance.p.chisq", key));
     row.emplace_back(responses);
+    row.push_back(thresholds.count("without", key));
     row.push_back(text_or_none(results.study.task.varied.unit));
     row.push_back(why);
     table.rows.push_back(std::move(row));
@@ -216,7 +222,21 @@ void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults
   }
 }
 
-Phrase note_on_thresholds(const std::vector<DiscriminationResults>& all) {
+std::vector<BlockWithProcedure> blocks_with_procedure(
+    const GatheredAnswers& gathered, const std::vector<DiscriminationResults>& all) {
+  std::vector<BlockWithProcedure> blocks{};
+  for (const auto& [name, block] : gathered.blocks) {
+    const std::optional<DiscriminationTask> task = discrimination_task(name, block);
+    if (!task || !has_levels_of_procedure(block)) continue;
+    const bool is_analysed = std::any_of(
+        all.begin(), all.end(), [&task](const auto& each) { return each.study.task == *task; });
+    if (is_analysed) blocks.push_back({.block = &block, .is_performance = task->is_performance});
+  }
+  return blocks;
+}
+
+Phrase note_on_thresholds(const GatheredAnswers& gathered,
+                          const std::vector<DiscriminationResults>& all) {
   const bool has_performance = std::any_of(
       all.begin(), all.end(), [](const auto& each) { return each.study.task.is_performance; });
   const bool has_comparison = std::any_of(
@@ -239,6 +259,18 @@ Phrase note_on_thresholds(const std::vector<DiscriminationResults>& all) {
                "both responses are equally frequent; JND: half the distance between the values at "
                "25 % and 75 %, without lapses. 95 % CI: delta method, for the JND on the "
                "logarithmic scale."));
+  }
+  const std::vector<BlockWithProcedure> blocks = blocks_with_procedure(gathered, all);
+  if (!blocks.empty()) {
+    add(phrase("Analysis",
+               "Where a procedure chose the levels from the responses, the slope of a Weibull "
+               "function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval "
+               "whose critical value is found by running the procedure again with simulated "
+               "observers (%3 repetitions; those without a threshold are counted in the table).")
+            .with(reading_number(kSlopesOfProcedures.least),
+                  reading_number(kSlopesOfProcedures.greatest),
+                  std::to_string(kRepetitionsOfProcedures)));
+    if (const Phrase coverage = note_on_coverage(blocks); !coverage.empty()) add(coverage);
   }
   add(phrase("Analysis",
              "Weber fraction: JND divided by the standard. Thresholds outside the presented levels "
@@ -318,13 +350,14 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   NamedTable thresholds{kThresholds,
                         phrase("Analysis", "Thresholds of the participants"),
                         {{"participant", "condition"}, {}},
-                        note_on_thresholds(all)};
+                        note_on_thresholds(gathered, all)};
   for (const ThresholdColumn& column : kColumns) {
     for (const char* const end : {"", "_low", "_high"}) {
       thresholds.table.columns.push_back(std::string(column.column) + end);
     }
   }
-  for (const char* const column : {"deviance", "df", "p", "responses", "unit", "status"}) {
+  for (const char* const column :
+       {"deviance", "df", "p", "responses", "without_threshold", "unit", "status"}) {
     thresholds.table.columns.emplace_back(column);
   }
   NamedTable psychometric{kPsychometric,

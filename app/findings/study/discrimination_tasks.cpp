@@ -98,6 +98,9 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
          .value = *number_in(gathered.word(gathered.level(answer, task.varied.factor))),
          .chose_comparison = gathered.word(gathered.reply_of(answer).answer) == kComparisonRole,
          .comparison_first = gathered.word(surfaces[0].item) == kComparisonRole,
+         .block = answer.block,
+         .by_procedure = answer.track != 0 &&
+                         has_levels_of_procedure(gathered.blocks.at(gathered.word(answer.block))),
          .session = answer.session,
          .block_ordinal = answer.block_ordinal,
          .track = answer.track,
@@ -161,7 +164,8 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
                           .question = asked->name,
                           .prompt = asked->prompt,
                           .is_performance = asked->judgement == "performance",
-                          .varied = *block.vary};
+                          .varied = *block.vary,
+                          .has_levels_of_procedure = asperity::has_levels_of_procedure(block)};
   task.varied.unit = unit_of_parameter(task.varied.parameter);
   return task;
 }

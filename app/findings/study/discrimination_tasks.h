@@ -17,7 +17,7 @@
 namespace asperity {
 
 /// What the trials of one or more blocks of a discrimination have in common. How a block states its levels (as values,
-/// differences, percentages, …) is not part of it.
+/// differences, percentages, …) is not part of it, and whether a procedure chose its levels is not compared.
 struct DiscriminationTask {
   std::string name{};      ///< of the first of these blocks
   std::string question{};  ///< name of the question
@@ -26,6 +26,7 @@ struct DiscriminationTask {
   bool is_performance = true;
   Dimension
       varied{};  ///< with the unit of the parameter and the value of the standard; without levels
+  bool has_levels_of_procedure = false;  ///< of the block with `name`
 
   double standard() const { return *varied.standard; }
   /// Whether the standard has nothing of the parameter, so that the comparison is detected.
@@ -58,6 +59,8 @@ struct DiscriminationTrial {
   double value = 0.0;         ///< of the parameter, of the comparison
   bool chose_comparison = false;
   bool comparison_first = false;
+  std::uint32_t block = kNoWord;  ///< word of its name
+  bool by_procedure = false;      ///< a procedure chose the level from the responses
   /// As in GatheredAnswer. The numbers of tracks are unique within a run of a block, so that session, block ordinal and
   /// track identify a track of a participant.
   int session = 1;

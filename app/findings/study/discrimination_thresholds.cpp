@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
+#include "analysis/number_text.h"
+#include "analysis/psychometric_fit.h"
 #include "analysis/psychometric_function.h"
+#include "analysis/psychometric_maximum.h"
+#include "analysis/tail_probabilities.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
@@ -47,6 +52,12 @@ WhyNoThreshold slope_at_bound() {
   return {"slope_at_bound",
           "the function is steeper than the presented levels can resolve: present levels nearer to "
           "the threshold"};
+}
+
+WhyNoThreshold slope_at_limit() {
+  return {"slope_at_bound",
+          "the slope is at a limit of the fit: present more trials, at levels on both sides of the "
+          "threshold"};
 }
 
 WhyNoThreshold why_not_performance(const Finding& status) {
@@ -117,6 +128,21 @@ std::size_t trials_in(const HitsByValue& hits) {
   return trials;
 }
 
+/// By x, as in `psychometric_input`.
+std::vector<PsychometricBlock> blocks_of(const DiscriminationTask& task, const HitsByValue& hits) {
+  std::map<double, PsychometricBlock> by_x{};
+  for (const auto& [value, count] : hits) {
+    const double x = task.is_performance ? std::abs(value - task.standard()) : value;
+    PsychometricBlock& block = by_x[x];
+    block.x = x;
+    block.trials += count.trials;
+    block.hits += count.hits;
+  }
+  std::vector<PsychometricBlock> blocks{};
+  for (const auto& [x, block] : by_x) blocks.push_back(block);
+  return blocks;
+}
+
 /// Collects the thresholds of one function after another.
 class ThresholdList final {
  public:
@@ -158,6 +184,13 @@ class ThresholdList final {
     if (task_.standard() != 0.0) none("weber", why);
   }
 
+  void repetitions(const std::optional<ProcedureBootstrap>& repeated) {
+    if (!repeated) return;
+    number("without", static_cast<double>(repeated->without),
+           {.n = repeated->repetitions,
+            .method = "repetitions of the procedure in which there is no threshold"});
+  }
+
   Basis basis(std::string method, const std::string& unit) const {
     return {.n = n_, .method = std::move(method), .unit = unit.empty() ? "1" : unit};
   }
@@ -182,9 +215,34 @@ Basis with_interval(Basis basis, double low, double high) {
 
 std::string unit_of_slope(const std::string& unit) { return unit.empty() ? "1" : "1/" + unit; }
 
-/// The difference at a proportion correct, from the findings of the fit with this `pt`.
-void add_performance(const DiscriminationTask& task, const char* quantity,
-                     const FoundNumbers& found, ThresholdList& list) {
+/// Completes the method by how the interval was found; with the interval, where there is one.
+Basis with_repeated_procedure(Basis basis, const std::optional<ProcedureBootstrap>& repeated,
+                              std::optional<ConfidenceInterval> ProcedureBootstrap::*of) {
+  if (!repeated) {
+    basis.method += "; no interval: the procedure cannot be repeated";
+    return basis;
+  }
+  basis.method +=
+      "; likelihood-ratio interval, its critical value bootstrapped by running the procedure "
+      "again: " +
+      std::to_string(repeated->repetitions) + " repetitions (seed 1), in " +
+      std::to_string(repeated->without) + " of them no threshold";
+  const std::optional<ConfidenceInterval>& interval = (*repeated).*of;
+  return interval ? with_interval(std::move(basis), interval->low, interval->high) : basis;
+}
+
+/// Repeats the procedure of the data, where there is one.
+std::optional<ProcedureBootstrap> repeated_procedure(const DiscriminationTask& task,
+                                                     const DiscriminationData& data,
+                                                     double proportion_of_hits) {
+  if (!data.placed) return std::nullopt;
+  return procedure_interval(task, blocks_of(task, data.hits), *data.placed, proportion_of_hits);
+}
+
+/// The difference at a proportion correct, from the findings of the fit with this proportion.
+void add_performance(const DiscriminationTask& task, const DiscriminationData& data,
+                     const char* quantity, double proportion_of_hits, const FoundNumbers& found,
+                     ThresholdList& list) {
   const Finding* const threshold = found.find("threshold", list.key());
   if (threshold == nullptr || !threshold->value) {
     const WhyNoThreshold why = why_not_fitted(task, found.find("status", list.key()));
@@ -196,18 +254,25 @@ void add_performance(const DiscriminationTask& task, const char* quantity,
     return list.none(quantity, threshold_outside_levels());
   }
   Basis estimate = list.basis(
-      "Weibull function of the difference from the standard, maximum likelihood; delta interval, "
-      "truncated at 0",
-      task.varied.unit);
-  if (threshold->low && threshold->high) {
-    estimate = with_interval(estimate, std::max(0.0, *threshold->low), *threshold->high);
+      "Weibull function of the difference from the standard, maximum likelihood", task.varied.unit);
+  if (data.by_procedure) {
+    estimate.method += ", slope between " + number_text(kSlopesOfProcedures.least) + " and " +
+                       number_text(kSlopesOfProcedures.greatest);
+    const auto repeated = repeated_procedure(task, data, proportion_of_hits);
+    estimate = with_repeated_procedure(estimate, repeated, &ProcedureBootstrap::threshold);
+    if (std::string(quantity) == "jnd") list.repetitions(repeated);
+  } else {
+    estimate.method += "; delta interval, truncated at 0";
+    if (threshold->low && threshold->high) {
+      estimate = with_interval(estimate, std::max(0.0, *threshold->low), *threshold->high);
+    }
   }
   list.difference(quantity, *threshold->value, estimate);
 }
 
 /// x at the lower and the upper quartile, and their half distance.
-void add_comparison(const DiscriminationTask& task, const FoundNumbers& found,
-                    ThresholdList& list) {
+void add_comparison(const DiscriminationTask& task, const DiscriminationData& data,
+                    const FoundNumbers& found, ThresholdList& list) {
   const std::string& key = list.key();
   const auto alpha = found.value("fit.alpha", key);
   const auto beta = found.value("fit.beta", key);
@@ -218,8 +283,17 @@ void add_comparison(const DiscriminationTask& task, const FoundNumbers& found,
   }
   const std::string method = "cumulative normal function of the parameter, maximum likelihood";
   const Finding* const threshold = found.find("threshold", key);
+  std::optional<ProcedureBootstrap> repeated{};
+  if (data.by_procedure) {
+    repeated = repeated_procedure(task, data, 0.5);
+    list.repetitions(repeated);
+  }
   if (!list.is_presented(*alpha)) {
     list.none("pse", equality_outside_levels());
+  } else if (data.by_procedure) {
+    list.number("pse", *alpha,
+                with_repeated_procedure(list.basis(method, task.varied.unit), repeated,
+                                        &ProcedureBootstrap::threshold));
   } else {
     Basis estimate = list.basis(method + "; delta interval", task.varied.unit);
     if (threshold != nullptr && threshold->low && threshold->high) {
@@ -232,6 +306,16 @@ void add_comparison(const DiscriminationTask& task, const FoundNumbers& found,
   if (!list.is_presented(*alpha - jnd) || !list.is_presented(*alpha + jnd)) {
     return list.no_difference(quartiles_outside_levels());
   }
+  if (data.by_procedure) {
+    Basis estimate =
+        with_repeated_procedure(list.basis("½(x75 − x25) of the " + method, task.varied.unit),
+                                repeated, &ProcedureBootstrap::slope);
+    if (estimate.interval) {
+      estimate.interval = ConfidenceInterval{.low = kQuartileOfNormal / estimate.interval->high,
+                                             .high = kQuartileOfNormal / estimate.interval->low};
+    }
+    return list.difference("jnd", jnd, estimate);
+  }
   Basis estimate = list.basis("½(x75 − x25) of the " + method + "; delta interval of its logarithm",
                               task.varied.unit);
   if (const auto error = found.value("se.beta", key)) {
@@ -242,7 +326,8 @@ void add_comparison(const DiscriminationTask& task, const FoundNumbers& found,
 }
 
 /// The slope at the threshold, where the threshold is within the presented levels.
-void add_slope(const DiscriminationTask& task, const FoundNumbers& found, ThresholdList& list) {
+void add_slope(const DiscriminationTask& task, const DiscriminationData& data,
+               const FoundNumbers& found, ThresholdList& list) {
   const auto threshold = found.value(task.is_performance ? "threshold" : "fit.alpha", list.key());
   const WhyNoThreshold not_fitted = why_not_fitted(task, found.find("status", list.key()));
   if (!threshold) return list.none("slope", not_fitted);
@@ -250,21 +335,105 @@ void add_slope(const DiscriminationTask& task, const FoundNumbers& found, Thresh
     return list.none("slope",
                      task.is_performance ? threshold_outside_levels() : equality_outside_levels());
   }
-  if (is_slope_at_bound(found, list.key())) return list.none("slope", slope_at_bound());
+  if (is_slope_at_bound(found, list.key())) {
+    return list.none(
+        "slope", task.is_performance && data.by_procedure ? slope_at_limit() : slope_at_bound());
+  }
   const auto slope = found.value("slope.at.threshold", list.key());
   if (!slope) return list.none("slope", not_fitted);
   list.number("slope", *slope,
               list.basis("slope dψ/dx at the threshold", unit_of_slope(task.varied.unit)));
 }
 
-std::vector<Finding> functions_at(const DiscriminationTask& task,
-                                  std::span<const DiscriminationData> data, double performance) {
+/// The functions of data whose levels did not depend on the responses, and of comparisons.
+std::vector<Finding> family_functions(const DiscriminationTask& task,
+                                      std::span<const DiscriminationData> data,
+                                      double performance) {
   TidyInput input = psychometric_input(task, data, performance);
   std::vector<Finding> findings = analysis_of(kFunctions, "psyfit", std::move(input));
   // A comparison of two of these functions is not part of the study's tests.
   std::erase_if(findings, [](const Finding& finding) {
     return finding.quantity.starts_with("lr.same.function");
   });
+  return findings;
+}
+
+/// A Weibull function with limited slope, under the names of the family `psyfit`.
+void add_limited_function(const DiscriminationTask& task, const DiscriminationData& data,
+                          double performance, FindingList& list) {
+  const PsychometricModel model{.shape = PsychometricShape::weibull,
+                                .gamma = 0.5,
+                                .lambda = std::nullopt,
+                                .greatest_lambda = kGreatestLapseRate,
+                                .slope = kSlopesOfProcedures};
+  const std::string method = "maximum likelihood, slope between " +
+                             number_text(kSlopesOfProcedures.least) + " and " +
+                             number_text(kSlopesOfProcedures.greatest);
+  const Basis basis{.n = trials_in(data.hits), .method = method};
+  const std::vector<PsychometricBlock> blocks = blocks_of(task, data.hits);
+  const auto none = [&](const char* word, const char* sentence) {
+    list.word("status", data.key, word, sentence, basis);
+  };
+  switch (judge(blocks, model).status) {
+    case PsychometricStatus::ok:
+      break;
+    case PsychometricStatus::all_correct:
+      return none("all_correct", "every response is correct");
+    case PsychometricStatus::all_wrong:
+      return none("all_wrong", "every response is incorrect");
+    default:
+      return none("one_level", "all trials are at one level: present several");
+  }
+  const PsychometricMaximum maximum = maximise_psychometric(blocks, model);
+  if (!maximum.increases) {
+    return none("not_increasing", "the proportion of hits does not rise with the level");
+  }
+  none("ok", "ok");
+  const PsychometricFunction& f = maximum.function;
+  constexpr double kNearLimit = 1e-4;
+  const bool is_at_limit = f.beta < (1.0 + kNearLimit) * kSlopesOfProcedures.least ||
+                           f.beta > (1.0 - kNearLimit) * kSlopesOfProcedures.greatest;
+  const double free_parameters = is_at_limit ? 2.0 : 3.0;
+  const double df = static_cast<double>(blocks.size()) - free_parameters;
+  list.number("fit.alpha", data.key, f.alpha, basis);
+  list.number("fit.beta", data.key, f.beta, basis);
+  list.number("fit.gamma", data.key, f.gamma, {.n = basis.n, .method = "fixed"});
+  list.number("fit.lambda", data.key, f.lambda, basis);
+  list.truth("bound.beta", data.key, is_at_limit,
+             {.n = basis.n, .method = "whether the slope is at one of its limits"});
+  list.number("loglik", data.key, maximum.log_likelihood,
+              {.n = basis.n, .method = "binomial coefficients included"});
+  list.number("deviance", data.key, maximum.deviance,
+              {.n = basis.n, .method = "against one proportion per level"});
+  list.number("deviance.df", data.key, df,
+              {.n = basis.n, .method = "number of levels minus number of parameters"});
+  list.number(
+      "deviance.p.chisq", data.key,
+      upper_tail(ChiSquaredStatistic{.value = maximum.deviance, .df = df}).value_or(kUndefined),
+      {.n = basis.n, .method = "χ² test of the deviance; indicative only"});
+  const double threshold = f.inverse(performance);
+  list.number("threshold", data.key, threshold, basis);
+  list.number("slope.at.threshold", data.key, f.slope(threshold),
+              {.n = basis.n, .method = "dψ/dx"});
+}
+
+std::vector<Finding> functions_at(const DiscriminationTask& task,
+                                  std::span<const DiscriminationData> data, double performance) {
+  std::vector<DiscriminationData> of_family{};
+  FindingList limited{};
+  for (const DiscriminationData& one : data) {
+    if (task.is_performance && one.by_procedure) {
+      add_limited_function(task, one, performance, limited);
+    } else {
+      of_family.push_back({.key = one.key, .hits = one.hits});
+    }
+  }
+  std::vector<Finding> findings{};
+  if (!of_family.empty()) findings = family_functions(task, of_family, performance);
+  for (Finding& finding : limited.take()) {
+    finding.analysis = kFunctions;
+    findings.push_back(std::move(finding));
+  }
   const std::string unit = task.varied.unit.empty() ? "1" : task.varied.unit;
   for (Finding& finding : findings) {
     if (finding.quantity == "fit.alpha" || finding.quantity == "threshold") finding.unit = unit;
@@ -281,17 +450,11 @@ TidyInput psychometric_input(const DiscriminationTask& task,
   NumberColumn trials{};
   NumberColumn hits{};
   for (const DiscriminationData& one : data) {
-    HitsByValue by_level{};
-    for (const auto& [value, count] : one.hits) {
-      const double x = task.is_performance ? std::abs(value - task.standard()) : value;
-      by_level[x].trials += count.trials;
-      by_level[x].hits += count.hits;
-    }
-    for (const auto& [x, count] : by_level) {
+    for (const PsychometricBlock& block : blocks_of(task, one.hits)) {
       conditions.add(one.key);
-      levels.push_back(x);
-      trials.push_back(static_cast<double>(count.trials));
-      hits.push_back(static_cast<double>(count.hits));
+      levels.push_back(block.x);
+      trials.push_back(static_cast<double>(block.trials));
+      hits.push_back(static_cast<double>(block.hits));
     }
   }
   TidyInput input{};
@@ -332,12 +495,12 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
     list.number("standard", task.standard(),
                 list.basis("value of the parameter in the standard", task.varied.unit));
     if (task.is_performance) {
-      add_performance(task, "jnd", found, list);
-      add_performance(task, "jnd.dprime1", found_at_unit, list);
+      add_performance(task, one, "jnd", kProportionAtThreshold, found, list);
+      add_performance(task, one, "jnd.dprime1", kProportionAtUnitSensitivity, found_at_unit, list);
     } else {
-      add_comparison(task, found, list);
+      add_comparison(task, one, found, list);
     }
-    add_slope(task, found, list);
+    add_slope(task, one, found, list);
   }
   fit.thresholds = list.take();
   for (Finding& finding : fit.thresholds) finding.analysis = "thresholds";

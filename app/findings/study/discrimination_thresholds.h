@@ -9,6 +9,7 @@
 #include "analysis/finding.h"
 #include "analysis/proportion.h"
 #include "app/findings/study/discrimination_tasks.h"
+#include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -17,6 +18,10 @@ namespace asperity {
 struct DiscriminationData {
   std::string key{};
   HitsByValue hits{};
+  /// A procedure chose levels from the responses.
+  bool by_procedure = false;
+  /// How it placed the trials; without it there are no intervals.
+  std::optional<PlacedTrials> placed{};
 };
 
 /// The proportion correct with d′ = 1 in two-alternative forced choice without bias: Φ(1/√2).
@@ -35,8 +40,11 @@ inline constexpr double kGreatestLapseRate = 0.06;
 TidyInput psychometric_input(const DiscriminationTask& task,
                              std::span<const DiscriminationData> data, double proportion_of_hits);
 
+/// Where a procedure chose levels, the slope of a Weibull function is limited to `kSlopesOfProcedures`, and the intervals are
+/// those of `procedure_interval`: the delta method assumes levels that do not depend on the responses.
 struct DiscriminationFit {
-  std::vector<Finding> functions{};  ///< of the family `psyfit`, analysis `psychometric`
+  /// Analysis `psychometric`: of the family `psyfit`, or with limited slopes and the same names.
+  std::vector<Finding> functions{};
   /// By key, analysis `thresholds`, in the unit of the parameter unless stated otherwise:
   ///   pse          of a comparison: the value at which both responses are equally frequent, without lapses
   ///   jnd          performance: the difference from the standard at 75 % correct responses; comparison: ½(x75 − x25),
@@ -45,6 +53,7 @@ struct DiscriminationFit {
   ///   weber        jnd divided by the standard, without a unit; not for a standard of 0
   ///   slope        dψ/dx at the threshold; a status as well where the fitted slope is at its bound
   ///   standard     the value of the parameter in the standard
+  ///   without      repetitions of the procedure without a threshold, of `kRepetitionsOfProcedures`, where it was repeated
   /// A word and a status in place of a number that cannot be estimated, or that is outside the presented levels.
   std::vector<Finding> thresholds{};
 };

@@ -155,6 +155,7 @@ constexpr std::array kHeadings{
     Word{"value 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "value, 95 % CI")},
     Word{"weber", QT_TRANSLATE_NOOP("AnalysisWords", "Weber fraction")},
     Word{"weber 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "Weber fraction, 95 % CI")},
+    Word{"without_threshold", QT_TRANSLATE_NOOP("AnalysisWords", "repetitions without threshold")},
     Word{"wilson 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "Wilson 95 % CI")},
     Word{"worth", QT_TRANSLATE_NOOP("AnalysisWords", "worth")},
     Word{"x", QT_TRANSLATE_NOOP("AnalysisWords", "x")},

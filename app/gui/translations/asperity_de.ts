@@ -1860,60 +1860,36 @@
         <translation>Nicht getestet: Keine Versuchsperson hat Durchgänge in allen Bedingungen, und dieser Test vergleicht Bedingungen innerhalb der Versuchspersonen.</translation>
     </message>
     <message>
-        <source>%1 Not stored by these sessions: %2.</source>
-        <translation>%1 In diesen Sitzungen nicht gespeichert: %2.</translation>
+        <source>%1 × %2 trials</source>
+        <translation>%1 × %2 Durchgänge</translation>
     </message>
     <message>
-        <source>Exploration by condition: times and strokes</source>
-        <translation>Exploration nach Bedingung: Zeiten und Striche</translation>
+        <source>weighted up-down (%1 %), %2</source>
+        <translation>gewichtetes Up-down-Verfahren (%1 %), %2</translation>
     </message>
     <message>
-        <source>Exploration by condition: force and speed</source>
-        <translation>Exploration nach Bedingung: Kraft und Geschwindigkeit</translation>
+        <source>%1-down/1-up, %2</source>
+        <translation>%1-down/1-up, %2</translation>
     </message>
     <message>
-        <source>Contact times and response times: linear mixed models</source>
-        <translation>Kontaktdauern und Reaktionszeiten: lineare gemischte Modelle</translation>
+        <source>%1 % of observers with slope β = %2</source>
+        <translation>%1 % der Beobachter mit der Steigung β = %2</translation>
     </message>
     <message>
-        <source>%1 changes by a factor of %2 per 10 trials of a block, 95 % CI [%3, %4].</source>
-        <translation>%1 ändert sich je 10 Durchgänge eines Blocks um den Faktor %2, 95-%-KI [%3; %4].</translation>
+        <source>In simulations of this procedure (%1), the 95 % CI of the threshold contained the true threshold for: %2.</source>
+        <translation>In Simulationen dieses Verfahrens (%1) enthielt das 95-%-KI der Schwelle die wahre Schwelle bei: %2.</translation>
     </message>
     <message>
-        <source>%1 changes by a factor of %2 from block to block, 95 % CI [%3, %4].</source>
-        <translation>%1 ändert sich von Block zu Block um den Faktor %2, 95-%-KI [%3; %4].</translation>
+        <source>The coverage of the 95 % CIs was not simulated for the procedure of this study; it was %1 to %2 % for simulated procedures of 60 and 80 trials.</source>
+        <translation>Wie oft die 95-%-KIs den wahren Wert enthalten, wurde für das Verfahren dieser Studie nicht simuliert; bei simulierten Verfahren mit 60 und 80 Durchgängen waren es %1 bis %2 %.</translation>
     </message>
     <message>
-        <source>%1 changes by a factor of %2 from session to session, 95 % CI [%3, %4].</source>
-        <translation>%1 ändert sich von Sitzung zu Sitzung um den Faktor %2, 95-%-KI [%3; %4].</translation>
+        <source>Where a procedure chose the levels from the responses, the slope was limited to %1 to %2.</source>
+        <translation>Wo ein Verfahren die Stufen aus den Antworten wählte, war die Steigung auf %1 bis %2 begrenzt.</translation>
     </message>
     <message>
-        <source>%1 %2: the intraclass correlation is %3.</source>
-        <translation>%1 %2: Die Intraklassenkorrelation beträgt %3.</translation>
-    </message>
-    <message>
-        <source>%1 %2: left out without a time above 0: %3.</source>
-        <translation>%1 %2: ohne Zeit über 0 ausgelassen: %3.</translation>
-    </message>
-    <message>
-        <source>Linear mixed models of the natural logarithms [Laird &amp; Ware, 1982], fitted by restricted maximum likelihood (REML), with random intercepts of participants; F tests and t-based 95 % CIs with Satterthwaite’s degrees of freedom [Satterthwaite, 1946]. Ratios: to the reference level of a condition, per 10 trials of a block, per block or per session. The tests are exploratory and uncorrected; they are liberal where participants differ in these effects, which the models do not include.</source>
-        <translation>Lineare gemischte Modelle der natürlichen Logarithmen [Laird &amp; Ware, 1982], mit REML (Restricted Maximum Likelihood) geschätzt, mit zufälligen Achsenabschnitten der Versuchspersonen; F-Tests und t-basierte 95-%-KIs mit Freiheitsgraden nach Satterthwaite [Satterthwaite, 1946]. Verhältnisse: zur Referenzstufe einer Bedingung, je 10 Durchgänge eines Blocks, je Block oder je Sitzung. Die Tests sind explorativ und unkorrigiert; sie sind liberal, wenn sich Versuchspersonen in diesen Effekten unterscheiden, was die Modelle nicht enthalten.</translation>
-    </message>
-    <message>
-        <source>Contact time</source>
-        <translation>Die Kontaktdauer</translation>
-    </message>
-    <message>
-        <source>Response time</source>
-        <translation>Die Reaktionszeit</translation>
-    </message>
-    <message>
-        <source>Mean and SD of each surface, over the time in contact; mean (SD) over the participants of each participant’s mean over the surfaces.</source>
-        <translation>Mittelwert und SD je Oberfläche über die Zeit im Kontakt; Mittelwert (SD) über die Versuchspersonen von deren Mittelwerten über die Oberflächen.</translation>
-    </message>
-    <message>
-        <source>Of each participant the median of times and the mean of other quantities, over surfaces (of response times: over trials); of these, median [quartiles] or mean (SD) over the participants.</source>
-        <translation>Für jede Versuchsperson der Median von Zeiten und der Mittelwert anderer Größen über die Oberflächen (bei Reaktionszeiten: über die Durchgänge); davon Median [Quartile] oder Mittelwert (SD) über die Versuchspersonen.</translation>
+        <source>Where a procedure chose the levels from the responses, the slope of a Weibull function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval whose critical value is found by running the procedure again with simulated observers (%3 repetitions; those without a threshold are counted in the table).</source>
+        <translation>Wo ein Verfahren die Stufen aus den Antworten wählte, ist die Steigung einer Weibull-Funktion auf %1 bis %2 begrenzt, und das 95-%-KI ist ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%3 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
     </message>
 </context>
 <context>
@@ -2502,8 +2478,8 @@
         <translation>Sitzung</translation>
     </message>
     <message>
-        <source>measurements</source>
-        <translation>Messungen</translation>
+        <source>repetitions without threshold</source>
+        <translation>Wiederholungen ohne Schwelle</translation>
     </message>
 </context>
 <context>
@@ -4296,20 +4272,12 @@
         <translation>%1 Namen: der Durchlauf des Blocks und die Folge (Track) darin.</translation>
     </message>
     <message>
-        <source>Contact times by condition</source>
-        <translation>Kontaktdauern nach Bedingung</translation>
+        <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with 95 % CIs by running the procedure again.</source>
+        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen (Maximum-Likelihood-Schätzung). Offene Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit 95-%-KI durch Wiederholung des Verfahrens.</translation>
     </message>
     <message>
-        <source>No trial has a stored contact time.</source>
-        <translation>Für keinen Durchgang ist eine Kontaktdauer gespeichert.</translation>
-    </message>
-    <message>
-        <source>contact time per surface</source>
-        <translation>Kontaktdauer je Oberfläche</translation>
-    </message>
-    <message>
-        <source>Points are medians over the participants of each participant’s median contact time, bars the quartiles.</source>
-        <translation>Punkte sind Mediane der medianen Kontaktdauern der Versuchspersonen, Balken die Quartile.</translation>
+        <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: points of subjective equality, with 95 % CIs by running the procedure again.</source>
+        <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit 95-%-KIs durch Wiederholung des Verfahrens.</translation>
     </message>
 </context>
 <context>

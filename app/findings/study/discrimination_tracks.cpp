@@ -1,0 +1,174 @@
+#include "app/findings/study/discrimination_tracks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include "analysis/seed_of_tests.h"
+#include "app/findings/study/discrimination_thresholds.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kQuartileOfStandardNormal = 0.6744897501960817;
+constexpr double kSteepestRise =
+    4.65;  // standard deviations from 1 % to 99 % of a normal distribution
+
+double x_of_value(const DiscriminationTask& task, double value) {
+  return task.is_performance ? std::abs(value - task.standard()) : value;
+}
+
+/// The settings with at most this number of trials.
+ProcedureSettings shortened(ProcedureSettings settings, std::size_t trials) {
+  if (auto* const transformed = std::get_if<TransformedUpDown>(&settings)) {
+    transformed->track.stop.trials = std::min(transformed->track.stop.trials, trials);
+  } else if (auto* const weighted = std::get_if<WeightedUpDown>(&settings)) {
+    weighted->stop.trials = std::min(weighted->stop.trials, trials);
+  }
+  return settings;
+}
+
+/// The answers of a track in the order of their steps.
+PlacedTrials::Track track_of(std::vector<const DiscriminationTrial*> trials,
+                             const StoredProtocol::Block& block) {
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const DiscriminationTrial* one, const DiscriminationTrial* other) {
+                     return one->step < other->step;
+                   });
+  const auto number = static_cast<std::size_t>(trials.front()->track - 1);
+  PlacedTrials::Track track{.settings = block.tracks[number % block.tracks.size()],
+                            .levels = *block.vary};
+  std::vector<LevelAnswer> answers{};
+  for (const DiscriminationTrial* const trial : trials) {
+    answers.push_back(
+        {.level = track.levels.level_of(trial->value), .is_correct = trial->chose_comparison});
+  }
+  const Random unused(kSeedOfTests);
+  const bool is_unfinished =
+      std::holds_alternative<NextLevel>(next_step(track.settings, answers, unused));
+  if (is_unfinished) track.settings = shortened(std::move(track.settings), answers.size());
+  return track;
+}
+
+/// Every x that a run can present, ascending.
+std::set<double> possible_x(const DiscriminationTask& task, const PlacedTrials& placed) {
+  std::set<double> all{};
+  for (const auto& [value, trials] : placed.fixed) all.insert(x_of_value(task, value));
+  for (const PlacedTrials::Track& track : placed.tracks) {
+    for (const double level : procedure_of(track.settings).levels(track.settings)) {
+      all.insert(x_of_value(task, track.levels.value_of(level)));
+    }
+  }
+  return all;
+}
+
+CurveFamily family_of(const DiscriminationTask& task, const std::set<double>& levels,
+                      double proportion_of_hits) {
+  if (task.is_performance) {
+    constexpr double kBeyond = 3.0;
+    const double lowest = levels.upper_bound(0.0) == levels.end() ? 0.0 : *levels.upper_bound(0.0);
+    return {.shape = PsychometricShape::weibull,
+            .gamma = 0.5,
+            .lambda = {.low = 0.0, .high = kGreatestLapseRate},
+            .performance = proportion_of_hits,
+            .thresholds = {.low = lowest / kBeyond, .high = *levels.rbegin() * kBeyond},
+            .slopes = kSlopesOfProcedures};
+  }
+  const double range = *levels.rbegin() - *levels.begin();
+  double gap = range;
+  for (auto level = std::next(levels.begin()); level != levels.end(); ++level) {
+    gap = std::min(gap, *level - *std::prev(level));
+  }
+  return {
+      .shape = PsychometricShape::normal,
+      .gamma = std::nullopt,
+      .lambda = {.low = kSymmetricLapseRate, .high = kSymmetricLapseRate},
+      .performance = proportion_of_hits,
+      .thresholds = {.low = *levels.begin() - 0.5 * range, .high = *levels.rbegin() + 0.5 * range},
+      .slopes = {.least = kQuartileOfStandardNormal / range, .greatest = kSteepestRise / gap}};
+}
+
+}  // namespace
+
+std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
+                                          const DiscriminationStudy& study,
+                                          std::span<const DiscriminationTrial* const> trials) {
+  PlacedTrials placed{.counts_standard = study.counts_standard};
+  using Place = std::tuple<std::uint32_t, int, int, int>;
+  std::map<Place, std::vector<const DiscriminationTrial*>> tracks{};
+  for (const DiscriminationTrial* const trial : trials) {
+    if (!trial->by_procedure) {
+      ++placed.fixed[trial->value];
+      continue;
+    }
+    tracks[{trial->block, trial->session, trial->block_ordinal, trial->track}].push_back(trial);
+  }
+  for (auto& [place, of_track] : tracks) {
+    const auto block = gathered.blocks.find(gathered.word(std::get<0>(place)));
+    if (block == gathered.blocks.end() || block->second.tracks.empty() || !block->second.vary) {
+      return std::nullopt;
+    }
+    placed.tracks.push_back(track_of(std::move(of_track), block->second));
+  }
+  if (placed.tracks.empty()) return std::nullopt;
+  return placed;
+}
+
+std::vector<PsychometricBlock> run_again(const DiscriminationTask& task, const PlacedTrials& placed,
+                                         const PsychometricFunction& observer,
+                                         const Random& of_run) {
+  std::map<double, PsychometricBlock> by_x{};
+  const auto add = [&by_x](double x, bool is_hit) {
+    PsychometricBlock& block = by_x[x];
+    block.x = x;
+    ++block.trials;
+    block.hits += is_hit ? 1 : 0;
+  };
+  for (std::size_t i = 0; i < placed.tracks.size(); ++i) {
+    const PlacedTrials::Track& track = placed.tracks[i];
+    const auto x_of_level = [&](double level) {
+      return x_of_value(task, track.levels.value_of(level));
+    };
+    const ChanceOfCorrect chance_of_comparison = [&](double level) {
+      const double hit = observer.value(x_of_level(level));
+      return placed.counts_standard ? 1.0 - hit : hit;
+    };
+    const Random of_track = of_run.split("track").split(static_cast<std::uint64_t>(i));
+    for (const LevelAnswer& answer :
+         simulated_track(track.settings, chance_of_comparison, of_track)) {
+      add(x_of_level(answer.level), answer.is_correct != placed.counts_standard);
+    }
+  }
+  Random fixed = of_run.split("fixed");
+  for (const auto& [value, trials] : placed.fixed) {
+    const double x = x_of_value(task, value);
+    for (std::uint64_t i = 0; i < trials; ++i) add(x, fixed.uniform() < observer.value(x));
+  }
+  std::vector<PsychometricBlock> blocks{};
+  for (const auto& [x, block] : by_x) blocks.push_back(block);
+  return blocks;
+}
+
+std::optional<ProcedureBootstrap> procedure_interval(const DiscriminationTask& task,
+                                                     std::span<const PsychometricBlock> blocks,
+                                                     const PlacedTrials& placed,
+                                                     double proportion_of_hits) {
+  const std::set<double> levels = possible_x(task, placed);
+  const CurveFamily family = family_of(task, levels, proportion_of_hits);
+  const auto is_known = [&](const PsychometricBlock& block) { return block.trials > 0; };
+  if (levels.size() < 2 || std::count_if(blocks.begin(), blocks.end(), is_known) < 2) {
+    return std::nullopt;
+  }
+  return bootstrap_procedure(
+      blocks, {.family = family, .repetitions = kRepetitionsOfProcedures},
+      [&](const PsychometricFunction& observer, const Random& of_run) {
+        return run_again(task, placed, observer, of_run);
+      },
+      Random(kSeedOfTests).split("procedure bootstrap"));
+}
+
+}  // namespace asperity

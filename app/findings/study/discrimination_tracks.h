@@ -1,0 +1,55 @@
+// Runs the tracks of a discrimination again, with simulated observers: the intervals of thresholds where a procedure chose levels.
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/procedure_bootstrap.h"
+#include "analysis/psychometric_likelihood.h"
+#include "app/findings/study/discrimination_tasks.h"
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+
+/// The limits of the slope β of a Weibull function where a procedure chose levels by performance. Few trials near one level
+/// hardly determine a slope, and the threshold of a function without limits can be anywhere (docs/procedures.md).
+inline constexpr SlopeRange kSlopesOfProcedures{.least = 1.0, .greatest = 8.0};
+/// Of the bootstrap of an interval.
+inline constexpr std::size_t kRepetitionsOfProcedures = 500;
+
+/// How the trials of one psychometric function were placed.
+struct PlacedTrials {
+  struct Track {
+    ProcedureSettings settings{};  ///< with the number of trials of a track that was not finished
+    Dimension levels{};            ///< how the protocol states them
+  };
+  std::vector<Track> tracks{};
+  /// Trials by value of the parameter whose level no procedure chose from the responses.
+  std::map<double, std::uint64_t> fixed{};
+  bool counts_standard = false;  ///< as in DiscriminationStudy
+};
+
+/// Of the trials of one function; nothing where no procedure chose a level, or its settings are not known. `trials`: in any
+/// order.
+std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
+                                          const DiscriminationStudy& study,
+                                          std::span<const DiscriminationTrial* const> trials);
+
+/// The same trials of an observer with this function, by x as in `psychometric_input`.
+std::vector<PsychometricBlock> run_again(const DiscriminationTask& task, const PlacedTrials& placed,
+                                         const PsychometricFunction& observer,
+                                         const Random& of_run);
+
+/// `bootstrap_procedure` with constant seed. performance: Weibull functions with slopes of `kSlopesOfProcedures`; comparison:
+/// cumulative normal functions, with lapses as in the fit. Thresholds up to a third and three times the levels of the
+/// procedure, or half of their range beyond them on the linear scale of a comparison. Nothing for fewer than two x.
+std::optional<ProcedureBootstrap> procedure_interval(const DiscriminationTask& task,
+                                                     std::span<const PsychometricBlock> blocks,
+                                                     const PlacedTrials& placed,
+                                                     double proportion_of_hits);
+
+}  // namespace asperity
