@@ -19,9 +19,10 @@
 #include "app/cli/terminal.h"
 #include "app/device_bench/compared_device.h"
 #include "app/session/rig/clock.h"
-#include "app/tasks/force_doubts.h"
+#include "app/tasks/arrangement_warnings.h"
+#include "app/tasks/force_warnings.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/texture_doubts.h"
+#include "app/tasks/texture_warnings.h"
 #include "app/words/shell_word.h"
 #include "device/drivers.h"
 #include "protocols/file/json_document.h"
@@ -75,11 +76,12 @@ DeviceComparison compared(const SoughtDevice& device, const ProtocolCheck& check
   return compare_with(device, *check.protocol, check.file, study, now_utc, models, course);
 }
 
-nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Diagnostic>& doubts) {
+nlohmann::ordered_json json_of(const ProtocolCheck& check,
+                               const std::vector<Diagnostic>& warnings) {
   nlohmann::ordered_json json{{"file", check.file},
                               {"valid", check.diagnostics.empty()},
                               {"diagnostics", json_of(check.diagnostics)},
-                              {"warnings", json_of(doubts)}};
+                              {"warnings", json_of(warnings)}};
   if (check.protocol) {
     json["name"] = check.protocol->name;
     json["version"] = check.protocol->version;
@@ -111,32 +113,33 @@ std::string groups_text(const Protocol& protocol) {
 }
 
 /// Both as an author meets them, from the first line to the last; of one place the problem first.
-void say_in_order(const std::vector<Diagnostic>& problems, const std::vector<Diagnostic>& doubts) {
-  auto doubt = doubts.begin();
-  const auto say_doubts_before = [&](const Diagnostic* problem) {
-    for (; doubt != doubts.end(); ++doubt) {
+void say_in_order(const std::vector<Diagnostic>& problems,
+                  const std::vector<Diagnostic>& warnings) {
+  auto warning = warnings.begin();
+  const auto say_warnings_before = [&](const Diagnostic* problem) {
+    for (; warning != warnings.end(); ++warning) {
       if (problem != nullptr &&
-          std::pair(doubt->line, doubt->column) >= std::pair(problem->line, problem->column)) {
+          std::pair(warning->line, warning->column) >= std::pair(problem->line, problem->column)) {
         return;
       }
-      say(warning_text(*doubt));
+      say(warning_text(*warning));
     }
   };
   for (const Diagnostic& problem : problems) {
-    say_doubts_before(&problem);
+    say_warnings_before(&problem);
     say(text_of(problem));
   }
-  say_doubts_before(nullptr);
+  say_warnings_before(nullptr);
 }
 
 /// The problems of a rehearsal, and what of the study's files and stimuli may not be meant.
-void doubts_of_study(ProtocolCheck& check, const std::filesystem::path& study,
-                     const ModelRegistry& models, std::vector<Diagnostic>& doubts) {
+void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
+                       const ModelRegistry& models, std::vector<Diagnostic>& warnings) {
   if (Study::exists(study)) {
     try {
       const Study own = Study::open(study, Access::read_only);
-      if (auto doubt = doubt_about_version(*check.protocol, check.file, own)) {
-        doubts.push_back(std::move(*doubt));
+      if (auto warning = warning_about_version(*check.protocol, check.file, own)) {
+        warnings.push_back(std::move(*warning));
       }
     } catch (const std::exception& error) {  // the protocol can be checked all the same
       say("asperity: warning: whether the study has sessions with another text of this version "
@@ -145,15 +148,18 @@ void doubts_of_study(ProtocolCheck& check, const std::filesystem::path& study,
     }
   }
   StimulusBuilder builder(models, study);
-  RehearsedStimuli rehearsed = rehearse_with_doubts(*check.protocol, check.file, builder);
+  RehearsedStimuli rehearsed = rehearse_with_warnings(*check.protocol, check.file, builder);
   check.diagnostics = std::move(rehearsed.problems);
-  for (Diagnostic& doubt : doubts_about_textures(*check.protocol, check.file, study)) {
-    doubts.push_back(std::move(doubt));
+  for (Diagnostic& warning : warnings_about_textures(*check.protocol, check.file, study)) {
+    warnings.push_back(std::move(warning));
   }
-  for (Diagnostic& doubt : rehearsed.doubts) doubts.push_back(std::move(doubt));
+  for (Diagnostic& warning : rehearsed.warnings) warnings.push_back(std::move(warning));
   if (!check.diagnostics.empty()) return;
-  for (Diagnostic& doubt : doubts_about_forces(*check.protocol, check.file, builder)) {
-    doubts.push_back(std::move(doubt));
+  for (Diagnostic& warning : warnings_about_arrangements(*check.protocol, check.file, builder)) {
+    warnings.push_back(std::move(warning));
+  }
+  for (Diagnostic& warning : warnings_about_forces(*check.protocol, check.file, builder)) {
+    warnings.push_back(std::move(warning));
   }
 }
 
@@ -202,9 +208,9 @@ void add_check(CLI::App& program, Job& job) {
       const std::string now_utc = SystemClock(0).utc();
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
-        std::vector<Diagnostic> doubts = check.warnings;
+        std::vector<Diagnostic> warnings = check.warnings;
         if (options->study && check.protocol && check.diagnostics.empty()) {
-          doubts_of_study(check, *options->study, models, doubts);
+          warnings_of_study(check, *options->study, models, warnings);
         }
         DeviceComparison comparison{};
         if (options->device && check.protocol && check.diagnostics.empty()) {
@@ -212,7 +218,7 @@ void add_check(CLI::App& program, Job& job) {
             device = sought_device(*options->device, options->drivers, built_in_drivers());
           }
           comparison = compared(*device, check, options->study, now_utc, models);
-          doubts.insert(doubts.end(), comparison.warnings.begin(), comparison.warnings.end());
+          warnings.insert(warnings.end(), comparison.warnings.begin(), comparison.warnings.end());
           if (!comparison.refusal.empty()) {
             check.diagnostics.push_back(JsonDocument(check.protocol->source, check.file)
                                             .at_key("/device", comparison.refusal));
@@ -220,10 +226,10 @@ void add_check(CLI::App& program, Job& job) {
         }
         acceptable = acceptable && check.diagnostics.empty();
         sort_by_line(check.diagnostics);
-        sort_by_line(doubts);
-        say_in_order(check.diagnostics, doubts);
+        sort_by_line(warnings);
+        say_in_order(check.diagnostics, warnings);
         if (options->json) {
-          json["protocols"].push_back(json_of(check, doubts));
+          json["protocols"].push_back(json_of(check, warnings));
           if (options->device) {
             json["protocols"].back()["device"] =
                 json_of(*options->device, comparison,

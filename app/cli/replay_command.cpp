@@ -18,7 +18,6 @@
 #include "app/study_files/height_field_files.h"
 #include "protocols/design/wording.h"
 #include "renderers/built_in_models.h"
-#include "renderers/offline/replay.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
@@ -93,36 +92,30 @@ void add_replay(CLI::App& program, Job& job) {
       }
       const RecordedSurface& surface =
           recorded.surfaces[static_cast<std::size_t>(options->surface - 1)];
-      std::unique_ptr<ForceRenderer> renderer{};
+      const ForceModel* model = surface.stimulus.model;
+      RendererInputs inputs = surface.stimulus.inputs;
       if (options->model) {
-        const ForceModel& model = model_named(models, *options->model);
-        require_same_kind(models, model, *surface.stimulus.model, options->surface);
-        RendererInputs inputs = surface.stimulus.inputs;
+        model = &model_named(models, *options->model);
+        require_same_kind(models, *model, *surface.stimulus.model, options->surface);
         inputs.parameters.clear();
-        if (model.suggested_by && inputs.height_field) {
-          inputs.parameters = model.suggested_by(*inputs.height_field, inputs.material);
+        if (model->suggested_by && inputs.height_field) {
+          inputs.parameters = model->suggested_by(*inputs.height_field, inputs.material);
         }
         for (const auto& [name, value] :
-             parameters_from(options->parameters, model.declaration.parameters, *options->model)) {
+             parameters_from(options->parameters, model->declaration.parameters, *options->model)) {
           inputs.parameters[name] = value;
         }
-        renderer = make_renderer(model, inputs);
-      } else {
-        if (!options->parameters.empty())
-          throw WrongUsage("--param needs --model; add it, or leave out --param");
-        renderer = make_renderer(*surface.stimulus.model, surface.stimulus.inputs);
+      } else if (!options->parameters.empty()) {
+        throw WrongUsage("--param needs --model; add it, or leave out --param");
       }
-      std::vector<TickRecord> felt{};
+      const ReplayedSurface replayed = replay_surface(recorded, options->surface, *model, inputs);
+      std::vector<RenderedTick> forces{};
       std::vector<ProbeState> path{};
-      for (const TickRecord& record : recorded.records) {
-        if (record.presentation != static_cast<std::uint64_t>(options->surface) ||
-            !record.has(TickFlag::presenting)) {
-          continue;
-        }
-        felt.push_back(record);
-        path.push_back(record.probe);
+      for (std::size_t i = 0; i < replayed.records.size(); ++i) {
+        if (!replayed.records[i].has(TickFlag::presenting)) continue;
+        forces.push_back(replayed.ticks[i]);
+        path.push_back(replayed.records[i].probe);
       }
-      const std::vector<RenderedTick> forces = replay(*renderer, felt, recorded.rate_Hz);
       write_file(options->out, forces_tsv(path, forces), overwrite);
       std::cout << options->out.string() << ": " << counted(forces.size(), "row") << '\n';
       return 0;

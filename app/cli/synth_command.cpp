@@ -106,9 +106,9 @@ void add_synth(CLI::App& program, Job& job) {
                 << " µm, height " << reading_signed(field.minimum_m() * 1e6, 1) << " to "
                 << reading_signed(field.maximum_m() * 1e6, 1) << " µm, RMS "
                 << fixed(field.rms_m() * 1e6, 1) << " µm\n";
-      for (const auto& doubt : {seam_of(surface->kind, values, options->canvas),
-                                coarse_samples_of(surface->kind, values, options->canvas)}) {
-        if (doubt) say("asperity: warning: " + options->out.string() + ": " + *doubt);
+      for (const auto& warning : {seam_of(surface->kind, values, options->canvas),
+                                  coarse_samples_of(surface->kind, values, options->canvas)}) {
+        if (warning) say("asperity: warning: " + options->out.string() + ": " + *warning);
       }
       return 0;
     };

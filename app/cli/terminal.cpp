@@ -72,9 +72,9 @@ void say(const std::string& line) {
   write_error((terminal ? "\r\x1b[K" : "") + line + '\n');
 }
 
-std::string warning_text(const Diagnostic& doubt) {
-  return doubt.file + ':' + std::to_string(doubt.line) + ':' + std::to_string(doubt.column) +
-         ": warning: " + doubt.message + " (" + doubt.pointer + ')';
+std::string warning_text(const Diagnostic& warning) {
+  return warning.file + ':' + std::to_string(warning.line) + ':' + std::to_string(warning.column) +
+         ": warning: " + warning.message + " (" + warning.pointer + ')';
 }
 
 void say_condition(const Study& study) {

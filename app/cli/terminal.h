@@ -39,7 +39,7 @@ class Progress final {
 void say(const std::string& line);
 
 /// "FILE:LINE:COLUMN: warning: PROBLEM (/json/pointer)"
-std::string warning_text(const Diagnostic& doubt);
+std::string warning_text(const Diagnostic& warning);
 
 /// What whoever reads on should know of the study's file, if anything.
 void say_condition(const Study& study);

@@ -7,8 +7,10 @@
 #include "app/session/layout.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/session/trial_outcome.h"
+#include "app/session/trial_surfaces.h"
 #include "app/study_files/parameter_json.h"
 #include "protocols/file/protocol_reader.h"
+#include "renderers/offline/replay.h"
 
 namespace asperity {
 
@@ -135,6 +137,7 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
   RecordedAttempt recorded{};
   recorded.row = attempt;
   recorded.session = session;
+  recorded.trial = trial;
   const std::filesystem::path file = study.folder() / attempt.recording->path;
   const Recording recording = read_recording(file);
   recorded.rate_Hz = recording.header.rate_Hz;
@@ -154,10 +157,43 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
     RendererInputs& inputs = surface.stimulus.inputs;
     inputs.parameters = parameter_values_in(row.parameters_json);
     inputs.seed = std::stoull(row.seed);
-    inputs.patch = Layout{session.mirrored}.of(inputs.patch);
+    inputs.patch = Layout{session.mirrored}.of(
+        trial.presentations.at(static_cast<std::size_t>(row.position - 1)));
     recorded.surfaces.push_back(std::move(surface));
   }
   return recorded;
+}
+
+ReplayedSurface replay_surface(const RecordedAttempt& attempt, int position,
+                               const ForceModel& model, const RendererInputs& inputs) {
+  const auto felt_at = static_cast<std::uint64_t>(position);
+  ReplayedSurface replayed{};
+  if (attempt.trial.arrangement.surfaces != Arrangement::Surfaces::side_by_side) {
+    for (const TickRecord& record : attempt.records) {
+      if (record.presentation == felt_at) replayed.records.push_back(record);
+    }
+    const auto renderer = make_renderer(model, inputs);
+    replayed.ticks = replay(*renderer, replayed.records, attempt.rate_Hz);
+    return replayed;
+  }
+  std::vector<AdjacentPatch> patches{};
+  for (const RecordedSurface& surface : attempt.surfaces) {
+    const bool is_replaced = surface.row.position == position;
+    patches.push_back({is_replaced ? &model : surface.stimulus.model,
+                       is_replaced ? inputs : surface.stimulus.inputs});
+  }
+  std::vector<TickRecord> presented{};
+  for (const TickRecord& record : attempt.records) {
+    if (record.presentation != 0) presented.push_back(record);
+  }
+  const auto renderer = side_by_side(attempt.trial, Layout{attempt.session.mirrored}, patches);
+  const std::vector<RenderedTick> ticks = replay(*renderer, presented, attempt.rate_Hz);
+  for (std::size_t i = 0; i < presented.size(); ++i) {
+    if (presented[i].presentation != felt_at) continue;
+    replayed.records.push_back(presented[i]);
+    replayed.ticks.push_back(ticks[i]);
+  }
+  return replayed;
 }
 
 AttemptRow find_attempt(const Study& study, const std::string& what) {

@@ -23,6 +23,7 @@ struct RecordedSurface {
 struct RecordedAttempt {
   AttemptRow row{};
   SessionRow session{};
+  Trial trial{};
   double rate_Hz = 1000.0;
   std::vector<TickRecord> records{};
   std::vector<RecordedSurface> surfaces{};
@@ -56,6 +57,20 @@ Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry&
 /// Errors: std::runtime_error or ResultsError naming what is missing.
 RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,
                                  const AttemptRow& attempt, StimulusBuilder& builder);
+
+/// The recorded motion of the hand on one surface, and the forces that it receives there again.
+struct ReplayedSurface {
+  std::vector<TickRecord> records{};
+  std::vector<RenderedTick>
+      ticks{};  ///< one per record; those without TickFlag::presenting are not rendered
+};
+
+/// Replays the attempt with this model and these inputs for the surface at `position`, from 1. Side by side the other
+/// patches are those of the attempt.
+///
+/// Errors: std::invalid_argument for inputs that the model refuses.
+ReplayedSurface replay_surface(const RecordedAttempt& attempt, int position,
+                               const ForceModel& model, const RendererInputs& inputs);
 
 /// "PARTICIPANT/SESSION/TRIAL/ATTEMPT".
 std::string natural_key(const SessionRow& session, const AttemptRow& attempt);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/compliance.h"
+#include "renderers/force/adjacent_patches.h"
 #include "renderers/servo/contact.h"
 
 namespace asperity {
@@ -111,6 +112,7 @@ RecordingCurves curves_of(std::span<const TickRecord> records, double rate_Hz,
     surface.spectrum = spectrum_of(
         surface.is_spectrum_of_rendered ? contact_of(curves.rendered_N) : sent_N, rate_Hz);
   }
+  surfaces.erase(kSideBySide);  // the flat surface between patches
   for (auto& [position, surface] : surfaces) {
     surface.position = static_cast<int>(position);
     curves.surfaces.push_back(std::move(surface));

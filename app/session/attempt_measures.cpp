@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/compliance.h"
 #include "analysis/summary.h"
+#include "renderers/force/adjacent_patches.h"
 #include "renderers/servo/contact.h"
 
 namespace asperity {
@@ -127,10 +129,15 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   HandStrokes hand_strokes{};
   std::vector<double> force_N{};
   std::int64_t contact_ticks = 0;
-  std::int64_t visit_ticks = 0;  // of contact since the surface was last presented
+  std::int64_t visit_ticks = 0;  // of contact in the present visit (VisitRow)
   std::int64_t longest_visit_ticks = 0;
   for (const TickRecord& record : records) {
     if (is_rendered(record, presentation) && record.has(TickFlag::first_of_presentation)) {
+      visit_ticks = 0;
+    }
+    // Another patch side by side is touched.
+    if (is_in_contact(record) && record.presentation != presentation &&
+        record.presentation != kSideBySide) {
       visit_ticks = 0;
     }
     if (is_in_contact(record, presentation)) {
@@ -181,6 +188,18 @@ HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch)
         aim(exploration.speed_m_per_s, mean_of_steady * habits.speed_m_per_s) / mean_of_steady;
   }
   habits.normal_force_N = aim(exploration.normal_force_N, habits.normal_force_N);
+  return habits;
+}
+
+HandHabits habits_in_trial(const Exploration& exploration, const SurfacePatch& workspace,
+                           const Arrangement& arrangement) {
+  HandHabits habits = habits_for(exploration, workspace);
+  if (arrangement.surfaces != Arrangement::Surfaces::side_by_side) return habits;
+  const bool along_x = arrangement.axis == Arrangement::Axis::x;
+  habits.direction_rad = along_x ? 0.0 : 0.5 * std::numbers::pi;
+  // The strokes wander by up to 2.5 standard deviations of the drift.
+  const double extent_m = along_x ? workspace.extent_m.x : workspace.extent_m.y;
+  habits.stroke_length_m = std::max(0.5 * extent_m, extent_m - 5.0 * habits.drift_m);
   return habits;
 }
 

@@ -35,5 +35,8 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
 
 /// The habits of a hand that aims at the instructed exploration.
 HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch);
+/// The same in a trial: over surfaces side by side the hand strokes along all of them, at the same speed.
+HandHabits habits_in_trial(const Exploration& exploration, const SurfacePatch& workspace,
+                           const Arrangement& arrangement);
 
 }  // namespace asperity

@@ -9,6 +9,13 @@ SurfacePatch Layout::of(SurfacePatch patch) const {
   return patch;
 }
 
+SurfacePatch Layout::of(const PlannedPresentation& surface) const {
+  const SurfacePatch& workspace = surface.stimulus.patch;
+  SurfacePatch patch = surface.patch;
+  patch.centre_m.x += of(workspace).centre_m.x - workspace.centre_m.x;
+  return patch;
+}
+
 Exploration Layout::of(Exploration exploration) const {
   if (mirrored) exploration.direction_rad = std::numbers::pi - exploration.direction_rad;
   return exploration;

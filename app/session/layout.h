@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocols/design/protocol.h"
+#include "protocols/design/trial.h"
 #include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
@@ -15,6 +16,9 @@ struct Layout {
 
   /// The patch with its centre at (−x, y, z).
   SurfacePatch of(SurfacePatch patch) const;
+  /// The patch of a surface of a trial. Surfaces side by side keep their order from left to right, which the participant's
+  /// screen shows.
+  SurfacePatch of(const PlannedPresentation& surface) const;
   /// The exploration with its strokes along π − θ.
   Exploration of(Exploration exploration) const;
 };

@@ -12,6 +12,7 @@
 #include "app/session/layout.h"
 #include "app/session/rig/clock.h"
 #include "app/session/rig/recording_columns.h"
+#include "app/session/rig/stroke_count.h"
 #include "app/session/sound/masking_sound.h"
 #include "app/study_files/parameter_json.h"
 #include "app/words/coded_phrases.h"
@@ -34,6 +35,15 @@ constexpr double kPatience_s = 5.0;
 // is likely.
 constexpr double kDoubtfulRatio = 10.0;
 
+std::optional<std::int64_t> first_contact_ns(const std::vector<PresentationRow>& surfaces) {
+  std::optional<std::int64_t> first_ns{};
+  for (const PresentationRow& surface : surfaces) {
+    if (surface.contact_ns)
+      first_ns = std::min(first_ns.value_or(*surface.contact_ns), *surface.contact_ns);
+  }
+  return first_ns;
+}
+
 }  // namespace
 
 TrialAttempt::TrialAttempt(SessionCourse& course, StimulusBuilder& builder,
@@ -43,7 +53,9 @@ TrialAttempt::TrialAttempt(SessionCourse& course, StimulusBuilder& builder,
       order_(order),
       trial_(order.trial),
       block_(course.protocol().blocks.at(order.trial.block)),
-      waiting_([&course](double duration_s) { course.wait(duration_s); }) {
+      waiting_([&course](double duration_s) { course.wait(duration_s); }),
+      visits_(order.trial.presentations.size(), course.protocol().rate_Hz,
+              judged_force_of(course.rig().capability())) {
   const Layout layout{course.row().mirrored};
   exploration_ = layout.of(exploration_of(course.protocol(), trial_));
   patch_ = layout.of(course.protocol().patch);
@@ -97,29 +109,20 @@ AttemptRow TrialAttempt::make() {
 void TrialAttempt::prepare() {
   const SessionRow& session = course_.row();
   const Protocol& protocol = course_.protocol();
-  const Random random = Random(std::stoull(session.seed))
-                            .split("attempt")
-                            .split(static_cast<std::uint64_t>(trial_.ordinal))
-                            .split(static_cast<std::uint64_t>(order_.attempt));
-  const Layout layout{session.mirrored};
+  random_ = Random(std::stoull(session.seed))
+                .split("attempt")
+                .split(static_cast<std::uint64_t>(trial_.ordinal))
+                .split(static_cast<std::uint64_t>(order_.attempt));
+  surfaces_.emplace(trial_, Layout{session.mirrored}, builder_, course_.study(), random_);
   nlohmann::ordered_json models = nlohmann::ordered_json::array();
   for (const PlannedPresentation& planned : trial_.presentations) {
-    const auto position = static_cast<std::uint64_t>(planned.position);
-    Surface surface{};
-    surface.stimulus = builder_.prepare(planned, course_.study());
-    surface.seed = random.split("renderer").split(position).bits();
-    RendererInputs& inputs = surface.stimulus.inputs;
-    inputs.seed = surface.seed;
-    inputs.patch = layout.of(inputs.patch);
-    const ForceModel& model = *surface.stimulus.model;
-    models.push_back({{"position", planned.position},
-                      {"model", model.declaration.id},
-                      {"version", model.declaration.version}});
-    surface.presentation = {position, model.make(inputs)};
-    surfaces_.push_back(std::move(surface));
+    const ModelDeclaration& model = surfaces_->stimulus(models.size()).model->declaration;
+    models.push_back(
+        {{"position", planned.position}, {"model", model.id}, {"version", model.version}});
   }
 
-  course_.rig().prepare_attempt(habits_for(exploration_, patch_), random.split("hand"));
+  course_.rig().prepare_attempt(habits_in_trial(exploration_, patch_, trial_.arrangement),
+                                random_.split("hand"));
   course_.respondent().begin_attempt(trial_.ordinal, order_.attempt);
   std::unique_ptr<RecordingWriter> writer{};
   if (order_.record && protocol.record) {
@@ -146,24 +149,48 @@ void TrialAttempt::carry_out() {
   if (!trial_.experimenter_prompt.empty()) {
     course_.ask_experimenter(trial_.experimenter_prompt, waiting_);
   }
-  course_.put_mask(true, waiting_);
+  // On request the question comes first.
+  const bool begins_with_question =
+      trial_.arrangement.surfaces == Arrangement::Surfaces::on_request;
+  if (!begins_with_question || !has_to_be_seen()) course_.put_mask(true, waiting_);
   course_.show({});
   course_.set_masking(true);
   // The noise is fully faded in before the device can be heard.
   const double fade_s = course_.is_masking() ? MaskingSound::kFade_s : 0.0;
   course_.wait(std::max(block_.pause_before_trial_s, fade_s));
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    if (i > 0) {
-      course_.enter(SessionPhase::fore);
-      course_.show(scene_between_surfaces(trial_, felt_));
-      course_.wait_refusing_answers(block_.pause_between_surfaces_s);
-    }
-    feel(i);
+  switch (trial_.arrangement.surfaces) {
+    case Arrangement::Surfaces::sequential:
+      for (int pass = 0; pass < trial_.arrangement.minimum_visits; ++pass) {
+        for (std::size_t i = 0; i < surfaces_->size(); ++i) {
+          if (!felt_.empty()) wait_between_surfaces();
+          feel(i);
+        }
+      }
+      break;
+    case Arrangement::Surfaces::side_by_side:
+      feel(0);
+      break;
+    case Arrangement::Surfaces::on_request:
+      break;  // the question is asked, and the participant requests each surface
   }
-  if (!trial_.allow_revisit) course_.set_masking(false);
+  if (!trial_.arrangement.allows_revisits()) course_.set_masking(false);
   for (const std::span<const TrialQuestion> page : pages_of(trial_)) {
     if (!answer_page(page)) return;
   }
+}
+
+void TrialAttempt::wait_between_surfaces() {
+  course_.enter(SessionPhase::fore);
+  course_.show(scene_between_surfaces(trial_, felt_));
+  if (!trial_.arrangement.interval) {
+    course_.wait_refusing_answers(block_.pause_between_surfaces_s);
+    return;
+  }
+  const Arrangement::Interval& limits = *trial_.arrangement.interval;
+  const double drawn = random_.split("interval").split(intervals_++).uniform();
+  const double interval_s = limits.shortest_s + drawn * (limits.longest_s - limits.shortest_s);
+  const double passed_s = seconds_between(lifted_ns_, course_.now_ns());
+  course_.wait_refusing_answers(std::max(0.0, interval_s - passed_s));
 }
 
 bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
@@ -179,11 +206,17 @@ bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
     }
     course_.enter(SessionPhase::fore);
     course_.put_mask(true, waiting_);
+    if (trial_.arrangement.interval && !felt_.empty()) wait_between_surfaces();
     feel(static_cast<std::size_t>(wish->position - 1));
   }
   if (reply.answers() == nullptr && asking.doubted) {
     reply = *asking.doubted;
     asking.answer_ns = reply.answered_ns.value_or(asking.answer_ns);
+  }
+  for (const PlannedPresentation& planned : trial_.presentations) {
+    if (std::find(felt_.begin(), felt_.end(), planned.position) != felt_.end()) continue;
+    throw Interruption{AttemptOutcome::not_compliant,
+                       phrase_of(Reason::not_touched).with(std::to_string(planned.position))};
   }
   const GivenAnswers* const given = reply.answers();
   if (given == nullptr) return false;
@@ -249,7 +282,7 @@ Reply TrialAttempt::ask(Asking& asking) {
 
 void TrialAttempt::feel(std::size_t index) {
   const PlannedPresentation& planned = trial_.presentations.at(index);
-  Surface& surface = surfaces_.at(index);
+  const bool all = trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
   const auto show = [this](ParticipantScene scene) {
     scene.show_workspace = course_.protocol().scene.has_value();
     if (is_guided_by_sight(exploration_)) {
@@ -258,7 +291,7 @@ void TrialAttempt::feel(std::size_t index) {
     }
     course_.show(std::move(scene));
   };
-  show(scene_of_surface(trial_, felt_, planned.position));
+  show(all ? scene_of_patches(trial_) : scene_of_surface(trial_, felt_, planned.position));
   course_.play(Cue::surface, planned.position);
   course_.update([&](SessionSnapshot& snapshot) {
     snapshot.surface = planned.position;
@@ -268,46 +301,118 @@ void TrialAttempt::feel(std::size_t index) {
   course_.respondent().announce(trial_, planned);
 
   Rig& rig = course_.rig();
-  Recorder& recorder = course_.recorder();
-  recorder.watch(surface.presentation.id);
-  rig.loop().present(std::move(surface.presentation));
+  course_.recorder().watch(surfaces_->id_of(index), all ? surfaces_->size() : 0);
+  rig.loop().present(surfaces_->take(index));
   rig.hand().stroke();
   course_.set_guiding_tones(exploration_.guidance == Exploration::Guidance::tones);
-  explore(surface);
+  if (all) {
+    explore_patches();
+  } else {
+    explore(planned.position);
+  }
   course_.set_guiding_tones(false);
-  show(scene_of_lifting(trial_, felt_, planned.position));
+  show(all ? scene_of_lifting_from_patches(trial_)
+           : scene_of_lifting(trial_, felt_, planned.position));
   course_.play(Cue::next);
-  rig.hand().lift();
-  for (double passed_s = 0.0; recorder.live().touching && passed_s < kPatience_s;
-       passed_s += kSlice_s) {
-    course_.wait_refusing_answers(kSlice_s);
-  }
-  rig.loop().withdraw();
-  while (surface.presentation.renderer == nullptr) {
-    course_.wait_refusing_answers(kSlice_s);
-    surface.presentation = rig.loop().collect();
-  }
-  if (recorder.live().contact_s <= 0.0) {
-    throw Interruption{AttemptOutcome::not_compliant,
-                       phrase_of(Reason::not_touched).with(std::to_string(planned.position))};
-  }
-  surface.felt_s += recorder.live().contact_s;
-  if (std::find(felt_.begin(), felt_.end(), planned.position) == felt_.end()) {
-    felt_.push_back(planned.position);
+  lift_and_take_back(index);
+  for (const PlannedPresentation& surface : trial_.presentations) {
+    if (!all && surface.position != planned.position) continue;
+    if (visits_.visits(surface.position).empty() || course_.recorder().live().contact_s <= 0.0) {
+      throw Interruption{AttemptOutcome::not_compliant,
+                         phrase_of(Reason::not_touched).with(std::to_string(surface.position))};
+    }
+    felt_.push_back(surface.position);
+    const auto visits = static_cast<int>(visits_.visits(surface.position).size());
+    if (all && visits < trial_.arrangement.minimum_visits) {
+      throw Interruption{AttemptOutcome::not_compliant,
+                         phrase_of(Reason::visited_too_rarely)
+                             .with(std::to_string(surface.position), std::to_string(visits),
+                                   std::to_string(trial_.arrangement.minimum_visits))};
+    }
   }
 }
 
+/// Waits for the hand to lift, removes the surface and waits until the loop has returned it.
+void TrialAttempt::lift_and_take_back(std::size_t index) {
+  Rig& rig = course_.rig();
+  const Recorder& recorder = course_.recorder();
+  rig.hand().lift();
+  lifted_ns_ = course_.now_ns();
+  for (double passed_s = 0.0; recorder.live().touching && passed_s < kPatience_s;
+       passed_s += kSlice_s) {
+    course_.wait_refusing_answers(kSlice_s);
+    lifted_ns_ = course_.now_ns();
+  }
+  rig.loop().withdraw();
+  while (!surfaces_->has(index)) {
+    course_.wait_refusing_answers(kSlice_s);
+    surfaces_->put_back(rig.loop().collect());
+  }
+  read_visits();
+  for (const PlannedPresentation& surface : trial_.presentations) {
+    const std::vector<VisitRow>& visits = visits_.visits(surface.position);
+    if (surfaces_->id_of(static_cast<std::size_t>(surface.position - 1)) !=
+        surfaces_->id_of(index)) {
+      continue;
+    }
+    if (!visits.empty()) lifted_ns_ = std::min(lifted_ns_, visits.back().offset_ns);
+  }
+}
+
+void TrialAttempt::read_visits() {
+  const std::vector<TickRecord>& records = course_.recorder().records();
+  for (; records_read_ < records.size(); ++records_read_) visits_.take(records[records_read_]);
+}
+
 /// Waits until the surface was felt for long enough, or the participant wants to continue.
-void TrialAttempt::explore(Surface& surface) {
-  const double wanted_s = wanted_contact_s();
+void TrialAttempt::explore(int position) {
+  const Arrangement& arrangement = trial_.arrangement;
+  const double wanted_s = arrangement.contact_s.value_or(wanted_contact_s());
+  const double earlier_s = visits_.contact_s(position);
+  StrokeCount strokes(exploration_.direction_rad, judged_force_of(course_.rig().capability()),
+                      course_.recorder().records().size());
   double passed_s = 0.0;
   for (;;) {
     const double contact_s = course_.recorder().live().contact_s;
     if (contact_s > 0.0) course_.enter(SessionPhase::contact);
-    if (contact_s >= wanted_s || passed_s >= exploration_.maximum_contact_s + kPatience_s) return;
-    // The minimum applies to all visits to a surface together.
+    if (passed_s >= exploration_.maximum_contact_s + kPatience_s) break;
+    bool may_go = false;
+    if (arrangement.strokes) {
+      if (strokes.completed(course_.recorder().records()) >= *arrangement.strokes) return;
+      if (contact_s >= exploration_.maximum_contact_s - kLifting_s) break;
+    } else {
+      if (contact_s >= wanted_s) return;
+      // The minimum applies to all visits to a surface together.
+      may_go = !arrangement.contact_s && contact_s > 0.0 &&
+               earlier_s + contact_s >= exploration_.minimum_contact_s;
+    }
+    if (course_.respondent().wants_next(may_go) && may_go) return;
+    course_.wait(kSlice_s);
+    passed_s += kSlice_s;
+  }
+  if (arrangement.strokes || arrangement.contact_s) cut_short_.insert(position);
+}
+
+/// Waits until every patch was visited and felt for long enough and the participant wants to continue, or the contact
+/// has lasted for as long as is permitted for all of them.
+void TrialAttempt::explore_patches() {
+  const auto surfaces = static_cast<double>(surfaces_->size());
+  const double longest_s = surfaces * exploration_.maximum_contact_s - kLifting_s;
+  double passed_s = 0.0;
+  for (;;) {
+    const double contact_s = course_.recorder().live().contact_s;
+    if (contact_s > 0.0) course_.enter(SessionPhase::contact);
+    if (contact_s >= longest_s || passed_s >= longest_s + kPatience_s) return;
+    read_visits();
     const bool may_go =
-        contact_s > 0.0 && surface.felt_s + contact_s >= exploration_.minimum_contact_s;
+        contact_s > 0.0 &&
+        std::all_of(trial_.presentations.begin(), trial_.presentations.end(),
+                    [this](const PlannedPresentation& planned) {
+                      return visits_.contact_s(planned.position) >=
+                                 exploration_.minimum_contact_s &&
+                             static_cast<int>(visits_.visits(planned.position).size()) >=
+                                 trial_.arrangement.minimum_visits;
+                    });
     if (course_.respondent().wants_next(may_go) && may_go) return;
     course_.wait(kSlice_s);
     passed_s += kSlice_s;
@@ -326,9 +431,11 @@ double TrialAttempt::wanted_contact_s() const {
 
 void TrialAttempt::measure(const std::vector<TickRecord>& records) {
   const double rate_Hz = course_.protocol().rate_Hz;
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+  const std::vector<std::vector<VisitRow>> visits =
+      visits_of(records, surfaces_->size(), rate_Hz, judged_force_of(course_.rig().capability()));
+  for (std::size_t i = 0; i < surfaces_->size(); ++i) {
     const PlannedPresentation& planned = trial_.presentations[i];
-    const PreparedStimulus& prepared = surfaces_[i].stimulus;
+    const PreparedStimulus& prepared = surfaces_->stimulus(i);
     const auto id = static_cast<std::uint64_t>(planned.position);
     PresentationRow presentation{};
     presentation.position = planned.position;
@@ -340,18 +447,20 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.texture = planned.stimulus.texture;
     presentation.parameters_json = json_text_of(prepared.inputs.parameters);
     presentation.assets = prepared.assets;
-    presentation.seed = std::to_string(surfaces_[i].seed);
+    presentation.stiffness_N_per_m = prepared.inputs.material.stiffness_N_per_m;
+    presentation.friction = prepared.inputs.material.friction;
+    presentation.raised_m = planned.patch.centre_m.z - planned.stimulus.patch.centre_m.z;
+    presentation.seed = std::to_string(surfaces_->seed(i));
+    presentation.visits = visits[i];
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);
     const EqualForce request = planned.equal_force.value_or(EqualForce{});
-    presentation.achieved_texture_force_N =
-        recorded_texture_force_rms_N(*prepared.model, prepared.inputs, {records, id, rate_Hz},
-                                     {request.band_low_Hz, request.band_high_Hz});
-    if (const auto& renderer = surfaces_[i].presentation.renderer) {
-      for (const NamedCount& limit : renderer->limits()) {
-        presentation.limits.push_back(
-            {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
-      }
+    presentation.achieved_texture_force_N = recorded_texture_force_rms_N(
+        *prepared.model, surfaces_->inputs_as_felt(i), {records, id, rate_Hz},
+        {request.band_low_Hz, request.band_high_Hz});
+    for (const NamedCount& limit : surfaces_->limits(i)) {
+      presentation.limits.push_back(
+          {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
     }
     if (presentation.onset_ns) {
       for (ComplianceRow& compliance : compliance_of(records, id, rate_Hz, exploration_,
@@ -377,7 +486,7 @@ void TrialAttempt::store_answers() {
                            .options_json = options_json_of(answered.question),
                            .time_ns = answered.answer_ns};
       response.from_cue_s = seconds_between(answered.cue_ns, answered.answer_ns);
-      if (const auto contact_ns = row_.presentations.front().contact_ns) {
+      if (const auto contact_ns = first_contact_ns(row_.presentations)) {
         response.from_contact_s = seconds_between(*contact_ns, answered.answer_ns);
       }
       response.source = answered.source;
@@ -425,6 +534,10 @@ void TrialAttempt::judge() {
     }
     flags = with_semicolon(flags, not_explored);
   }
+  for (const int position : cut_short_) {
+    flags =
+        with_semicolon(flags, phrase_of(Reason::visit_cut_short).with(std::to_string(position)));
+  }
   if (!flags.empty()) {
     row_.flagged = true;
     row_.flag_reason = stored(flags);
@@ -445,7 +558,7 @@ void TrialAttempt::take_surface_away() {
     // Contains the demands on the presentation that exceeded its limits.
     Presentation collected = rig.loop().collect();
     if (collected.renderer == nullptr) continue;
-    surfaces_.at(static_cast<std::size_t>(collected.id - 1)).presentation = std::move(collected);
+    surfaces_->put_back(std::move(collected));
     return;
   }
 }

@@ -4,12 +4,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/session/rig/visit_reader.h"
 #include "app/session/session_course.h"
 #include "app/session/stimulus_builder.h"
+#include "app/session/trial_surfaces.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -26,8 +29,8 @@ struct AttemptOrder {
   bool record = true;  ///< keep the tick records
 };
 
-/// Builds the renderers off the servo thread → lets every surface be felt → asks → checks the
-/// record (servo quality, compliance, features) → syncs and renames the recording. The row is then
+/// Builds the renderers off the servo thread → lets every surface be felt as the trial arranges them → asks → checks the
+/// record (servo quality, visits, compliance, features) → syncs and renames the recording. The row is then
 /// ready to be stored; nothing is in the store before.
 ///
 /// An attempt that was interrupted has a row as well, invalid, with the reason.
@@ -44,8 +47,9 @@ struct AttemptOrder {
 /// once more: the second number is the answer, and the first is stored as the event
 /// "estimate_doubted". Where the deadline comes before a second one, the first is the answer.
 ///
-/// Feeling ends when the surface was felt for the specified time, or at the participant's request:
-/// in both cases the cue `next` sounds and the scene shows it until the hand has lifted.
+/// Feeling ends when the surface was felt for the specified time or number of strokes, or at the participant's request:
+/// in all cases the cue `next` sounds and the scene shows it until the hand has lifted. Surfaces side by side are felt in
+/// one presentation, which ends when each of them was visited and felt for long enough.
 ///
 /// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
 /// fore and contact again where a surface is felt again.
@@ -64,14 +68,6 @@ class TrialAttempt final {
   const std::optional<Interruption>& interruption() const noexcept { return interruption_; }
 
  private:
-  /// The stimulus and the presentation of one surface.
-  struct Surface {
-    PreparedStimulus stimulus{};
-    Presentation presentation{};  ///< renderer null while the loop has it
-    std::uint64_t seed = 0;
-    double felt_s = 0.0;  ///< contact in the visits so far
-  };
-
   /// A page of questions while it is asked.
   struct Asking {
     std::span<const TrialQuestion> page{};
@@ -97,8 +93,14 @@ class TrialAttempt final {
   /// Whether the reply is a number that has to be confirmed.
   bool is_doubtful(const Asking& asking, const Reply& reply) const;
   void doubt(Asking& asking, const Reply& reply);
+  void wait_between_surfaces();
+  /// Presents a surface, or all of them side by side, until it was felt.
   void feel(std::size_t index);
-  void explore(Surface& surface);
+  void explore(int position);
+  void explore_patches();
+  void lift_and_take_back(std::size_t index);
+  /// The records of the attempt up to now.
+  void read_visits();
   void measure(const std::vector<TickRecord>& records);
   void store_answers();
   void judge();
@@ -116,8 +118,14 @@ class TrialAttempt final {
   Exploration exploration_{};  ///< in the session's layout
   SurfacePatch patch_{};
   Wait waiting_{};
-  std::vector<Surface> surfaces_{};
-  std::vector<int> felt_{};  ///< positions, in the order of feeling
+  Random random_{0};  ///< the stream of the attempt
+  std::optional<TrialSurfaces> surfaces_{};
+  VisitReader visits_;
+  std::size_t records_read_ = 0;  ///< by visits_
+  std::int64_t lifted_ns_ = 0;    ///< the last contact before the surfaces were changed
+  std::set<int> cut_short_{};     ///< positions of visits that ended before their exposure
+  std::uint64_t intervals_ = 0;   ///< between surfaces so far
+  std::vector<int> felt_{};       ///< the position of every visit, in the order of feeling
   std::vector<Answered> answered_{};
   std::optional<Interruption> interruption_{};
   AttemptRow row_{};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/study_files/parameter_json.h"
+#include "protocols/design/block_factors.h"
 
 namespace asperity {
 
@@ -15,9 +16,8 @@ TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const Atte
       attempt.presentations.begin(), attempt.presentations.end(),
       [&dimension](const PresentationRow& surface) { return surface.role == dimension.role; });
   if (varied == attempt.presentations.end()) return {};
-  const auto judged = std::find_if(
-      block.questions.begin(), block.questions.end(),
-      [](const Protocol::TrialQuestionTemplate& asked) { return asked.judgement.has_value(); });
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+  if (judged == nullptr) return {};
   const auto response =
       std::find_if(attempt.responses.begin(), attempt.responses.end(),
                    [&](const ResponseRow& row) { return row.question == judged->name; });
@@ -25,9 +25,10 @@ TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const Atte
   const bool is_missing = response == attempt.responses.end();
   if (is_missing && !(is_timeout && block.procedure.value().timeouts_are_incorrect)) return {};
   const ParameterValues values = parameter_values_in(varied->parameters_json);
+  const bool chose_varied = !is_missing && response->answer == varied->item;
   return {.answer = TrialOutcome::Answer{
               .value = number_of(values, dimension.parameter),
-              .chose_varied = !is_missing && response->answer == varied->item}};
+              .counts_down = is_missing ? false : chose_varied != judged->asks_for_less}};
 }
 
 AttemptNumbers set_aside_in(const std::vector<DecisionRow>& decisions) {

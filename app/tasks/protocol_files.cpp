@@ -24,10 +24,10 @@
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
-#include "protocols/file/doubts.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
+#include "protocols/file/warnings.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/course.h"
 #include "renderers/pd_gradient/geometry/finest_wave.h"
@@ -284,9 +284,9 @@ struct LimitBeyond {
 std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
                                        const PreparedStimulus& stimulus,
                                        const ForceRenderer& renderer) {
-  std::vector<LimitBeyond> doubts{};
+  std::vector<LimitBeyond> warnings{};
   const std::span<const NamedCount> counts = renderer.limits();
-  if (counts.empty() || counts.front().name != "contact") return doubts;
+  if (counts.empty() || counts.front().name != "contact") return warnings;
   const std::uint64_t contact = counts.front().ticks;
   for (const NamedCount& count : counts.subspan(1)) {
     if (contact == 0 || 2 * count.ticks < contact) continue;
@@ -303,9 +303,9 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
     const std::string correction =
         count.name == "fine_detail" && has_bodies ? why_too_fine(stimulus) : "";
     sentence += correction.empty() ? " (see \"Counted conditions\" in docs/models.md)" : correction;
-    doubts.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
+    warnings.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
   }
-  return doubts;
+  return warnings;
 }
 
 /// Problems of the files that a protocol names. `is_looked_at` selects the files, by their place.
@@ -386,7 +386,7 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
           for (LimitBeyond& beyond : limits_beyond(stimulus, prepared, *renderer)) {
             // The same contact with another exploration, a few ticks longer or shorter.
             const std::string what = name_of_making(stimulus) + ' ' + beyond.limit;
-            if (said.insert(what).second) add(found.doubts, std::move(beyond.sentence));
+            if (said.insert(what).second) add(found.warnings, std::move(beyond.sentence));
           }
           continue;
         }
@@ -410,8 +410,8 @@ std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& fi
   return rehearsed_stimuli(protocol, file_name, builder, 0.0).problems;
 }
 
-RehearsedStimuli rehearse_with_doubts(const Protocol& protocol, const std::string& file_name,
-                                      StimulusBuilder& builder) {
+RehearsedStimuli rehearse_with_warnings(const Protocol& protocol, const std::string& file_name,
+                                        StimulusBuilder& builder) {
   constexpr double kWatched_s = 0.02;
   return rehearsed_stimuli(protocol, file_name, builder, kWatched_s);
 }
@@ -472,7 +472,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   ProtocolReading reading{};
   try {
     reading = read_protocol_with_problems(text, file_name, declarations_of(models));
-    if (reading.has_form) check.warnings = doubts_about(*reading.protocol, file_name);
+    if (reading.has_form) check.warnings = warnings_about(*reading.protocol, file_name);
   } catch (const std::exception& error) {
     whole_file(error.what());
     return check;
@@ -545,8 +545,8 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
   return use;
 }
 
-std::optional<Diagnostic> doubt_about_version(const Protocol& protocol,
-                                              const std::string& file_name, const Study& study) {
+std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
+                                                const std::string& file_name, const Study& study) {
   const auto use = other_text_of_version(study, protocol.source, SessionsOf::everybody);
   if (!use) return {};
   const std::string sessions =

@@ -50,17 +50,17 @@ std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& fi
 /// reported.
 struct RehearsedStimuli {
   std::vector<Diagnostic> problems{};
-  std::vector<Diagnostic> doubts{};
+  std::vector<Diagnostic> warnings{};
 };
-RehearsedStimuli rehearse_with_doubts(const Protocol& protocol, const std::string& file_name,
-                                      StimulusBuilder& builder);
+RehearsedStimuli rehearse_with_warnings(const Protocol& protocol, const std::string& file_name,
+                                        StimulusBuilder& builder);
 
 /// Every problem of one file, and a summary of its plan when there is none.
 struct ProtocolCheck {
   std::string file{};
   std::vector<Diagnostic> diagnostics{};  ///< from all layers, in the order of lines
   std::vector<Diagnostic>
-      warnings{};  ///< about content that is formally valid (`doubts_about`), in the order of lines
+      warnings{};  ///< about content that is formally valid (`warnings_about`), in the order of lines
   std::optional<Protocol> protocol{};
   PlanCost cost{};
   /// The design of each main block that has one in words (`design_of`), by the name of the block.
@@ -92,8 +92,8 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
                                                 SessionsOf counted = SessionsOf::people);
 /// The warning that such sessions, those of virtual participants included, are analysed together with
 /// new ones, at the key "version". Errors as for `other_text_of_version`.
-std::optional<Diagnostic> doubt_about_version(const Protocol& protocol,
-                                              const std::string& file_name, const Study& study);
+std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
+                                                const std::string& file_name, const Study& study);
 
 /// The requirements of a protocol that a device does not meet, a sentence each.
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,

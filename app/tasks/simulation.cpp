@@ -285,8 +285,8 @@ void Simulation::prepare(Study& study) {
   batch_ = choose_batch(there, inputs_);
   check_sessions(study);
   for (std::size_t i = 0; i < protocols_.size() && inputs_.doubted; ++i) {
-    const auto doubt = doubt_about_version(protocols_[i], inputs_.protocols[i].string(), study);
-    if (doubt) inputs_.doubted(*doubt);
+    const auto warning = warning_about_version(protocols_[i], inputs_.protocols[i].string(), study);
+    if (warning) inputs_.doubted(*warning);
   }
   if (there.begun == batch_ && !is_half_added(study, there)) return;
   if (there.begun != batch_ && there.of_seed > 0 && inputs_.noticed) {

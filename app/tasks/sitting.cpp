@@ -34,6 +34,7 @@ std::string observer_json(const Protocol& protocol) {
   json["feature_noise"] = observer.feature_noise;
   json["position_bias"] = observer.position_bias;
   json["lapse"] = observer.lapse;
+  if (observer.magnitude_decreases) json["effect"] = "decreases";
   const std::vector<const ExperimentKind*> kinds = kinds_of(protocol);
   const bool asks_for_numbers = std::any_of(
       kinds.begin(), kinds.end(),

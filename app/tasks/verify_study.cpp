@@ -19,7 +19,6 @@
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/program.h"
 #include "protocols/plan/shown_options.h"
-#include "renderers/offline/replay.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
 
@@ -42,14 +41,8 @@ double largest_difference(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// The largest difference between the recorded and the replayed forces of one surface.
 double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface& surface) {
-  std::vector<TickRecord> felt{};
-  for (const TickRecord& record : attempt.records) {
-    if (record.presentation == static_cast<std::uint64_t>(surface.row.position)) {
-      felt.push_back(record);
-    }
-  }
-  const auto renderer = surface.stimulus.model->make(surface.stimulus.inputs);
-  const std::vector<RenderedTick> again = replay(*renderer, felt, attempt.rate_Hz);
+  const auto [felt, again] = replay_surface(attempt, surface.row.position, *surface.stimulus.model,
+                                            surface.stimulus.inputs);
   double difference_N = 0.0;
   for (std::size_t i = 0; i < felt.size(); ++i) {
     if (!felt[i].has(TickFlag::presenting)) continue;

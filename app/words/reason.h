@@ -40,7 +40,9 @@ enum class Reason {
   force_limited,          ///< in how many ticks
   not_explored_as_asked,  ///< the measures that failed, by surface
   not_touched,            ///< which surface
-  set_aside,              ///< why
+  visited_too_rarely,     ///< which surface, visits, required visits
+  visit_cut_short,  ///< which surface: its exposure ended before the required strokes or contact
+  set_aside,        ///< why
   // of a device: its problem
   not_ready,  ///< the action that is or is not taken
   does_not_tick,

@@ -33,4 +33,11 @@ bool is_varied(const Protocol& protocol, const std::string& factor) {
   });
 }
 
+const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept {
+  for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+    if (question.judgement) return &question;
+  }
+  return nullptr;
+}
+
 }  // namespace asperity

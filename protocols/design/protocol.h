@@ -12,6 +12,7 @@
 #include "analysis/force_features.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
+#include "protocols/design/arrangement.h"
 #include "protocols/design/dimension.h"
 #include "protocols/procedures/procedure.h"
 #include "stimuli/meshes/solid_body.h"
@@ -132,6 +133,9 @@ struct StimulusTemplate {
   Binding<std::string> tool{};     ///< a body, for models that need bodies
   std::map<std::string, Binding<ParameterValue>, std::less<>> parameters{};
   std::optional<EqualForce> equal_force{};
+  /// In place of those of the protocol's material.
+  std::optional<double> stiffness_N_per_m{};
+  std::optional<double> friction{};
 };
 
 /// All valid names in `Protocol::speech`: "surface_1" … "surface_26", "option_1" … "option_26" and the cues without a
@@ -189,6 +193,8 @@ struct ObserverDeclaration {
   };
   MagnitudeOf magnitude_of = MagnitudeOf::lateral_force;
   double exponent = 1.0;
+  /// Of a comparison: the magnitude decreases where the varied parameter increases (with the spacing).
+  bool magnitude_decreases = false;
 };
 
 /// The text in a protocol file and in the store.
@@ -277,6 +283,8 @@ struct Protocol {
     bool reshuffle_pictures = false;      ///< for every trial; otherwise once per session
     bool allow_cannot_tell = false;
     std::optional<DiscriminationJudgement> judgement{};  ///< of a discrimination
+    /// Of the judgement "comparison": the question asks for the surface with the lower value of the varied parameter.
+    bool asks_for_less = false;
     std::string correct_factor{};  ///< recognition: the factor with the correct picture
   };
   /// Practice: the block ends when `correct` of the last `of_last` responses were correct, or after `maximum_trials`,
@@ -330,7 +338,8 @@ struct Protocol {
     std::string page_prompt{};        ///< shown above them
     std::string experimenter_prompt{};    ///< "{code}" stands for the code of the trial's texture
     bool pictures_after_feeling = false;  ///< hidden until all surfaces were felt (an eye mask)
-    bool allow_revisit = true;  ///< free switching between the surfaces before the response
+    Arrangement arrangement{};
+    Roving rove{};
     Binding<std::string> exploration{};
     double pause_before_trial_s = 0.5;
     double pause_between_surfaces_s = 0.5;

@@ -22,6 +22,10 @@ struct PlannedPresentation {
   std::string code{};  ///< label for blinded use: "A" for the first position, then "B", …
   std::string stimulus_template{};  ///< the template of the stimulus, by its name in the protocol
   StimulusDescription stimulus{};
+  /// Where the surface is presented: the patch of the stimulus, or the part of it that the arrangement gives it.
+  SurfacePatch patch{};
+  /// Whether the material of the stimulus differs from that of the protocol by its own statement or by roving.
+  bool has_own_material = false;
   std::optional<EqualForce> equal_force{};
 };
 
@@ -46,7 +50,8 @@ struct Trial {
   std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
   /// Study-relative picture of the texture that realism is measured against, where it is shown.
   std::optional<std::string> standard_picture{};
-  bool allow_revisit = true;            ///< surfaces may be felt again before a response
+  Arrangement arrangement{};
+  Material flat{};  ///< of the flat surface between surfaces side by side: that of the protocol
   bool pictures_after_feeling = false;  ///< options stay hidden until every surface was felt
   /// At least one, in the order in which they are asked.
   std::vector<TrialQuestion> questions{};

@@ -101,6 +101,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   check_dimension(block, pointer);
   check_procedure(block, pointer);
   check_pairs(block, pointer);
+  check_arrangement(block, pointer);
   check_question(block, pointer);
   check_order(block, pointer);
 }
@@ -277,6 +278,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   if (!std::all_of(block.crossed.begin(), block.crossed.end(), known)) return;
   if (block.all_pairs && !known(block.all_pairs->factor)) return;
   const std::size_t rows = row_count(protocol_, block);
+  if (rows == 0) return;  // a factor or a dimension without levels, reported there
   const std::size_t trials = rows * static_cast<std::size_t>(block.repetitions);
   if (trials > kMaximumTrials) {
     report(

@@ -102,9 +102,19 @@ class Meaning final : private ProblemSink {
   void check_values(const Protocol::Block& block, const std::string& pointer);
   void check_procedure(const Protocol::Block& block, const std::string& pointer);
   void check_track_starts(const Protocol::Block& block, const std::string& pointer);
+  void check_arrangement(const Protocol::Block& block, const std::string& pointer);
+  void check_exposure(const Protocol::Block& block, const std::string& place);
+  void check_strokes_of_visit(const Protocol::Block& block, const Exploration& exploration,
+                              const std::string& place);
+  void check_side_by_side(const Protocol::Block& block, const std::string& place);
+  void check_drawn_phase(const Protocol::Block& block, const std::string& place);
+  void check_rove(const Protocol::Block& block, const std::string& place);
+  void check_plane_models(const Protocol::Block& block, const std::string& at,
+                          const std::string& what);
   void check_pairs(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
   bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
+  void check_direction(const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_pictures(const Protocol::Block& block, const Protocol::TrialQuestionTemplate& question,
                       const std::string& place);
   void check_same_form(const Protocol::Block& block,

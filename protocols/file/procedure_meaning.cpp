@@ -103,12 +103,10 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
                "\"step\": …}");
     return;
   }
-  const auto is_performance = [](const Protocol::TrialQuestionTemplate& question) {
-    return question.judgement == DiscriminationJudgement::performance;
-  };
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
   const std::vector<double> values = block.vary->values();
   if (!is_constant && block.vary->standard && values.back() <= *block.vary->standard &&
-      std::any_of(block.questions.begin(), block.questions.end(), is_performance)) {
+      judged != nullptr && judged->judgement == DiscriminationJudgement::performance) {
     report(
         place + "/method",
         "the method " + in_quotes(method) +

@@ -135,6 +135,10 @@ StimulusTemplate stimulus_of(const std::string& name, const json& object) {
     read(*found, "band_high_Hz", equal.band_high_Hz);
     stimulus.equal_force = equal;
   }
+  if (const auto found = object.find("material"); found != object.end()) {
+    read(*found, "stiffness_N_per_m", stimulus.stiffness_N_per_m);
+    read(*found, "friction", stimulus.friction);
+  }
   return stimulus;
 }
 
@@ -225,6 +229,7 @@ Protocol::TrialQuestionTemplate trial_question_of(const json& object, const Expe
                 {{"performance", DiscriminationJudgement::performance},
                  {"comparison", DiscriminationJudgement::comparison}});
   }
+  read_choice(object, "asks_for", question.asks_for_less, {{"more", false}, {"less", true}});
   return question;
 }
 
@@ -238,6 +243,37 @@ Protocol::Criterion criterion_of(const json& object) {
       object, "on_failure", criterion.on_failure,
       {{"continue_flagged", OnFailure::continue_flagged}, {"end_session", OnFailure::end_session}});
   return criterion;
+}
+
+Arrangement arrangement_of(const json& object) {
+  Arrangement arrangement{};
+  using Surfaces = Arrangement::Surfaces;
+  read_choice(object, "surfaces", arrangement.surfaces,
+              {{"sequential", Surfaces::sequential},
+               {"side_by_side", Surfaces::side_by_side},
+               {"on_request", Surfaces::on_request}});
+  if (const auto visits = object.find("visits"); visits != object.end()) {
+    read(*visits, "minimum", arrangement.minimum_visits);
+    read(*visits, "maximum", arrangement.maximum_visits);
+  }
+  if (const auto interval = object.find("interval_s"); interval != object.end()) {
+    Arrangement::Interval& drawn = arrangement.interval.emplace();
+    if (interval->is_number()) {
+      drawn.shortest_s = drawn.longest_s = interval->get<double>();
+    } else {
+      read(*interval, "shortest", drawn.shortest_s);
+      read(*interval, "longest", drawn.longest_s);
+    }
+  }
+  if (const auto exposure = object.find("exposure"); exposure != object.end()) {
+    read(*exposure, "strokes", arrangement.strokes);
+    read(*exposure, "contact_s", arrangement.contact_s);
+  }
+  read(object, "gap_m", arrangement.gap_m);
+  read_choice(object, "axis", arrangement.axis,
+              {{"x", Arrangement::Axis::x}, {"y", Arrangement::Axis::y}});
+  read_choice(object, "phase", arrangement.draws_phase, {{"fixed", false}, {"drawn", true}});
+  return arrangement;
 }
 
 /// The question or the questions of a block, and what is stated once for all of them.
@@ -254,7 +290,9 @@ void read_questions(const json& object, const ExperimentKind& kind, Block& block
   }
   read(*of_trial, "experimenter_prompt", block.experimenter_prompt);
   read(*of_trial, "pictures_after_feeling", block.pictures_after_feeling);
-  read(*of_trial, "allow_revisit", block.allow_revisit);
+  bool may_revisit = true;
+  read(*of_trial, "allow_revisit", may_revisit);
+  if (!may_revisit) block.arrangement.maximum_visits = 1;
   read_choice(object, "question_order", block.shuffles_questions,
               {{"fixed", false}, {"shuffle", true}});
   read_choice(object, "question_layout", block.on_one_page,
@@ -315,6 +353,14 @@ Block block_of(const std::string& name, const json& object, const std::string& k
                {"shuffle", Block::Positions::shuffle},
                {"balanced", Block::Positions::balanced}});
   read_questions(object, kind, block);
+  if (const auto found = object.find("arrangement"); found != object.end()) {
+    block.arrangement = arrangement_of(*found);
+  }
+  if (const auto found = object.find("rove"); found != object.end()) {
+    read(*found, "stiffness_N_per_m", block.rove.stiffness_N_per_m);
+    read(*found, "friction", block.rove.friction);
+    read(*found, "raised_m", block.rove.raised_m);
+  }
   read(object, "exploration", block.exploration);
   read(object, "pause_before_trial_s", block.pause_before_trial_s);
   read(object, "pause_between_surfaces_s", block.pause_between_surfaces_s);
@@ -459,6 +505,8 @@ void read_observer(const json& root, Protocol& protocol) {
     read(*found, "position_bias", observer.position_bias);
     read(*found, "lapse", observer.lapse);
     using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
+    read_choice(*found, "effect", observer.magnitude_decreases,
+                {{"increases", false}, {"decreases", true}});
     read_choice(*found, "magnitude_of", observer.magnitude_of,
                 {{"lateral_force", MagnitudeOf::lateral_force},
                  {"normal_force", MagnitudeOf::normal_force},

@@ -40,6 +40,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
              "two questions of a trial have the name " + in_quotes(question.name) +
                  ", under which their responses are stored; give each its own name");
     }
+    check_direction(question, place);
     check_pictures(block, question, place);
     check_scale(question, place);
     check_same_form(block, question, place);
@@ -113,6 +114,16 @@ bool Meaning::check_question_keys(const Block& block, const std::string& pointer
   return true;
 }
 
+void Meaning::check_direction(const TrialQuestionTemplate& question, const std::string& place) {
+  const nlohmann::json::json_pointer at(place + "/asks_for");
+  if (question.judgement == DiscriminationJudgement::comparison) return;
+  if (!document_.root().contains(at)) return;
+  report_key(
+      place + "/asks_for",
+      "only a question of a discrimination with the judgement \"comparison\" asks for more or "
+      "less; remove this key");
+}
+
 void Meaning::check_pictures(const Block& block, const TrialQuestionTemplate& question,
                              const std::string& place) {
   for (std::size_t i = 0; i < question.pictures.size(); ++i) {
@@ -142,10 +153,10 @@ void Meaning::check_pictures(const Block& block, const TrialQuestionTemplate& qu
       report_key(place + "/" + key,
                  "this question shows no pictures to choose from; remove this key");
     }
-  } else if (block.pictures_after_feeling && block.allow_revisit) {
+  } else if (block.pictures_after_feeling && block.arrangement.allows_revisits()) {
     report(of_trial + "/pictures_after_feeling",
            "a participant who may return to a surface feels it with the pictures in view; set "
-           "allow_revisit to false");
+           "allow_revisit to false, or in an arrangement a maximum of visits equal to the minimum");
   }
 }
 

@@ -49,6 +49,7 @@ struct StoredProtocol {
     std::string phase{};
     std::vector<TrialQuestion> questions{};
     std::optional<Dimension> vary{};  ///< without levels and unit
+    bool is_sequential = true;        ///< surfaces are presented one after the other
     std::vector<std::string> drawn{};  ///< factors whose level is drawn for every trial
     bool has_procedure = false;  ///< that chose the levels from the responses; not constant stimuli
     /// Of this procedure, for every combination of the other factors; empty where they cannot be used.

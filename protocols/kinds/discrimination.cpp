@@ -165,8 +165,9 @@ VirtualResponse judge_discrimination(const Judgement& judgement) {
   const auto asked =
       std::find_if(block.questions.begin(), block.questions.end(),
                    [&judgement](const auto& each) { return each.name == judgement.question.name; });
-  const bool chooses_less = asked->judgement == DiscriminationJudgement::performance &&
-                            block.vary->values().front() < *block.vary->standard;
+  const bool chooses_less =
+      asked->asks_for_less || (asked->judgement == DiscriminationJudgement::performance &&
+                               block.vary->values().front() < *block.vary->standard);
   const std::size_t greater =
       *judgement.observer.compare(judgement.felt[0], judgement.felt[1], 0.0);
   return {ChosenOption{chooses_less ? 1 - greater : greater}, false};

@@ -142,8 +142,9 @@ double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
 std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,
                                                     const ForceFeatures& second,
                                                     double least_difference) {
-  const double of_first = log_magnitude(first) + declaration_.position_bias;
-  const double of_second = log_magnitude(second);
+  const double sign = declaration_.magnitude_decreases ? -1.0 : 1.0;
+  const double of_first = sign * log_magnitude(first) + declaration_.position_bias;
+  const double of_second = sign * log_magnitude(second);
   if (lapses()) return guess(2);
   if (std::abs(of_first - of_second) < least_difference) return std::nullopt;
   const std::array<double, 2> magnitudes{of_first, of_second};

@@ -62,7 +62,7 @@ class VirtualObserver final {
   /// is the index into `expected` for felt i. Both sizes are equal and at most 8.
   std::vector<std::size_t> match(std::span<const ForceFeatures> felt,
                                  std::span<const ForceFeatures> expected);
-  /// The surface with the greater magnitude (`estimate`): 0 or 1, or nothing where the natural logarithms r + ε of the
+  /// The surface with the greater magnitude (`estimate`), or the smaller one where the declared effect is a decrease: 0 or 1, or nothing where the natural logarithms r + ε of the
   /// two differ by less than `least_difference`. `position_bias` is added for the first.
   std::optional<std::size_t> compare(const ForceFeatures& first, const ForceFeatures& second,
                                      double least_difference);

@@ -9,6 +9,7 @@
 
 #include "analysis/number_text.h"
 #include "analysis/psychometric_function.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_rows.h"
 
@@ -67,11 +68,9 @@ std::string per_cent(double proportion) { return fixed(100.0 * proportion, 1) + 
 }  // namespace
 
 std::optional<double> least_threshold_error(const Block& block) {
-  const auto is_performance = [](const Protocol::TrialQuestionTemplate& question) {
-    return question.judgement == DiscriminationJudgement::performance;
-  };
-  if (!block.vary || !block.vary->standard ||
-      std::none_of(block.questions.begin(), block.questions.end(), is_performance)) {
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+  if (!block.vary || !block.vary->standard || judged == nullptr ||
+      judged->judgement != DiscriminationJudgement::performance) {
     return {};
   }
   const std::vector<double> values = block.vary->values();
@@ -87,6 +86,22 @@ std::optional<double> least_threshold_error(const Block& block) {
     information *= block.repetitions;
   }
   return 1.0 / std::sqrt(information);
+}
+
+std::string presentation_text(const Arrangement& arrangement) {
+  switch (arrangement.surfaces) {
+    case Arrangement::Surfaces::sequential:
+      if (arrangement.minimum_visits == 1) {
+        return "two-interval forced choice, one surface after the other";
+      }
+      return "two-interval forced choice, one surface after the other, each presented " +
+             std::to_string(arrangement.minimum_visits) + " times";
+    case Arrangement::Surfaces::side_by_side:
+      return "two-alternative forced choice, side by side";
+    case Arrangement::Surfaces::on_request:
+      return "two-alternative forced choice, surfaces felt on request";
+  }
+  return {};
 }
 
 std::string procedure_text(const Protocol::Block& block) {
@@ -112,7 +127,7 @@ std::string procedure_text(const Protocol::Block& block) {
 
 std::string design_of(const Protocol& protocol, const Block& block, const Plan& plan) {
   if (!kind_of(block).has_judgement || !block.vary) return {};
-  std::string text = "two-interval forced choice, one surface after the other, ";
+  std::string text = presentation_text(block.arrangement) + ", ";
   if (block.procedure) {
     text += procedure_text(block);
   } else {

@@ -25,6 +25,10 @@ inline constexpr double kIncrementSlope = 1.3;
 /// measure performance or has levels below the standard.
 std::optional<double> least_threshold_error(const Protocol::Block& block);
 
+/// How two surfaces are presented, as a methods section states it: "two-interval forced choice, one surface after the
+/// other", "two-alternative forced choice, side by side".
+std::string presentation_text(const Arrangement& arrangement);
+
 /// "3-down/1-up staircase (79.4 %), 60 trials × 2 interleaved tracks", "constant stimuli, 60 trials". Requires a
 /// procedure.
 std::string procedure_text(const Protocol::Block& block);

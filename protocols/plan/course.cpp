@@ -233,7 +233,7 @@ void Course::advance(const TrialOutcome& outcome) {
   if (outcome.answer) {
     const Dimension& dimension = *tracks_->run().block->vary;
     answer = {.level = dimension.level_of(outcome.answer->value),
-              .is_correct = outcome.answer->chose_varied};
+              .is_correct = outcome.answer->counts_down};
   }
   tracks_->answer(answer);
   trials_before_ = plan_.trials.size();
@@ -258,7 +258,7 @@ Plan example_plan(const Protocol& protocol, const Allocation& allocation) {
     const double chance = values.front() < dimension.standard.value_or(values.front()) ? 0.0 : 0.5;
     const double chosen = chance + (1.0 - chance) / (1.0 + std::exp(-5.0 * from_middle));
     course.advance({.answer = TrialOutcome::Answer{.value = value,
-                                                   .chose_varied = observer.uniform() < chosen}});
+                                                   .counts_down = observer.uniform() < chosen}});
   }
   return course.plan();
 }

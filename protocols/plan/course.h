@@ -14,11 +14,12 @@ namespace asperity {
 
 /// The input of a procedure from one trial.
 struct TrialOutcome {
-  /// The value of the varied parameter that was delivered, and whether the surface with it was chosen; nothing where
-  /// there is no answer that counts for the track.
+  /// The value of the varied parameter that was delivered, and whether the answer leads to a lower level: the varied
+  /// surface was chosen, or not chosen where the question asks for less. Nothing where there is no answer that counts for
+  /// the track.
   struct Answer {
     double value = 0.0;
-    bool chose_varied = false;
+    bool counts_down = false;
   };
   std::optional<Answer> answer{};
 };

@@ -45,6 +45,12 @@ std::vector<Trial> possible_trials(const Protocol& protocol) {
       block.listed = std::move(longer);
     }
     block.drawn.clear();
+    // The greatest requirement on a device stands for all.
+    for (std::vector<double>* const levels :
+         {&block.rove.stiffness_N_per_m, &block.rove.friction}) {
+      if (!levels->empty()) *levels = {*std::max_element(levels->begin(), levels->end())};
+    }
+    block.rove.raised_m.clear();
   }
   std::vector<std::string> groups = groups_of(protocol);
   if (groups.empty()) groups.emplace_back();

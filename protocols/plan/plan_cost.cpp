@@ -36,9 +36,25 @@ double contact_s(const Exploration& exploration) {
   return std::clamp(*strokes * *length_m / *speed_m_per_s, least_s, exploration.maximum_contact_s);
 }
 
-}  // namespace
+/// The end of a visit that the arrangement states, or else what the exploration requests.
+double contact_of_visit_s(const Exploration& exploration, const Arrangement& arrangement) {
+  if (arrangement.contact_s) return *arrangement.contact_s;
+  if (!arrangement.strokes) return contact_s(exploration);
+  Exploration with_strokes = exploration;
+  with_strokes.strokes.target = *arrangement.strokes;
+  return contact_s(with_strokes);
+}
 
-namespace {
+/// What the exploration requests of a patch, or the required visits if they take longer.
+double contact_of_patch_s(const Exploration& exploration, const Trial& trial) {
+  constexpr double kSpeed_m_per_s = 0.08;  // of a hand that is not instructed
+  const SurfacePatch& patch = trial.presentations.front().patch;
+  const double width_m =
+      trial.arrangement.axis == Arrangement::Axis::x ? patch.extent_m.x : patch.extent_m.y;
+  const Band& speed = exploration.speed_m_per_s;
+  const double crossing_s = width_m / speed.target.value_or(kSpeed_m_per_s);
+  return std::max(contact_s(exploration), trial.arrangement.minimum_visits * crossing_s);
+}
 
 /// Adds steps to a cost, in order.
 class CostSum final {
@@ -66,15 +82,25 @@ class CostSum final {
   void add(const Trial& trial) {
     const Protocol::Block& block = protocol_.blocks.at(trial.block);
     const auto surfaces = static_cast<double>(trial.presentations.size());
-    const double felt_s = surfaces * contact_s(exploration_of(protocol_, trial));
+    const Arrangement& arrangement = trial.arrangement;
+    const Exploration& exploration = exploration_of(protocol_, trial);
+    const double visits = surfaces * arrangement.minimum_visits;
+    // Side by side the exploration applies to each patch, however often it is visited.
+    const bool is_shared = arrangement.surfaces == Arrangement::Surfaces::side_by_side;
+    const double felt_s = is_shared ? surfaces * contact_of_patch_s(exploration, trial)
+                                    : visits * contact_of_visit_s(exploration, arrangement);
     ++cost_.trials;
-    cost_.contacts += static_cast<int>(trial.presentations.size());
+    cost_.contacts += static_cast<int>(visits);
     cost_.contact_s += felt_s;
     double answers = 0.0;
     for (const TrialQuestion& question : trial.questions) {
       answers += items_of(question.form, static_cast<int>(trial.presentations.size()));
     }
-    spend(felt_s + block.pause_before_trial_s + (surfaces - 1.0) * block.pause_between_surfaces_s +
+    const double pause_s =
+        arrangement.interval
+            ? 0.5 * (arrangement.interval->shortest_s + arrangement.interval->longest_s)
+            : block.pause_between_surfaces_s;
+    spend(felt_s + block.pause_before_trial_s + (is_shared ? 0.0 : (visits - 1.0) * pause_s) +
           kChoice_s * answers +
           (block.feedback == Protocol::Block::Feedback::none ? 0.0 : kFeedback_s));
   }

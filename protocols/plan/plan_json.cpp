@@ -104,6 +104,31 @@ void add_body(JsonLine& line, std::string_view key, const BodyDescription& body)
   line.close('}');
 }
 
+void add_vector(JsonLine& line, std::string_view key, const glm::dvec2& vector) {
+  line.key(key);
+  line.open('[');
+  line.add(vector.x);
+  line.add(vector.y);
+  line.close(']');
+}
+
+/// Nothing where the surface has its whole workspace: plans are compared with those that older programs stored.
+void add_place(JsonLine& line, const PlannedPresentation& planned) {
+  const SurfacePatch& whole = planned.stimulus.patch;
+  const SurfacePatch& patch = planned.patch;
+  if (patch.centre_m == whole.centre_m && patch.extent_m == whole.extent_m &&
+      patch.texture_origin_m == whole.texture_origin_m) {
+    return;
+  }
+  line.key("patch");
+  line.open('{');
+  add_vector(line, "centre_m", patch.centre_m);
+  if (patch.centre_m.z != whole.centre_m.z) line.field("centre_z_m", patch.centre_m.z);
+  add_vector(line, "extent_m", patch.extent_m);
+  add_vector(line, "texture_origin_m", patch.texture_origin_m);
+  line.close('}');
+}
+
 void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   const StimulusDescription& stimulus = planned.stimulus;
   line.open('{');
@@ -134,6 +159,14 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   if (!stimulus.declared_assets.empty()) {  // the same applies
     line.key("assets");
     line.levels(stimulus.declared_assets);
+  }
+  add_place(line, planned);
+  if (planned.has_own_material) {  // the same applies
+    line.key("material");
+    line.open('{');
+    line.field("stiffness_N_per_m", stimulus.material.stiffness_N_per_m);
+    line.field("friction", stimulus.material.friction);
+    line.close('}');
   }
   line.close('}');
 }

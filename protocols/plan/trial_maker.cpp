@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/arranged_patches.h"
 #include "protocols/plan/squares.h"
 
 namespace asperity {
@@ -78,7 +79,10 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Block& block
     planned.stimulus.parameters[block.vary->parameter] = level;
     planned.stimulus.name += "_" + text_of(level);
   }
-  planned.stimulus.material = protocol.material;
+  planned.stimulus.material = {
+      .stiffness_N_per_m = source.stiffness_N_per_m.value_or(protocol.material.stiffness_N_per_m),
+      .friction = source.friction.value_or(protocol.material.friction)};
+  planned.has_own_material = source.stiffness_N_per_m || source.friction;
   planned.stimulus.patch = protocol.patch;
   planned.equal_force = source.equal_force;
   planned.item = presented.item.empty() ? kind_of(block).item_of(planned) : presented.item;
@@ -86,6 +90,29 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Block& block
 }
 
 std::string place_code(std::size_t index) { return std::string(1, static_cast<char>('A' + index)); }
+
+/// Uniform over many periods of every texture.
+glm::dvec2 drawn_origin_m(Random random) {
+  constexpr double kRange_m = 1.0;
+  const double x_m = kRange_m * random.uniform();
+  return {x_m, kRange_m * random.uniform()};
+}
+
+void rove(const Roving& roving, const Random& random, PlannedPresentation& planned) {
+  const auto drawn = [&random](const std::vector<double>& levels, const char* what) {
+    return levels[static_cast<std::size_t>(random.split(what).below(levels.size()))];
+  };
+  Material& material = planned.stimulus.material;
+  if (!roving.stiffness_N_per_m.empty()) {
+    material.stiffness_N_per_m = drawn(roving.stiffness_N_per_m, "stiffness_N_per_m");
+    planned.has_own_material = true;
+  }
+  if (!roving.friction.empty()) {
+    material.friction = drawn(roving.friction, "friction");
+    planned.has_own_material = true;
+  }
+  if (!roving.raised_m.empty()) planned.patch.centre_m.z += drawn(roving.raised_m, "raised_m");
+}
 
 std::string with_code(std::string prompt, const std::string& code) {
   constexpr std::string_view kPlaceholder = "{code}";
@@ -198,16 +225,24 @@ std::vector<Protocol::Presented> surfaces_of(const Block& block, const BlockRow&
 
 Trial TrialMaker::make(Trial trial, const BlockRun& run,
                        const std::vector<Protocol::Presented>& surfaces,
-                       const Random& pictures) const {
+                       const Random& of_trial) const {
   const Block& block = *run.block;
   trial.block = block.name;
   trial.kind = block.kind;
   trial.block_ordinal = run.ordinal;
   trial.phase = block.phase;
-  for (const Protocol::Presented& surface : surfaces) {
-    trial.presentations.push_back(presentation_of(*protocol_, block, surface, trial.factors));
-    trial.presentations.back().position = static_cast<int>(trial.presentations.size());
-    trial.presentations.back().code = place_code(trial.presentations.size() - 1);
+  const std::vector<SurfacePatch> patches =
+      arranged_patches(protocol_->patch, block.arrangement, surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    trial.presentations.push_back(presentation_of(*protocol_, block, surfaces[i], trial.factors));
+    PlannedPresentation& planned = trial.presentations.back();
+    planned.position = static_cast<int>(i) + 1;
+    planned.code = place_code(i);
+    planned.patch = patches[i];
+    if (block.arrangement.draws_phase) {
+      planned.patch.texture_origin_m = drawn_origin_m(of_trial.split("phase").split(i));
+    }
+    rove(block.rove, of_trial.split("rove").split(i), planned);
   }
   const Texture* const texture = texture_of(*protocol_, trial);
   trial.experimenter_prompt = texture == nullptr
@@ -216,18 +251,19 @@ Trial TrialMaker::make(Trial trial, const BlockRun& run,
   if (texture != nullptr && protocol_->realism_standard == RealismStandard::photograph) {
     trial.standard_picture = texture->picture;
   }
-  trial.allow_revisit = block.allow_revisit;
+  trial.arrangement = block.arrangement;
+  trial.flat = protocol_->material;
   trial.pictures_after_feeling = block.pictures_after_feeling;
   for (const Protocol::TrialQuestionTemplate& question : block.questions) {
     // The first question has the stream that it had when it was the only one.
-    const Random of_question = trial.questions.empty() ? pictures : pictures.split(question.name);
+    const Random of_question = trial.questions.empty() ? of_trial : of_trial.split(question.name);
     trial.questions.push_back(
         planned_question(*protocol_, question, trial, pictures_of(question, of_question)));
   }
   trial.on_one_page = block.on_one_page;
   trial.page_prompt = block.page_prompt;
   if (block.shuffles_questions) {
-    Random order = pictures.split("question order");
+    Random order = of_trial.split("question order");
     order.shuffle(std::span<TrialQuestion>(trial.questions));
   }
   return trial;

@@ -33,9 +33,9 @@ class TrialMaker final {
       : protocol_(&protocol), of_session_(of_session) {}
 
   /// Completes a trial whose ordinal, repetition and factors are set. `surfaces`: in the order of presentation;
-  /// `pictures`: the stream of its options.
+  /// `of_trial`: the stream of its options and phases.
   Trial make(Trial trial, const BlockRun& run, const std::vector<Protocol::Presented>& surfaces,
-             const Random& pictures) const;
+             const Random& of_trial) const;
 
  private:
   std::vector<std::string> pictures_of(const Protocol::TrialQuestionTemplate& question,

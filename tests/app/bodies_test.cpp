@@ -16,7 +16,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation.h"
 #include "app/tasks/study_overview.h"
-#include "app/tasks/texture_doubts.h"
+#include "app/tasks/texture_warnings.h"
 #include "app/tasks/verify_study.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
@@ -259,23 +259,23 @@ TEST_F(Bodies, AreRehearsedOnceForChecklistAndSession) {
 
 // Ten whole waves are rendered as they are; of 12.5 the step at the seam counts as the texture's finest
 // waves, which no sample of a contact holds, wherever the hand is.
-TEST_F(Bodies, WithATileThatDoesNotCloseAreDoubtedWithBothNumbersAndWhatWouldBeRight) {
+TEST_F(Bodies, WithATileThatDoesNotCloseGiveAWarningWithBothNumbersAndTheRemedy) {
   replace_in_protocol(R"(, "texture": "grain")", "");  // of the roll
-  const auto doubts = [this] {
+  const auto warnings = [this] {
     StimulusBuilder builder(models_, study_);
     const Protocol protocol = load_protocol(protocol_, models_, study_);
-    RehearsedStimuli found = rehearse_with_doubts(protocol, protocol_.string(), builder);
+    RehearsedStimuli found = rehearse_with_warnings(protocol, protocol_.string(), builder);
     EXPECT_THAT(found.problems, IsEmpty());
-    for (Diagnostic& doubt : doubts_about_textures(protocol, protocol_.string(), study_)) {
-      found.doubts.push_back(std::move(doubt));
+    for (Diagnostic& warning : warnings_about_textures(protocol, protocol_.string(), study_)) {
+      found.warnings.push_back(std::move(warning));
     }
-    return found.doubts;
+    return found.warnings;
   };
   save_wave(study_, 0.016);
-  EXPECT_THAT(doubts(), IsEmpty());
+  EXPECT_THAT(warnings(), IsEmpty());
 
   save_wave(study_, 0.02);
-  const std::vector<Diagnostic> found = doubts();
+  const std::vector<Diagnostic> found = warnings();
   ASSERT_EQ(found.size(), 4U);  // each tool, and the texture
   EXPECT_EQ(found[0].pointer, "/stimuli/felt");
   for (const char* said :
@@ -295,16 +295,16 @@ TEST_F(Bodies, WithATileThatDoesNotCloseAreDoubtedWithBothNumbersAndWhatWouldBeR
   // On a plate that shows less than one tile there is no seam to feel.
   replace_in_protocol("[0.04, 0.02, 0.01]", "[0.0198, 0.0198, 0.01]");
   replace_in_protocol(R"("target": 0.02})", R"("target": 0.01})");
-  EXPECT_THAT(doubts(), IsEmpty());
+  EXPECT_THAT(warnings(), IsEmpty());
 }
 
-TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileAreDoubted) {
+TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileGiveAWarning) {
   save_wave(study_, 0.016);
   const auto said = [this] {
     std::string all{};
-    for (const Diagnostic& doubt : doubts_about_textures(load_protocol(protocol_, models_, study_),
-                                                         protocol_.string(), study_)) {
-      all += doubt.pointer + ' ' + doubt.message + '\n';
+    for (const Diagnostic& warning : warnings_about_textures(
+             load_protocol(protocol_, models_, study_), protocol_.string(), study_)) {
+      all += warning.pointer + ' ' + warning.message + '\n';
     }
     return all;
   };
@@ -458,9 +458,9 @@ TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
   EXPECT_EQ(check.cost.contacts, 3 * check.cost.trials);
   const auto warnings_of = [&](const Protocol& rehearsed) {
     StimulusBuilder builder(models, study);
-    const RehearsedStimuli found = rehearse_with_doubts(rehearsed, file.string(), builder);
+    const RehearsedStimuli found = rehearse_with_warnings(rehearsed, file.string(), builder);
     EXPECT_THAT(found.problems, IsEmpty());
-    return found.doubts;
+    return found.warnings;
   };
   EXPECT_THAT(warnings_of(*check.protocol), IsEmpty());
 

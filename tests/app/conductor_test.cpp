@@ -781,7 +781,7 @@ TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   trial.questions.resize(1);
   trial.questions.front().form = NumberForm{};
   trial.questions.front().prompt = "How rough was it?";
-  trial.allow_revisit = false;
+  trial.arrangement.maximum_visits = 1;
   const Reply reply = person.ask(trial, trial.questions, {}, {}, [](double) {});
   EXPECT_EQ(reply.number(), 7.5);
   EXPECT_NE(shown.str().find("How rough was it?\nYour number: Please enter a number above 0"),

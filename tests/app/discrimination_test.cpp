@@ -499,8 +499,8 @@ TEST(Discrimination, AlwaysEstimatesTheEffectOfTheOrder) {
   ASSERT_TRUE(mean != nullptr && mean->value);
   EXPECT_GT(*mean->low, 0.0);
   EXPECT_THAT(sentence_about(biased, "order"),
-              HasSubstr("The comparison was chosen significantly more often when it was presented "
-                        "first than when it was presented second: Wilcoxon signed-rank test"));
+              HasSubstr("The comparison was chosen significantly more often as surface A than as "
+                        "surface B: Wilcoxon signed-rank test"));
   EXPECT_THAT(answer_to(biased, "order"), HasSubstr("percentage points"));
   const AnalysisOutcome other = outcome_of_observers(kComparer, 8, kAround_m, false, 40, -0.2);
   EXPECT_THAT(sentence_about(other, "order"), HasSubstr("significantly less often"));

@@ -50,7 +50,7 @@ Trial matching() {
     trial.questions.front().options.push_back(
         {"texture", std::to_string(place), "stimuli/picture.png"});
   }
-  trial.allow_revisit = false;
+  trial.arrangement.maximum_visits = 1;
   trial.pictures_after_feeling = true;
   return trial;
 }
@@ -162,7 +162,7 @@ class ANumber : public PersonAtWindowTest {
     trial_.questions = {{}};
     trial_.questions.front().form = NumberForm{};
     trial_.questions.front().prompt = "How rough did it feel?";
-    trial_.allow_revisit = false;
+    trial_.arrangement.maximum_visits = 1;
   }
   Trial trial_ = one_surface();
 
@@ -203,7 +203,7 @@ TEST_F(ANumber, IsRefusedInWordsUntilItIsAboveZero) {
 }
 
 TEST_F(ANumber, AsksToFeelTheSurfaceAgainWhereThatIsAllowed) {
-  trial_.allow_revisit = true;
+  trial_.arrangement.maximum_visits.reset();
   feel_all(trial_);
   press(0.5, Kind::next);
   EXPECT_EQ(felt_again(ask(trial_)), 1);
@@ -528,7 +528,7 @@ TEST_F(FeelingAgain, LeavesTheChoiceAsItWas) {
 
 TEST_F(FeelingAgain, IsRefusedWhereTheProtocolDoesNotAllowIt) {
   Trial trial = selection();
-  trial.allow_revisit = false;
+  trial.arrangement.maximum_visits = 1;
   feel_all(trial);
   press(1.0, Kind::next);
   press(1.1, Kind::surface, 2);
@@ -1047,7 +1047,7 @@ TEST_F(DeviceButtons, ConfirmWithTheFirstWhenItIsHeld) {
 
 TEST_F(DeviceButtons, BeginAnewAfterTheLastOption) {
   Trial trial = selection();
-  trial.allow_revisit = false;
+  trial.arrangement.maximum_visits = 1;
   feel_all(trial);
   for (int step = 0; step < 5; ++step) hold_button(1.0 + step, 1, 0.1);
   hold_button(7.0, 2, 0.1);
@@ -1087,7 +1087,7 @@ TEST_F(DeviceButtons, AskForASurfaceAgainBehindTheLastOption) {
 
 TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
   Trial trial = matching();
-  trial.allow_revisit = true;
+  trial.arrangement.maximum_visits.reset();
   feel_all(trial);
   hold_button(1.0, 1, 0.1);
   hold_button(2.0, 2, 0.1);  // A gets 1
@@ -1103,7 +1103,7 @@ TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
 
 TEST_F(DeviceButtons, AskForNoSurfaceOnceAPictureIsTakenBack) {
   Trial trial = matching();
-  trial.allow_revisit = true;
+  trial.arrangement.maximum_visits.reset();
   feel_all(trial);
   press(1.0, Kind::option, 1);  // A gets 1
   for (int step = 0; step < 4; ++step) hold_button(2.0 + step, 1, 0.1);

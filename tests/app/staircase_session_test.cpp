@@ -240,13 +240,27 @@ TEST_F(StaircaseSession, TakesAMissedDeadlineAsTheProtocolSpecifies) {
   };
   EXPECT_FALSE(outcome(AttemptOutcome::timed_out, false)) << "the judged question";
   ASSERT_TRUE(outcome(AttemptOutcome::timed_out, true)) << "a later question";
-  EXPECT_TRUE(outcome(AttemptOutcome::timed_out, true)->chose_varied);
+  EXPECT_TRUE(outcome(AttemptOutcome::timed_out, true)->counts_down);
   EXPECT_FALSE(outcome(AttemptOutcome::skipped, true));
   EXPECT_EQ(outcome(AttemptOutcome::answered, false)->value, 6e-5) << "as delivered";
   protocol_.blocks.at("tracks").procedure->timeouts_are_incorrect = true;
   ASSERT_TRUE(outcome(AttemptOutcome::timed_out, false));
-  EXPECT_FALSE(outcome(AttemptOutcome::timed_out, false)->chose_varied);
-  EXPECT_TRUE(outcome(AttemptOutcome::timed_out, true)->chose_varied);
+  EXPECT_FALSE(outcome(AttemptOutcome::timed_out, false)->counts_down);
+  EXPECT_TRUE(outcome(AttemptOutcome::timed_out, true)->counts_down);
+}
+
+/// "Which is smoother?": the choice of the standard states that the comparison is rougher.
+TEST_F(StaircaseSession, GoesDownAfterTheStandardWhereTheQuestionAsksForLess) {
+  start(1);
+  const Trial& trial = session_.course->plan().trials.front();
+  protocol_.blocks.at("tracks").questions.at(0).asks_for_less = true;
+  const auto counts_down = [&](bool chose_comparison) {
+    return outcome_of(protocol_, trial,
+                      attempt_at(trial, AttemptOutcome::answered, chose_comparison))
+        .answer->counts_down;
+  };
+  EXPECT_FALSE(counts_down(true));
+  EXPECT_TRUE(counts_down(false));
 }
 
 TEST_F(StaircaseSession, IsFoundChangedWhereALevelWasChanged) {

@@ -69,7 +69,7 @@ double gain_of(const Trial& trial) { return std::get<double>(trial.factors.at("t
 /// The comparison is chosen in two of three trials of a track, first at its second step.
 TrialOutcome outcome_by_step(const Trial& trial) {
   return {.answer = TrialOutcome::Answer{.value = gain_of(trial),
-                                         .chose_varied = trial.track->step % 3 != 1}};
+                                         .counts_down = trial.track->step % 3 != 1}};
 }
 
 Course answered_course(const Protocol& protocol, std::uint64_t seed) {
@@ -188,7 +188,7 @@ TEST(Course, PresentsTheLevelAgainAfterATrialThatDoesNotCount) {
   file["factors"].erase("stroking");
   const Protocol protocol = protocol_of(file);
   Course course(protocol, {.seed = 1});
-  course.advance({.answer = TrialOutcome::Answer{.value = 1.6, .chose_varied = false}});
+  course.advance({.answer = TrialOutcome::Answer{.value = 1.6, .counts_down = false}});
   EXPECT_DOUBLE_EQ(gain_of(*course.awaited()), 1.8);
   course.advance({});
   EXPECT_DOUBLE_EQ(gain_of(*course.awaited()), 1.8);
@@ -210,7 +210,7 @@ TEST(Course, MovesFromTheDeliveredLevel) {
   const Protocol protocol = protocol_of(staircases());
   Course course(protocol, {.seed = 1});
   const int track = course.awaited()->track->track;
-  course.advance({.answer = TrialOutcome::Answer{.value = 1.3, .chose_varied = false}});
+  course.advance({.answer = TrialOutcome::Answer{.value = 1.3, .counts_down = false}});
   while (course.awaited()->track->track != track)
     course.advance(outcome_by_step(*course.awaited()));
   EXPECT_NEAR(gain_of(*course.awaited()), 1.5, 1e-9) << "30 % and a step of 20 %";

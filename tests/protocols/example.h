@@ -35,6 +35,11 @@ inline std::vector<ModelDeclaration> example_models() {
   sinusoid.parameters = {number("amplitude_m", 0.0, 0.01, 0.0001),
                          number("wavelength_m", 1e-4, 0.1, 0.0025)};
   for (Parameter& parameter : sinusoid.parameters) parameter.unit = "m";
+  Parameter direction = law;
+  direction.name = "force_direction";
+  direction.choices = {"fixed", "local_normal"};
+  direction.default_value = std::string("fixed");
+  sinusoid.parameters.push_back(direction);
   ModelDeclaration stochastic{};
   stochastic.id = "stochastic";
   stochastic.needs_height_field = true;

@@ -211,7 +211,7 @@ TEST(Plan, MatchingAssignsEveryPictureOnceAndKnowsTheTruth) {
   for (const Trial& trial : plan.trials) {
     EXPECT_EQ(name_of(trial.questions.front().form), "assignment");
     EXPECT_TRUE(trial.pictures_after_feeling);
-    EXPECT_FALSE(trial.allow_revisit);
+    EXPECT_FALSE(trial.arrangement.allows_revisits());
     ASSERT_EQ(trial.questions.front().correct.size(), 4U);
     std::set<std::string> options{};
     for (const Option& option : trial.questions.front().options) {

@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/doubts.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/file/schema_check.h"
+#include "protocols/file/warnings.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {
@@ -717,15 +717,15 @@ TEST(Problems, NameTypesInPlainEnglish) {
 }
 
 /// What is doubted of the library's protocol of three forces with one text in place of another.
-std::vector<Diagnostic> doubts_with(const std::string& from, const std::string& to) {
+std::vector<Diagnostic> warnings_with(const std::string& from, const std::string& to) {
   std::string text = library_text("roughness_force");
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw std::invalid_argument("not in the protocol: " + from);
   text.replace(at, from.size(), to);
-  return doubts_about(read_protocol(text, "p.json", test::example_models()), "p.json");
+  return warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json");
 }
 
-TEST(Doubts, AreAboutWhatIsValidAndMayNotBeMeant) {
+TEST(Warnings, AreAboutWhatIsValidAndMayNotBeMeant) {
   struct {
     const char* from;
     const char* to;
@@ -747,27 +747,27 @@ TEST(Doubts, AreAboutWhatIsValidAndMayNotBeMeant) {
        "/instructions", "mentions \"tones\""},
   };
   for (const auto& each : kCases) {
-    const std::vector<Diagnostic> doubts = doubts_with(each.from, each.to);
-    ASSERT_EQ(doubts.size(), 1U) << each.to;
-    EXPECT_EQ(doubts[0].pointer, each.pointer);
-    EXPECT_NE(doubts[0].message.find(each.words), std::string::npos) << doubts[0].message;
-    EXPECT_GT(doubts[0].line, 1);
+    const std::vector<Diagnostic> warnings = warnings_with(each.from, each.to);
+    ASSERT_EQ(warnings.size(), 1U) << each.to;
+    EXPECT_EQ(warnings[0].pointer, each.pointer);
+    EXPECT_NE(warnings[0].message.find(each.words), std::string::npos) << warnings[0].message;
+    EXPECT_GT(warnings[0].line, 1);
   }
 }
 
-TEST(Doubts, AreAboutAnExplorationThatNoBlockAsksFor) {
-  const auto doubts = doubts_with(R"("explorations": {)", R"("explorations": {"spare": {},)");
-  ASSERT_EQ(doubts.size(), 1U);
-  EXPECT_EQ(doubts[0].pointer, "/explorations/spare");
+TEST(Warnings, AreAboutAnExplorationThatNoBlockAsksFor) {
+  const auto warnings = warnings_with(R"("explorations": {)", R"("explorations": {"spare": {},)");
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].pointer, "/explorations/spare");
 }
 
-TEST(Doubts, AreAboutASelectionAmongLevelsOfOneParameter) {
+TEST(Warnings, AreAboutASelectionAmongLevelsOfOneParameter) {
   std::string text = test::example_selection();
   const auto replace = [&text](const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
   };
   EXPECT_TRUE(
-      doubts_about(read_protocol(text, "p.json", test::example_models()), "p.json").empty());
+      warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json").empty());
   replace(R"("levels": ["height_map", "sinusoid", "stochastic"])", R"("levels": [0.1, 0.2, 0.3])");
   replace(R"("model": {"factor": "model"},)",
           R"("model": "height_map", "parameters": {"height_scale": {"factor": "model"}},)");
@@ -777,12 +777,13 @@ TEST(Doubts, AreAboutASelectionAmongLevelsOfOneParameter) {
   replace(R"({"model": "height_map"}})", R"({"model": 0.1}, "item": "weak"})");
   replace(R"({"model": "sinusoid"}})", R"({"model": 0.2}, "item": "middle"})");
   replace(R"({"model": "stochastic"}})", R"({"model": 0.3}, "item": "strong"})");
-  const auto doubts = doubts_about(read_protocol(text, "p.json", test::example_models()), "p.json");
-  ASSERT_EQ(doubts.size(), 1U);
-  EXPECT_EQ(doubts[0].pointer, "/blocks/main/presented");
-  EXPECT_NE(doubts[0].message.find("differ in \"height_scale\" alone"), std::string::npos)
-      << doubts[0].message;
-  EXPECT_NE(doubts[0].message.find("not whether levels can be discriminated"), std::string::npos);
+  const auto warnings =
+      warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json");
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].pointer, "/blocks/main/presented");
+  EXPECT_NE(warnings[0].message.find("differ in \"height_scale\" alone"), std::string::npos)
+      << warnings[0].message;
+  EXPECT_NE(warnings[0].message.find("not whether levels can be discriminated"), std::string::npos);
 }
 
 TEST(PlantedFaults, ColumnsCountCharactersNotBytes) {

@@ -74,12 +74,11 @@ Phrase method_of_thresholds(const DiscriminationResults& results) {
              "responses. CIs of means are t-based.");
   if (!results.study.has_levels_of_procedure) return method;
   return phrase("Analysis", "%1 %2")
-      .with(method,
-            phrase("Analysis",
-                   "Where a procedure chose the levels from the responses, the slope was limited "
-                   "to %1 to %2.")
-                .with(reading_number(kSlopesOfProcedures.least),
-                      reading_number(kSlopesOfProcedures.greatest)));
+      .with(method, phrase("Analysis",
+                           "With an adaptive procedure, the slope was limited "
+                           "to %1 to %2.")
+                        .with(reading_number(kSlopesOfProcedures.least),
+                              reading_number(kSlopesOfProcedures.greatest)));
 }
 
 void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outcome) {
@@ -181,11 +180,18 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
 
 void ask_order(const DiscriminationResults& results, const StudyTests& tests,
                AnalysisOutcome& outcome) {
-  const Phrase question = phrase("Analysis", "Does the order of presentation matter?");
+  const bool is_sequential = results.study.task.is_sequential;
+  const Phrase question = is_sequential
+                              ? phrase("Analysis", "Does the order of presentation matter?")
+                              : phrase("Analysis", "Does the position of the surfaces matter?");
   const Phrase method =
-      phrase("Analysis",
-             "Wilcoxon signed-rank test of each participant's proportions of choices of the "
-             "comparison presented first and second.");
+      is_sequential
+          ? phrase("Analysis",
+                   "Wilcoxon signed-rank test of each participant's proportions of choices of the "
+                   "comparison presented first and second.")
+          : phrase("Analysis",
+                   "Wilcoxon signed-rank test of each participant's proportions of choices of the "
+                   "comparison as surface A and as surface B.");
   const std::string name = name_of_question(kOrderEffect, results);
   const FoundNumbers found(results.order);
   const Finding* const mean = found.find("order.difference", results.name);
@@ -204,9 +210,15 @@ void ask_order(const DiscriminationResults& results, const StudyTests& tests,
                      .with(difference, reading_points(*mean->low), reading_points(*mean->high));
   }
   const Phrase estimate =
-      phrase("Analysis",
-             "the difference between the proportions of choices of the comparison, presented first "
-             "minus presented second, was %1")
+      (is_sequential
+           ? phrase(
+                 "Analysis",
+                 "the difference between the proportions of choices of the comparison, presented "
+                 "first minus presented second, was %1")
+           : phrase(
+                 "Analysis",
+                 "the difference between the proportions of choices of the comparison, as surface "
+                 "A minus as surface B, was %1"))
           .with(difference);
   if (test == nullptr || !test->p) {
     add_question(outcome, name.c_str(), question,

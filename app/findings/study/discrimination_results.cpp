@@ -106,8 +106,8 @@ std::vector<Finding> order_findings(const std::vector<OrderOfPerson>& orders,
   add_mean_of_group("order.difference", task, differences,
                     {.possible = ConfidenceInterval{-1.0, 1.0},
                      .of = "mean of the participants' differences: proportion of choices of the "
-                           "comparison presented first minus that of the comparison presented "
-                           "second"},
+                           "comparison as surface A (in a sequence, presented first) minus that of "
+                           "the comparison as surface B"},
                     list);
   std::vector<Finding> findings = list.take();
   for (Finding& finding : findings) finding.analysis = kOrderEffect;
@@ -263,7 +263,7 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
   const std::vector<BlockWithProcedure> blocks = blocks_with_procedure(gathered, all);
   if (!blocks.empty()) {
     add(phrase("Analysis",
-               "Where a procedure chose the levels from the responses, the slope of a Weibull "
+               "With an adaptive procedure, the slope of a Weibull "
                "function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval "
                "whose critical value is found by running the procedure again with simulated "
                "observers (%3 repetitions; those without a threshold are counted in the table).")
@@ -367,14 +367,15 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
                            {}},
                           {}};
   psychometric.note = note_on_hits(all);
-  NamedTable order{kOrderEffect,
-                   phrase("Analysis", "Choices of the comparison by its position"),
-                   {{"participant", "task", "first_responses", "share_first", "second_responses",
-                     "share_second", "difference"},
-                    {}},
-                   phrase("Analysis",
-                          "Proportions of choices of the comparison presented first and second, "
-                          "and their difference (first − second).")};
+  NamedTable order{
+      kOrderEffect,
+      phrase("Analysis", "Choices of the comparison by its position"),
+      {{"participant", "task", "first_responses", "share_first", "second_responses", "share_second",
+        "difference"},
+       {}},
+      phrase("Analysis",
+             "Proportions of choices of the comparison as surface A and as surface B, and "
+             "their difference (A − B). In a sequence A is presented first.")};
   NamedTable tracks{kTracks,
                     phrase("Analysis", "Trials of each track"),
                     {{"participant", "condition", "session", "block_ordinal", "track", "step",

@@ -148,8 +148,8 @@ double trend_of_choices(std::span<const HitsByValue> all) {
 
 bool DiscriminationTask::operator==(const DiscriminationTask& other) const {
   const auto parts = [](const DiscriminationTask& task) {
-    return std::tie(task.is_performance, task.question, task.prompt, task.varied.factor,
-                    task.varied.parameter, task.varied.standard);
+    return std::tie(task.is_performance, task.is_sequential, task.question, task.prompt,
+                    task.varied.factor, task.varied.parameter, task.varied.standard);
   };
   return parts(*this) == parts(other);
 }
@@ -164,6 +164,7 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
                           .question = asked->name,
                           .prompt = asked->prompt,
                           .is_performance = asked->judgement == "performance",
+                          .is_sequential = block.is_sequential,
                           .varied = *block.vary,
                           .has_levels_of_procedure = asperity::has_levels_of_procedure(block)};
   task.varied.unit = unit_of_parameter(task.varied.parameter);

@@ -24,6 +24,9 @@ struct DiscriminationTask {
   std::string prompt{};    ///< its text
   /// The comparison is the correct response; otherwise no response is correct.
   bool is_performance = true;
+  /// The surfaces were presented one after the other; otherwise side by side or on request, where the first surface is
+  /// that on the left or in front, or the one that the participant knows as A.
+  bool is_sequential = true;
   Dimension
       varied{};  ///< with the unit of the parameter and the value of the standard; without levels
   bool has_levels_of_procedure = false;  ///< of the block with `name`

@@ -66,7 +66,7 @@ void LiveWorkspace::look_again() {
 }
 
 void LiveWorkspace::show_surface(const PlannedPresentation& surface, bool mirrored) {
-  SurfacePatch patch = surface.stimulus.patch;
+  SurfacePatch patch = surface.patch;
   if (mirrored) patch.centre_m.x = -patch.centre_m.x;  // as the session lays it out
   view_->set_mirrored(mirrored);
   if (surface.stimulus.surface && surface.stimulus.tool) {

@@ -95,7 +95,11 @@ const SurfacePatch& PointerFeed::patch() {
   const auto facts = monitor_.facts();
   if (facts == nullptr) return patch_;
   const PlannedPresentation* const surface = shown_surface(*facts, monitor_.snapshot());
-  if (surface != nullptr) patch_ = Layout{.mirrored = facts->mirrored}.of(surface->stimulus.patch);
+  if (surface != nullptr) {
+    // The whole workspace, also where the surface is one of several patches of it.
+    patch_ = Layout{.mirrored = facts->mirrored}.of(surface->stimulus.patch);
+    patch_.centre_m.z = surface->patch.centre_m.z;
+  }
   return patch_;
 }
 

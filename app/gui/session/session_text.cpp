@@ -65,6 +65,12 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::contact: {
       const QString contact = shown_number(snapshot.contact_s, 'f', 1);
       const std::size_t surfaces = trial == nullptr ? 0 : trial->presentations.size();
+      if (trial != nullptr && trial->arrangement.surfaces == Arrangement::Surfaces::side_by_side) {
+        return tr("Trial %1: feeling %2 surfaces side by side, %3 s")
+            .arg(snapshot.trial)
+            .arg(surfaces)
+            .arg(contact);
+      }
       if (snapshot.surface > 0 && surfaces > 1) {
         return tr("Trial %1: feeling surface %2 of %3 (%4), %5 s")
             .arg(snapshot.trial)

@@ -1836,10 +1836,6 @@
         <translation>Wahlen des Vergleichsreizes nach seiner Position</translation>
     </message>
     <message>
-        <source>Proportions of choices of the comparison presented first and second, and their difference (first − second).</source>
-        <translation>Anteile der Wahlen des Vergleichsreizes, wenn er zuerst und wenn er als Zweites dargeboten wurde, und ihre Differenz (zuerst − als Zweites).</translation>
-    </message>
-    <message>
         <source>discrimination</source>
         <translation>Unterscheidung</translation>
     </message>
@@ -1858,6 +1854,62 @@
     <message>
         <source>Not tested: no participant has trials in every condition, and this test compares conditions within participants.</source>
         <translation>Nicht getestet: Keine Versuchsperson hat Durchgänge in allen Bedingungen, und dieser Test vergleicht Bedingungen innerhalb der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>%1 Not stored by these sessions: %2.</source>
+        <translation>%1 In diesen Sitzungen nicht gespeichert: %2.</translation>
+    </message>
+    <message>
+        <source>Exploration by condition: times and strokes</source>
+        <translation>Exploration nach Bedingung: Zeiten und Striche</translation>
+    </message>
+    <message>
+        <source>Exploration by condition: force and speed</source>
+        <translation>Exploration nach Bedingung: Kraft und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Contact times and response times: linear mixed models</source>
+        <translation>Kontaktdauern und Reaktionszeiten: lineare gemischte Modelle</translation>
+    </message>
+    <message>
+        <source>%1 changes by a factor of %2 per 10 trials of a block, 95 % CI [%3, %4].</source>
+        <translation>%1 ändert sich je 10 Durchgänge eines Blocks um den Faktor %2, 95-%-KI [%3; %4].</translation>
+    </message>
+    <message>
+        <source>%1 changes by a factor of %2 from block to block, 95 % CI [%3, %4].</source>
+        <translation>%1 ändert sich von Block zu Block um den Faktor %2, 95-%-KI [%3; %4].</translation>
+    </message>
+    <message>
+        <source>%1 changes by a factor of %2 from session to session, 95 % CI [%3, %4].</source>
+        <translation>%1 ändert sich von Sitzung zu Sitzung um den Faktor %2, 95-%-KI [%3; %4].</translation>
+    </message>
+    <message>
+        <source>%1 %2: the intraclass correlation is %3.</source>
+        <translation>%1 %2: Die Intraklassenkorrelation beträgt %3.</translation>
+    </message>
+    <message>
+        <source>%1 %2: left out without a time above 0: %3.</source>
+        <translation>%1 %2: ohne Zeit über 0 ausgelassen: %3.</translation>
+    </message>
+    <message>
+        <source>Linear mixed models of the natural logarithms [Laird &amp; Ware, 1982], fitted by restricted maximum likelihood (REML), with random intercepts of participants; F tests and t-based 95 % CIs with Satterthwaite’s degrees of freedom [Satterthwaite, 1946]. Ratios: to the reference level of a condition, per 10 trials of a block, per block or per session. The tests are exploratory and uncorrected; they are liberal where participants differ in these effects, which the models do not include.</source>
+        <translation>Lineare gemischte Modelle der natürlichen Logarithmen [Laird &amp; Ware, 1982], mit REML (Restricted Maximum Likelihood) geschätzt, mit zufälligen Achsenabschnitten der Versuchspersonen; F-Tests und t-basierte 95-%-KIs mit Freiheitsgraden nach Satterthwaite [Satterthwaite, 1946]. Verhältnisse: zur Referenzstufe einer Bedingung, je 10 Durchgänge eines Blocks, je Block oder je Sitzung. Die Tests sind explorativ und unkorrigiert; sie sind liberal, wenn sich Versuchspersonen in diesen Effekten unterscheiden, was die Modelle nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Contact time</source>
+        <translation>Die Kontaktdauer</translation>
+    </message>
+    <message>
+        <source>Response time</source>
+        <translation>Die Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>Mean and SD of each surface, over the time in contact; mean (SD) over the participants of each participant’s mean over the surfaces.</source>
+        <translation>Mittelwert und SD je Oberfläche über die Zeit im Kontakt; Mittelwert (SD) über die Versuchspersonen von deren Mittelwerten über die Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Of each participant the median of times and the mean of other quantities, over surfaces (of response times: over trials); of these, median [quartiles] or mean (SD) over the participants.</source>
+        <translation>Für jede Versuchsperson der Median von Zeiten und der Mittelwert anderer Größen über die Oberflächen (bei Reaktionszeiten: über die Durchgänge); davon Median [Quartile] oder Mittelwert (SD) über die Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1 × %2 trials</source>
@@ -1884,12 +1936,28 @@
         <translation>Wie oft die 95-%-KIs den wahren Wert enthalten, wurde für das Verfahren dieser Studie nicht simuliert; bei simulierten Verfahren mit 60 und 80 Durchgängen waren es %1 bis %2 %.</translation>
     </message>
     <message>
-        <source>Where a procedure chose the levels from the responses, the slope was limited to %1 to %2.</source>
-        <translation>Wo ein Verfahren die Stufen aus den Antworten wählte, war die Steigung auf %1 bis %2 begrenzt.</translation>
+        <source>With an adaptive procedure, the slope was limited to %1 to %2.</source>
+        <translation>Bei einem adaptiven Verfahren war die Steigung auf %1 bis %2 begrenzt.</translation>
     </message>
     <message>
-        <source>Where a procedure chose the levels from the responses, the slope of a Weibull function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval whose critical value is found by running the procedure again with simulated observers (%3 repetitions; those without a threshold are counted in the table).</source>
-        <translation>Wo ein Verfahren die Stufen aus den Antworten wählte, ist die Steigung einer Weibull-Funktion auf %1 bis %2 begrenzt, und das 95-%-KI ist ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%3 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
+        <source>With an adaptive procedure, the slope of a Weibull function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval whose critical value is found by running the procedure again with simulated observers (%3 repetitions; those without a threshold are counted in the table).</source>
+        <translation>Bei einem adaptiven Verfahren ist die Steigung einer Weibull-Funktion auf %1 bis %2 begrenzt, und das 95-%-KI ist ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%3 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
+    </message>
+    <message>
+        <source>Does the position of the surfaces matter?</source>
+        <translation>Spielt die Position der Oberflächen eine Rolle?</translation>
+    </message>
+    <message>
+        <source>Wilcoxon signed-rank test of each participant&apos;s proportions of choices of the comparison as surface A and as surface B.</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test der Anteile, mit denen jede Versuchsperson den Vergleichsreiz als Oberfläche A und als Oberfläche B wählte.</translation>
+    </message>
+    <message>
+        <source>the difference between the proportions of choices of the comparison, as surface A minus as surface B, was %1</source>
+        <translation>die Differenz der Anteile der Wahlen des Vergleichsreizes, als Oberfläche A minus als Oberfläche B, betrug %1</translation>
+    </message>
+    <message>
+        <source>Proportions of choices of the comparison as surface A and as surface B, and their difference (A − B). In a sequence A is presented first.</source>
+        <translation>Anteile der Wahlen des Vergleichsreizes als Oberfläche A und als Oberfläche B und ihre Differenz (A − B). In einer Folge wird A zuerst dargeboten.</translation>
     </message>
 </context>
 <context>
@@ -2476,6 +2544,10 @@
     <message>
         <source>session</source>
         <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>Messungen</translation>
     </message>
     <message>
         <source>repetitions without threshold</source>
@@ -4272,6 +4344,22 @@
         <translation>%1 Namen: der Durchlauf des Blocks und die Folge (Track) darin.</translation>
     </message>
     <message>
+        <source>Contact times by condition</source>
+        <translation>Kontaktdauern nach Bedingung</translation>
+    </message>
+    <message>
+        <source>No trial has a stored contact time.</source>
+        <translation>Für keinen Durchgang ist eine Kontaktdauer gespeichert.</translation>
+    </message>
+    <message>
+        <source>contact time per surface</source>
+        <translation>Kontaktdauer je Oberfläche</translation>
+    </message>
+    <message>
+        <source>Points are medians over the participants of each participant’s median contact time, bars the quartiles.</source>
+        <translation>Punkte sind Mediane der medianen Kontaktdauern der Versuchspersonen, Balken die Quartile.</translation>
+    </message>
+    <message>
         <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with 95 % CIs by running the procedure again.</source>
         <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen (Maximum-Likelihood-Schätzung). Offene Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit 95-%-KI durch Wiederholung des Verfahrens.</translation>
     </message>
@@ -4802,6 +4890,14 @@
         <source>Thank you. You may release the handle.</source>
         <translation>Vielen Dank. Sie können den Griff loslassen.</translation>
     </message>
+    <message>
+        <source>Feel %1</source>
+        <translation>%1 fühlen</translation>
+    </message>
+    <message>
+        <source>Finish with these surfaces</source>
+        <translation>Diese Oberflächen abschließen</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantWords</name>
@@ -4924,6 +5020,34 @@
     <message>
         <source>Please mark a point on every scale first.</source>
         <translation>Bitte markieren Sie zuerst auf jeder Skala einen Punkt.</translation>
+    </message>
+    <message>
+        <source>You have finished with these surfaces. Please lift the handle.</source>
+        <translation>Sie sind mit diesen Oberflächen fertig. Bitte heben Sie den Griff an.</translation>
+    </message>
+    <message>
+        <source>Surface %1 cannot be felt again.</source>
+        <translation>Oberfläche %1 kann nicht noch einmal gefühlt werden.</translation>
+    </message>
+    <message>
+        <source>Feel surfaces %1 and %2 now. They lie side by side.</source>
+        <translation>Fühlen Sie jetzt die Oberflächen %1 und %2. Sie liegen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Feel surfaces %1 to %2 now. They lie side by side.</source>
+        <translation>Fühlen Sie jetzt die Oberflächen %1 bis %2. Sie liegen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Please feel each of the surfaces again, and a little longer.</source>
+        <translation>Bitte fühlen Sie jede der Oberflächen noch einmal und etwas länger.</translation>
+    </message>
+    <message>
+        <source>Please finish with these surfaces first.</source>
+        <translation>Bitte schließen Sie zuerst diese Oberflächen ab.</translation>
+    </message>
+    <message>
+        <source>Confirm to feel surface %1.</source>
+        <translation>Bestätigen Sie, um Oberfläche %1 zu fühlen.</translation>
     </message>
 </context>
 <context>
@@ -5266,6 +5390,14 @@
         <source>consent witnessed by %1</source>
         <translation>Einwilligung bezeugt von %1</translation>
     </message>
+    <message>
+        <source>visits to surface %1: %2 of at least %3</source>
+        <translation>Besuche der Oberfläche %1: %2 von mindestens %3</translation>
+    </message>
+    <message>
+        <source>a visit to surface %1 ended before the required number of strokes or contact time</source>
+        <translation>ein Besuch der Oberfläche %1 endete vor der vorgegebenen Zahl der Striche oder Kontaktzeit</translation>
+    </message>
 </context>
 <context>
     <name>Rehearsal</name>
@@ -5380,6 +5512,10 @@
     <message>
         <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, does not follow the height of the surface. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or request a higher pressing force.</source>
         <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe der Oberfläche nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Andruckkraft vorgeben.</translation>
+    </message>
+    <message>
+        <source>The smallest step of %1 in block %2 is %3 µm, which changes the force by %4 mN, but the force noise of the device at this stiffness is %5 mN. Use steps of at least %6 µm, or a device with less position noise.</source>
+        <translation>Der kleinste Schritt von %1 im Block %2 beträgt %3 µm und ändert die Kraft um %4 mN, das Kraftrauschen des Geräts bei dieser Steifigkeit beträgt aber %5 mN. Schritte von mindestens %6 µm verwenden oder ein Gerät mit geringerem Positionsrauschen.</translation>
     </message>
 </context>
 <context>
@@ -6068,6 +6204,10 @@
     <message>
         <source>%1, incorrect</source>
         <translation>%1, falsch</translation>
+    </message>
+    <message>
+        <source>Trial %1: feeling %2 surfaces side by side, %3 s</source>
+        <translation>Durchgang %1: fühlt %2 Oberflächen nebeneinander, %3 s</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/task_words.h"
+#include "app/report/text/report_arrangement.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -131,7 +132,7 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
                     [](const auto& question) { return !question.tie.empty(); })) {
       text += " A tie is also a response option.";
     }
-    if (!block.allow_revisit) text += " Participants cannot return to a surface within a trial.";
+    text += arrangement_sentences(block);
     text += unmet_text(run->block, facts);
     list.items.push_back(text);
   }
@@ -297,8 +298,8 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   text +=
       "According to the protocol, or by default where it does not state a value, the stiffness "
       "was " +
-      reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
-      " and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
+      stiffness_text(facts.stiffness_N_per_m, protocol) + " and forces were limited to " +
+      reading_quantity(protocol.force_limit_N, "N") + '.';
   if (facts.has_equal_force) {
     text +=
         " The force models were matched in the RMS of their texture force along a prescribed path.";

@@ -149,6 +149,9 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   }
   if (attempt.outcome == AttemptOutcome::answered) {
     facts.surfaces.insert(attempt.presentations.size());
+    for (const PresentationRow& surface : attempt.presentations) {
+      if (surface.stiffness_N_per_m) facts.stiffness_N_per_m.insert(*surface.stiffness_N_per_m);
+    }
   }
   for (const ResponseRow& response : attempt.responses) {
     facts.answer_sources.insert(response.source);

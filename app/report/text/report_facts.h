@@ -110,6 +110,7 @@ struct ReportFacts {
   std::set<std::string> height_fields{};   ///< textures that were rendered from one
   std::set<std::string> body_textures{};   ///< textures of the presented bodies
   bool has_equal_force = false;            ///< the texture force of a presentation was matched
+  std::set<double> stiffness_N_per_m{};    ///< of the surfaces presented, where it is stored
   std::set<std::size_t> surfaces{};  ///< the numbers of surfaces presented in answered attempts
   std::set<std::string> answer_sources{};  ///< "keyboard"
 

@@ -137,8 +137,7 @@ std::string paper_apparatus(const ReportFacts& facts) {
   if (!devices.empty()) text += "; device: " + devices;
   text += '.';
   if (facts.file.protocol) {
-    text += " The stiffness was " +
-            reading_quantity(facts.file.protocol->material.stiffness_N_per_m, "N/m") +
+    text += " The stiffness was " + stiffness_text(facts.stiffness_N_per_m, *facts.file.protocol) +
             ", and forces were limited to " +
             reading_quantity(facts.file.protocol->force_limit_N, "N") + '.';
   }

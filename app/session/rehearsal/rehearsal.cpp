@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/session/rehearsal/friction_rehearsal.h"
+#include "app/session/rehearsal/level_rehearsal.h"
 #include "app/session/rehearsal/limit_rehearsal.h"
 #include "app/session/rehearsal/stimulus_rehearsal.h"
 #include "app/study_files/parameter_json.h"
@@ -26,8 +27,10 @@ constexpr std::array kComparedTraits{DeviceTrait::friction,      DeviceTrait::fo
 
 /// Distinguishes a stimulus from others of the same name: a factor may choose its bodies and its files.
 std::string rehearsed_key(const StimulusDescription& stimulus) {
-  std::string key =
-      stimulus.name + '\n' + stimulus.model + '\n' + json_text_of(stimulus.parameters);
+  std::string key = stimulus.name + '\n' + stimulus.model + '\n' +
+                    json_text_of(stimulus.parameters) + '\n' +
+                    std::to_string(stimulus.material.stiffness_N_per_m) + ' ' +
+                    std::to_string(stimulus.material.friction);
   for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
     key += '\n' + (*body ? (*body)->name : std::string{});
   }
@@ -62,6 +65,7 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const RehearsalCourse& course) {
   std::vector<RehearsalWarning> warnings{};
   add(limit_warnings(protocol, profile), warnings);
+  add(level_warnings(protocol, profile, builder.models()), warnings);
   add(friction_warnings(protocol, builder.models(), damped_response_of(profile)), warnings);
   StimulusRehearsal rehearsal(protocol, profile, builder);
   std::set<std::string> seen{};

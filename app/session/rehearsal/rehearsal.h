@@ -20,7 +20,8 @@ struct RehearsalCourse {
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
 
-/// Compares the protocol's limits for a device (limit_rehearsal.h), the friction of the stimuli (friction_rehearsal.h)
+/// Compares the protocol's limits for a device (limit_rehearsal.h), the steps of its levels (level_rehearsal.h), the
+/// friction of the stimuli (friction_rehearsal.h)
 /// and every stimulus that the plan can reach (stimulus_rehearsal.h) with the measured properties of the device:
 ///
 ///   friction             RMS of the texture force ≥ friction_N

@@ -11,7 +11,7 @@ namespace asperity {
 /// A requirement that a device does not meet.
 struct RehearsalWarning {
   /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness", "coupling",
-  /// "contact", "friction_damping", "workspace"; "not_rehearsed" for a stimulus that could not be compared, or whose
+  /// "contact", "friction_damping", "workspace", "level_step"; "not_rehearsed" for a stimulus that could not be compared, or whose
   /// stiffness could not; "limit_" and "unmeasured_" with the name of an item that does not meet the protocol's limit,
   /// or that was not measured.
   std::string id{};

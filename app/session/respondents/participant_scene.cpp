@@ -67,6 +67,15 @@ Phrase phrase_of(const Saying& saying) {
       return {};
     case Saying::What::feel_surface:
       return phrase("ParticipantWords", "Feel surface %1 now.").with(saying.code);
+    case Saying::What::feel_patches:
+      return (saying.number == 2 ? phrase("ParticipantWords",
+                                          "Feel surfaces %1 and %2 now. They lie side by side.")
+                                 : phrase("ParticipantWords",
+                                          "Feel surfaces %1 to %2 now. They lie side by side."))
+          .with(saying.code, saying.last_code);
+    case Saying::What::lift_from_patches:
+      return phrase("ParticipantWords",
+                    "You have finished with these surfaces. Please lift the handle.");
     case Saying::What::lift:
       return phrase("ParticipantWords",
                     "You have finished with surface %1. Please lift the handle.")
@@ -82,6 +91,13 @@ Phrase phrase_of(const Saying& saying) {
     case Saying::What::feel_longer:
       return phrase("ParticipantWords", "Please feel surface %1 a little longer.")
           .with(saying.code);
+    case Saying::What::feel_all_longer:
+      return phrase("ParticipantWords",
+                    "Please feel each of the surfaces again, and a little longer.");
+    case Saying::What::finish_first:
+      return phrase("ParticipantWords", "Please finish with these surfaces first.");
+    case Saying::What::feel_named:
+      return phrase("ParticipantWords", "Confirm to feel surface %1.").with(saying.code);
     case Saying::What::not_asked_yet:
       return phrase("ParticipantWords", "Please wait for the question.");
     case Saying::What::wait:
@@ -101,6 +117,8 @@ Phrase phrase_of(const Saying& saying) {
       return phrase("ParticipantWords", "Confirm to feel surface %1 again.").with(saying.code);
     case Saying::What::no_going_back:
       return phrase("ParticipantWords", "The surfaces cannot be felt again.");
+    case Saying::What::felt_often_enough:
+      return phrase("ParticipantWords", "Surface %1 cannot be felt again.").with(saying.code);
     case Saying::What::was_right:
       return phrase("ParticipantWords", "Correct.");
     case Saying::What::was_wrong:
@@ -188,6 +206,23 @@ ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& fe
   return scene_at_surface(trial, felt, now, {.what = Saying::What::lift});
 }
 
+ParticipantScene scene_of_patches(const Trial& trial) {
+  Saying saying{.what = Saying::What::feel_patches,
+                .code = trial.presentations.front().code,
+                .last_code = trial.presentations.back().code,
+                .number = static_cast<int>(trial.presentations.size())};
+  ParticipantScene scene = scene_at_surface(trial, {}, 0, std::move(saying));
+  for (ParticipantScene::Surface& surface : scene.surfaces) surface.now = true;
+  return scene;
+}
+
+ParticipantScene scene_of_lifting_from_patches(const Trial& trial) {
+  ParticipantScene scene =
+      scene_at_surface(trial, {}, 0, {.what = Saying::What::lift_from_patches});
+  for (ParticipantScene::Surface& surface : scene.surfaces) surface.now = true;
+  return scene;
+}
+
 bool is_guided_by_sight(const Exploration& exploration) noexcept {
   return exploration.guidance == Exploration::Guidance::bars ||
          exploration.guidance == Exploration::Guidance::moving_target;
@@ -221,8 +256,14 @@ ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQues
   scene.kind = ParticipantScene::Kind::question;
   scene.text = question.prompt;
   scene.surfaces = surfaces_of(trial, felt);
-  scene.can_switch = trial.allow_revisit;
-  for (ParticipantScene::Surface& surface : scene.surfaces) surface.can_go = scene.can_switch;
+  scene.can_switch = trial.arrangement.allows_revisits();
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const auto visits = std::count(felt.begin(), felt.end(), trial.presentations[i].position);
+    scene.surfaces[i].can_go =
+        scene.can_switch && trial.arrangement.may_visit(static_cast<int>(visits));
+  }
+  scene.can_switch = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                 [](const auto& surface) { return surface.can_go; });
   const bool all_felt =
       std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
                   [](const ParticipantScene::Surface& surface) { return surface.felt; });

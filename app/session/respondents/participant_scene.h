@@ -21,32 +21,40 @@ namespace asperity {
 struct Saying {
   enum class What {
     nothing,
-    feel_surface,      ///< surface `code` can be felt now
-    lift,              ///< surface `code` was felt for long enough
-    put_mask_on,       ///< and to confirm
-    take_mask_off,     ///< and to confirm
-    cannot_tell,       ///< as an option
-    feel_first,        ///< refused: surface `code` has to be felt before the answer
-    feel_longer,       ///< refused: surface `code` has to be felt a little longer
-    not_asked_yet,     ///< refused: all surfaces were felt, and the question is about to be asked
-    wait,              ///< refused: not before `number` seconds have passed
-    choose_first,      ///< refused: no option is chosen yet
-    mark_first,        ///< refused: a scale of the page has no mark yet; `number` scales in all
-    assign_first,      ///< refused: surface `code` has no picture yet
-    feel_again,        ///< a confirmation now requests surface `code` again
-    no_going_back,     ///< refused: surfaces cannot be felt again in this trial
-    was_right,         ///< feedback
-    was_wrong,         ///< feedback; the correct response was `code`, where it is shown
-    answer_needed,     ///< refused: this question must be answered
-    number_needed,     ///< refused: a number, not below `minimum`, not above `maximum`
-    option_needed,     ///< refused: one of the options
-    estimate_needed,   ///< refused: a number above 0
-    estimate_unclear,  ///< refused: `code` can be read with thousands or with decimals
-    session_resumes,   ///< the session resumes where it was interrupted, after a confirmation
-    check_estimate,    ///< the number `code` differs greatly from an earlier one
+    feel_surface,  ///< surface `code` can be felt now
+    /// The surfaces from `code` to `last_code`, `number` of them, can be felt now, side by side.
+    feel_patches,
+    lift,               ///< surface `code` was felt for long enough
+    lift_from_patches,  ///< the surfaces were felt for long enough
+    put_mask_on,        ///< and to confirm
+    take_mask_off,      ///< and to confirm
+    cannot_tell,        ///< as an option
+    feel_first,         ///< refused: surface `code` has to be felt before the answer
+    feel_longer,        ///< refused: surface `code` has to be felt a little longer
+    feel_all_longer,  ///< refused: some of the surfaces side by side has to be felt again or longer
+    finish_first,     ///< refused: the surfaces side by side are still felt
+    feel_named,       ///< a confirmation now requests surface `code` for the first time
+    not_asked_yet,    ///< refused: all surfaces were felt, and the question is about to be asked
+    wait,             ///< refused: not before `number` seconds have passed
+    choose_first,     ///< refused: no option is chosen yet
+    mark_first,       ///< refused: a scale of the page has no mark yet; `number` scales in all
+    assign_first,     ///< refused: surface `code` has no picture yet
+    feel_again,       ///< a confirmation now requests surface `code` again
+    no_going_back,    ///< refused: surfaces cannot be felt again in this trial
+    felt_often_enough,  ///< refused: surface `code` cannot be felt again in this trial
+    was_right,          ///< feedback
+    was_wrong,          ///< feedback; the correct response was `code`, where it is shown
+    answer_needed,      ///< refused: this question must be answered
+    number_needed,      ///< refused: a number, not below `minimum`, not above `maximum`
+    option_needed,      ///< refused: one of the options
+    estimate_needed,    ///< refused: a number above 0
+    estimate_unclear,   ///< refused: `code` can be read with thousands or with decimals
+    session_resumes,    ///< the session resumes where it was interrupted, after a confirmation
+    check_estimate,     ///< the number `code` differs greatly from an earlier one
   };
   What what = What::nothing;
   std::string code{};
+  std::string last_code{};
   int number = 0;
   std::optional<double> minimum{};
   std::optional<double> maximum{};
@@ -142,6 +150,8 @@ struct ParticipantScene {
   std::optional<std::size_t> assigning{};
   bool can_confirm = false;                       ///< the answer is complete
   bool can_switch = false;                        ///< surfaces may be felt again before the answer
+  /// Where surfaces are felt on request: the position of the one that the request to feel means.
+  std::optional<int> wished_surface{};
   /// The picture of the standard, for judgements of realism.
   std::optional<std::string> standard_picture{};
 
@@ -174,9 +184,12 @@ ParticipantScene scene_of_resuming();
 /// Pictures are shown next to it, unless the protocol shows them only after feeling. The caller
 /// sets `show_workspace` and `guide`.
 ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now);
+/// All surfaces of the trial can be felt, side by side.
+ParticipantScene scene_of_patches(const Trial& trial);
 /// The same when feeling has ended, at the participant's request or after the specified time: the
 /// hand is to lift.
 ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now);
+ParticipantScene scene_of_lifting_from_patches(const Trial& trial);
 /// Shows nothing until the next surface is presented; keys are accepted only to be refused.
 ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt);
 /// `page`: one of pages_of(trial).

@@ -15,6 +15,7 @@
 
 #include "app/session/respondents/form_answer.h"
 #include "app/session/respondents/sheets/answer_sheet.h"
+#include "app/session/respondents/visit_tally.h"
 
 namespace asperity {
 
@@ -57,6 +58,8 @@ struct PersonAtWindow::Desk {
   std::set<int> felt{};              ///< positions, of this attempt
   int now = 0;                       ///< position of the current surface; 0 between surfaces
   int last_felt = 0;
+  VisitTally visits{};                   ///< of this attempt
+  bool is_side_by_side = false;          ///< all surfaces of the trial are felt at once
   std::unique_ptr<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
   std::string sheet_question{};          ///< the first of its page, by name
 
@@ -103,9 +106,12 @@ struct PersonAtWindow::Desk {
   std::vector<int> felt_positions() const { return {felt.begin(), felt.end()}; }
   /// The position of a surface other than the current one that has not been felt yet.
   std::optional<int> other_unfelt() const;
-  /// The position of the next surface to be felt again.
-  int next_again(const Trial& trial) const {
-    return last_felt % static_cast<int>(trial.presentations.size()) + 1;
+  /// The position of the surface that a wish without a name means: where surfaces are felt on request the chosen one, or
+  /// one that has not been felt often enough; otherwise the next in turn.
+  int wished(const Trial& trial) const;
+  void know_codes(const Trial& trial) {
+    codes.clear();
+    for (const PlannedPresentation& planned : trial.presentations) codes.push_back(planned.code);
   }
   const std::string& code_of(int position) const {
     return codes.at(static_cast<std::size_t>(position - 1));
@@ -114,7 +120,7 @@ struct PersonAtWindow::Desk {
   /// Applies an input to the answer of the trial; returns a reply once there is one.
   std::optional<Reply> hear_answer(const Trial& trial, const ParticipantInput& input);
   std::optional<Reply> hear_wish(const Trial& trial, const ParticipantInput& input);
-  void show_sheet();
+  void show_sheet(const Trial& trial);
 };
 
 void PersonAtWindow::Desk::face(std::initializer_list<ParticipantScene::Kind> kinds,
@@ -191,7 +197,9 @@ void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) 
 
 void PersonAtWindow::Desk::refuse_answer(const ParticipantInput& input,
                                          std::optional<int> to_feel) {
-  if (to_feel) {
+  if (is_side_by_side && now != 0) {
+    refuse(input, {.what = Saying::What::finish_first});
+  } else if (to_feel) {
     refuse(input, {.what = Saying::What::feel_first, .code = code_of(*to_feel)});
   } else {
     refuse(input, {.what = Saying::What::not_asked_yet});
@@ -229,8 +237,22 @@ void PersonAtWindow::Desk::wait_for_confirmation(const Wait& wait) {
 void PersonAtWindow::Desk::leave_surface() {
   if (now == 0) return;
   felt.insert(now);
+  for (int position = 1; is_side_by_side && position <= static_cast<int>(codes.size());
+       ++position) {
+    felt.insert(position);
+  }
   last_felt = now;
   now = 0;
+}
+
+int PersonAtWindow::Desk::wished(const Trial& trial) const {
+  if (trial.arrangement.surfaces == Arrangement::Surfaces::on_request) {
+    const std::optional<int> chosen = sheet->chosen_surface();
+    if (chosen && visits.may_visit(trial, *chosen)) return *chosen;
+    if (const std::optional<int> owed = visits.owed(trial, last_felt)) return *owed;
+  }
+  const int in_turn = last_felt % static_cast<int>(trial.presentations.size()) + 1;
+  return visits.next(trial, last_felt).value_or(in_turn);
 }
 
 std::optional<int> PersonAtWindow::Desk::other_unfelt() const {
@@ -242,9 +264,12 @@ std::optional<int> PersonAtWindow::Desk::other_unfelt() const {
 
 // --- the question of a trial ---------------------------------------------------------------------
 
-void PersonAtWindow::Desk::show_sheet() {
-  change([this](ParticipantScene& scene) {
+void PersonAtWindow::Desk::show_sheet(const Trial& trial) {
+  change([&](ParticipantScene& scene) {
     sheet->mark(scene);
+    if (trial.arrangement.surfaces == Arrangement::Surfaces::on_request) {
+      scene.wished_surface = wished(trial);
+    }
     scene.cue.clear();
     scene.cue_saying = {};
   });
@@ -254,6 +279,10 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
                                                        const ParticipantInput& input) {
   const SheetResult result = sheet->take(input);
   if (const auto* const answers = std::get_if<GivenAnswers>(&result)) {
+    if (const std::optional<int> owed = visits.owed(trial, last_felt)) {
+      refuse_answer(input, owed);
+      return {};
+    }
     source = input.source;
     return Reply{*answers, input.time_ns};
   }
@@ -265,25 +294,31 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
     if (changed->needs_new_reading) {
       change_meaning(input.time_ns + std::llround(1e9 * input.held_s));
     }
-    show_sheet();
+    show_sheet(trial);
     if (changed->cue) play(*changed->cue, changed->number);
   } else if (std::holds_alternative<PointedAtFeelingAgain>(result)) {
-    show_sheet();
-    remind({.what = Saying::What::feel_again, .code = code_of(next_again(trial))});
-    play(Cue::surface, next_again(trial));
+    show_sheet(trial);
+    remind({.what =
+                visits.of(wished(trial)) == 0 ? Saying::What::feel_named : Saying::What::feel_again,
+            .code = code_of(wished(trial))});
+    play(Cue::surface, wished(trial));
   }
   return {};
 }
 
-/// A wish to feel a surface again: the one that was named, or the one after the last that was felt.
+/// A wish to feel a surface (again): the one that was named, or the one that is meant without a name.
 std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
                                                      const ParticipantInput& input) {
-  if (!trial.allow_revisit) {
+  if (!trial.arrangement.allows_revisits()) {
     refuse(input, {.what = Saying::What::no_going_back});
     return {};
   }
   sheet->forget_feeling_again();
-  const int position = input.kind == Kind::surface ? input.number : next_again(trial);
+  const int position = input.kind == Kind::surface ? input.number : wished(trial);
+  if (!visits.may_visit(trial, position)) {
+    refuse(input, {.what = Saying::What::felt_often_enough, .code = code_of(position)});
+    return {};
+  }
   return Reply{FeelAgain{position}, input.time_ns};
 }
 
@@ -330,6 +365,9 @@ void PersonAtWindow::put_mask(bool on, const Wait& wait) {
 
 void PersonAtWindow::begin_attempt(int, int) {
   desk_->felt.clear();
+  desk_->visits.clear();
+  desk_->codes.clear();
+  desk_->is_side_by_side = false;
   desk_->now = 0;
   desk_->last_felt = 0;
   desk_->sheet.reset();
@@ -338,18 +376,21 @@ void PersonAtWindow::begin_attempt(int, int) {
 void PersonAtWindow::announce(const Trial& trial, const PlannedPresentation& surface) {
   desk_->leave_surface();
   desk_->now = surface.position;
-  desk_->codes.clear();
-  for (const PlannedPresentation& planned : trial.presentations) {
-    desk_->codes.push_back(planned.code);
-  }
+  desk_->visits.add(surface.position);
+  desk_->know_codes(trial);
+  desk_->is_side_by_side = trial.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
   desk_->face({ParticipantScene::Kind::feel},
-              scene_of_surface(trial, desk_->felt_positions(), surface.position));
+              desk_->is_side_by_side
+                  ? scene_of_patches(trial)
+                  : scene_of_surface(trial, desk_->felt_positions(), surface.position));
 }
 
 bool PersonAtWindow::wants_next(bool may_go) {
-  const std::optional<int> next = desk_->other_unfelt();
+  const std::optional<int> next = desk_->is_side_by_side ? std::nullopt : desk_->other_unfelt();
   std::optional<int> to_feel = next;
-  if (!to_feel && !desk_->felt.contains(desk_->now)) to_feel = desk_->now;
+  if (!to_feel && !desk_->is_side_by_side && !desk_->felt.contains(desk_->now)) {
+    to_feel = desk_->now;
+  }
   while (const std::optional<ParticipantInput> input = desk_->hear()) {
     switch (input->kind) {
       case Kind::next:
@@ -376,6 +417,10 @@ bool PersonAtWindow::wants_next(bool may_go) {
         continue;
     }
     if (may_go) return true;
+    if (desk_->is_side_by_side) {
+      desk_->refuse(*input, {.what = Saying::What::feel_all_longer});
+      continue;
+    }
     desk_->refuse(*input, {.what = Saying::What::feel_longer, .code = desk_->code_of(desk_->now)});
   }
   return false;
@@ -413,13 +458,14 @@ Reply PersonAtWindow::ask(const Trial& trial, std::span<const TrialQuestion> pag
                           std::span<const ForceFeatures>, std::optional<double> deadline_s,
                           const Wait& wait) {
   desk_->leave_surface();
+  desk_->know_codes(trial);  // on request the question comes before the first surface
   if (!desk_->sheet || desk_->sheet_question != page.front().name) {
     desk_->sheet = sheet_for(trial, page);
     desk_->sheet_question = page.front().name;
   }
   desk_->face({ParticipantScene::Kind::question},
               scene_of_question(trial, page, desk_->felt_positions()));
-  desk_->show_sheet();
+  desk_->show_sheet(trial);
   std::optional<std::int64_t> until_ns{};
   if (deadline_s) {
     desk_->deadline_ns = desk_->after_shown_ns(*deadline_s);

@@ -130,7 +130,12 @@ void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation&
     show({*trial.standard_picture});
     output_ << "\nThe picture is in " << sheet_.string() << ".\n";
   }
-  output_ << "\nFeel surface " << surface.code << " now." << std::endl;
+  visits_.add(surface.position);
+  const bool all = trial.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
+  felt_side_by_side_ = all;
+  const ParticipantScene scene =
+      all ? scene_of_patches(trial) : scene_of_surface(trial, {}, surface.position);
+  output_ << '\n' << scene.text << std::endl;
   if (!unechoed_) unechoed_.emplace(input_);
 }
 
@@ -178,7 +183,9 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
     output_ << "The pictures are in " << sheet_.string() << ", 1 to " << pictures.size()
             << " from left to right.\n";
   }
-  if (trial.allow_revisit) {
+  if (visits_.owed(trial)) {
+    output_ << "To feel a surface, type feel and its letter, for example: feel A\n";
+  } else if (trial.arrangement.allows_revisits() && visits_.next(trial, 0)) {
     output_ << "To feel a surface again, type feel and its letter, for example: feel A\n";
   }
   const std::unique_ptr<AnswerDialogue> dialogue = dialogue_for(trial, question);
@@ -194,6 +201,12 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
       return FeelAgain{*again};
     }
     if (is_wish) continue;
+    if (const std::optional<int> owed = visits_.owed(trial)) {
+      const PlannedPresentation& first =
+          trial.presentations.at(static_cast<std::size_t>(*owed - 1));
+      output_ << text_of({.what = Saying::What::feel_first, .code = first.code}) << '\n';
+      continue;
+    }
     std::variant<NextLine, Answer> taken = dialogue->take(*typed);
     if (auto* const answer = std::get_if<Answer>(&taken)) return std::move(*answer);
     const std::string& complaint = std::get<NextLine>(taken).complaint;
@@ -203,7 +216,7 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
 
 std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const Trial& trial,
                                                bool& said) {
-  said = trial.allow_revisit && typed.rfind("feel", 0) == 0;
+  said = trial.arrangement.allows_revisits() && typed.rfind("feel", 0) == 0;
   if (!said) return {};
   std::string code = trimmed(typed.substr(4));
   for (char& letter : code) {
@@ -211,6 +224,10 @@ std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const T
   }
   std::string codes{};
   for (const PlannedPresentation& surface : trial.presentations) {
+    if (surface.code == code && !visits_.may_visit(trial, surface.position)) {
+      output_ << text_of({.what = Saying::What::felt_often_enough, .code = code}) << '\n';
+      return {};
+    }
     if (surface.code == code) return surface.position;
     codes += (codes.empty() ? "" : ", ") + surface.code;
   }

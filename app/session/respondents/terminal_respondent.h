@@ -10,6 +10,7 @@
 
 #include "app/session/respondents/respondent.h"
 #include "app/session/respondents/unechoed_input.h"
+#include "app/session/respondents/visit_tally.h"
 
 namespace asperity {
 
@@ -45,7 +46,12 @@ class TerminalRespondent final : public Respondent {
   /// At a terminal there is no experimenter's window: Return states that the fault is corrected.
   void hear_of_fault(const std::string& what) override;
   AfterFault after_fault() override;
-  void begin_attempt(int, int) override {}
+  void begin_attempt(int, int) override {
+    visits_.clear();
+    felt_side_by_side_ = false;
+  }
+  /// Surfaces side by side are finished as soon as possible: a terminal has no key for it while the hand moves.
+  bool wants_next(bool may_go) override { return felt_side_by_side_ && may_go; }
 
  private:
   /// Asks one question. `left_s` follows the time that passes in `timed`.
@@ -73,6 +79,8 @@ class TerminalRespondent final : public Respondent {
   bool in_grey_ = false;
   std::string buffer_{};
   std::optional<UnechoedInput> unechoed_{};
+  VisitTally visits_{};  ///< of the attempt
+  bool felt_side_by_side_ = false;
 };
 
 }  // namespace asperity

@@ -17,6 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr double kReading_s = 2.0;
+constexpr double kChoosing_s = 0.5;  // which surface to feel next
 constexpr double kExpectationContact_s = 4.0;
 constexpr std::uint64_t kExpectationPresentation = 1;
 
@@ -138,6 +139,13 @@ void VirtualParticipant::begin_attempt(int trial, int attempt) {
   attempt_random_ = random_.split("attempt")
                         .split(static_cast<std::uint64_t>(trial))
                         .split(static_cast<std::uint64_t>(attempt));
+  visits_.clear();
+  felt_side_by_side_ = false;
+}
+
+void VirtualParticipant::announce(const Trial& trial, const PlannedPresentation& surface) {
+  visits_.add(surface.position);
+  felt_side_by_side_ = trial.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
 }
 
 void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& wait) {
@@ -149,6 +157,10 @@ void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0);
 Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion> page,
                               std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
                               const Wait& wait) {
+  if (const std::optional<int> owed = visits_.owed(trial)) {
+    wait(kChoosing_s);
+    return {FeelAgain{*owed}};
+  }
   static const Expectations kNone{};
   const auto expected = expectations_.find(exploration_of(protocol_, trial).name);
   std::optional<double> left_s = deadline_s;

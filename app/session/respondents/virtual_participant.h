@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/respondents/respondent.h"
+#include "app/session/respondents/visit_tally.h"
 #include "app/session/stimulus_builder.h"
 #include "device/simulated_device.h"
 #include "protocols/observer/virtual_observer.h"
@@ -54,7 +55,7 @@ class VirtualParticipant final : public Respondent {
                      ParticipantRow person, const Random& random);
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
-  void announce(const Trial&, const PlannedPresentation&) override {}
+  void announce(const Trial& trial, const PlannedPresentation& surface) override;
   Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
             std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
             const Wait& wait) override;
@@ -63,10 +64,15 @@ class VirtualParticipant final : public Respondent {
   std::string source() const override { return source_; }
   void begin_attempt(int trial, int attempt) override;
 
+  /// Over surfaces side by side the hand continues until it may go on; elsewhere the session ends a visit.
+  bool wants_next(bool may_go) override { return felt_side_by_side_ && may_go; }
+
  private:
   const Protocol& protocol_;
   ExpectationsByExploration expectations_{};
   ParticipantRow person_{};
+  VisitTally visits_{};  ///< of the attempt
+  bool felt_side_by_side_ = false;
   Random random_;
   Random attempt_random_;
   std::string source_{};  ///< of the last answer

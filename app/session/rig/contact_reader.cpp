@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "renderers/force/adjacent_patches.h"
 #include "renderers/servo/contact.h"
 
 namespace asperity {
@@ -100,7 +101,9 @@ HandWatch::Side HandWatch::side_of(const AskedBand& band, double value, Side bef
 
 void HandWatch::take(const TickRecord& record) {
   const std::optional<HandSample> sample = reader_.take(record);
-  if (record.has(TickFlag::presenting)) presented_ = record.presentation;
+  if (record.has(TickFlag::presenting) && record.presentation != kSideBySide) {
+    presented_ = record.presentation;
+  }
   if (sample) {
     Surface& surface =
         surfaces_.try_emplace(sample->presentation, Surface{{}, HandStrokes(bands_.usual_stroke_m)})

@@ -15,6 +15,7 @@ void Recorder::begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, Re
   rate_Hz_ = rate_Hz;
   lost_before_ = records.lost();
   watched_ = 0;
+  watched_parts_ = 0;
   live_ = {};
   records_.clear();
   writer_ = std::move(writer);
@@ -30,7 +31,7 @@ void Recorder::drain(RecordRing& records, std::int64_t ahead_ns) {
     if (watch_ != nullptr) watch_->take(record);
     if (!open_) continue;
     records_.push_back(record);
-    if (watched_ != 0 && record.presentation == watched_) {
+    if (is_watched(record)) {
       live_.presented = true;
       live_.touching = is_in_contact(record);
       if (live_.touching) live_.contact_s += 1.0 / rate_Hz_;
@@ -47,8 +48,9 @@ void Recorder::drain(RecordRing& records, std::int64_t ahead_ns) {
   }
 }
 
-void Recorder::watch(std::uint64_t presentation) noexcept {
+void Recorder::watch(std::uint64_t presentation, std::size_t parts) noexcept {
   watched_ = presentation;
+  watched_parts_ = parts;
   live_ = {};
 }
 

@@ -46,8 +46,8 @@ class Recorder final {
   /// `ahead_ns` is added to the times of the records: the offset of the session's clock from the
   /// servo's.
   void drain(RecordRing& records, std::int64_t ahead_ns = 0);
-  /// Restarts the count of contact, for the surface presented next.
-  void watch(std::uint64_t presentation) noexcept;
+  /// Restarts the count of contact, for the surface presented next, or for one with this many parts.
+  void watch(std::uint64_t presentation, std::size_t parts = 0) noexcept;
   LiveContact live() const noexcept { return live_; }
   bool is_open() const noexcept { return open_; }
   /// The records of the current attempt, as they will be recorded.
@@ -69,7 +69,13 @@ class Recorder final {
   bool open_ = false;
   double rate_Hz_ = 1000.0;
   std::uint64_t lost_before_ = 0;
+  bool is_watched(const TickRecord& record) const noexcept {
+    return watched_ != 0 && (record.presentation == watched_ ||
+                             (record.presentation != 0 && record.presentation <= watched_parts_));
+  }
+
   std::uint64_t watched_ = 0;
+  std::size_t watched_parts_ = 0;
   LiveContact live_{};
   std::vector<TickRecord> records_{};
   std::unique_ptr<RecordingWriter> writer_{};

@@ -136,6 +136,7 @@ TEST_F(LiveWorkspaceTest, ShowsTheBodiesOfAModelThatHasThem) {
 
 TEST_F(LiveWorkspaceTest, AMirroredSessionLiesOnTheOtherSide) {
   trial_.presentations[0].stimulus.patch.centre_m.x = 0.05;
+  trial_.presentations[0].patch = trial_.presentations[0].stimulus.patch;
   LiveWorkspace workspace(monitor_, folder(), SurfaceLook::plain);
   workspace.resize(480, 270);
   workspace.show();

@@ -29,6 +29,7 @@ class APointerFeed : public testing::Test {
     surface.position = 1;
     surface.stimulus.patch.centre_m = {0.03, 0.0, 0.0};
     surface.stimulus.patch.extent_m = {0.02, 0.02};
+    surface.patch = surface.stimulus.patch;
     Trial trial{};
     trial.ordinal = 1;
     trial.presentations = {surface};

@@ -11,6 +11,7 @@
 #include "app/findings/study/discrimination_questions.h"
 #include "app/findings/study/task_words.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/kinds/discrimination.h"
 #include "protocols/plan/block_design.h"
 
@@ -22,11 +23,9 @@ using Block = Protocol::Block;
 
 constexpr std::array kDiscriminationClaims{
     TestClaim{"order", "",
-              "The comparison was chosen significantly more often when it was presented first than "
-              "when it was presented second",
-              "The comparison was chosen significantly less often when it was presented first than "
-              "when it was presented second",
-              "The proportions of choices of the comparison presented first and second were not "
+              "The comparison was chosen significantly more often as surface A than as surface B",
+              "The comparison was chosen significantly less often as surface A than as surface B",
+              "The proportions of choices of the comparison as surface A and as surface B were not "
               "significantly different"},
     TestClaim{"conditions", "", "The %1 was significantly different between the conditions", "",
               "The %1 was not significantly different between the conditions"},
@@ -44,12 +43,6 @@ std::vector<const Block*> discrimination_blocks(const Protocol& protocol) {
     if (block.vary && block.vary->standard) blocks.push_back(&block);
   }
   return blocks;
-}
-
-const Protocol::TrialQuestionTemplate* judged_question(const Block& block) {
-  const auto asked = std::find_if(block.questions.begin(), block.questions.end(),
-                                  [](const auto& each) { return each.judgement.has_value(); });
-  return asked == block.questions.end() ? nullptr : &*asked;
 }
 
 bool is_performance(const Block& block) {
@@ -101,11 +94,40 @@ std::string levels_text(const Block& block) {
   return {};
 }
 
+std::string task_of_arrangement(const Arrangement& arrangement) {
+  switch (arrangement.surfaces) {
+    case Arrangement::Surfaces::sequential:
+      return "two-interval forced choice. In each trial, a standard and a comparison are presented "
+             "one after the other, in either order, and one of them is to be chosen";
+    case Arrangement::Surfaces::side_by_side:
+      return "two-alternative forced choice. In each trial, a standard and a comparison are "
+             "presented side by side, on either side, and one of them is to be chosen";
+    case Arrangement::Surfaces::on_request:
+      return "two-alternative forced choice. In each trial, a standard and a comparison are felt "
+             "in "
+             "any order that the participant chooses, and one of them is to be chosen";
+  }
+  return {};
+}
+
+std::string paper_task_of_arrangement(const Arrangement& arrangement) {
+  switch (arrangement.surfaces) {
+    case Arrangement::Surfaces::sequential:
+      return " one after the other, a standard and a comparison in either order, and one of them "
+             "was to be chosen (two-interval forced choice, 2IFC).";
+    case Arrangement::Surfaces::side_by_side:
+      return " side by side, a standard and a comparison on either side, and one of them was to be "
+             "chosen (two-alternative forced choice, 2AFC).";
+    case Arrangement::Surfaces::on_request:
+      return " in any order that the participant chose, a standard and a comparison, and one of "
+             "them was to be chosen (two-alternative forced choice, 2AFC).";
+  }
+  return {};
+}
+
 std::string task_of_block(const Block& block) {
   const auto* const asked = judged_question(block);
-  std::string text =
-      "two-interval forced choice. In each trial, a standard and a comparison are presented one "
-      "after the other, in either order, and one of them is to be chosen";
+  std::string text = task_of_arrangement(block.arrangement);
   if (asked != nullptr) text += ": " + quoted(asked->prompt);
   if (asked == nullptr || !asked->prompt.ends_with('?')) text += '.';
   text += " The " + words_of_parameter(block.vary->parameter) + " of the standard is " +
@@ -158,10 +180,10 @@ std::string paper_thresholds(const Block& block) {
 }
 
 std::string paper_task_of_discrimination(const Protocol& protocol) {
+  const std::vector<const Block*> blocks = discrimination_blocks(protocol);
   std::string text =
-      " one after the other, a standard and a comparison in either order, and one "
-      "of them was to be chosen (two-interval forced choice, 2IFC).";
-  for (const Block* const block : discrimination_blocks(protocol)) {
+      paper_task_of_arrangement(blocks.empty() ? Arrangement{} : blocks.front()->arrangement);
+  for (const Block* const block : blocks) {
     const std::string details =
         " The " + words_of_parameter(block->vary->parameter) + " of the standard was " +
         reading_quantity(*block->vary->standard, unit_of(*block)) + "; that of the comparison " +

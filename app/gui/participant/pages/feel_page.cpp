@@ -18,6 +18,12 @@ using Action = ParticipantAction;
 using Item = ParticipantItem;
 using Scene = ParticipantScene;
 
+/// Several surfaces are felt at once.
+bool is_side_by_side(const Scene& scene) {
+  return std::count_if(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const Scene::Surface& surface) { return surface.now; }) > 1;
+}
+
 /// What is to be felt, and beside or below it the guide, the workspace, the pictures.
 class FeelLayout final {
  public:
@@ -97,7 +103,9 @@ void FeelLayout::chips_in_rows() {
     const int here = std::min(in_a_row, count - first);
     double x = body_.center().x() - (here * width + (here - 1) * gap) / 2.0;
     for (int place = first; place < first + here; ++place) {
-      const int index = frame_.inputs().mirrored ? 2 * first + here - 1 - place : place;
+      // Surfaces side by side lie in the workspace as their chips.
+      const bool mirrored = frame_.inputs().mirrored && !is_side_by_side(scene_);
+      const int index = mirrored ? 2 * first + here - 1 - place : place;
       const Scene::Surface& surface = scene_.surfaces[static_cast<std::size_t>(index)];
       Item& chip = frame_.add(
           {.kind = Item::Kind::chip,
@@ -181,7 +189,9 @@ class FeelPage final : public ParticipantPage {
 
   void add_controls(PageFrame& frame) const override {
     if (frame.scene().kind != Scene::Kind::feel) return;
-    frame.add_control(frame.said(phrase("ParticipantLayout", "Finish with this surface")),
+    frame.add_control(frame.said(is_side_by_side(frame.scene())
+                                     ? phrase("ParticipantLayout", "Finish with these surfaces")
+                                     : phrase("ParticipantLayout", "Finish with this surface")),
                       frame.space_key(), {.what = Action::What::next}, false);
   }
 

@@ -16,6 +16,12 @@ QString upper(const std::string& text) { return QString::fromStdString(text).toU
 
 QString text_of_feeling_again(const PageFrame& frame) {
   const std::vector<ParticipantScene::Surface>& surfaces = frame.scene().surfaces;
+  if (const std::optional<int> wished = frame.scene().wished_surface) {
+    const ParticipantScene::Surface& surface = surfaces.at(static_cast<std::size_t>(*wished - 1));
+    return frame.said((surface.felt ? phrase("ParticipantLayout", "Feel %1 again")
+                                    : phrase("ParticipantLayout", "Feel %1"))
+                          .with(surface.code));
+  }
   const std::optional<int> picked = frame.inputs().draft.surface;
   const bool names_it = picked && static_cast<std::size_t>(*picked) <= surfaces.size();
   // Where controls have little room their size stays the same.

@@ -49,6 +49,8 @@ class AnswerSheet {
   /// Marks what is chosen, and whether it can be confirmed, in a scene of this question.
   virtual void mark(ParticipantScene& scene) const = 0;
   virtual void forget_feeling_again() {}
+  /// The position of the surface that is chosen or marked; nothing where the answer names no surface.
+  virtual std::optional<int> chosen_surface() const { return {}; }
 
  protected:
   AnswerSheet() = default;

@@ -4,7 +4,7 @@ namespace asperity {
 
 AssignmentSheet::AssignmentSheet(const Trial& trial, const TrialQuestion& question)
     : options_(question.options.size()),
-      may_feel_again_(trial.allow_revisit),
+      may_feel_again_(trial.arrangement.allows_revisits()),
       given_(trial.presentations.size()) {
   for (const PlannedPresentation& planned : trial.presentations) codes_.push_back(planned.code);
 }

@@ -5,7 +5,14 @@ namespace asperity {
 ChoiceSheet::ChoiceSheet(const Trial& trial, const TrialQuestion& question)
     : options_(question.options.size()),
       surfaces_(trial.presentations.size()),
-      may_feel_again_(trial.allow_revisit) {}
+      may_feel_again_(trial.arrangement.allows_revisits()),
+      options_are_surfaces_(!question.options.empty() && !question.options.front().picture &&
+                            question.options.front().text.empty()) {}
+
+std::optional<int> ChoiceSheet::chosen_surface() const {
+  if (!options_are_surfaces_ || !chosen_ || *chosen_ >= surfaces_) return {};
+  return static_cast<int>(*chosen_) + 1;
+}
 
 SheetResult ChoiceSheet::take(const ParticipantInput& input) {
   switch (input.kind) {

@@ -17,6 +17,7 @@ class ChoiceSheet final : public AnswerSheet {
 
   SheetResult take(const ParticipantInput& input) override;
   void mark(ParticipantScene& scene) const override;
+  std::optional<int> chosen_surface() const override;
   void forget_feeling_again() override { points_at_feeling_again_ = false; }
 
  private:
@@ -26,6 +27,7 @@ class ChoiceSheet final : public AnswerSheet {
   std::size_t options_ = 0;
   std::size_t surfaces_ = 0;
   bool may_feel_again_ = false;
+  bool options_are_surfaces_ = false;
   std::optional<std::size_t> chosen_{};
   bool points_at_feeling_again_ = false;
 };

@@ -6,7 +6,7 @@
 namespace asperity {
 
 ScaleSheet::ScaleSheet(const Trial& trial, std::span<const TrialQuestion> page)
-    : surfaces_(trial.presentations.size()), may_feel_again_(trial.allow_revisit) {
+    : surfaces_(trial.presentations.size()), may_feel_again_(trial.arrangement.allows_revisits()) {
   for (const TrialQuestion& question : page) {
     marks_.push_back({.form = std::get<ScaleForm>(question.form)});
   }

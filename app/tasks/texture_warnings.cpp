@@ -1,4 +1,4 @@
-#include "app/tasks/texture_doubts.h"
+#include "app/tasks/texture_warnings.h"
 
 #include <cmath>
 #include <map>
@@ -91,11 +91,11 @@ bool is_at_an_angle(const HeightFieldProvenance& made) {
 
 }  // namespace
 
-std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
-                                              const std::string& file_name,
-                                              const std::filesystem::path& study) {
+std::vector<Diagnostic> warnings_about_textures(const Protocol& protocol,
+                                                const std::string& file_name,
+                                                const std::filesystem::path& study) {
   const JsonDocument document(protocol.source, file_name);
-  std::vector<Diagnostic> doubts{};
+  std::vector<Diagnostic> warnings{};
   const double motion_scale = protocol.patch.motion_scale;  // the same for all textures
   for (const auto& [name, use] : uses_of(protocol)) {
     const std::filesystem::path file = study / use.height_field;
@@ -110,7 +110,7 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
       const double said_m = *texture->second.spacing_m;
       const double felt_m = *spacing_m / motion_scale;
       if (std::abs(said_m - felt_m) > kSameSpacing * felt_m) {
-        doubts.push_back(document.at(
+        warnings.push_back(document.at(
             place + "/spacing_m",
             whose + "the protocol states a spacing of " + number_text(said_m) +
                 " m, but according to its sidecar the file was made with " +
@@ -127,11 +127,11 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
     const double once_m = canvas.width_m * (1.0 + kSameSpacing);
     const bool is_repeated = use.widest_m.x > once_m || use.widest_m.y > once_m;
     const auto seam = seam_of(made.kind, made.parameters, canvas);
-    if (seam && is_repeated) doubts.push_back(document.at(place, whose + *seam));
+    if (seam && is_repeated) warnings.push_back(document.at(place, whose + *seam));
     const auto coarse = coarse_samples_of(made.kind, made.parameters, canvas);
-    if (coarse) doubts.push_back(document.at(place, whose + *coarse));
+    if (coarse) warnings.push_back(document.at(place, whose + *coarse));
   }
-  return doubts;
+  return warnings;
 }
 
 }  // namespace asperity

@@ -24,8 +24,8 @@ namespace asperity {
 /// None for surfaces that were not made by a formula. The files have been checked before.
 ///
 /// Errors: as `load_height_field`.
-std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
-                                              const std::string& file_name,
-                                              const std::filesystem::path& study);
+std::vector<Diagnostic> warnings_about_textures(const Protocol& protocol,
+                                                const std::string& file_name,
+                                                const std::filesystem::path& study);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "app/tasks/force_doubts.h"
+#include "app/tasks/force_warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +49,10 @@ double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& 
 
 }  // namespace
 
-std::vector<Diagnostic> doubts_about_forces(const Protocol& protocol, const std::string& file_name,
-                                            StimulusBuilder& builder) {
-  std::vector<Diagnostic> doubts{};
+std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
+                                              const std::string& file_name,
+                                              StimulusBuilder& builder) {
+  std::vector<Diagnostic> warnings{};
   std::set<std::string> compared{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
   for (const Trial& trial : possible_trials(protocol)) {
@@ -68,8 +69,8 @@ std::vector<Diagnostic> doubts_about_forces(const Protocol& protocol, const std:
       const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol);
       if (largest_N >= kReached * *requested_N) continue;
       reported.insert(where);
-      doubts.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-      doubts.back().message =
+      warnings.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
+      warnings.back().message =
           "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
           " N at rest, but the exploration \"" + exploration.name + "\" requests " +
           number_text(*requested_N) +
@@ -77,7 +78,7 @@ std::vector<Diagnostic> doubts_about_forces(const Protocol& protocol, const std:
           "parameter that limits the depth, or request less force";
     }
   }
-  return doubts;
+  return warnings;
 }
 
 }  // namespace asperity

@@ -16,6 +16,6 @@ namespace asperity {
 /// levels of one parameter, which analyses preference and not discrimination. No protocol is rejected for these.
 ///
 /// `file_name` is the file in the diagnostics.
-std::vector<Diagnostic> doubts_about(const Protocol& protocol, const std::string& file_name);
+std::vector<Diagnostic> warnings_about(const Protocol& protocol, const std::string& file_name);
 
 }  // namespace asperity

@@ -17,7 +17,8 @@ namespace asperity {
 ///
 /// The force is that on a probe at rest, at the centre and on a circle around it, for depths up to that of the force limit
 /// and at least 2 cm. Bodies are not compared. The files have been checked before.
-std::vector<Diagnostic> doubts_about_forces(const Protocol& protocol, const std::string& file_name,
-                                            StimulusBuilder& builder);
+std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
+                                              const std::string& file_name,
+                                              StimulusBuilder& builder);
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 // Implements the warnings about valid protocols.
 
-#include "protocols/file/doubts.h"
+#include "protocols/file/warnings.h"
 
 #include <algorithm>
 #include <cctype>
@@ -25,30 +25,30 @@ constexpr double kFastestHand_m_per_s = 1.0;
 // A fraction of the force limit: a greater mean force exceeds the limit at the crests of the texture.
 constexpr double kRoomForTexture = 0.8;
 
-class Doubts final {
+class Warnings final {
  public:
-  Doubts(const Protocol& protocol, const std::string& file_name)
+  Warnings(const Protocol& protocol, const std::string& file_name)
       : protocol_(protocol), document_(protocol.source, file_name) {}
 
   std::vector<Diagnostic> all() {
     for (const auto& [name, exploration] : protocol_.explorations) {
       const std::string pointer = pointer_to("/explorations", name);
-      doubt_use(name, pointer);
-      doubt_rule(exploration, pointer);
-      doubt_bands(exploration, pointer);
-      doubt_strokes(exploration, pointer);
+      warn_of_use(name, pointer);
+      warn_of_rule(exploration, pointer);
+      warn_of_bands(exploration, pointer);
+      warn_of_strokes(exploration, pointer);
     }
-    doubt_words();
-    doubt_comparison();
+    warn_of_words();
+    warn_of_comparison();
     return std::move(found_);
   }
 
  private:
-  void doubt(const std::string& pointer, std::string message) {
+  void warn(const std::string& pointer, std::string message) {
     found_.push_back(document_.at(pointer, std::move(message)));
   }
 
-  void doubt_use(const std::string& name, const std::string& pointer) {
+  void warn_of_use(const std::string& name, const std::string& pointer) {
     const bool is_used =
         std::any_of(protocol_.blocks.begin(), protocol_.blocks.end(), [&](const auto& named) {
           const Binding<std::string>& asked = named.second.exploration;
@@ -59,24 +59,24 @@ class Doubts final {
                              [&](const Level& level) { return text_of(level) == name; });
         });
     if (!is_used)
-      doubt(pointer, "no block uses the exploration " + in_quotes(name) +
-                         "; name it in a block, or remove it");
+      warn(pointer, "no block uses the exploration " + in_quotes(name) +
+                        "; name it in a block, or remove it");
   }
 
-  void doubt_rule(const Exploration& asked, const std::string& pointer) {
+  void warn_of_rule(const Exploration& asked, const std::string& pointer) {
     const bool repeats = asked.on_failure != Exploration::OnFailure::flag;
     if (!repeats || asked.required_fraction_in_band > 0.0) return;
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (!bounded(asked.normal_force_N) && !bounded(asked.speed_m_per_s)) return;
-    doubt(pointer + "/on_failure",
-          "no trial is repeated because of its force or speed while required_fraction_in_band is "
-          "0: state the fraction that has to lie in the bands, such as 0.6");
+    warn(pointer + "/on_failure",
+         "no trial is repeated because of its force or speed while required_fraction_in_band is "
+         "0: state the fraction that has to lie in the bands, such as 0.6");
   }
 
-  void doubt_bands(const Exploration& asked, const std::string& pointer) {
+  void warn_of_bands(const Exploration& asked, const std::string& pointer) {
     const auto look = [&](const std::optional<double>& value, double most, const char* place,
                           const std::string& why) {
-      if (value && *value > most) doubt(pointer + place, digits(*value) + why);
+      if (value && *value > most) warn(pointer + place, digits(*value) + why);
       return value && *value > most;
     };
     const std::string no_hand =
@@ -98,7 +98,7 @@ class Doubts final {
 
   /// Compares the maximum contact time with the minimum number of strokes, as short and as fast as permitted, and with
   /// the target number at the target length and speed.
-  void doubt_strokes(const Exploration& asked, const std::string& pointer) {
+  void warn_of_strokes(const Exploration& asked, const std::string& pointer) {
     const auto first = [](std::initializer_list<std::optional<double>> values) {
       for (const std::optional<double>& value : values) {
         if (value) return value;
@@ -112,13 +112,13 @@ class Doubts final {
       if (!strokes || !length_m || !speed_m_per_s || *speed_m_per_s <= 0.0) return false;
       const double takes_s = *strokes * *length_m / *speed_m_per_s;
       if (takes_s <= asked.maximum_contact_s) return false;
-      doubt(pointer + place,
-            digits(*strokes) + (*strokes == 1.0 ? " stroke of " : " strokes of ") +
-                digits(*length_m) + " m at " + digits(*speed_m_per_s) +
-                (*strokes == 1.0 ? " m/s does" : " m/s do") + " not fit into the " +
-                digits(asked.maximum_contact_s) +
-                " s after which the surface is removed; raise maximum_contact_s, or "
-                "request fewer strokes");
+      warn(pointer + place,
+           digits(*strokes) + (*strokes == 1.0 ? " stroke of " : " strokes of ") +
+               digits(*length_m) + " m at " + digits(*speed_m_per_s) +
+               (*strokes == 1.0 ? " m/s does" : " m/s do") + " not fit into the " +
+               digits(asked.maximum_contact_s) +
+               " s after which the surface is removed; raise maximum_contact_s, or "
+               "request fewer strokes");
       return true;
     };
     if (look(asked.strokes.minimum, first({length.minimum, length.target}),
@@ -130,7 +130,7 @@ class Doubts final {
   }
 
   /// Warns about a text that mentions what is neither shown nor heard.
-  void doubt_words() {
+  void warn_of_words() {
     using Guidance = Exploration::Guidance;
     bool by_sight = false;
     bool by_tones = false;
@@ -154,7 +154,7 @@ class Doubts final {
           word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
           continue;
         }
-        if (absent.contains(word)) return doubt(pointer, "the text mentions \"" + word + why);
+        if (absent.contains(word)) return warn(pointer, "the text mentions \"" + word + why);
         word.clear();
       }
     };
@@ -172,7 +172,7 @@ class Doubts final {
   }
 
   /// Warns about a selection whose analysis answers a different question than the levels of one parameter suggest.
-  void doubt_comparison() {
+  void warn_of_comparison() {
     const std::optional<std::string> parameter =
         stored_protocol(protocol_.source).compared_parameter;
     if (!parameter) return;
@@ -180,11 +180,11 @@ class Doubts final {
         std::find_if(protocol_.blocks.begin(), protocol_.blocks.end(),
                      [](const auto& named) { return named.second.phase == Phase::main; });
     if (block == protocol_.blocks.end()) return;
-    doubt(pointer_to("/blocks", block->first) + "/presented",
-          "the alternatives differ in " + in_quotes(*parameter) +
-              " alone: the analysis of a selection tests how often each level is chosen, not "
-              "whether levels can be discriminated; for a threshold, export the responses and fit "
-              "them with analyze --table FILE --as psyfit");
+    warn(pointer_to("/blocks", block->first) + "/presented",
+         "the alternatives differ in " + in_quotes(*parameter) +
+             " alone: the analysis of a selection tests how often each level is chosen, not "
+             "whether levels can be discriminated; for a threshold, export the responses and fit "
+             "them with analyze --table FILE --as psyfit");
   }
 
   const Protocol& protocol_;
@@ -194,8 +194,8 @@ class Doubts final {
 
 }  // namespace
 
-std::vector<Diagnostic> doubts_about(const Protocol& protocol, const std::string& file_name) {
-  return Doubts(protocol, file_name).all();
+std::vector<Diagnostic> warnings_about(const Protocol& protocol, const std::string& file_name) {
+  return Warnings(protocol, file_name).all();
 }
 
 }  // namespace asperity
