@@ -349,14 +349,9 @@ void TrialAttempt::lift_and_take_back(std::size_t index) {
     surfaces_->put_back(rig.loop().collect());
   }
   read_visits();
-  for (const PlannedPresentation& surface : trial_.presentations) {
-    const std::vector<VisitRow>& visits = visits_.visits(surface.position);
-    if (surfaces_->id_of(static_cast<std::size_t>(surface.position - 1)) !=
-        surfaces_->id_of(index)) {
-      continue;
-    }
-    if (!visits.empty()) lifted_ns_ = std::min(lifted_ns_, visits.back().offset_ns);
-  }
+  // Side by side there is no interval that would begin here.
+  const std::vector<VisitRow>& visits = visits_.visits(static_cast<int>(index) + 1);
+  if (!visits.empty()) lifted_ns_ = std::min(lifted_ns_, visits.back().offset_ns);
 }
 
 void TrialAttempt::read_visits() {
