@@ -84,7 +84,7 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
     for (const auto& [factor, level] : condition) levels[factor].insert(level);
     for (const auto& [person, choices] : people) all.push_back(choices.of_comparison);
   }
-  const bool counts_standard = !of_task.task.is_performance && trend_of_choices(all) < 0.0;
+  const bool of_choices_of_standard = counts_standard(of_task.task, trend_of_choices(all));
   std::vector<Column> columns{};
   for (const auto& [condition, people] : of_task.choices) {
     std::string name_of_condition = name;
@@ -107,7 +107,7 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
       for (const auto& [value, count] : hits) trials += static_cast<std::int64_t>(count.trials);
       n.cells[person] = trials;
       data.push_back({.key = key_of_person(person),
-                      .hits = counts_standard ? of_standard(hits) : hits,
+                      .hits = of_choices_of_standard ? of_standard(hits) : hits,
                       .by_procedure = choices.by_procedure});
     }
     const DiscriminationFit fit = fit_discrimination(of_task.task, data);

@@ -201,6 +201,7 @@ StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
     if (!scale.is_object()) return std::nullopt;
     return number_at(scale, key).value_or(if_missing);
   };
+  const std::string direction = text_in(asked, "asks_for");
   return {.name = text_in(asked, "name"),
           .prompt = text_in(asked, "prompt"),
           .has_scale = scale.is_object(),
@@ -209,7 +210,8 @@ StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
           .minimum = end_of("minimum", ScaleForm{}.minimum),
           .maximum = end_of("maximum", ScaleForm{}.maximum),
           .points = number_at(scale, "points"),
-          .judgement = text_in(asked, "judgement")};
+          .judgement = text_in(asked, "judgement"),
+          .asks_for_less = direction.empty() ? std::nullopt : std::optional(direction == "less")};
 }
 
 /// The number that the surface with this role has for a parameter.

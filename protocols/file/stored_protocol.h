@@ -43,6 +43,9 @@ struct StoredProtocol {
     std::optional<double> maximum{};
     std::optional<double> points{};  ///< of a scale that has points
     std::string judgement{};         ///< "performance", "comparison"; empty: none
+    /// Of the judgement "comparison": whether the question asks for less of the varied parameter; nothing where it is not
+    /// stated.
+    std::optional<bool> asks_for_less{};
   };
   struct Block {
     std::string kind{};  ///< its own, or that of the protocol; empty where neither is stated

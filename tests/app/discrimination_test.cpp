@@ -20,6 +20,8 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/discrimination_coverage.h"
+#include "app/findings/study/discrimination_tasks.h"
+#include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_thresholds.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/study/study_analysis.h"
@@ -490,6 +492,17 @@ TEST(Discrimination, RemarksThatTheDirectionOfTheChoicesIsUncertain) {
   EXPECT_TRUE(has_remark(outcome_of_observers(guessing, 2, kAround_m, false)));
   EXPECT_FALSE(has_remark(outcome_of_observers(kComparer, 2, kAround_m, false)));
   EXPECT_FALSE(has_remark(outcome_of_observers(kPerformer, 2, kAbove_m, true)));
+}
+
+TEST(Discrimination, TakesTheDirectionOfTheQuestionFromTheProtocolWhereItIsStated) {
+  DiscriminationTask task{.is_performance = false};
+  EXPECT_TRUE(counts_standard(task, -3.0)) << "from the responses";
+  EXPECT_FALSE(counts_standard(task, 3.0));
+  task.asks_for_less = true;
+  EXPECT_TRUE(counts_standard(task, 3.0));
+  task.asks_for_less = false;
+  EXPECT_FALSE(counts_standard(task, -3.0));
+  EXPECT_FALSE(counts_standard({.is_performance = true}, -3.0));
 }
 
 TEST(Discrimination, AlwaysEstimatesTheEffectOfTheOrder) {

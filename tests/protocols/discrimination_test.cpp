@@ -322,7 +322,15 @@ TEST(VariedParameters, KeepTheirMeasureInTheStoredProtocol) {
   EXPECT_EQ(block.vary->measure, LevelMeasure::percent);
   EXPECT_EQ(block.vary->standard, 5e-5);
   EXPECT_EQ(block.questions.front().judgement, "performance");
+  EXPECT_FALSE(block.questions.front().asks_for_less) << "not stated";
   EXPECT_FALSE(block.has_procedure);
+  EXPECT_TRUE(block.is_sequential);
+  ProtocolJson smoother = comparison_of_amplitudes();
+  main_block(smoother)["question"]["asks_for"] = "less";
+  main_block(smoother)["arrangement"] = {{"surfaces", "side_by_side"}};
+  const StoredProtocol::Block other = stored_protocol(smoother.dump()).blocks.at("comparisons");
+  EXPECT_EQ(other.questions.front().asks_for_less, true);
+  EXPECT_FALSE(other.is_sequential);
   ProtocolJson protocol = amplitude_jnd();
   const auto has_procedure = [&protocol](const char* method) {
     main_block(protocol)["procedure"] = {{"method", method}};

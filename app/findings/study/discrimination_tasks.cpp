@@ -113,8 +113,9 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
     count.hits += trial.chose_comparison ? 1 : 0;
   }
   const double trend = trend_of_choices({&choices, 1});
-  study.counts_standard = !task.is_performance && trend < 0.0;
-  study.is_direction_uncertain = !task.is_performance && std::abs(trend) < kClearTrend;
+  study.counts_standard = counts_standard(task, trend);
+  study.is_direction_uncertain =
+      !task.is_performance && !task.asks_for_less && std::abs(trend) < kClearTrend;
   return study;
 }
 
@@ -148,8 +149,8 @@ double trend_of_choices(std::span<const HitsByValue> all) {
 
 bool DiscriminationTask::operator==(const DiscriminationTask& other) const {
   const auto parts = [](const DiscriminationTask& task) {
-    return std::tie(task.is_performance, task.is_sequential, task.question, task.prompt,
-                    task.varied.factor, task.varied.parameter, task.varied.standard);
+    return std::tie(task.is_performance, task.is_sequential, task.asks_for_less, task.question,
+                    task.prompt, task.varied.factor, task.varied.parameter, task.varied.standard);
   };
   return parts(*this) == parts(other);
 }
@@ -165,10 +166,15 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
                           .prompt = asked->prompt,
                           .is_performance = asked->judgement == "performance",
                           .is_sequential = block.is_sequential,
+                          .asks_for_less = asked->asks_for_less,
                           .varied = *block.vary,
                           .has_levels_of_procedure = asperity::has_levels_of_procedure(block)};
   task.varied.unit = unit_of_parameter(task.varied.parameter);
   return task;
+}
+
+bool counts_standard(const DiscriminationTask& task, double trend) {
+  return !task.is_performance && task.asks_for_less.value_or(trend < 0.0);
 }
 
 bool has_levels_of_procedure(const StoredProtocol::Block& block) { return block.has_procedure; }

@@ -27,6 +27,8 @@ struct DiscriminationTask {
   /// The surfaces were presented one after the other; otherwise side by side or on request, where the first surface is
   /// that on the left or in front, or the one that the participant knows as A.
   bool is_sequential = true;
+  /// Of a comparison: whether the question asks for less of the parameter, as the protocol states; nothing if it does not.
+  std::optional<bool> asks_for_less{};
   Dimension
       varied{};  ///< with the unit of the parameter and the value of the standard; without levels
   bool has_levels_of_procedure = false;  ///< of the block with `name`
@@ -40,6 +42,10 @@ struct DiscriminationTask {
 /// The task of a block as stored; nothing where it states no judgement, parameter or value of the standard.
 std::optional<DiscriminationTask> discrimination_task(const std::string& block_name,
                                                       const StoredProtocol::Block& block);
+
+/// Whether the psychometric function is that of the choices of the standard: the question asks for less of the parameter, or,
+/// where the protocol does not state it, the choices of the comparison decrease with the parameter (`trend_of_choices`).
+bool counts_standard(const DiscriminationTask& task, double trend);
 
 /// Whether a procedure chose the levels of the block from the responses. Proportions over such levels depend on the
 /// procedure and are never reported.

@@ -97,7 +97,8 @@ CurveFamily family_of(const DiscriminationTask& task, const std::set<double>& le
 std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
                                           const DiscriminationStudy& study,
                                           std::span<const DiscriminationTrial* const> trials) {
-  PlacedTrials placed{.counts_standard = study.counts_standard};
+  // A procedure that knows the direction of the question moves by the hits.
+  PlacedTrials placed{.counts_standard = study.counts_standard && !study.task.asks_for_less};
   using Place = std::tuple<std::uint32_t, int, int, int>;
   std::map<Place, std::vector<const DiscriminationTrial*>> tracks{};
   for (const DiscriminationTrial* const trial : trials) {

@@ -30,7 +30,8 @@ struct PlacedTrials {
   std::vector<Track> tracks{};
   /// Trials by value of the parameter whose level no procedure chose from the responses.
   std::map<double, std::uint64_t> fixed{};
-  bool counts_standard = false;  ///< as in DiscriminationStudy
+  /// The tracks moved down after choices of the comparison, although the hits are choices of the standard.
+  bool counts_standard = false;
 };
 
 /// Of the trials of one function; nothing where no procedure chose a level, or its settings are not known. `trials`: in any
