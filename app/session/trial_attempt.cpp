@@ -348,14 +348,13 @@ void TrialAttempt::lift_and_take_back(std::size_t index) {
     course_.wait_refusing_answers(kSlice_s);
     surfaces_->put_back(rig.loop().collect());
   }
-  read_visits();
+  read_visits(course_.recorder().records());
   // Side by side there is no interval that would begin here.
   const std::vector<VisitRow>& visits = visits_.visits(static_cast<int>(index) + 1);
   if (!visits.empty()) lifted_ns_ = std::min(lifted_ns_, visits.back().offset_ns);
 }
 
-void TrialAttempt::read_visits() {
-  const std::vector<TickRecord>& records = course_.recorder().records();
+void TrialAttempt::read_visits(const std::vector<TickRecord>& records) {
   for (; records_read_ < records.size(); ++records_read_) visits_.take(records[records_read_]);
 }
 
@@ -398,7 +397,7 @@ void TrialAttempt::explore_patches() {
     const double contact_s = course_.recorder().live().contact_s;
     if (contact_s > 0.0) course_.enter(SessionPhase::contact);
     if (contact_s >= longest_s || passed_s >= longest_s + kPatience_s) return;
-    read_visits();
+    read_visits(course_.recorder().records());
     const bool may_go =
         contact_s > 0.0 &&
         std::all_of(trial_.presentations.begin(), trial_.presentations.end(),
@@ -426,8 +425,7 @@ double TrialAttempt::wanted_contact_s() const {
 
 void TrialAttempt::measure(const std::vector<TickRecord>& records) {
   const double rate_Hz = course_.protocol().rate_Hz;
-  const std::vector<std::vector<VisitRow>> visits =
-      visits_of(records, surfaces_->size(), rate_Hz, judged_force_of(course_.rig().capability()));
+  read_visits(records);
   for (std::size_t i = 0; i < surfaces_->size(); ++i) {
     const PlannedPresentation& planned = trial_.presentations[i];
     const PreparedStimulus& prepared = surfaces_->stimulus(i);
@@ -446,7 +444,7 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.friction = prepared.inputs.material.friction;
     presentation.raised_m = planned.patch.centre_m.z - planned.stimulus.patch.centre_m.z;
     presentation.seed = std::to_string(surfaces_->seed(i));
-    presentation.visits = visits[i];
+    presentation.visits = visits_.visits(planned.position);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);
     const EqualForce request = planned.equal_force.value_or(EqualForce{});

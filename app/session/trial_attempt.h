@@ -99,8 +99,8 @@ class TrialAttempt final {
   void explore(int position);
   void explore_patches();
   void lift_and_take_back(std::size_t index);
-  /// The records of the attempt up to now.
-  void read_visits();
+  /// Reads on from the record that was read last. `records`: all of the attempt up to now.
+  void read_visits(const std::vector<TickRecord>& records);
   void measure(const std::vector<TickRecord>& records);
   void store_answers();
   void judge();

@@ -59,14 +59,4 @@ double VisitReader::contact_s(int position) const {
   return sum_s;
 }
 
-std::vector<std::vector<VisitRow>> visits_of(std::span<const TickRecord> records,
-                                             std::size_t surfaces, double rate_Hz,
-                                             JudgedForce force) {
-  VisitReader reader(surfaces, rate_Hz, force);
-  for (const TickRecord& record : records) reader.take(record);
-  std::vector<std::vector<VisitRow>> visits{};
-  for (std::size_t i = 1; i <= surfaces; ++i) visits.push_back(reader.visits(static_cast<int>(i)));
-  return visits;
-}
-
 }  // namespace asperity

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "app/session/rig/contact_reader.h"
@@ -52,10 +51,5 @@ class VisitReader final {
   Spread force_N_{};
   Spread speed_m_per_s_{};
 };
-
-/// The visits to each surface, in the order of positions.
-std::vector<std::vector<VisitRow>> visits_of(std::span<const TickRecord> records,
-                                             std::size_t surfaces, double rate_Hz,
-                                             JudgedForce force);
 
 }  // namespace asperity
