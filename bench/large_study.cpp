@@ -5,8 +5,10 @@
 // attempt that takes its time, in memory (/dev/shm) some minutes. `--study DIR` measures, by the wall
 // and of the processor.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -40,6 +42,8 @@ namespace {
 constexpr int kRepetitions = 333;  // of the chapter's three trials: 999 trials a session
 constexpr double kShareRight = 0.6;
 constexpr std::int64_t kTrial_ns = 10'000'000'000;
+constexpr std::int64_t kVisitPeriod_ns = 1'000'000'000;
+constexpr double kSpread = 0.3;  // SD of the logarithms of times, forces and speeds
 
 /// The chapter's protocol of this kind, with more trials.
 std::string long_protocol(const std::string& kind) {
@@ -67,7 +71,6 @@ PresentationRow surface_of(const PlannedPresentation& planned) {
       R"("k1_N_per_m":500.0,"lateral_gradient_gain":0.0,"law":"corrected","offset":"none"})";
   surface.assets = {{"height_field", std::string(64, 'a')}};
   surface.seed = "15803544891900678840";
-  surface.contact_s = 2.5;
   surface.matched_texture_force_N = 0.03;
   surface.achieved_texture_force_N = 0.03 + 0.001 * planned.position;
   return surface;
@@ -99,13 +102,53 @@ std::vector<ResponseRow> responses_to(const TrialQuestion& question, Random& ran
       response.correct = answer == question.correct[responses.size() - 1];
     }
     response.options_json = options.dump();
-    response.from_cue_s = 1.5;
     response.source = "virtual";
   }
   return responses;
 }
 
-AttemptRow attempt_of(const Trial& trial, int segment, Random& random) {
+/// What an exploration of a surface stores, with values that differ as those of a hand do: models of equal ones stop early.
+void add_exploration_of(int position, double hand, AttemptRow& attempt, Random& random) {
+  const auto varied = [&](double typical) {
+    return typical * std::exp(hand + kSpread * random.normal());
+  };
+  PresentationRow& surface = attempt.presentations.back();
+  surface.contact_s = varied(2.5);
+  const struct {
+    const char* quantity;
+    double mean;
+    double sd;
+  } quantities[] = {{"normal_force_N", varied(1.0), varied(0.2)},
+                    {"speed_m_per_s", varied(0.1), varied(0.03)},
+                    {"contact_s", surface.contact_s, 0.0},
+                    {"strokes", std::round(varied(5.0)), 0.0},
+                    {"stroke_length_m", varied(0.04), varied(0.005)}};
+  for (const auto& each : quantities) {
+    ComplianceRow row{};
+    row.position = position;
+    row.quantity = each.quantity;
+    row.mean = row.p50 = each.mean;
+    row.sd = each.sd;
+    row.p05 = std::max(0.0, each.mean - 1.6 * each.sd);
+    row.p95 = each.mean + 1.6 * each.sd;
+    row.fraction_in_band = 0.9;
+    row.passed = true;
+    attempt.compliance.push_back(row);
+  }
+  VisitRow visit{};
+  visit.contact_ns = attempt.onset_ns + position * kVisitPeriod_ns;
+  visit.offset_ns = visit.contact_ns + kVisitPeriod_ns / 2;
+  visit.contact_s = surface.contact_s;
+  visit.path_m = varied(0.2);
+  visit.force_mean_N = quantities[0].mean;
+  visit.force_sd_N = quantities[0].sd;
+  visit.speed_mean_m_per_s = quantities[1].mean;
+  visit.speed_sd_m_per_s = quantities[1].sd;
+  surface.visits.push_back(visit);
+}
+
+/// `hand`: of the participant, the logarithm of a factor of times, forces and speeds.
+AttemptRow attempt_of(const Trial& trial, int segment, double hand, Random& random) {
   AttemptRow attempt{};
   attempt.trial = trial.ordinal;
   attempt.attempt = 1;
@@ -114,18 +157,14 @@ AttemptRow attempt_of(const Trial& trial, int segment, Random& random) {
   attempt.offset_ns = attempt.onset_ns + kTrial_ns / 2;
   for (const PlannedPresentation& planned : trial.presentations) {
     attempt.presentations.push_back(surface_of(planned));
-    for (const char* quantity : {"normal_force_N", "speed_m_per_s", "contact_s"}) {
-      ComplianceRow row{};
-      row.position = planned.position;
-      row.quantity = quantity;
-      row.mean = 1.0;
-      row.fraction_in_band = 0.9;
-      row.passed = true;
-      attempt.compliance.push_back(row);
-    }
+    add_exploration_of(planned.position, hand, attempt, random);
   }
   attempt.responses = responses_to(trial.questions.front(), random);
-  for (ResponseRow& response : attempt.responses) response.time_ns = attempt.offset_ns;
+  const double time_s = 1.5 * std::exp(hand + kSpread * random.normal());
+  for (ResponseRow& response : attempt.responses) {
+    response.time_ns = attempt.offset_ns;
+    response.from_cue_s = time_s;
+  }
   attempt.servo.emplace();
   attempt.servo->rate_Hz = 1000.0;
   attempt.servo->ticks = 5000;
@@ -173,8 +212,9 @@ void make_study(const std::filesystem::path& folder, const StudyWish& wish) {
                                               program);
     const std::int64_t id = session.row.id;
     const int segment = study.begin_segment(id, 0);
+    const double hand = kSpread * random.normal();
     for (const Trial& trial : session.course->plan().trials) {
-      AttemptRow attempt = attempt_of(trial, segment, random);
+      AttemptRow attempt = attempt_of(trial, segment, hand, random);
       if (wish.recorded_ticks > 0) {
         attempt.recording = record(study,
                                    "recordings/" + person.label + "/session-01/trial-" +
