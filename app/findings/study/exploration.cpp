@@ -19,36 +19,35 @@
 #include "app/findings/study/explored_rows.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
+#include "app/findings/tidy/described_conditions.h"
 
 namespace asperity {
 
 namespace {
-
-using ExploredSurface = SessionAnswers::Exploration;
 
 /// A quantity of each surface, or the response time of each trial.
 struct ExploredQuantity {
   const char* table = "";
   const char* name = "";  ///< fixed, for programs, with its unit; display text: cell_words.h
   int decimals = 2;       ///< that are displayed
-  bool is_time = false;   ///< medians and quartiles, because times are skewed
-  std::optional<double> ExploredSurface::*of = nullptr;  ///< null: the response time
+  Explored quantity = Explored::contact_s;
+
+  /// Medians and quartiles.
+  bool is_time() const noexcept { return own_average_of(quantity) == OwnAverage::median; }
 };
 
 /// In the order of the tables. A quantity that only later versions store is missing in earlier sessions.
 constexpr std::array kExploredQuantities{
-    ExploredQuantity{kExploration, "contact_s", 2, true, &ExploredSurface::contact_s},
-    ExploredQuantity{kExploration, "visits", 2, false, &ExploredSurface::visits},
-    ExploredQuantity{kExploration, "path_m", 3, false, &ExploredSurface::path_m},
-    ExploredQuantity{kExploration, "strokes", 2, false, &ExploredSurface::strokes},
-    ExploredQuantity{kExploration, "stroke_length_m", 4, false, &ExploredSurface::stroke_length_m},
-    ExploredQuantity{kExploration, "response_s", 2, true, nullptr},
-    ExploredQuantity{kExplorationForces, "force_N", 3, false, &ExploredSurface::force_N},
-    ExploredQuantity{kExplorationForces, "force_sd_N", 3, false, &ExploredSurface::force_sd_N},
-    ExploredQuantity{kExplorationForces, "speed_m_per_s", 4, false,
-                     &ExploredSurface::speed_m_per_s},
-    ExploredQuantity{kExplorationForces, "speed_sd_m_per_s", 4, false,
-                     &ExploredSurface::speed_sd_m_per_s}};
+    ExploredQuantity{kExploration, "contact_s", 2, Explored::contact_s},
+    ExploredQuantity{kExploration, "visits", 2, Explored::visits},
+    ExploredQuantity{kExploration, "path_m", 3, Explored::path_m},
+    ExploredQuantity{kExploration, "strokes", 2, Explored::strokes},
+    ExploredQuantity{kExploration, "stroke_length_m", 4, Explored::stroke_length_m},
+    ExploredQuantity{kExploration, "response_s", 2, Explored::response_s},
+    ExploredQuantity{kExplorationForces, "force_N", 3, Explored::force_N},
+    ExploredQuantity{kExplorationForces, "force_sd_N", 3, Explored::force_sd_N},
+    ExploredQuantity{kExplorationForces, "speed_m_per_s", 4, Explored::speed_m_per_s},
+    ExploredQuantity{kExplorationForces, "speed_sd_m_per_s", 4, Explored::speed_sd_m_per_s}};
 
 const ExploredQuantity* explored_quantity(const std::string& name) {
   const auto* const found =
@@ -57,21 +56,26 @@ const ExploredQuantity* explored_quantity(const std::string& name) {
   return found == kExploredQuantities.end() ? nullptr : found;
 }
 
-/// The table for the family `description`.
-TidyInput description_table(const ExploredRows& rows, const ExploredQuantity& quantity) {
-  std::vector<TidyTable::Column> columns{
-      {"subject", rows.people()},
-      {"value", quantity.of == nullptr ? rows.response_times() : rows.quantity(quantity.of)}};
-  std::vector<std::pair<std::string, std::vector<std::string>>> levels{};
-  for (const ExploredFactor& one : rows.factors()) {
-    levels.emplace_back(one.factor.name, one.factor.levels.names);
-    columns.push_back({one.factor.name, one.factor.levels});
+/// As the family `description` for a table of the rows.
+std::vector<Finding> described(const GatheredAnswers& gathered, const ExploredRows& rows,
+                               Explored quantity) {
+  Description description{.average = own_average_of(quantity), .described = rows.participants()};
+  for (const AnsweringPerson& person : gathered.people) {
+    description.participants.push_back(person.label);
   }
-  TidyInput input{};
-  input.options.set("average", std::string(quantity.is_time ? "median" : "mean"));
-  input.options.set("factors", levels);
-  input.tables.emplace_back(std::move(columns), "the explored surfaces");
-  return input;
+  const auto own = [&](const ExploredCondition& condition) {
+    return gathered.exploration.own_values(condition, quantity);
+  };
+  description.missing = rows.size();
+  for (const OwnValue& one : own({})) description.missing -= one.measurements;
+  description.conditions.push_back({.own = own({})});
+  for (const ExploredFactor& factor : rows.factors()) {
+    for (std::size_t level = 0; level < factor.levels.size(); ++level) {
+      description.conditions.push_back(
+          {.key = factor.name + '=' + factor.levels[level], .own = own(factor.condition(level))});
+    }
+  }
+  return findings_of(description);
 }
 
 /// "force_N|texture=wood" for "texture=wood"; of a participant "force_N|p1|texture=wood".
@@ -99,9 +103,9 @@ class ExplorationTable final {
       missing_ = missing_.empty() ? name : phrase("Analysis", "%1, %2").with(missing_, name);
     }
     for (const ExploredFactor& one : rows.factors()) {
-      for (const std::string& level : one.factor.levels.names) {
-        add_row(quantity, one.factor.name, level,
-                std::string(quantity.name) + '|' + one.factor.name + '=' + level, found);
+      for (const std::string& level : one.levels) {
+        add_row(quantity, one.name, level,
+                std::string(quantity.name) + '|' + one.name + '=' + level, found);
       }
     }
   }
@@ -135,9 +139,9 @@ class ExplorationTable final {
     table_.table.rows.push_back(
         {std::string(quantity.name), factor, level.empty() ? Cell{} : Cell{level},
          static_cast<std::int64_t>(measured->n), static_cast<std::int64_t>(*measured->value),
-         where(quantity.is_time, "median"), where(quantity.is_time, "quartile.lower"),
-         where(quantity.is_time, "quartile.upper"), where(!quantity.is_time, "mean"),
-         where(!quantity.is_time, "sd")});
+         where(quantity.is_time(), "median"), where(quantity.is_time(), "quartile.lower"),
+         where(quantity.is_time(), "quartile.upper"), where(!quantity.is_time(), "mean"),
+         where(!quantity.is_time(), "sd")});
   }
 
   NamedTable table_{};
@@ -152,7 +156,7 @@ Cell read_quantity(const Table& table, const std::vector<Cell>& row,
     if (!number) return std::nullopt;
     return reading_signed(*number, quantity.decimals);
   };
-  if (quantity.is_time) {
+  if (quantity.is_time()) {
     const auto median = text("median");
     if (!median) return {};
     return *median + " [" + text("lower_quartile").value_or("") + ", " +
@@ -231,11 +235,7 @@ bool is_explored_quantity(const NamedTable& table, const std::string& column) {
 }
 
 void add_exploration(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  if (gathered.only_accompanies) return;
-  const bool has_any =
-      std::any_of(gathered.explorations.begin(), gathered.explorations.end(),
-                  [](const ExploredSurface& one) { return one.contact_s.has_value(); });
-  if (!has_any) return;
+  if (gathered.only_accompanies || gathered.exploration.empty()) return;
   const ExploredRows surfaces(gathered, ExploredUnit::surface);
   const ExploredRows trials(gathered, ExploredUnit::trial);
   ExplorationTable times(kExploration,
@@ -243,9 +243,9 @@ void add_exploration(const GatheredAnswers& gathered, AnalysisOutcome& outcome) 
   ExplorationTable forces(kExplorationForces,
                           phrase("Analysis", "Exploration by condition: force and speed"));
   for (const ExploredQuantity& quantity : kExploredQuantities) {
-    const ExploredRows& rows = quantity.of == nullptr ? trials : surfaces;
+    const ExploredRows& rows = quantity.quantity == Explored::response_s ? trials : surfaces;
     std::vector<Finding> findings =
-        analysis_of(kExploration, "description", description_table(rows, quantity));
+        analysis_of(kExploration, [&] { return described(gathered, rows, quantity.quantity); });
     name_quantity(quantity.name, findings);
     const FoundNumbers found(findings);
     (quantity.table == std::string_view(kExploration) ? times : forces).add(rows, quantity, found);
@@ -253,7 +253,7 @@ void add_exploration(const GatheredAnswers& gathered, AnalysisOutcome& outcome) 
   }
   times.take_into(outcome);
   forces.take_into(outcome);
-  add_exploration_models(surfaces, trials, outcome);
+  add_exploration_models(gathered, surfaces, trials, outcome);
 }
 
 }  // namespace asperity

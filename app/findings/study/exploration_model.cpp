@@ -1,9 +1,10 @@
 #include "app/findings/study/exploration_model.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/study_findings.h"
+#include "app/findings/tidy/mixed_rows.h"
 
 namespace asperity {
 
@@ -29,44 +31,73 @@ struct ModelledTimes {
   Phrase name{};             ///< begins a sentence
 };
 
-bool varies(const NumberColumn& numbers) {
-  return std::any_of(numbers.begin(), numbers.end(),
-                     [&numbers](const auto& one) { return one != numbers.front(); });
+/// Trials per unit of `trial_place`.
+constexpr double kTrialsPerPlace = 10.0;
+
+/// A place of the trial in its block, of the block in its session, or of the session.
+struct ExploredPlace {
+  const char* name = "";
+  double (*of)(const GatheredAnswer& answer) = nullptr;
+};
+
+constexpr std::array kExploredPlaces{
+    ExploredPlace{kTrialPlace,
+                  [](const GatheredAnswer& answer) {
+                    return static_cast<double>(answer.trial_of_block - 1) / kTrialsPerPlace;
+                  }},
+    ExploredPlace{
+        kBlockPlace,
+        [](const GatheredAnswer& answer) { return static_cast<double>(answer.block_ordinal); }},
+    ExploredPlace{kSessionPlace, [](const GatheredAnswer& answer) {
+                    return static_cast<double>(answer.session);
+                  }}};
+
+bool varies(const ExploredRows& rows, const ExploredPlace& place) {
+  std::optional<double> first{};
+  bool has_others = false;
+  rows.for_each([&](const ExploredRow& row) {
+    if (!first) first = place.of(row.answer);
+    has_others = has_others || *first != place.of(row.answer);
+  });
+  return has_others;
 }
 
-/// Whether each row has a level: the model of rows without one would be that of the others alone.
-bool is_complete(const TrialFactor& factor) {
-  const std::vector<std::size_t>& codes = factor.levels.codes;
-  return std::find(codes.begin(), codes.end(), LabelColumn::kMissing) == codes.end();
-}
+using TimeOfRow = std::function<std::optional<double>(const ExploredRow&)>;
 
-/// The table for the family `lmm`. A time of 0 has no logarithm and is left out: the surface was not touched.
-TidyInput model_table(const ExploredRows& rows, NumberColumn times) {
-  for (std::optional<double>& time : times) {
-    if (time && !(*time > 0.0)) time.reset();
-  }
-  std::vector<TidyTable::Column> columns{{"subject", rows.people()}, {"y", std::move(times)}};
-  std::vector<std::pair<std::string, std::vector<std::string>>> conditions{};
+/// The rows for the family `lmm`. A time of 0 has no logarithm and is left out: the surface was not touched. So is a
+/// condition without a level in some rows: the model would be of the others alone.
+MixedRows model_rows(const GatheredAnswers& gathered, const ExploredRows& rows,
+                     const TimeOfRow& time_s) {
+  MixedRows model{
+      .participants = gathered.people.size(), .rows = rows.size(), .is_logarithmic = true};
+  std::vector<const ExploredFactor*> conditions{};
   for (const ExploredFactor& one : rows.factors()) {
-    if (!one.is_condition || !is_complete(one.factor)) continue;
-    conditions.emplace_back(one.factor.name, one.factor.levels.names);
-    columns.push_back({one.factor.name, one.factor.levels});
+    if (!one.is_condition || !one.is_complete) continue;
+    conditions.push_back(&one);
+    model.factors.push_back({one.name, one.levels});
   }
-  std::vector<std::string> covariates{};
-  const auto add_place = [&](const char* name, NumberColumn places) {
-    if (!varies(places)) return;
-    covariates.emplace_back(name);
-    columns.push_back({name, std::move(places)});
+  std::vector<const ExploredPlace*> places{};
+  for (const ExploredPlace& place : kExploredPlaces) {
+    if (!varies(rows, place)) continue;
+    places.push_back(&place);
+    model.covariates.emplace_back(place.name);
+  }
+  model.for_each = [=, &rows](const std::function<void(const MixedRows::Row&)>& visit) {
+    MixedRows::Row made{.levels = std::vector<std::size_t>(conditions.size()),
+                        .covariates = std::vector<std::optional<double>>(places.size())};
+    rows.for_each([&](const ExploredRow& row) {
+      made.y = time_s(row);
+      if (made.y && !(*made.y > 0.0)) made.y.reset();
+      made.participant = row.answer.person;
+      for (std::size_t i = 0; i < conditions.size(); ++i)
+        made.levels[i] = conditions[i]->level(row);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        made.covariates[i] = places[i]->of(row.answer);
+      }
+      visit(made);
+    });
   };
-  add_place(kTrialPlace, rows.trial_places());
-  add_place(kBlockPlace, rows.block_places());
-  add_place(kSessionPlace, rows.session_places());
-  TidyInput input{};
-  input.options.set("fixed", conditions);
-  input.options.set("covariates", covariates);
-  input.options.set("scale", std::string("log"));
-  input.tables.emplace_back(std::move(columns), "the explored surfaces");
-  return input;
+  return model;
 }
 
 /// The numbers of one effect, as cells of the table.
@@ -98,7 +129,7 @@ class ModelTable final {
       return;
     }
     for (const ExploredFactor& one : rows.factors()) {
-      if (one.is_condition) add_condition(one.factor, times, found);
+      if (one.is_condition) add_condition(one, times, found);
     }
     for (const char* const place : {kTrialPlace, kBlockPlace, kSessionPlace}) {
       const Finding* beta = found.find("lmm.beta", place);
@@ -121,7 +152,7 @@ class ModelTable final {
     Cell reference{};
   };
 
-  void add_condition(const TrialFactor& factor, const ModelledTimes& times,
+  void add_condition(const ExploredFactor& factor, const ModelledTimes& times,
                      const FoundNumbers& found) {
     if (const Finding* beta = found.find("lmm.beta", factor.name)) {
       row(times, found, {factor.name, {}, {}}, nullptr, {}, beta->word);
@@ -130,7 +161,7 @@ class ModelTable final {
     if (found.find("lmm.F", factor.name) == nullptr) return;
     row(times, found, {factor.name, {}, {}}, nullptr, test_of_factor(factor.name, found), {});
     std::optional<std::string> reference{};
-    for (const std::string& level : factor.levels.names) {
+    for (const std::string& level : factor.levels) {
       const std::string key = factor.name + '|' + level;
       const Finding* ratio = found.find("lmm.ratio", key);
       if (ratio == nullptr) {
@@ -213,16 +244,17 @@ Phrase note_on_models() {
 
 }  // namespace
 
-void add_exploration_models(const ExploredRows& surfaces, const ExploredRows& trials,
-                            AnalysisOutcome& outcome) {
+void add_exploration_models(const GatheredAnswers& gathered, const ExploredRows& surfaces,
+                            const ExploredRows& trials, AnalysisOutcome& outcome) {
   ModelTable table{};
   Phrase note = note_on_models();
-  const auto add = [&](const ExploredRows& rows, NumberColumn column, const ModelledTimes& times) {
-    const bool has_time = std::any_of(column.begin(), column.end(),
-                                      [](const auto& time) { return time && *time > 0.0; });
+  const auto add = [&](const ExploredRows& rows, const TimeOfRow& time_s,
+                       const ModelledTimes& times) {
+    bool has_time = false;
+    rows.for_each([&](const ExploredRow& row) { has_time = has_time || time_s(row) > 0.0; });
     if (!has_time) return;
-    const std::vector<Finding> findings =
-        analysis_of(times.analysis, "lmm", model_table(rows, std::move(column)));
+    const std::vector<Finding> findings = analysis_of(
+        times.analysis, [&] { return findings_of(model_rows(gathered, rows, time_s)); });
     const FoundNumbers found(findings);
     if (found.find("lmm.status") == nullptr) {  // the family refused the table
       keep_findings(findings, outcome);
@@ -239,9 +271,10 @@ void add_exploration_models(const ExploredRows& surfaces, const ExploredRows& tr
       if (finding.quantity.ends_with(".p")) outcome.tests_in_tables.insert(name_of(finding));
     }
   };
-  add(surfaces, surfaces.quantity(&SessionAnswers::Exploration::contact_s),
+  add(surfaces,
+      [&gathered](const ExploredRow& row) { return gathered.exploration.contact_s(row.surface); },
       {kContactTimeModel, "contact_s", phrase("Analysis", "Contact time")});
-  add(trials, trials.response_times(),
+  add(trials, [](const ExploredRow& row) { return row.answer.response_time_s; },
       {kResponseTimeModel, "response_s", phrase("Analysis", "Response time")});
   if (!table.empty()) outcome.tables.push_back(table.take(std::move(note)));
 }

@@ -16,7 +16,7 @@ inline constexpr const char* kExplorationModel = "exploration_model";
 /// response times (a row per trial), with random intercepts of participants, by conditions, the place of the trial in
 /// its block, and the places of the block and the session where there are several. Effects are ratios; all tests are
 /// exploratory. A model without a fit has its reason. No table where there is no time.
-void add_exploration_models(const ExploredRows& surfaces, const ExploredRows& trials,
-                            AnalysisOutcome& outcome);
+void add_exploration_models(const GatheredAnswers& gathered, const ExploredRows& surfaces,
+                            const ExploredRows& trials, AnalysisOutcome& outcome);
 
 }  // namespace asperity

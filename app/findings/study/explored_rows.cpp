@@ -1,11 +1,11 @@
 #include "app/findings/study/explored_rows.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
-#include <string>
 #include <utility>
 
-#include "app/findings/study/answer_columns.h"
+#include "app/findings/study/trial_factors.h"
 
 namespace asperity {
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostLevelsOfFactor = 24;
 
-/// Columns of the tidy tables, which a factor of a protocol cannot be named as well.
+/// Names in tables, which a factor of a protocol cannot have as well.
 constexpr const char* kBlockColumn = "block";
 constexpr const char* kSurfaceColumn = "surface";
 
@@ -24,60 +24,103 @@ bool is_reserved(const std::string& name) {
   return kReserved.contains(name);
 }
 
-/// Whether the levels of a factor are not conditions: a procedure chose them, or they were drawn for every trial.
-bool is_no_condition(const GatheredAnswers& gathered, const GatheredAnswer& answer,
-                     const std::string& factor) {
-  const auto block = gathered.blocks.find(gathered.word(answer.block));
-  if (block == gathered.blocks.end()) return false;
-  const std::vector<std::string>& drawn = block->second.drawn;
-  if (std::find(drawn.begin(), drawn.end(), factor) != drawn.end()) return true;
-  return block->second.has_procedure && block->second.vary && block->second.vary->factor == factor;
+std::string shown_name(ExploredBy by, const std::string& of_trials) {
+  switch (by) {
+    case ExploredBy::everything:
+      break;
+    case ExploredBy::trial:
+      return of_trials != kColumnFactor && is_reserved(of_trials) ? of_trials + "_factor"
+                                                                  : of_trials;
+    case ExploredBy::block:
+      return kBlockColumn;
+    case ExploredBy::item:
+      return kSurfaceColumn;
+  }
+  return {};
 }
 
 }  // namespace
 
-ExploredRows::ExploredRows(const GatheredAnswers& gathered, ExploredUnit unit)
-    : gathered_(gathered) {
-  for (const GatheredAnswer& answer : gathered.answers) {
-    if (answer.continues_trial) continue;
-    switch (unit) {
-      case ExploredUnit::trial:
-        places_.push_back({&answer, answer.first_surface});
-        break;
-      case ExploredUnit::surface:
-        for (std::size_t i = 0; i < answer.surface_count; ++i) {
-          places_.push_back({&answer, answer.first_surface + i});
-        }
-        break;
-    }
+ExploredFactor::ExploredFactor(const GatheredAnswers& gathered, ExploredBy by,
+                               std::string of_trials)
+    : name(shown_name(by, of_trials)),
+      is_condition(of_trials != kColumnFactor),
+      gathered_(gathered),
+      by_(by),
+      of_trials_(std::move(of_trials)) {
+  if (by_ != ExploredBy::trial) return;
+  for (const auto& levels_of_trial : gathered.factor_levels) {
+    const auto level = levels_of_trial.find(of_trials_);
+    by_combination_.push_back(level == levels_of_trial.end() ? kNoWord : level->second);
   }
-  add_factor(
-      std::string(kColumnFactor),
-      [&gathered](const Place& place) { return gathered.word(gathered.column_of(*place.answer)); },
-      false);
+  for (std::uint32_t word = 0; word < gathered.words.size(); ++word) {
+    is_left_out_.push_back(is_chosen_or_drawn(gathered, word, of_trials_));
+  }
+}
+
+std::uint32_t ExploredFactor::word_of_level(const ExploredRow& row) const {
+  switch (by_) {
+    case ExploredBy::everything:
+      break;
+    case ExploredBy::trial:
+      return is_left_out_[row.answer.block] ? kNoWord : by_combination_[row.answer.factors];
+    case ExploredBy::block:
+      return row.answer.block;
+    case ExploredBy::item:
+      return gathered_.surfaces[row.surface].item;
+  }
+  return kNoWord;
+}
+
+void ExploredFactor::set_levels(const std::vector<bool>& words) {
+  for (std::uint32_t word = 0; word < words.size(); ++word) {
+    if (words[word]) levels.push_back(gathered_.word(word));
+  }
+  if (levels.size() > kMostLevelsOfFactor) return;
+  sort_levels(levels);
+  code_of_word_.assign(words.size(), LabelColumn::kMissing);
+  for (const std::string& level : levels) {
+    words_.push_back(*gathered_.words.find(level));
+    code_of_word_[words_.back()] = words_.size() - 1;
+  }
+}
+
+ExploredRows::ExploredRows(const GatheredAnswers& gathered, ExploredUnit unit)
+    : gathered_(gathered), unit_(unit) {
+  std::optional<std::uint32_t> last{};
+  for_each([&](const ExploredRow& row) {
+    ++size_;
+    if (last != row.answer.person) ++participants_;
+    last = row.answer.person;
+  });
+  add_factor({gathered, ExploredBy::trial, std::string(kColumnFactor)});
   add_factors_of_trials();
-  add_factor(kBlockColumn,
-             [&gathered](const Place& place) { return gathered.word(place.answer->block); });
-  add_items(unit);
+  add_factor({gathered, ExploredBy::block});
+  add_items();
 }
 
-template <typename Of>
-NumberColumn ExploredRows::column(const Of& of) const {
-  NumberColumn numbers{};
-  numbers.reserve(places_.size());
-  for (const Place& place : places_) numbers.emplace_back(of(place));
-  return numbers;
+void ExploredRows::for_each(const std::function<void(const ExploredRow&)>& visit) const {
+  for (const GatheredAnswer& answer : gathered_.answers) {
+    if (answer.continues_trial) continue;
+    const std::size_t rows = unit_ == ExploredUnit::trial ? 1 : answer.surface_count;
+    for (std::size_t i = 0; i < rows; ++i) visit({answer, answer.first_surface + i});
+  }
 }
 
-template <typename Of>
-void ExploredRows::add_factor(const std::string& name, const Of& level_of, bool is_condition) {
-  std::vector<std::string> by_row{};
-  by_row.reserve(places_.size());
-  for (const Place& place : places_) by_row.push_back(level_of(place));
-  TrialFactor factor = trial_factor(name, by_row);
-  const std::size_t levels = factor.levels.names.size();
+void ExploredRows::add_factor(ExploredFactor factor) {
+  std::vector<bool> words(gathered_.words.size());
+  for_each([&](const ExploredRow& row) {
+    const std::uint32_t word = factor.word_of_level(row);
+    if (word == kNoWord) {
+      factor.is_complete = false;
+    } else {
+      words[word] = true;
+    }
+  });
+  factor.set_levels(words);
+  const std::size_t levels = factor.levels.size();
   if (levels < 2 || levels > kMostLevelsOfFactor) return;
-  factors_.push_back({.factor = std::move(factor), .is_condition = is_condition});
+  factors_.push_back(std::move(factor));
 }
 
 void ExploredRows::add_factors_of_trials() {
@@ -86,61 +129,39 @@ void ExploredRows::add_factors_of_trials() {
     for (const auto& [name, level] : levels) names.insert(name);
   }
   names.erase(std::string(kColumnFactor));
-  for (const std::string& name : names) {
-    add_factor(is_reserved(name) ? name + "_factor" : name, [&](const Place& place) {
-      return is_no_condition(gathered_, *place.answer, name)
-                 ? std::string()
-                 : gathered_.word(gathered_.level(*place.answer, name));
-    });
-  }
+  for (const std::string& name : names) add_factor({gathered_, ExploredBy::trial, name});
 }
 
-void ExploredRows::add_items(ExploredUnit unit) {
-  const bool have_one_surface = unit == ExploredUnit::surface ||
-                                std::all_of(places_.begin(), places_.end(), [](const Place& place) {
-                                  return place.answer->surface_count == 1;
-                                });
+void ExploredRows::add_items() {
+  bool have_one_surface = true;
+  for_each([&](const ExploredRow& row) {
+    have_one_surface =
+        have_one_surface && (unit_ == ExploredUnit::surface || row.answer.surface_count == 1);
+  });
   if (!have_one_surface) return;
   const std::size_t before = factors_.size();
-  add_factor(kSurfaceColumn, [this](const Place& place) {
-    return gathered_.word(gathered_.surfaces[place.surface].item);
+  add_factor({gathered_, ExploredBy::item});
+  if (factors_.size() > before && is_one_with_a_condition(factors_.back())) factors_.pop_back();
+}
+
+/// Whether a factor divides the rows into the same groups.
+bool ExploredRows::is_one_with_a_condition(const ExploredFactor& items) const {
+  const auto is_one = [&](const ExploredFactor& factor) {
+    if (factor.levels.size() != items.levels.size()) return false;
+    bool are_same = true;
+    std::vector<std::optional<std::size_t>> item_of(factor.levels.size() + 1);
+    for_each([&](const ExploredRow& row) {
+      const std::size_t level = factor.level(row);
+      std::optional<std::size_t>& item =
+          item_of[level == LabelColumn::kMissing ? factor.levels.size() : level];
+      if (!item) item = items.level(row);
+      are_same = are_same && *item == items.level(row);
+    });
+    return are_same;
+  };
+  return std::any_of(factors_.begin(), factors_.end() - 1, [&](const ExploredFactor& factor) {
+    return factor.is_condition && is_one(factor);
   });
-  if (factors_.size() == before) return;
-  const bool is_known =
-      std::any_of(factors_.begin(), factors_.end() - 1, [this](const ExploredFactor& known) {
-        return known.is_condition && are_same_groups(known.factor, factors_.back().factor);
-      });
-  if (is_known) factors_.pop_back();
-}
-
-LabelColumn ExploredRows::people() const {
-  LabelColumn people = labels_of_people(gathered_);
-  people.codes.reserve(places_.size());
-  for (const Place& place : places_) people.codes.push_back(place.answer->person);
-  return people;
-}
-
-NumberColumn ExploredRows::quantity(std::optional<double> SessionAnswers::Exploration::*of) const {
-  return column([&](const Place& place) { return gathered_.explorations[place.surface].*of; });
-}
-
-NumberColumn ExploredRows::response_times() const {
-  return column([](const Place& place) { return place.answer->response_time_s; });
-}
-
-NumberColumn ExploredRows::trial_places() const {
-  return column([](const Place& place) {
-    return static_cast<double>(place.answer->trial_of_block - 1) / kTrialsPerPlace;
-  });
-}
-
-NumberColumn ExploredRows::block_places() const {
-  return column(
-      [](const Place& place) { return static_cast<double>(place.answer->block_ordinal); });
-}
-
-NumberColumn ExploredRows::session_places() const {
-  return column([](const Place& place) { return static_cast<double>(place.answer->session); });
 }
 
 }  // namespace asperity

@@ -211,6 +211,7 @@ class Gathering {
   }
 
   GatheredAnswers finish() && {
+    gathered.exploration.end_participant(gathered);
     std::erase_if(gathered.groups, [this](const std::string& group) {
       return std::none_of(gathered.people.begin(), gathered.people.end(),
                           [&group](const auto& person) { return person.group == group; });
@@ -273,6 +274,7 @@ class Gathering {
 
   std::uint32_t person(const ParticipantRow& participant) {
     if (gathered.people.empty() || gathered.people.back().label != participant.label) {
+      gathered.exploration.end_participant(gathered);
       gathered.people.push_back({participant.label, participant.sex});
     }
     return static_cast<std::uint32_t>(gathered.people.size() - 1);
@@ -329,9 +331,7 @@ class Gathering {
     const std::size_t first_surface = gathered.surfaces.size();
     const auto surfaces = session.answers.surfaces_of(attempt);
     for (const SessionAnswers::Surface& surface : surfaces) add_surface(session, surface);
-    const auto explorations = session.answers.explorations_of(attempt);
-    gathered.explorations.insert(gathered.explorations.end(), explorations.begin(),
-                                 explorations.end());
+    gathered.exploration.add(session.answers.explorations_of(attempt));
     const std::uint32_t levels = factors(session, planned.factors_json);
     const auto accompanied = accompanied_response(session, attempt, block);
     for (const RepliesToQuestion& to : by_question) {

@@ -13,6 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "app/findings/study/gathered_exploration.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/file/stored_protocol.h"
 #include "results_schema/study.h"
@@ -160,8 +161,7 @@ struct GatheredAnswers {
   std::vector<std::map<std::string, std::uint32_t, std::less<>>> factor_levels{};
   std::vector<GatheredAnswer> answers{};                 ///< by participant and session
   std::vector<FeltSurface> surfaces{};
-  /// How they were explored, as `surfaces`.
-  std::vector<SessionAnswers::Exploration> explorations{};
+  GatheredExploration exploration{};
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
 

@@ -35,9 +35,14 @@ Phrase counted_units(std::size_t n, CountedUnit unit) {
 }  // namespace
 
 std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyInput input) {
+  return analysis_of(analysis, [&] { return tidy_family(family).findings(input); });
+}
+
+std::vector<Finding> analysis_of(const char* analysis,
+                                 const std::function<std::vector<Finding>()>& family) {
   std::vector<Finding> findings{};
   try {
-    findings = tidy_family(family).findings(input);
+    findings = family();
   } catch (const std::exception& error) {
     Finding refused{};
     refused.quantity = "status";

@@ -22,6 +22,9 @@ namespace asperity {
 /// Runs a family on a table and gives its findings the name `analysis`. An error of the family
 /// becomes a finding `status` with the word not_applicable.
 std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyInput input);
+/// As above, of a family that reads no table.
+std::vector<Finding> analysis_of(const char* analysis,
+                                 const std::function<std::vector<Finding>()>& family);
 
 /// Selects the findings to keep.
 using KeepFinding = std::function<bool(const Finding&)>;

@@ -7,9 +7,7 @@
 
 namespace asperity {
 
-namespace {
-
-void sort_trial_levels(const std::vector<std::string>& declared, std::vector<std::string>& levels) {
+void sort_levels(std::vector<std::string>& levels, const std::vector<std::string>& declared) {
   std::sort(levels.begin(), levels.end(), [&declared](const std::string& a, const std::string& b) {
     const auto place = [&declared](const std::string& level) {
       return std::find(declared.begin(), declared.end(), level);
@@ -22,8 +20,6 @@ void sort_trial_levels(const std::vector<std::string>& declared, std::vector<std
   });
 }
 
-}  // namespace
-
 TrialFactor trial_factor(const std::string& name, const std::vector<std::string>& by_row,
                          const std::vector<std::string>& declared) {
   std::unordered_map<std::string, std::size_t> code_of{};
@@ -31,7 +27,7 @@ TrialFactor trial_factor(const std::string& name, const std::vector<std::string>
   for (const std::string& level : by_row) {
     if (!level.empty() && code_of.emplace(level, 0).second) factor.levels.names.push_back(level);
   }
-  sort_trial_levels(declared, factor.levels.names);
+  sort_levels(factor.levels.names, declared);
   for (std::size_t code = 0; code < factor.levels.names.size(); ++code) {
     code_of[factor.levels.names[code]] = code;
   }
@@ -40,16 +36,6 @@ TrialFactor trial_factor(const std::string& name, const std::vector<std::string>
     factor.levels.codes.push_back(level.empty() ? LabelColumn::kMissing : code_of.at(level));
   }
   return factor;
-}
-
-bool are_same_groups(const TrialFactor& one, const TrialFactor& other) {
-  if (one.levels.names.size() != other.levels.names.size()) return false;
-  std::unordered_map<std::size_t, std::size_t> other_of{};
-  for (std::size_t row = 0; row < one.levels.codes.size(); ++row) {
-    const std::size_t code = other.levels.codes[row];
-    if (other_of.emplace(one.levels.codes[row], code).first->second != code) return false;
-  }
-  return true;
 }
 
 }  // namespace asperity

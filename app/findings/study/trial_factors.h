@@ -21,7 +21,7 @@ struct TrialFactor {
 TrialFactor trial_factor(const std::string& name, const std::vector<std::string>& by_row,
                          const std::vector<std::string>& declared = {});
 
-/// Whether both divide the rows into the same groups.
-bool are_same_groups(const TrialFactor& one, const TrialFactor& other);
+/// Puts levels into this order.
+void sort_levels(std::vector<std::string>& levels, const std::vector<std::string>& declared = {});
 
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "analysis/linear_mixed.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/mixed_rows.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -36,58 +39,49 @@ struct MixedTable {
   bool is_logarithmic = false;
 };
 
-bool is_logarithmic(const FamilyOptions& options) {
-  const std::string scale = options.text_or("scale", "linear");
-  if (scale == "linear") return false;
-  if (scale == "log") return true;
-  throw std::runtime_error("the option \"scale\" is \"" + scale + "\"; it must be linear or log");
-}
-
-/// The columns that a model uses, with the rows that have a value in all of them.
-struct MixedColumns {
-  NumberColumn y{};
-  LabelColumn participants{};
-  std::vector<std::pair<std::string, LabelColumn>> factors{};
-  std::vector<std::pair<std::string, NumberColumn>> covariates{};
-  std::vector<std::size_t> complete{};
-};
-
-MixedColumns mixed_columns(const TidyTable& table, const FamilyOptions& options) {
-  MixedColumns read{.y = table.numbers("y"), .participants = table.all_labels("subject")};
-  for (auto& [name, levels] : options.levels("fixed")) {
-    read.factors.emplace_back(name, table.labels(name, levels));
-  }
-  if (options.has("covariates")) {
-    for (const std::string& name : options.texts("covariates")) {
-      read.covariates.emplace_back(name, table.numbers(name));
-    }
-  }
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const bool has_factors = std::all_of(
-        read.factors.begin(), read.factors.end(),
-        [row](const auto& factor) { return factor.second.codes[row] != LabelColumn::kMissing; });
-    const bool has_covariates =
-        std::all_of(read.covariates.begin(), read.covariates.end(),
-                    [row](const auto& covariate) { return covariate.second[row].has_value(); });
-    if (read.y[row] && has_factors && has_covariates) read.complete.push_back(row);
-  }
-  return read;
+/// Whether a row has a value in all columns that the model uses.
+bool has_all_values(const MixedRows::Row& row) {
+  return row.y &&
+         std::find(row.levels.begin(), row.levels.end(), LabelColumn::kMissing) ==
+             row.levels.end() &&
+         std::find(row.covariates.begin(), row.covariates.end(), std::nullopt) ==
+             row.covariates.end();
 }
 
 /// A column of the design: the indicator of a level, or a covariate.
 struct DesignColumn {
-  const LabelColumn* factor = nullptr;  ///< null: a covariate
+  std::optional<std::size_t> factor{};  ///< nothing: a covariate
   std::size_t level = 0;
-  const NumberColumn* covariate = nullptr;
+  std::size_t covariate = 0;
 
-  double at(std::size_t row) const {
-    if (factor == nullptr) return *(*covariate)[row];
-    return factor->codes[row] == level ? 1.0 : 0.0;
+  double in(const MixedRows::Row& row) const {
+    if (!factor) return *row.covariates[covariate];
+    return row.levels[*factor] == level ? 1.0 : 0.0;
   }
 };
 
+/// The number of complete rows, of all and by factor and level.
+struct CompleteRows {
+  std::size_t all = 0;
+  std::vector<std::vector<std::size_t>> by_level{};
+};
+
+CompleteRows count_complete(const MixedRows& rows) {
+  CompleteRows counted{};
+  for (const MixedRows::Factor& factor : rows.factors) {
+    counted.by_level.emplace_back(factor.levels.size());
+  }
+  rows.for_each([&counted](const MixedRows::Row& row) {
+    if (!has_all_values(row)) return;
+    ++counted.all;
+    for (std::size_t i = 0; i < row.levels.size(); ++i) ++counted.by_level[i][row.levels[i]];
+  });
+  return counted;
+}
+
 /// The terms with their columns, as if all could be distinguished; levels without a row are left out.
-std::vector<MixedTerm> terms_of(const MixedColumns& read, std::vector<DesignColumn>& columns,
+std::vector<MixedTerm> terms_of(const MixedRows& rows, const CompleteRows& complete,
+                                std::vector<DesignColumn>& columns,
                                 std::vector<std::string>& without_rows) {
   std::vector<MixedTerm> terms{};
   const auto add_column = [&](const std::string& key, const DesignColumn& column) {
@@ -95,57 +89,57 @@ std::vector<MixedTerm> terms_of(const MixedColumns& read, std::vector<DesignColu
     ++terms.back().columns.count;
     columns.push_back(column);
   };
-  for (const auto& [name, column] : read.factors) {
-    std::vector<std::size_t> rows_of_level(column.names.size());
-    for (const std::size_t row : read.complete) ++rows_of_level[column.codes[row]];
+  for (std::size_t factor = 0; factor < rows.factors.size(); ++factor) {
+    const auto& [name, levels] = rows.factors[factor];
     terms.push_back({.name = name,
                      .columns = {.first = static_cast<Eigen::Index>(columns.size()), .count = 0},
                      .is_factor = true});
     bool is_reference = true;
-    for (std::size_t level = 0; level < column.names.size(); ++level) {
-      if (rows_of_level[level] == 0) {
-        without_rows.push_back(both(name, column.names[level]));
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+      if (complete.by_level[factor][level] == 0) {
+        without_rows.push_back(both(name, levels[level]));
         continue;
       }
       if (!std::exchange(is_reference, false)) {
-        add_column(both(name, column.names[level]), {.factor = &column, .level = level});
+        add_column(both(name, levels[level]), {.factor = factor, .level = level});
       }
     }
     if (terms.back().keys.empty()) terms.pop_back();  // one level: there is nothing to compare
   }
-  for (const auto& [name, column] : read.covariates) {
+  for (std::size_t covariate = 0; covariate < rows.covariates.size(); ++covariate) {
+    const std::string& name = rows.covariates[covariate];
     terms.push_back({.name = name,
                      .columns = {.first = static_cast<Eigen::Index>(columns.size()), .count = 0}});
-    add_column(name, {.covariate = &column});
+    add_column(name, {.covariate = covariate});
   }
   return terms;
 }
 
 /// `columns` without the intercept.
-Eigen::MatrixXd design_of(const std::vector<std::size_t>& rows,
+Eigen::MatrixXd design_of(const MixedRows& rows, std::size_t complete,
                           const std::vector<DesignColumn>& columns) {
-  Eigen::MatrixXd design(static_cast<Eigen::Index>(rows.size()),
+  Eigen::MatrixXd design(static_cast<Eigen::Index>(complete),
                          static_cast<Eigen::Index>(columns.size()) + 1);
   design.col(0).setOnes();
-  for (std::size_t column = 0; column < columns.size(); ++column) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      design(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(column) + 1) =
-          columns[column].at(rows[i]);
+  Eigen::Index at = 0;
+  rows.for_each([&](const MixedRows::Row& row) {
+    if (!has_all_values(row)) return;
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+      design(at, static_cast<Eigen::Index>(column) + 1) = columns[column].in(row);
     }
-  }
+    ++at;
+  });
   return design;
 }
 
-MixedTable mixed_table(const TidyInput& input) {
-  const TidyTable& table = input.table();
-  const MixedColumns read = mixed_columns(table, input.options);
-  MixedTable made{.left_out = table.rows() - read.complete.size(),
-                  .is_logarithmic = is_logarithmic(input.options)};
+MixedTable mixed_table(const MixedRows& rows) {
+  const CompleteRows complete = count_complete(rows);
+  MixedTable made{.left_out = rows.rows - complete.all, .is_logarithmic = rows.is_logarithmic};
   std::vector<DesignColumn> columns{};
-  const std::vector<MixedTerm> terms = terms_of(read, columns, made.without_rows);
-  Eigen::MatrixXd full = design_of(read.complete, columns);
-  const std::vector<Eigen::Index> dependent = dependent_columns(full);
-  std::vector<Eigen::Index> kept{0};
+  const std::vector<MixedTerm> terms = terms_of(rows, complete, columns, made.without_rows);
+  made.data.design = design_of(rows, complete.all, columns);
+  const std::vector<Eigen::Index> dependent = dependent_columns(made.data.design);
+  std::vector<DesignColumn> kept{};
   for (MixedTerm term : terms) {
     const Eigen::Index first = term.columns.first + 1;
     const bool is_dependent =
@@ -156,29 +150,29 @@ MixedTable mixed_table(const TidyInput& input) {
       made.dependent.push_back(term.name);
       continue;
     }
-    term.columns.first = static_cast<Eigen::Index>(kept.size());
-    for (Eigen::Index i = 0; i < term.columns.count; ++i) kept.push_back(first + i);
+    const auto from = columns.begin() + term.columns.first;
+    term.columns.first = static_cast<Eigen::Index>(kept.size()) + 1;
+    kept.insert(kept.end(), from, from + term.columns.count);
     made.terms.push_back(std::move(term));
   }
-  // Without a copy where all columns are kept: there may be millions of rows.
-  if (made.dependent.empty()) {
-    made.data.design = std::move(full);
-  } else {
-    made.data.design = full(Eigen::all, kept);
+  if (!made.dependent.empty()) {
+    made.data.design.resize(0, 0);  // there may be millions of rows: one design at a time
+    made.data.design = design_of(rows, complete.all, kept);
   }
-  made.data.y.resize(made.data.design.rows());
-  std::vector<std::optional<std::size_t>> number_of(read.participants.names.size());
-  for (std::size_t i = 0; i < read.complete.size(); ++i) {
-    const std::size_t row = read.complete[i];
-    if (made.is_logarithmic && !(*read.y[row] > 0.0)) {
-      table.refuse(row, "y", "a number without a logarithm; with scale=log all must be above 0");
+  made.data.y.resize(static_cast<Eigen::Index>(complete.all));
+  made.data.participant.reserve(complete.all);
+  std::vector<std::optional<std::size_t>> number_of(rows.participants);
+  rows.for_each([&](const MixedRows::Row& row) {
+    if (!has_all_values(row)) return;
+    if (made.is_logarithmic && !(*row.y > 0.0)) {
+      throw std::invalid_argument("y must be above 0 for a logarithm");
     }
-    made.data.y(static_cast<Eigen::Index>(i)) =
-        made.is_logarithmic ? std::log(*read.y[row]) : *read.y[row];
-    std::optional<std::size_t>& number = number_of[read.participants.codes[row]];
+    made.data.y(static_cast<Eigen::Index>(made.data.participant.size())) =
+        made.is_logarithmic ? std::log(*row.y) : *row.y;
+    std::optional<std::size_t>& number = number_of[row.participant];
     if (!number) number = made.participants++;
     made.data.participant.push_back(*number);
-  }
+  });
   return made;
 }
 
@@ -298,17 +292,69 @@ class MixedFindings final {
   FindingList list_{};
 };
 
+bool is_logarithmic(const FamilyOptions& options) {
+  const std::string scale = options.text_or("scale", "linear");
+  if (scale == "linear") return false;
+  if (scale == "log") return true;
+  throw std::runtime_error("the option \"scale\" is \"" + scale + "\"; it must be linear or log");
+}
+
+/// The columns of a table that a model uses.
+struct MixedColumns {
+  NumberColumn y{};
+  LabelColumn participants{};
+  std::vector<LabelColumn> factors{};
+  std::vector<NumberColumn> covariates{};
+
+  void visit(const std::function<void(std::size_t, const MixedRows::Row&)>& visitor) const {
+    MixedRows::Row row{.levels = std::vector<std::size_t>(factors.size()),
+                       .covariates = std::vector<std::optional<double>>(covariates.size())};
+    for (std::size_t at = 0; at < y.size(); ++at) {
+      row.y = y[at];
+      row.participant = participants.codes[at];
+      for (std::size_t i = 0; i < factors.size(); ++i) row.levels[i] = factors[i].codes[at];
+      for (std::size_t i = 0; i < covariates.size(); ++i) row.covariates[i] = covariates[i][at];
+      visitor(at, row);
+    }
+  }
+};
+
 }  // namespace
 
-std::vector<Finding> lmm_findings(const TidyInput& input) {
-  const double confidence = input.options.confidence();
-  const MixedTable table = mixed_table(input);
+std::vector<Finding> findings_of(const MixedRows& rows) {
+  const MixedTable table = mixed_table(rows);
   if (table.data.participant.empty()) {
     FindingList findings{};
     findings.word("lmm.status", "", "no_data", "no row has a measurement and all its predictors");
     return findings.take();
   }
-  return MixedFindings(table, confidence).findings();
+  return MixedFindings(table, rows.confidence).findings();
+}
+
+std::vector<Finding> lmm_findings(const TidyInput& input) {
+  MixedRows rows{.confidence = input.options.confidence()};
+  const TidyTable& table = input.table();
+  MixedColumns read{.y = table.numbers("y"), .participants = table.all_labels("subject")};
+  for (auto& [name, levels] : input.options.levels("fixed")) {
+    read.factors.push_back(table.labels(name, levels));
+    rows.factors.push_back({name, levels});
+  }
+  if (input.options.has("covariates")) rows.covariates = input.options.texts("covariates");
+  for (const std::string& name : rows.covariates) read.covariates.push_back(table.numbers(name));
+  rows.participants = read.participants.names.size();
+  rows.rows = table.rows();
+  rows.is_logarithmic = is_logarithmic(input.options);
+  if (rows.is_logarithmic) {
+    read.visit([&table](std::size_t at, const MixedRows::Row& row) {
+      if (has_all_values(row) && !(*row.y > 0.0)) {
+        table.refuse(at, "y", "a number without a logarithm; with scale=log all must be above 0");
+      }
+    });
+  }
+  rows.for_each = [&read](const std::function<void(const MixedRows::Row&)>& visitor) {
+    read.visit([&visitor](std::size_t, const MixedRows::Row& row) { visitor(row); });
+  };
+  return findings_of(rows);
 }
 
 }  // namespace asperity
