@@ -20,6 +20,7 @@
 #include "app/session/attempt_measures.h"
 #include "app/session/trial_attempt.h"
 #include "app/study_files/parameter_json.h"
+#include "app/tasks/level_problems.h"
 #include "app/tasks/new_study.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"
@@ -487,8 +488,14 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   if (study) {
     StimulusBuilder builder(models, *study);
     check.diagnostics = problems_of_files(*check.protocol, check.file, *study, builder);
-    sort_by_line(check.diagnostics);
+    if (check.diagnostics.empty()) {
+      check.diagnostics = problems_of_scaled_heights(*check.protocol, check.file, builder);
+    }
   }
+  for (Diagnostic& problem : problems_of_values(*check.protocol, check.file)) {
+    check.diagnostics.push_back(std::move(problem));
+  }
+  sort_by_line(check.diagnostics);
   if (device) {
     try {
       const std::optional<SimulatedDeviceSettings> settings = simulated_settings(*device);
