@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include <CLI/CLI.hpp>
@@ -32,11 +33,11 @@ nlohmann::ordered_json json_of_value(const ParameterValue& value) {
   return std::visit([](const auto& one) { return nlohmann::ordered_json(one); }, value);
 }
 
-/// null where the force never is.
-nlohmann::ordered_json json_of_conservative(const ForceModel& force) {
-  if (!force.conservative_with) return nullptr;
+/// null for a condition that no values meet.
+nlohmann::ordered_json json_of_condition(const std::optional<ParameterValues>& condition) {
+  if (!condition) return nullptr;
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : *force.conservative_with) json[name] = json_of_value(value);
+  for (const auto& [name, value] : *condition) json[name] = json_of_value(value);
   return json;
 }
 
@@ -65,20 +66,27 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
           {"version", model.version},
           {"summary", model.summary},
           {"source", model.source},
-          {"conservative_with", json_of_conservative(force)},
+          {"conservative_with", json_of_condition(force.conservative_with)},
           {"assets", assets},
-          {"parameters", parameters}};
+          {"parameters", parameters},
+          {"is_potential", is_potential(force, {})},
+          {"band_Hz", force.band_formula},
+          {"moves_by_itself", moves_by_itself(force, {})},
+          {"moves_by_itself_with", json_of_condition(force.moves_by_itself_with)}};
 }
 
 void print_model(const ForceModel& force) {
   const ModelDeclaration& model = force.declaration;
   std::cout << model.id << "  (version " << model.version << ")\n  " << model.summary << "\n  "
-            << model.source << "\n  conservative without friction: " << conservative_text(force)
+            << model.source
+            << "\n  conservative without friction: " << condition_text(force.conservative_with)
             << '\n';
   for (const AssetDeclaration& asset : model.assets) {
     std::cout << "  needs the asset " << asset.role << ": " << asset.meaning << '\n';
   }
-  std::cout << described(model.parameters) << '\n';
+  std::cout << "  highest frequency of the texture in Hz: " << force.band_formula
+            << "\n  moves by itself: " << condition_text(force.moves_by_itself_with) << '\n'
+            << described(model.parameters) << '\n';
 }
 
 }  // namespace

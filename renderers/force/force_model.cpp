@@ -38,6 +38,12 @@ void require_roles(const ModelDeclaration& declaration) {
   }
 }
 
+bool holds(const std::optional<ParameterValues>& condition, const ParameterValues& complete) {
+  return condition && std::all_of(condition->begin(), condition->end(), [&](const auto& required) {
+           return complete.at(required.first) == required.second;
+         });
+}
+
 // The end of an error message, with the inputs that are missing.
 std::string missing_bodies(const RendererInputs& inputs) {
   if (inputs.tool) return "no surface is given";
@@ -69,11 +75,30 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
   return model.make(complete);
 }
 
-std::string conservative_text(const ForceModel& model) {
-  if (!model.conservative_with) return "never";
-  if (model.conservative_with->empty()) return "always";
+bool is_potential(const ForceModel& model, const ParameterValues& given) {
+  return holds(model.conservative_with, complete_values(model.declaration, given));
+}
+
+bool moves_by_itself(const ForceModel& model, const ParameterValues& given) {
+  return holds(model.moves_by_itself_with, complete_values(model.declaration, given));
+}
+
+double band_Hz(const ForceModel& model, const RendererInputs& inputs, double speed_m_per_s) {
+  RendererInputs complete = inputs;
+  complete.parameters = complete_values(model.declaration, inputs.parameters);
+  const TextureBand band = model.band(complete);
+  return std::max(band.time_Hz, speed_m_per_s * band.per_m);
+}
+
+TextureBand band_of_height_field(const RendererInputs& inputs) {
+  return {.per_m = inputs.patch.motion_scale / (2.0 * inputs.height_field->grid().pitch_m)};
+}
+
+std::string condition_text(const std::optional<ParameterValues>& condition) {
+  if (!condition) return "never";
+  if (condition->empty()) return "always";
   std::string text{};
-  for (const auto& [name, value] : *model.conservative_with) {
+  for (const auto& [name, value] : *condition) {
     const double* const number = std::get_if<double>(&value);
     text += (text.empty() ? "with " : ", ") + name + '=' +
             (number == nullptr ? std::get<std::string>(value) : number_text(*number));

@@ -37,6 +37,13 @@ struct RendererInputs {
   std::uint64_t seed = 0;  ///< of a model that draws random numbers
 };
 
+/// The highest frequency of a texture: of one that depends on the place, in waves per metre of the hand's path (the
+/// patch's `motion_scale` included); of one that depends on the time, in hertz.
+struct TextureBand {
+  double per_m = 0.0;
+  double time_Hz = 0.0;
+};
+
 /// Declares a model and makes its renderers.
 struct ForceModel {
   ModelDeclaration declaration{};
@@ -49,10 +56,32 @@ struct ForceModel {
   /// hand's energy by zero. An empty set: conservative for all values. nullopt: for no values; a closed path can then
   /// add energy in one direction and remove it in the other.
   std::optional<ParameterValues> conservative_with{};
+  /// The parameter values with which the force on a probe that holds still keeps changing, in the same form: an empty set
+  /// for all values, nullopt for none. A force that settles within 0.1 s does not move by itself.
+  std::optional<ParameterValues> moves_by_itself_with{};
+  /// The parameter values with which a model that declares `feels_applied_force = false` depends on the applied force
+  /// nevertheless.
+  std::optional<ParameterValues> feels_applied_force_with{};
+  /// The band of the texture, from complete parameters. It does not include the harmonics of a force that is not
+  /// proportional to the heights, nor the side lobes of noise that is held between its steps.
+  std::function<TextureBand(const RendererInputs&)> band{};
+  /// The same in hertz as a formula of the parameters, with v the speed of the hand on the texture in m/s.
+  std::string band_formula{};
 };
 
-/// The condition as text: "always", "never", "with lateral_gradient_gain=1, law=corrected".
-std::string conservative_text(const ForceModel& model);
+/// Whether the force without friction is the gradient of a potential with the given parameters (the others have their
+/// defaults): whether it is conservative.
+bool is_potential(const ForceModel& model, const ParameterValues& given);
+
+/// Whether the force on a probe that holds still keeps changing with the given parameters.
+bool moves_by_itself(const ForceModel& model, const ParameterValues& given);
+
+/// The highest frequency of the texture force for a hand that moves at `speed_m_per_s`. A servo loop of at least twice
+/// this rate renders the same force as a faster one. The parameters are completed and checked here.
+double band_Hz(const ForceModel& model, const RendererInputs& inputs, double speed_m_per_s);
+
+/// A condition on parameters as text: "always", "never", "with lateral_gradient_gain=1, law=corrected".
+std::string condition_text(const std::optional<ParameterValues>& condition);
 
 /// Makes one renderer of a model. The parameters are completed and checked here.
 ///
@@ -77,6 +106,10 @@ class ModelRegistry final {
  private:
   std::vector<ForceModel> models_{};
 };
+
+/// The band of a model that renders the heights of its height field: the finest wave has two samples.
+TextureBand band_of_height_field(const RendererInputs& inputs);
+inline constexpr const char* kBandOfHeightField = "v/(2*pitch of the height field)";
 
 /// The declarations of all models, against which a protocol is checked.
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);

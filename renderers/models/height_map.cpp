@@ -156,7 +156,9 @@ ForceModel height_map_model() {
           .make = make,
           .suggested_by = {},
           .conservative_with =
-              ParameterValues{{"law", std::string("corrected")}, {"lateral_gradient_gain", 1.0}}};
+              ParameterValues{{"law", std::string("corrected")}, {"lateral_gradient_gain", 1.0}},
+          .band = band_of_height_field,
+          .band_formula = kBandOfHeightField};
 }
 
 }  // namespace asperity

@@ -62,7 +62,9 @@ ForceModel lateral_gradient_model() {
             return std::make_unique<LateralGradient>(inputs);
           },
           .suggested_by = {},
-          .conservative_with = ParameterValues{}};
+          .conservative_with = ParameterValues{},
+          .band = band_of_height_field,
+          .band_formula = kBandOfHeightField};
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Implements the grating and its two directions of force.
+// Implements the grating and its three directions of force.
 
 #include "renderers/models/sinusoid.h"
 
@@ -21,7 +21,8 @@ class Sinusoid final : public ForceRenderer {
                                number_of(inputs.parameters, "wavelength_m")),
         along_x_(std::cos(number_of(inputs.parameters, "direction_rad"))),
         along_y_(std::sin(number_of(inputs.parameters, "direction_rad"))),
-        local_normal_(choice_of(inputs.parameters, "force_direction") == "local_normal") {}
+        local_normal_(choice_of(inputs.parameters, "force_direction") == "local_normal"),
+        gradient_(choice_of(inputs.parameters, "force_direction") == "gradient") {}
 
   void reset(const ProbeState&) noexcept override {}
 
@@ -33,11 +34,11 @@ class Sinusoid final : public ForceRenderer {
     if (!(penetration_m > 0.0)) return {};
     const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     glm::dvec3 force_N{0.0, 0.0, normal_N};
-    if (local_normal_) {
+    if (local_normal_ || gradient_) {
       const double slope = amplitude_m_ * wave_number_rad_per_m_ * std::cos(phase_rad) *
                            contact_.patch().motion_scale;
-      force_N = normal_N / std::sqrt(1.0 + slope * slope) *
-                glm::dvec3{-slope * along_x_, -slope * along_y_, 1.0};
+      const double per_slope_N = gradient_ ? normal_N : normal_N / std::sqrt(1.0 + slope * slope);
+      force_N = per_slope_N * glm::dvec3{-slope * along_x_, -slope * along_y_, 1.0};
     }
     return contact_.force(
         point, probe, {.texture_N = force_N, .normal_N = normal_N, .penetration_m = penetration_m});
@@ -50,6 +51,7 @@ class Sinusoid final : public ForceRenderer {
   double along_x_ = 1.0;
   double along_y_ = 0.0;
   bool local_normal_ = false;
+  bool gradient_ = false;
 };
 
 }  // namespace
@@ -94,10 +96,10 @@ ForceModel sinusoid_model() {
       {.name = "force_direction",
        .kind = ParameterKind::choice,
        .unit = "1",
-       .choices = {"fixed", "local_normal"},
+       .choices = {"fixed", "local_normal", "gradient"},
        .default_value = std::string("fixed"),
        .meaning = "fixed: along the normal of the plane, as in the source; local_normal: along "
-                  "that of the grating"},
+                  "that of the grating; gradient: minus the gradient of the energy of the spring"},
       friction_speed_parameter()};
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
@@ -113,7 +115,14 @@ ForceModel sinusoid_model() {
                                            .pitch_m = field.grid().pitch_m});
                 if (wavelength_m) suggested["wavelength_m"] = *wavelength_m;
                 return suggested;
-              }};
+              },
+          .conservative_with = ParameterValues{{"force_direction", std::string("gradient")}},
+          .band =
+              [](const RendererInputs& inputs) {
+                return TextureBand{.per_m = inputs.patch.motion_scale /
+                                            number_of(inputs.parameters, "wavelength_m")};
+              },
+          .band_formula = "v/wavelength_m"};
 }
 
 }  // namespace asperity

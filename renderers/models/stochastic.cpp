@@ -121,7 +121,13 @@ ForceModel stochastic_model() {
               [](const HeightField& field, const Material& material) {
                 return ParameterValues{{"noise_sd_N", material.stiffness_N_per_m * field.rms_m()},
                                        {"noise_mean_N", 0.0}};
-              }};
+              },
+          .moves_by_itself_with = ParameterValues{{"velocity_threshold_m_per_s", 0.0}},
+          .band =
+              [](const RendererInputs& inputs) {
+                return TextureBand{.time_Hz = 0.5 * number_of(inputs.parameters, "noise_rate_Hz")};
+              },
+          .band_formula = "noise_rate_Hz/2"};
 }
 
 }  // namespace asperity

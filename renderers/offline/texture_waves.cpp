@@ -21,6 +21,9 @@ TextureWaves texture_waves(const ForceModel& model, const RendererInputs& inputs
     const ForceModel* const sinusoid = models.find("sinusoid");
     if (sinusoid == nullptr || !sinusoid->suggested_by) return {};
     suggested = sinusoid->suggested_by(*inputs.height_field, inputs.material);
+  } else if (!declaration.needs_bodies && model.band) {
+    const double waves_per_m = model.band(inputs).per_m;
+    if (waves_per_m > 0.0) return {.wavelength_m = 1.0 / waves_per_m};
   }
   TextureWaves waves{optional_number(suggested, "amplitude_m"),
                      optional_number(suggested, "wavelength_m")};

@@ -15,8 +15,8 @@ struct TextureWaves {
 };
 
 /// The sinusoid of a stimulus: that of its parameters, or the one that its height field suggests (the model "sinusoid"
-/// in `models`), times the model's `height_scale`. Empty for a texture at amplitude 0, noise in time, and a stimulus
-/// without a height field.
+/// in `models`), times the model's `height_scale`. A texture of parameters with several wavelengths has the shortest one
+/// and no amplitude. Empty for a texture at amplitude 0 and noise in time.
 ///
 /// `inputs` has complete parameters.
 TextureWaves texture_waves(const ForceModel& model, const RendererInputs& inputs,

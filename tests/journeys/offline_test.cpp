@@ -240,7 +240,8 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   for (const auto& model : document.at("models")) {
     ids.push_back(model.at("id"));
     for (const char* key :
-         {"version", "summary", "source", "conservative_with", "assets", "parameters"}) {
+         {"version", "summary", "source", "conservative_with", "assets", "parameters",
+          "is_potential", "band_Hz", "moves_by_itself", "moves_by_itself_with"}) {
       EXPECT_TRUE(model.contains(key)) << key;
     }
     for (const auto& parameter : model.at("parameters")) {
@@ -258,7 +259,12 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   EXPECT_EQ(height_map.at("id"), "height_map");
   EXPECT_EQ(height_map.at("conservative_with").dump(),
             R"({"lateral_gradient_gain":1.0,"law":"corrected"})");
+  EXPECT_EQ(height_map.at("is_potential"), false);
+  EXPECT_EQ(height_map.at("moves_by_itself"), false);
+  EXPECT_EQ(height_map.at("band_Hz"), "v/(2*pitch of the height field)");
   const std::string list = asperity({"models"}).out;
+  EXPECT_THAT(list, testing::HasSubstr("highest frequency of the texture in Hz: v/wavelength_m\n"));
+  EXPECT_THAT(list, testing::HasSubstr("moves by itself: with "));
   EXPECT_THAT(list, testing::HasSubstr("conservative without friction: with "
                                        "lateral_gradient_gain=1, law=corrected\n"));
   EXPECT_THAT(list, testing::HasSubstr("conservative without friction: never\n"));

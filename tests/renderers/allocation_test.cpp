@@ -30,7 +30,10 @@ struct Case {
 const std::map<std::string, std::vector<ParameterValues>>& laws() {
   static const std::map<std::string, std::vector<ParameterValues>> kLaws{
       {"height_map", {{{"lateral_gradient_gain", 1.0}}, {{"law", std::string("literal")}}}},
-      {"sinusoid", {{}, {{"force_direction", std::string("local_normal")}}}},
+      {"sinusoid",
+       {{},
+        {{"force_direction", std::string("local_normal")}},
+        {{"force_direction", std::string("gradient")}}}},
       {"stochastic", {{}}},
       {"lateral_gradient", {{}}},
       {"pd_gradient",

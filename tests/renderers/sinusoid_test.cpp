@@ -55,6 +55,28 @@ TEST(Sinusoid, KeepsItsMagnitudeAlongTheLocalNormal) {
   EXPECT_NEAR(glm::length(force_N), 0.25, 1e-12);
 }
 
+TEST(Sinusoid, IsTheGradientOfItsEnergyOnRequest) {
+  // At x = 0: w = 0.5 mm, slope π/2: F_z = k·w = 0.25 N and F_x = −0.25·π/2 = −0.392699 N.
+  const auto renderer = sinusoid_with({{"force_direction", std::string("gradient")}});
+  const glm::dvec3 force_N = answer(*renderer, probe_at({0.0, 0.0, 0.0})).wrench.force_N;
+  EXPECT_NEAR(force_N.z, 0.25, 1e-12);
+  EXPECT_NEAR(force_N.x, -0.392699, 1e-6);
+  // −∇U of U = ½·k·w² by differences, away from the axis, with a slope in x and y.
+  const auto oblique =
+      sinusoid_with({{"force_direction", std::string("gradient")}, {"direction_rad", 0.6}});
+  const auto energy_J = [&](const glm::dvec3& at_m) {
+    return 0.5 * 500.0 * std::pow(answer(*oblique, probe_at(at_m)).penetration_m, 2);
+  };
+  const glm::dvec3 at_m{0.0003, 0.0001, 0.0001};
+  const glm::dvec3 oblique_N = answer(*oblique, probe_at(at_m)).wrench.force_N;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 step_m{0.0};
+    step_m[axis] = 1e-7;
+    EXPECT_NEAR(oblique_N[axis], (energy_J(at_m - step_m) - energy_J(at_m + step_m)) / 2e-7, 1e-6)
+        << axis;
+  }
+}
+
 TEST(Sinusoid, VariesAlongItsDirection) {
   // θ = 90°: the crest lies at y = L/4, whatever x.
   const auto renderer = sinusoid_with({{"direction_rad", std::numbers::pi / 2}});

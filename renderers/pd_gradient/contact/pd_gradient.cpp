@@ -334,7 +334,12 @@ ForceModel pd_gradient_model() {
           .suggested_by = {},
           .conservative_with = ParameterValues{{"coupling", std::string("none")},
                                                {"maximum", std::string("smooth")},
-                                               {"contact_damping_N_s_per_m", 0.0}}};
+                                               {"contact_damping_N_s_per_m", 0.0}},
+          .band =
+              [](const RendererInputs& inputs) {
+                return TextureBand{.per_m = 1.0 / (2.0 * number_of(inputs.parameters, "cell_m"))};
+              },
+          .band_formula = "v/(2*cell_m)"};
 }
 
 }  // namespace asperity
