@@ -31,6 +31,7 @@ constexpr int kCounted = 400'000;
 constexpr int kCountedCold = 2'000;
 constexpr std::size_t kEvicting_bytes = 32 << 20;  // more than a core's caches hold
 constexpr double kRate_Hz = 1000.0;
+constexpr const char* kPlainest = "sinusoid";
 
 // A loop that sleeps between its ticks finds its caches taken over by others.
 enum class Caches { warm, cold };
@@ -160,6 +161,21 @@ const char* instruction_set() {
 #endif
 }
 
+// The median relative to that of the same work on the plainest textured plane; 0 without one.
+double ratio_to_plainest(const std::vector<Costs>& all, const Costs& costs) {
+  const std::size_t slash = costs.name.find('/');
+  if (slash == std::string::npos) return 0.0;
+  const std::size_t cold = costs.name.find("/cold");
+  const std::string plainest = costs.name.substr(0, slash + 1) + kPlainest +
+                               (cold == std::string::npos ? "" : costs.name.substr(cold));
+  for (const Costs& other : all) {
+    if (other.name != plainest) continue;
+    return static_cast<double>(quantile_ns(costs, 0.5)) /
+           static_cast<double>(std::max<std::int64_t>(1, quantile_ns(other, 0.5)));
+  }
+  return 0.0;
+}
+
 void print_json(const std::vector<Costs>& all) {
   nlohmann::ordered_json document{{"format", "asperity.bench/1"},
                                   {"machine", machine()},
@@ -173,20 +189,21 @@ void print_json(const std::vector<Costs>& all) {
                                  {"p99", quantile_ns(costs, 0.99)},
                                  {"p99_9", quantile_ns(costs, 0.999)},
                                  {"count", costs.undisturbed_ns.size()},
-                                 {"preempted", costs.preempted}});
+                                 {"preempted", costs.preempted},
+                                 {"ratio_to_plainest", ratio_to_plainest(all, costs)}});
   }
   std::puts(document.dump(2).c_str());
 }
 
 void print_table(const std::vector<Costs>& all) {
-  std::printf("%-28s %8s %8s %8s %9s %9s\n", "case (ns)", "p50", "p99", "p99.9", "count",
-              "preempted");
+  std::printf("%-36s %8s %8s %8s %9s %9s %7s\n", "case (ns)", "p50", "p99", "p99.9", "count",
+              "preempted", "ratio");
   for (const Costs& costs : all) {
-    std::printf("%-28s %8lld %8lld %8lld %9zu %9lld\n", costs.name.c_str(),
+    std::printf("%-36s %8lld %8lld %8lld %9zu %9lld %7.2f\n", costs.name.c_str(),
                 static_cast<long long>(quantile_ns(costs, 0.5)),
                 static_cast<long long>(quantile_ns(costs, 0.99)),
                 static_cast<long long>(quantile_ns(costs, 0.999)), costs.undisturbed_ns.size(),
-                static_cast<long long>(costs.preempted));
+                static_cast<long long>(costs.preempted), ratio_to_plainest(all, costs));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "renderers/built_in_models.h"
 
+#include "renderers/models/bump_map.h"
 #include "renderers/models/height_map.h"
 #include "renderers/models/lateral_gradient.h"
 #include "renderers/models/sinusoid.h"
@@ -17,6 +18,7 @@ ModelRegistry built_in_models() {
   registry.add(stochastic_model());
   registry.add(lateral_gradient_model());
   registry.add(pd_gradient_model());
+  registry.add(bump_map_model());
   return registry;
 }
 

@@ -36,6 +36,7 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
         {{"force_direction", std::string("gradient")}}}},
       {"stochastic", {{}}},
       {"lateral_gradient", {{}}},
+      {"bump_map", {{}, {{"face", std::string("crest")}}}},
       {"pd_gradient",
        {{},
         {{"coupling", std::string("none")}},
