@@ -5,6 +5,7 @@
 #include "renderers/models/bump_map.h"
 #include "renderers/models/height_map.h"
 #include "renderers/models/lateral_gradient.h"
+#include "renderers/models/normal_map.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/models/stochastic.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
@@ -19,6 +20,7 @@ ModelRegistry built_in_models() {
   registry.add(lateral_gradient_model());
   registry.add(pd_gradient_model());
   registry.add(bump_map_model());
+  registry.add(normal_map_model());
   return registry;
 }
 

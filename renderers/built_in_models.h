@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient and bump_map.
+/// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient, bump_map and normal_map.
 ModelRegistry built_in_models();
 
 }  // namespace asperity

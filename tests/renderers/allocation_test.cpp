@@ -37,6 +37,7 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
       {"stochastic", {{}}},
       {"lateral_gradient", {{}}},
       {"bump_map", {{}, {{"face", std::string("crest")}}}},
+      {"normal_map", {{}, {{"law", std::string("physical")}}}},
       {"pd_gradient",
        {{},
         {{"coupling", std::string("none")}},
