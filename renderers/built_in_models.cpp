@@ -6,6 +6,7 @@
 #include "renderers/models/height_map.h"
 #include "renderers/models/lateral_gradient.h"
 #include "renderers/models/normal_map.h"
+#include "renderers/models/periodic.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/models/stochastic.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
@@ -21,6 +22,7 @@ ModelRegistry built_in_models() {
   registry.add(pd_gradient_model());
   registry.add(bump_map_model());
   registry.add(normal_map_model());
+  registry.add(periodic_model());
   return registry;
 }
 

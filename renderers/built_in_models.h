@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient, bump_map and normal_map.
+/// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient, bump_map, normal_map and periodic.
 ModelRegistry built_in_models();
 
 }  // namespace asperity

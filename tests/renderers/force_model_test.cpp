@@ -25,7 +25,7 @@ RendererInputs any_inputs() {
   return inputs;
 }
 
-TEST(ModelRegistry, KnowsTheSevenBuiltInModels) {
+TEST(ModelRegistry, KnowsTheEightBuiltInModels) {
   const ModelRegistry registry = built_in_models();
   RendererInputs inputs = any_inputs();
   inputs.surface = std::make_shared<const TexturedMesh>(
@@ -33,11 +33,11 @@ TEST(ModelRegistry, KnowsTheSevenBuiltInModels) {
   inputs.tool =
       std::make_shared<const TexturedMesh>(body_mesh(SphereShape{.diameter_m = 0.004}, nullptr));
   for (const char* id : {"height_map", "sinusoid", "stochastic", "lateral_gradient", "pd_gradient",
-                         "bump_map", "normal_map"}) {
+                         "bump_map", "normal_map", "periodic"}) {
     ASSERT_NE(registry.find(id), nullptr) << id;
     EXPECT_NE(registry.make(id, inputs), nullptr);
   }
-  EXPECT_EQ(registry.models().size(), 7U);
+  EXPECT_EQ(registry.models().size(), 8U);
   EXPECT_EQ(registry.find("no_such_model"), nullptr);
 }
 

@@ -1,0 +1,254 @@
+// Implements the relief of a few plane waves.
+
+#include "renderers/models/periodic.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "renderers/force/surface_contact.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kWaves = 4;
+
+std::string name_of(const char* quantity, int wave, const char* unit = "") {
+  return std::string(quantity) + std::to_string(wave) + unit;
+}
+
+/// One term of the series, as it is declared.
+struct Term {
+  int index = 0;  ///< from 1
+  double waves_x = 0.0;
+  double waves_y = 0.0;
+  double cosine_m = 0.0;
+  double sine_m = 0.0;
+};
+
+/// The terms that have an amplitude.
+std::vector<Term> terms_of(const ParameterValues& values) {
+  std::vector<Term> terms{};
+  for (int wave = 1; wave <= kWaves; ++wave) {
+    const Term term{.index = wave,
+                    .waves_x = number_of(values, name_of("waves_x_", wave)),
+                    .waves_y = number_of(values, name_of("waves_y_", wave)),
+                    .cosine_m = number_of(values, name_of("cosine_", wave, "_m")),
+                    .sine_m = number_of(values, name_of("sine_", wave, "_m"))};
+    if (term.cosine_m != 0.0 || term.sine_m != 0.0) terms.push_back(term);
+  }
+  return terms;
+}
+
+std::optional<ParameterConflict> conflict_of_terms(const ParameterValues& values) {
+  const std::vector<Term> terms = terms_of(values);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const Term& term = terms[i];
+    const std::vector<std::string> names{name_of("waves_y_", term.index),
+                                         name_of("waves_x_", term.index)};
+    if (term.waves_x == 0.0 && term.waves_y <= 0.0) {
+      return ParameterConflict{names, names[1] + " is 0 and " + names[0] + " is " +
+                                          number_text(term.waves_y) + "; a wave needs " + names[1] +
+                                          " > 0, or " + names[0] + " > 0."};
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (terms[j].waves_x != term.waves_x || terms[j].waves_y != term.waves_y) continue;
+      return ParameterConflict{names, "The terms " + std::to_string(terms[j].index) + " and " +
+                                          std::to_string(term.index) +
+                                          " are the same wave; give it once, with the sum of the "
+                                          "amplitudes."};
+    }
+  }
+  return std::nullopt;
+}
+
+enum class Direction { fixed, local_normal, gradient };
+
+Direction direction_of(const ParameterValues& values) {
+  const std::string& chosen = choice_of(values, "force_direction");
+  if (chosen == "local_normal") return Direction::local_normal;
+  return chosen == "gradient" ? Direction::gradient : Direction::fixed;
+}
+
+class Periodic final : public ForceRenderer {
+ public:
+  explicit Periodic(const RendererInputs& inputs)
+      : contact_(inputs.patch, inputs.material, inputs.parameters),
+        direction_(direction_of(inputs.parameters)) {
+    if (const auto conflict = conflict_of_terms(inputs.parameters)) {
+      throw std::invalid_argument("periodic: " + conflict->message);
+    }
+    const double scale = number_of(inputs.parameters, "height_scale");
+    const double turn_x = 2.0 * std::numbers::pi / number_of(inputs.parameters, "length_x_m");
+    const double turn_y = 2.0 * std::numbers::pi / number_of(inputs.parameters, "length_y_m");
+    for (const Term& term : terms_of(inputs.parameters)) {
+      waves_[count_++] = {.x_rad_per_m = term.waves_x * turn_x,
+                          .y_rad_per_m = term.waves_y * turn_y,
+                          .cosine_m = scale * term.cosine_m,
+                          .sine_m = scale * term.sine_m};
+      highest_m_ += scale * std::hypot(term.cosine_m, term.sine_m);
+    }
+  }
+
+  void reset(const ProbeState&) noexcept override {}
+
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    const PatchPoint point = contact_.locate(probe.position_m);
+    if (point.gain == 0.0 || point.height_m >= highest_m_) return {};
+    double height_m = 0.0;
+    double slope_x = 0.0;
+    double slope_y = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Wave& wave = waves_[i];
+      const double phase_rad = wave.x_rad_per_m * point.x_m + wave.y_rad_per_m * point.y_m;
+      const double cosine = std::cos(phase_rad);
+      const double sine = std::sin(phase_rad);
+      height_m += wave.cosine_m * cosine + wave.sine_m * sine;
+      const double rise_m = wave.sine_m * cosine - wave.cosine_m * sine;
+      slope_x += wave.x_rad_per_m * rise_m;
+      slope_y += wave.y_rad_per_m * rise_m;
+    }
+    const double penetration_m = height_m - point.height_m;
+    if (!(penetration_m > 0.0)) return {};
+    const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
+    return contact_.force(
+        point, probe,
+        {.texture_N = directed_N(normal_N, contact_.patch().motion_scale * slope_x,
+                                 contact_.patch().motion_scale * slope_y),
+         .normal_N = normal_N,
+         .penetration_m = penetration_m});
+  }
+
+ private:
+  struct Wave {
+    double x_rad_per_m = 0.0;
+    double y_rad_per_m = 0.0;
+    double cosine_m = 0.0;
+    double sine_m = 0.0;
+  };
+
+  glm::dvec3 directed_N(double normal_N, double slope_x, double slope_y) const noexcept {
+    const glm::dvec3 uphill{-slope_x, -slope_y, 1.0};
+    switch (direction_) {
+      case Direction::fixed:
+        break;
+      case Direction::local_normal:
+        return normal_N / std::sqrt(1.0 + slope_x * slope_x + slope_y * slope_y) * uphill;
+      case Direction::gradient:
+        return normal_N * uphill;
+    }
+    return {0.0, 0.0, normal_N};
+  }
+
+  SurfaceContact contact_;
+  Direction direction_ = Direction::fixed;
+  std::array<Wave, kWaves> waves_{};
+  std::size_t count_ = 0;
+  double highest_m_ = 0.0;
+};
+
+TextureBand band_of_waves(const RendererInputs& inputs) {
+  TextureBand band{};
+  for (const Term& term : terms_of(inputs.parameters)) {
+    band.per_m = std::max(
+        band.per_m, inputs.patch.motion_scale *
+                        std::hypot(term.waves_x / number_of(inputs.parameters, "length_x_m"),
+                                   term.waves_y / number_of(inputs.parameters, "length_y_m")));
+  }
+  return band;
+}
+
+std::vector<Parameter> parameters_of_waves() {
+  std::vector<Parameter> parameters{{.name = "height_scale",
+                                     .kind = ParameterKind::number,
+                                     .unit = "1",
+                                     .minimum = 0.0,
+                                     .maximum = 100.0,
+                                     .choices = {},
+                                     .default_value = 1.0,
+                                     .meaning = "Factor applied to all waves"}};
+  for (const char* const name : {"length_x_m", "length_y_m"}) {
+    parameters.push_back({.name = name,
+                          .kind = ParameterKind::number,
+                          .unit = "m",
+                          .minimum = 1e-4,
+                          .maximum = 0.1,
+                          .choices = {},
+                          .default_value = 0.002,
+                          .meaning = "Length along this axis after which the relief repeats"});
+  }
+  for (int wave = 1; wave <= kWaves; ++wave) {
+    const std::string which = " of wave " + std::to_string(wave);
+    parameters.push_back({.name = name_of("waves_x_", wave),
+                          .kind = ParameterKind::integer,
+                          .unit = "1",
+                          .minimum = 0.0,
+                          .maximum = 8.0,
+                          .choices = {},
+                          .default_value = static_cast<double>(wave),
+                          .meaning = "Periods" + which + " in length_x_m"});
+    parameters.push_back({.name = name_of("waves_y_", wave),
+                          .kind = ParameterKind::integer,
+                          .unit = "1",
+                          .minimum = -8.0,
+                          .maximum = 8.0,
+                          .choices = {},
+                          .default_value = 0.0,
+                          .meaning = "Periods" + which +
+                                     " in length_y_m; with a negative number "
+                                     "the crests are turned the other way"});
+    for (const bool is_cosine : {true, false}) {
+      parameters.push_back(
+          {.name = name_of(is_cosine ? "cosine_" : "sine_", wave, "_m"),
+           .kind = ParameterKind::number,
+           .unit = "m",
+           .minimum = -0.005,
+           .maximum = 0.005,
+           .choices = {},
+           .default_value = wave == 1 && !is_cosine ? 1e-4 : 0.0,
+           .meaning = std::string(is_cosine ? "Cosine" : "Sine") + " amplitude" + which});
+    }
+  }
+  parameters.push_back(
+      {.name = "force_direction",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = {"fixed", "local_normal", "gradient"},
+       .default_value = std::string("fixed"),
+       .meaning = "fixed: along the normal of the plane; local_normal: along that of the relief; "
+                  "gradient: minus the gradient of the energy of the spring"});
+  parameters.push_back(friction_speed_parameter());
+  return parameters;
+}
+
+}  // namespace
+
+ForceModel periodic_model() {
+  return {.declaration = {.id = "periodic",
+                          .version = "1",
+                          .summary = "A relief of up to four plane waves, felt through a spring",
+                          .source =
+                              "Dominguez-Ramirez, Parra-Vega (2003), Texture, roughness and shape "
+                              "haptic perception of deformable virtual objects",
+                          .needs_height_field = false,
+                          .amplitude_parameter = "height_scale",
+                          .replay_tolerance_N = 1e-9,
+                          .parameters = parameters_of_waves(),
+                          .conflict_among = conflict_of_terms},
+          .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+            return std::make_unique<Periodic>(inputs);
+          },
+          .suggested_by = {},
+          .conservative_with = ParameterValues{{"force_direction", std::string("gradient")}},
+          .band = band_of_waves,
+          .band_formula =
+              "v*max over the waves of sqrt((waves_x_i/length_x_m)^2 + (waves_y_i/length_y_m)^2)"};
+}
+
+}  // namespace asperity
