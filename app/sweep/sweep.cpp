@@ -52,7 +52,7 @@ RoughnessStroke at_level(const SweepOrder& order, double value) {
 }
 
 bool has_effect(const SweepOrder& order) {
-  return depends_on(order.stroke.model->declaration, order.varied);
+  return depends_on(*order.stroke.model, order.stroke.parameters, order.varied);
 }
 
 // Checked before hours of work, whose result could not be written.

@@ -83,6 +83,11 @@ bool moves_by_itself(const ForceModel& model, const ParameterValues& given) {
   return holds(model.moves_by_itself_with, complete_values(model.declaration, given));
 }
 
+bool feels_applied_force(const ForceModel& model, const ParameterValues& given) {
+  return model.declaration.feels_applied_force ||
+         holds(model.feels_applied_force_with, complete_values(model.declaration, given));
+}
+
 double band_Hz(const ForceModel& model, const RendererInputs& inputs, double speed_m_per_s) {
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);

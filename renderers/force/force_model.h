@@ -76,6 +76,9 @@ bool is_potential(const ForceModel& model, const ParameterValues& given);
 /// Whether the force on a probe that holds still keeps changing with the given parameters.
 bool moves_by_itself(const ForceModel& model, const ParameterValues& given);
 
+/// Whether the rendered texture depends on how hard the hand presses, with the given parameters.
+bool feels_applied_force(const ForceModel& model, const ParameterValues& given);
+
 /// The highest frequency of the texture force for a hand that moves at `speed_m_per_s`. A servo loop of at least twice
 /// this rate renders the same force as a faster one. The parameters are completed and checked here.
 double band_Hz(const ForceModel& model, const RendererInputs& inputs, double speed_m_per_s);

@@ -7,12 +7,15 @@
 namespace asperity {
 namespace {
 
+constexpr double kUnit_N = 1.0;  // the normal force at which both laws are equal
+
 class LateralGradient final : public ForceRenderer {
  public:
   explicit LateralGradient(const RendererInputs& inputs)
       : contact_(inputs.patch, inputs.material, inputs.parameters),
         field_(inputs.height_field),
-        per_slope_N_(-number_of(inputs.parameters, "gain_N") * inputs.patch.motion_scale) {}
+        per_slope_N_(-number_of(inputs.parameters, "gain_N") * inputs.patch.motion_scale),
+        by_force_(choice_of(inputs.parameters, "law") == "force") {}
 
   void reset(const ProbeState&) noexcept override {}
 
@@ -22,9 +25,10 @@ class LateralGradient final : public ForceRenderer {
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
     const HeightSample h = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
     const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
+    const double per_slope_N = by_force_ ? per_slope_N_ * (normal_N / kUnit_N) : per_slope_N_;
     return contact_.force(
         point, probe,
-        {.texture_N = {per_slope_N_ * h.slope_x, per_slope_N_ * h.slope_y, normal_N},
+        {.texture_N = {per_slope_N * h.slope_x, per_slope_N * h.slope_y, normal_N},
          .normal_N = normal_N,
          .penetration_m = penetration_m});
   }
@@ -33,6 +37,7 @@ class LateralGradient final : public ForceRenderer {
   SurfaceContact contact_;
   std::shared_ptr<const HeightField> field_;
   double per_slope_N_ = 0.0;
+  bool by_force_ = false;
 };
 
 }  // namespace
@@ -55,14 +60,24 @@ ForceModel lateral_gradient_model() {
                              .maximum = 50.0,
                              .choices = {},
                              .default_value = 1.0,
-                             .meaning = "Force K along the surface at a slope of 1"},
+                             .meaning = "Force K along the surface at a slope of 1; with the law "
+                                        "force at a normal force of 1 N"},
+                            {.name = "law",
+                             .kind = ParameterKind::choice,
+                             .unit = "1",
+                             .choices = {"constant", "force"},
+                             .default_value = std::string("constant"),
+                             .meaning = "constant: the force along the surface does not depend on "
+                                        "how hard the hand presses, as in the source; force: it is "
+                                        "proportional to the normal force"},
                             friction_speed_parameter()};
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<LateralGradient>(inputs);
           },
           .suggested_by = {},
-          .conservative_with = ParameterValues{},
+          .conservative_with = ParameterValues{{"law", std::string("constant")}},
+          .feels_applied_force_with = ParameterValues{{"law", std::string("force")}},
           .band = band_of_height_field,
           .band_formula = kBandOfHeightField};
 }

@@ -14,13 +14,18 @@ namespace asperity {
 ///                                          K = `gain_N` [N], independent of the normal force
 ///   F   = F_n·n + (F_x, F_y, 0) − μ·F_n·v_t/√(v_t² + v₀²)
 ///
+/// `law = constant` (default) is the law of the source. `law = force`: F_x and F_y are multiplied by F_n/(1 N), so that the
+/// texture is felt in proportion to the normal force and does not jump at contact.
+///
 /// A sinusoid h = A·sin(2πx/L) pushes with at most F_max = K·2πA/L. Slopes are derivatives with respect to the device's
 /// motion, so they include `motion_scale`.
 ///
-/// In contact and without friction the force is −∇(½·k·w² + K·h), so a closed path does no work. A hand that touches
-/// down at one height and lifts off at another gains or loses K times their difference.
+/// In contact and without friction the force of `constant` is −∇(½·k·w² + K·h), so a closed path does no work. A hand that
+/// touches down at one height and lifts off at another gains or loses K times their difference. The force of `force` is no
+/// gradient: on a tip that moves from h₁ to h₂ at depth w₁ and back at w₂, the surface does the work K·k·(w₂ − w₁)·(h₂ −
+/// h₁)/(1 N).
 ///
-/// Limits: the force along the surface jumps from zero to its full value at contact.
+/// Limits: with `constant` the force along the surface jumps from zero to its full value at contact.
 ///
 /// [Minsky 1995] Minsky: Computational haptics: the Sandpaper system for synthesizing texture for a
 /// force-feedback display.

@@ -160,12 +160,12 @@ const char* text_of(VariedQuantity varied) noexcept {
   return "";
 }
 
-bool depends_on(const ModelDeclaration& declaration, VariedQuantity varied) noexcept {
+bool depends_on(const ForceModel& model, const ParameterValues& given, VariedQuantity varied) {
   switch (varied) {
     case VariedQuantity::probe_diameter:
-      return declaration.needs_bodies;
+      return model.declaration.needs_bodies;
     case VariedQuantity::applied_force:
-      return declaration.feels_applied_force;
+      return feels_applied_force(model, given);
     case VariedQuantity::exploratory_speed:
       return true;
   }

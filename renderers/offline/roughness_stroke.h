@@ -75,8 +75,10 @@ std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
 /// The quantities that can be varied.
 enum class VariedQuantity { probe_diameter, applied_force, exploratory_speed };
 const char* text_of(VariedQuantity varied) noexcept;
-/// Whether a model's texture can depend on the quantity, by its declaration. Speed always has an effect: it determines
-/// the temporal frequency of the texture.
-bool depends_on(const ModelDeclaration& declaration, VariedQuantity varied) noexcept;
+/// Whether a model's texture can depend on the quantity, by its declaration and the given parameters. Speed always has an
+/// effect: it determines the temporal frequency of the texture.
+///
+/// Errors: std::invalid_argument for parameters that the model does not have.
+bool depends_on(const ForceModel& model, const ParameterValues& given, VariedQuantity varied);
 
 }  // namespace asperity

@@ -35,7 +35,7 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
         {{"force_direction", std::string("local_normal")}},
         {{"force_direction", std::string("gradient")}}}},
       {"stochastic", {{}}},
-      {"lateral_gradient", {{}}},
+      {"lateral_gradient", {{}, {{"law", std::string("force")}}}},
       {"bump_map", {{}, {{"face", std::string("crest")}}}},
       {"normal_map", {{}, {{"law", std::string("physical")}}}},
       {"periodic",

@@ -115,6 +115,9 @@ TEST(ForceModels, DoWorkAroundALoopInTheOtherLawsOfTheSources) {
   EXPECT_GT(around_a_loop(*registry.find("height_map"), {{"law", std::string("literal")}}).share(),
             kOfNone);
   EXPECT_GT(
+      around_a_loop(*registry.find("lateral_gradient"), {{"law", std::string("force")}}).share(),
+      kOfNone);
+  EXPECT_GT(
       around_a_loop(*registry.find("sinusoid"), {{"force_direction", std::string("local_normal")}})
           .share(),
       kOfNone);

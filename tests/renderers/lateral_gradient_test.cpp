@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -41,6 +42,40 @@ TEST(LateralGradient, PushesASinusoidWithAtMostTwoPiAKOverL) {
 TEST(LateralGradient, DoesNotDependOnTheNormalForce) {
   const auto renderer = make_renderer(lateral_gradient_model(), gradient_inputs(grating(), 1.5));
   EXPECT_EQ(largest_lateral_N(*renderer, -0.001), largest_lateral_N(*renderer, -0.004));
+}
+
+TEST(LateralGradient, IsProportionalToTheNormalForceOnRequest) {
+  // 500 N/m: 0.5 N at 1 mm and 2 N at 4 mm, half and twice the force of 1.5 · 2π · 0.2/4 N.
+  RendererInputs inputs = gradient_inputs(grating(), 1.5);
+  inputs.parameters["law"] = std::string("force");
+  const auto renderer = make_renderer(lateral_gradient_model(), inputs);
+  EXPECT_NEAR(largest_lateral_N(*renderer, -0.001), 0.235619, 0.01 * 0.235619);
+  EXPECT_NEAR(largest_lateral_N(*renderer, -0.004), 0.942478, 0.01 * 0.942478);
+  EXPECT_NEAR(largest_lateral_N(*renderer, -1e-9), 0.0, 1e-6);  // no jump at contact
+  inputs.parameters["law"] = std::string("constant");
+  const auto constant = make_renderer(lateral_gradient_model(), inputs);
+  const glm::dvec3 at_m{0.0003, 0.0, -0.002};  // 1 N: both laws are equal
+  EXPECT_NEAR(answer(*renderer, probe_at(at_m)).wrench.force_N.x,
+              answer(*constant, probe_at(at_m)).wrench.force_N.x, 1e-12);
+}
+
+// From a trough to the next crest at 1 mm, back at 3 mm: K·k·(w₂ − w₁)·2A = 1.5·500·2 mm·0.4 mm = 0.6 mJ.
+TEST(LateralGradient, DoesTheWorkOfItsClosedFormOnALoopInProportionToTheForce) {
+  RendererInputs inputs = gradient_inputs(grating(), 1.5);
+  const auto work_J = [&](const char* law) {
+    inputs.parameters["law"] = std::string(law);
+    const auto renderer = make_renderer(lateral_gradient_model(), inputs);
+    constexpr int kParts = 2000;
+    double sum_J = 0.0;
+    for (int part = 0; part < kParts; ++part) {
+      const double x_m = 0.004 * (-0.25 + 0.5 * (part + 0.5) / kParts);
+      sum_J += answer(*renderer, probe_at({x_m, 0.0, -0.001})).wrench.force_N.x * 0.002 / kParts;
+      sum_J -= answer(*renderer, probe_at({x_m, 0.0, -0.003})).wrench.force_N.x * 0.002 / kParts;
+    }
+    return sum_J;  // the ways down and up are along the normal force of a plate, which returns it
+  };
+  EXPECT_NEAR(work_J("force"), 6e-4, 1e-6);
+  EXPECT_NEAR(work_J("constant"), 0.0, 1e-12);
 }
 
 TEST(LateralGradient, PushesDownTheSlope) {

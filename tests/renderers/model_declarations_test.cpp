@@ -77,6 +77,7 @@ TEST(ModelDeclarations, AreOfAPotentialWhereTheirConditionHolds) {
   EXPECT_FALSE(is_potential(*registry.find("height_map"), {}));
   EXPECT_TRUE(is_potential(*registry.find("height_map"), {{"lateral_gradient_gain", 1.0}}));
   EXPECT_TRUE(is_potential(*registry.find("lateral_gradient"), {}));
+  EXPECT_FALSE(is_potential(*registry.find("lateral_gradient"), {{"law", std::string("force")}}));
   EXPECT_FALSE(is_potential(*registry.find("stochastic"), {}));
   EXPECT_FALSE(moves_by_itself(*registry.find("stochastic"), {}));
 }

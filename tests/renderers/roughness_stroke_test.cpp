@@ -558,11 +558,13 @@ TEST(SpacedTexture, StretchesAReliefToTheSpacing) {
 }
 
 TEST(VariedQuantity, HasAnEffectWhereTheModelDeclaresWhatItNeeds) {
-  EXPECT_TRUE(depends_on(model_of("pd_gradient").declaration, VariedQuantity::probe_diameter));
-  EXPECT_FALSE(depends_on(model_of("height_map").declaration, VariedQuantity::probe_diameter));
-  EXPECT_TRUE(depends_on(model_of("height_map").declaration, VariedQuantity::applied_force));
-  EXPECT_FALSE(depends_on(model_of("lateral_gradient").declaration, VariedQuantity::applied_force));
-  EXPECT_TRUE(depends_on(model_of("height_map").declaration, VariedQuantity::exploratory_speed));
+  EXPECT_TRUE(depends_on(model_of("pd_gradient"), {}, VariedQuantity::probe_diameter));
+  EXPECT_FALSE(depends_on(model_of("height_map"), {}, VariedQuantity::probe_diameter));
+  EXPECT_TRUE(depends_on(model_of("height_map"), {}, VariedQuantity::applied_force));
+  EXPECT_FALSE(depends_on(model_of("lateral_gradient"), {}, VariedQuantity::applied_force));
+  EXPECT_TRUE(depends_on(model_of("lateral_gradient"), {{"law", std::string("force")}},
+                         VariedQuantity::applied_force));
+  EXPECT_TRUE(depends_on(model_of("height_map"), {}, VariedQuantity::exploratory_speed));
 }
 
 }  // namespace
