@@ -1,4 +1,4 @@
-// Implements noise at a rate that is independent of the servo's.
+// Implements noise that is indexed by time, or by the length of the hand's path.
 
 #include "renderers/models/stochastic.h"
 
@@ -7,14 +7,16 @@
 #include <cstdint>
 
 #include "analysis/random.h"
+#include "renderers/force/path_clock.h"
+#include "renderers/force/servo_low_pass.h"
 #include "renderers/force/surface_contact.h"
 
 namespace asperity {
 namespace {
 
-class Stochastic final : public ForceRenderer {
+class NoiseInTime final : public ForceRenderer {
  public:
-  explicit Stochastic(const RendererInputs& inputs)
+  explicit NoiseInTime(const RendererInputs& inputs)
       : contact_(inputs.patch, inputs.material, inputs.parameters),
         noise_(Random(inputs.seed).split("stochastic")),
         mean_N_(number_of(inputs.parameters, "noise_mean_N")),
@@ -65,6 +67,77 @@ class Stochastic final : public ForceRenderer {
   double held_ = 0.0;
 };
 
+class NoiseAlongPath final : public ForceRenderer {
+ public:
+  explicit NoiseAlongPath(const RendererInputs& inputs)
+      : contact_(inputs.patch, inputs.material, inputs.parameters),
+        noise_(Random(inputs.seed).split("stochastic")),
+        mean_N_(number_of(inputs.parameters, "noise_mean_N")),
+        sd_N_(number_of(inputs.parameters, "noise_sd_N")),
+        steps_per_m_(inputs.patch.motion_scale / number_of(inputs.parameters, "noise_length_m")),
+        clock_(number_of(inputs.parameters, "device_step_m")) {}
+
+  void reset(const ProbeState& first) noexcept override {
+    clock_.reset(first.position_m);
+    length_m_ = 0.0;
+    step_ = 0;
+    held_N_ = 0.0;
+    low_pass_.reset(0.0);
+  }
+
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    const double noise_N = noise_up_to(clock_.advance(probe.position_m));
+    const PatchPoint point = contact_.locate(probe.position_m);
+    const double penetration_m = -point.height_m;
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
+    const double normal_N =
+        std::max(0.0, contact_.material().stiffness_N_per_m * penetration_m + noise_N);
+    return contact_.force(
+        point, probe,
+        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = penetration_m});
+  }
+
+ private:
+  /// The noise on the way to this length, in equal steps, below half the servo rate.
+  double noise_up_to(double length_m) noexcept {
+    const double way_m = (length_m - length_m_) / ServoLowPass::kStepsPerTick;
+    double filtered_N = 0.0;
+    for (int part = 1; part <= ServoLowPass::kStepsPerTick; ++part) {
+      filtered_N = low_pass_.step(noise_at(length_m_ + way_m * part));
+    }
+    length_m_ = length_m;
+    return filtered_N;
+  }
+
+  double noise_at(double length_m) noexcept {
+    const auto step = static_cast<std::uint64_t>(std::floor(length_m * steps_per_m_ + 0.5));
+    if (step != step_) {
+      step_ = step;
+      held_N_ = mean_N_ + sd_N_ * noise_.split(step).normal();
+    }
+    return held_N_;
+  }
+
+  SurfaceContact contact_;
+  Random noise_;
+  double mean_N_ = 0.0;
+  double sd_N_ = 0.0;
+  double steps_per_m_ = 0.0;
+  PathClock clock_;
+  ServoLowPass low_pass_{};
+  double length_m_ = 0.0;
+  std::uint64_t step_ = 0;
+  double held_N_ = 0.0;
+};
+
+TextureBand band_of_noise(const RendererInputs& inputs) {
+  if (choice_of(inputs.parameters, "index") == "time") {
+    return {.time_Hz = 0.5 * number_of(inputs.parameters, "noise_rate_Hz")};
+  }
+  return {.per_m =
+              0.5 * inputs.patch.motion_scale / number_of(inputs.parameters, "noise_length_m")};
+}
+
 }  // namespace
 
 ForceModel stochastic_model() {
@@ -111,23 +184,48 @@ ForceModel stochastic_model() {
        .maximum = 0.1,
        .choices = {},
        .default_value = 0.005,
-       .meaning = "Speed along the surface below which there is no noise"},
+       .meaning = "Index time only: speed along the surface below which there is no noise"},
+      {.name = "index",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = {"time", "distance"},
+       .default_value = std::string("time"),
+       .meaning = "time: a new value after each 1/noise_rate_Hz, as in the source; distance: after "
+                  "each noise_length_m of the path along the surface"},
+      {.name = "noise_length_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 5e-5,
+       .maximum = 0.01,
+       .choices = {},
+       .default_value = 1e-4,
+       .meaning = "Index distance only: length of path after which the noise takes a new value"},
+      {.name = "device_step_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 0.0,
+       .maximum = 1e-3,
+       .choices = {},
+       .default_value = 0.0,
+       .meaning = "Index distance only: position step of the device; motion of up to two steps, "
+                  "and of up to 20 um, does not lengthen the path"},
       friction_speed_parameter()};
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
-            return std::make_unique<Stochastic>(inputs);
+            if (choice_of(inputs.parameters, "index") == "distance") {
+              return std::make_unique<NoiseAlongPath>(inputs);
+            }
+            return std::make_unique<NoiseInTime>(inputs);
           },
           .suggested_by =
               [](const HeightField& field, const Material& material) {
                 return ParameterValues{{"noise_sd_N", material.stiffness_N_per_m * field.rms_m()},
                                        {"noise_mean_N", 0.0}};
               },
-          .moves_by_itself_with = ParameterValues{{"velocity_threshold_m_per_s", 0.0}},
-          .band =
-              [](const RendererInputs& inputs) {
-                return TextureBand{.time_Hz = 0.5 * number_of(inputs.parameters, "noise_rate_Hz")};
-              },
-          .band_formula = "noise_rate_Hz/2"};
+          .moves_by_itself_with =
+              ParameterValues{{"index", std::string("time")}, {"velocity_threshold_m_per_s", 0.0}},
+          .band = band_of_noise,
+          .band_formula = "noise_rate_Hz/2; with index=distance v/(2*noise_length_m)"};
 }
 
 }  // namespace asperity

@@ -34,7 +34,7 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
        {{},
         {{"force_direction", std::string("local_normal")}},
         {{"force_direction", std::string("gradient")}}}},
-      {"stochastic", {{}}},
+      {"stochastic", {{}, {{"index", std::string("distance")}}}},
       {"lateral_gradient", {{}, {{"law", std::string("force")}}}},
       {"bump_map", {{}, {{"face", std::string("crest")}}}},
       {"normal_map", {{}, {{"law", std::string("physical")}}}},

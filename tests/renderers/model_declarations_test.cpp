@@ -1,6 +1,8 @@
 // What the registry declares of each model, against the model's forces.
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,14 +92,37 @@ TEST(ModelDeclarations, GiveTheBandAtASpeed) {
   };
   EXPECT_NEAR(band("sinusoid", {{"wavelength_m", 0.0015}}), 40.0, 1e-9);
   EXPECT_NEAR(band("stochastic", {{"noise_rate_Hz", 800.0}}), 400.0, 1e-9);
+  EXPECT_NEAR(band("stochastic", {{"index", std::string("distance")}, {"noise_length_m", 1e-4}}),
+              300.0, 1e-9);
   // Samples of 50 µm: waves of 0.1 mm. Cells of 0.1 mm: waves of 0.2 mm.
   EXPECT_NEAR(band("height_map", {}), 600.0, 1e-9);
   EXPECT_NEAR(band("lateral_gradient", {}), 600.0, 1e-9);
+  EXPECT_NEAR(band("bump_map", {}), 600.0, 1e-9);
+  EXPECT_NEAR(band("normal_map", {}), 600.0, 1e-9);
+  EXPECT_NEAR(band("periodic", {{"sine_2_m", 1e-5}}), 60.0, 1e-9);  // two waves in 2 mm
   EXPECT_NEAR(band("pd_gradient", {}), 300.0, 1e-9);
   const ForceModel& sinusoid = *registry.find("sinusoid");
   RendererInputs scaled = declared_inputs(sinusoid, {{"wavelength_m", 0.0015}});
   scaled.patch.motion_scale = 2.0;
   EXPECT_NEAR(band_Hz(sinusoid, scaled, 0.06), 80.0, 1e-9);
+}
+
+TEST(ModelDeclarations, GiveTheWavelengthOfATextureOfParameters) {
+  const ModelRegistry registry = built_in_models();
+  const auto waves = [&](const char* id, const ParameterValues& values) {
+    const ForceModel& model = *registry.find(id);
+    RendererInputs inputs = declared_inputs(model, values);
+    inputs.parameters = complete_values(model.declaration, inputs.parameters);
+    inputs.patch.motion_scale = 2.0;
+    return texture_waves(model, inputs, registry).wavelength_m;
+  };
+  // The finest of its waves: 3 and 4 in 2 mm are 5 in 2 mm; on the device half of it.
+  EXPECT_NEAR(waves("periodic", {{"waves_x_2", 3.0}, {"waves_y_2", -4.0}, {"cosine_2_m", 1e-5}})
+                  .value_or(0.0),
+              2e-4, 1e-12);
+  EXPECT_EQ(waves("periodic", {{"height_scale", 0.0}}), std::nullopt);
+  EXPECT_NEAR(waves("stochastic", {{"index", std::string("distance")}}).value_or(0.0), 1e-4, 1e-12);
+  EXPECT_EQ(waves("stochastic", {}), std::nullopt);
 }
 
 TEST(ModelDeclarations, HaveABandForEveryModelAndItsFormulaInTermsOfItsParameters) {

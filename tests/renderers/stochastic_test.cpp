@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "analysis/spectrum.h"
 #include "renderers/offline/along_path.h"
 #include "tests/renderers/surfaces.h"
 
@@ -122,6 +124,33 @@ TEST(Stochastic, NeverPulls) {
     if (tick.wrench.force_N.z == 0.0) ++free;
   }
   EXPECT_GT(free, 400U);
+}
+
+// σφ(F/σ) − FΦ(−F/σ) = 0.05·0.368270 − 0.02·0.344578 = 11.52 mN; of 400 000 values with a deviation of 36 mN, 5 standard
+// errors are 0.29 mN.
+TEST(Stochastic, RaisesTheMeanOfALightTouchByWhatIsClipped) {
+  RendererInputs wide = inputs_with({{"noise_sd_N", 0.05}});
+  wide.patch.extent_m = {100.0, 100.0};
+  const auto light = make_renderer(stochastic_model(), wide);
+  std::vector<double> felt_N{};
+  for (const RenderedTick& tick :
+       along_path(*light, samples_of({.height_m = -4e-5, .duration_s = 400.0}), 1000.0)) {
+    felt_N.push_back(tick.wrench.force_N.z);
+  }
+  const double clipped_N = 0.05 * std::exp(-0.5 * 0.16) / std::sqrt(2.0 * std::numbers::pi) -
+                           0.02 * 0.5 * std::erfc(0.4 / std::numbers::sqrt2);
+  EXPECT_NEAR(clipped_N, 0.01152, 1e-5);
+  EXPECT_NEAR(moments_of(felt_N).mean, 0.02 + clipped_N, 0.00029);
+  EXPECT_NEAR(moments_of(felt_N).deviation, 0.036, 0.001);
+}
+
+// At 400 Hz each tick has a new value: white up to 200 Hz, so that 5 to 200 Hz hold √(195/200) of σ; at 1 kHz √(195/500).
+TEST(Stochastic, IsHeldAtTheRateOfASlowerServo) {
+  const std::vector<double> slow =
+      noise_N({.speed_m_per_s = 0.02, .duration_s = 20.0, .rate_Hz = 400.0});
+  EXPECT_NEAR(band_rms(slow, 400.0, 5.0, 200.0), 0.05 * std::sqrt(195.0 / 200.0), 0.0015);
+  const std::vector<double> even = noise_N({.speed_m_per_s = 0.02, .duration_s = 20.0});
+  EXPECT_NEAR(band_rms(even, 1000.0, 5.0, 200.0), 0.05 * std::sqrt(195.0 / 500.0), 0.0015);
 }
 
 TEST(Stochastic, IsSilentOutOfContact) {

@@ -1,0 +1,49 @@
+// Declares the length of the path of a hand, which does not grow while the hand holds still.
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace asperity {
+
+/// Measures the length ℓ of a hand's path along a surface.
+///
+///   ℓ ← ℓ + |p − p_last|,  p_last ← p     if |p_x − p_last,x| or |p_y − p_last,y| exceeds max(2·Δ, 20 µm)
+///
+/// p the position in the plane [m], Δ the position step of the device [m]. Readings that vary by one step about a place
+/// differ by at most two steps along each axis, so ℓ does not grow at rest. The length of a curved path is that of its
+/// chords.
+///
+/// Real-time: no allocation, no exceptions.
+class PathClock final {
+ public:
+  explicit PathClock(double device_step_m) noexcept
+      : dead_zone_m_(std::max(2.0 * device_step_m, kLeast_m)) {}
+
+  void reset(const glm::dvec2& at_m) noexcept {
+    last_m_ = at_m;
+    length_m_ = 0.0;
+  }
+
+  /// The length after a motion to `at_m`.
+  double advance(const glm::dvec2& at_m) noexcept {
+    const glm::dvec2 way_m = at_m - last_m_;
+    if (std::max(std::abs(way_m.x), std::abs(way_m.y)) > dead_zone_m_) {
+      length_m_ += glm::length(way_m);
+      last_m_ = at_m;
+    }
+    return length_m_;
+  }
+
+ private:
+  static constexpr double kLeast_m = 20e-6;  // a hand at rest trembles by about this much
+  double dead_zone_m_ = kLeast_m;
+  glm::dvec2 last_m_{0.0};
+  double length_m_ = 0.0;
+};
+
+}  // namespace asperity
