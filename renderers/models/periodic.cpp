@@ -13,6 +13,7 @@
 
 #include "analysis/number_text.h"
 #include "renderers/force/surface_contact.h"
+#include "renderers/models/sinusoid.h"
 
 namespace asperity {
 namespace {
@@ -177,7 +178,7 @@ std::vector<Parameter> parameters_of_waves() {
     parameters.push_back({.name = name,
                           .kind = ParameterKind::number,
                           .unit = "m",
-                          .minimum = 1e-4,
+                          .minimum = 1e-5,
                           .maximum = 0.1,
                           .choices = {},
                           .default_value = 0.002,
@@ -244,7 +245,14 @@ ForceModel periodic_model() {
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<Periodic>(inputs);
           },
-          .suggested_by = {},
+          .suggested_by =
+              [](const HeightField& field, const Material& material) {
+                const ParameterValues wave = sinusoid_model().suggested_by(field, material);
+                ParameterValues suggested{{"sine_1_m", wave.at("amplitude_m")}};
+                const auto length = wave.find("wavelength_m");
+                if (length != wave.end()) suggested["length_x_m"] = length->second;
+                return suggested;
+              },
           .conservative_with = ParameterValues{{"force_direction", std::string("gradient")}},
           .band = band_of_waves,
           .band_formula =

@@ -31,6 +31,9 @@ namespace asperity {
 /// 4H/(πm) for m = 1, 3, 5, 7; its edges overshoot by 9.21 % of the step 2H (8.95 % with infinitely many terms, the limit
 /// of Gibbs).
 ///
+/// The values suggested for a texture sample are those of `sinusoid`: one wave of the RMS of the heights, as long as the
+/// sample's dominant wavelength.
+///
 /// Limits: four waves, no saturation with depth.
 ///
 /// Errors: std::invalid_argument for terms that are not in this half of the plane, or twice the same wave.

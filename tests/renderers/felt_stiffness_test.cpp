@@ -17,6 +17,7 @@
 #include "renderers/force/surface_contact.h"
 #include "renderers/models/height_map.h"
 #include "renderers/models/lateral_gradient.h"
+#include "renderers/models/periodic.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/models/stochastic.h"
 
@@ -91,6 +92,19 @@ TEST(FeltStiffness, OfAGratingThatPushesAlongItsNormalIsThatOfItsTroughs) {
                                                  {"wavelength_m", 1e-3},
                                                  {"force_direction", std::string("local_normal")}}),
               trough_N_per_m, 0.005 * trough_N_per_m);
+}
+
+TEST(FeltStiffness, OfTheGradientOfAWaveIsThatOfItsTroughs) {
+  const double trough_N_per_m = 5.0 * 1e-4 * std::pow(2.0 * std::numbers::pi / 1e-3, 2);
+  const std::string gradient = "gradient";
+  EXPECT_NEAR(largest_N_per_m(
+                  sinusoid_model(),
+                  {{"amplitude_m", 1e-4}, {"wavelength_m", 1e-3}, {"force_direction", gradient}}),
+              trough_N_per_m, 0.005 * trough_N_per_m);
+  EXPECT_NEAR(
+      largest_N_per_m(periodic_model(),
+                      {{"sine_1_m", 1e-4}, {"length_x_m", 1e-3}, {"force_direction", gradient}}),
+      trough_N_per_m, 0.005 * trough_N_per_m);
 }
 
 TEST(FeltStiffness, OfForceAlongTheSurfaceIsItsGainTimesTheBendAtAnyForce) {

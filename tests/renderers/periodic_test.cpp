@@ -161,6 +161,14 @@ TEST(Periodic, IsNotFeltAboveItsWaves) {
   EXPECT_NEAR(answer(*relief, probe_at({5e-4, 0.0, 0.9e-4})).penetration_m, 1e-5, 1e-12);
 }
 
+TEST(Periodic, TakesOneWaveFromASample) {
+  const ParameterValues suggested =
+      periodic_model().suggested_by(*grating({.rows = 320}), Material{});
+  EXPECT_NEAR(number_of(suggested, "sine_1_m"), 0.0002, 1e-8);
+  EXPECT_NEAR(number_of(suggested, "length_x_m"), 0.004, 0.1 * 0.004);
+  EXPECT_EQ(periodic_model().suggested_by(*level(0.0F), Material{}).count("length_x_m"), 0U);
+}
+
 TEST(Periodic, RefusesAWaveThatIsGivenTwice) {
   const auto refusal = [](const ParameterValues& values) {
     return refusal_of<std::invalid_argument>([&] { periodic_with(values); });
