@@ -169,7 +169,7 @@ ForceModel normal_map_model() {
       {.name = "bits",
        .kind = ParameterKind::integer,
        .unit = "1",
-       .minimum = 2.0,
+       .minimum = 4.0,  // with fewer, the third component of a steep normal is stored as 0
        .maximum = 24.0,
        .choices = {},
        .default_value = 8.0,

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -102,6 +104,35 @@ TEST(SolvedAmplitude, MakesEveryModelEquallyStrong) {
     const double reached_N = texture_force_rms_N(each, inputs);
     EXPECT_NEAR(reached_N / kTarget_N, 1.0, 1e-6) << each.declaration.id;
     EXPECT_EQ(reached_N, solved.texture_force_rms_N);
+  }
+}
+
+TEST(SolvedAmplitude, MakesTheOtherLawsEquallyStrong) {
+  constexpr double kTarget_N = 0.05;
+  const std::vector<std::pair<std::string, ParameterValues>> laws{
+      {"sinusoid", {{"force_direction", std::string("gradient")}}},
+      {"lateral_gradient", {{"law", std::string("force")}}},
+      {"stochastic", {{"index", std::string("distance")}}},
+      {"bump_map", {{"face", std::string("crest")}}},
+      {"normal_map", {{"law", std::string("physical")}}},
+      {"normal_map", {{"bits", 4.0}}},
+      {"periodic", {{"force_direction", std::string("gradient")}, {"cosine_2_m", 2e-5}}}};
+  for (const auto& [id, parameters] : laws) {
+    RendererInputs inputs = matched_stimulus();
+    inputs.parameters = parameters;
+    const SolvedAmplitude solved = solve_amplitude(model(id), inputs, kTarget_N);
+    inputs.parameters[solved.parameter] = solved.value;
+    EXPECT_NEAR(texture_force_rms_N(model(id), inputs) / kTarget_N, 1.0, 1e-6)
+        << id << ' ' << solved.value;
+  }
+}
+
+TEST(SolvedAmplitude, RefusesMoreThanAModelReaches) {
+  for (const char* const id : {"bump_map", "normal_map"}) {
+    EXPECT_THAT(refusal_of<std::invalid_argument>(
+                    [&] { solve_amplitude(model(id), matched_stimulus(), 1000.0); }),
+                testing::AllOf(testing::HasSubstr(id),
+                               testing::HasSubstr("height_scale goes from 0 to 100")));
   }
 }
 

@@ -76,6 +76,23 @@ TEST(NormalMap, DoesNotDependOnTheHeightOfTheReliefInGreyLevels) {
   EXPECT_EQ(map_N(inputs, {0.0003, 0.0, -0.002}), low_N);
 }
 
+// White squares of two by two texels on black: the steepest slopes that a picture has, 2.55 along both axes.
+TEST(NormalMap, IsFiniteOnTheSteepestPictureWithTheFewestBits) {
+  std::vector<float> heights_m(16 * 16);
+  for (std::size_t i = 0; i < heights_m.size(); ++i) {
+    heights_m[i] = (i % 16) % 4 < 2 && (i / 16) % 4 < 2 ? 1e-4F : 0.0F;
+  }
+  const auto checkers =
+      std::make_shared<const HeightField>(HeightField::Grid{16, 16, 1e-3}, heights_m);
+  const auto renderer = make_renderer(normal_map_model(), map_inputs(checkers, {{"bits", 4.0}}));
+  for (int place = 0; place < 1000; ++place) {
+    const glm::dvec3 at_m{0.7e-4 * place, 1.3e-4 * place, -0.002};
+    EXPECT_NEAR(glm::length(answer(*renderer, probe_at(at_m)).wrench.force_N), kMap_N_per_m * 0.002,
+                1e-12)
+        << place;
+  }
+}
+
 TEST(NormalMap, InterpolatesTheStoredComponents) {
   // Bounded: the last texel's right neighbour is itself, 5 levels: (−0.05, 0, 1)/1.001249: ⌊128 − 6.342⌋ = 121, read −7/127;
   // ⌊128 + 126.842⌋ = 254. A quarter of the way from the last but one (−13/127, 126/127): slope (0.75·13 + 0.25·7)/126.
