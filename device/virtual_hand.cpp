@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <thread>
 
 #include <glm/geometric.hpp>
@@ -72,11 +73,22 @@ std::uint32_t bit_of(int button) {
 }
 
 void check_habits(const HandHabits& habits) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(habits.centre_m[axis])) {
-      refuse("centre_m of the virtual hand", habits.centre_m[axis], "finite");
+  const auto check_centre = [](const char* field, const glm::dvec3& centre_m) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!std::isfinite(centre_m[axis])) {
+        refuse(field, centre_m[axis], "finite");
+      }
     }
+  };
+  check_centre("centre_m of the virtual hand", habits.centre_m);
+  if (habits.further_centres < 0 || habits.further_centres > HandHabits::kMostFurtherCentres) {
+    refuse("further_centres of the virtual hand", habits.further_centres, "0 to 3");
   }
+  for (int i = 0; i < habits.further_centres; ++i) {
+    check_centre("further_centres_m of the virtual hand",
+                 habits.further_centres_m[static_cast<std::size_t>(i)]);
+  }
+  require_positive("strokes_at_a_centre of the virtual hand", habits.strokes_at_a_centre);
   if (!std::isfinite(habits.direction_rad)) {
     refuse("direction_rad of the virtual hand", habits.direction_rad, "finite");
   }
@@ -121,6 +133,7 @@ bool VirtualHand::takes_up_new_habits() noexcept {
   }
   if (has_next_habits_.exchange(false, std::memory_order_relaxed)) {
     habits_ = next_habits_;
+    centre_ = 0;
   }
   next_habits_in_use_.clear(std::memory_order_release);
   return true;
@@ -152,7 +165,7 @@ HandIntent VirtualHand::intent(std::int64_t time_ns) noexcept {
   clock_ns_ += gap_ns;
   if (phase_ == Phase::stroking) {
     const double change = seconds(gap_ns) / kPressing_s;
-    const bool presses = wants_contact_.load(std::memory_order_acquire);
+    const bool presses = !leaves_ && wants_contact_.load(std::memory_order_acquire);
     grip_ = std::clamp(presses ? grip_ + change : grip_ - change, 0.0, 1.0);
   }
   advance_phase();
@@ -181,9 +194,16 @@ void VirtualHand::advance_phase() noexcept {
         }
         break;
       case Phase::stroking:
-        if (!wants_contact && grip_ == 0.0) {
+        if ((!wants_contact || leaves_) && grip_ == 0.0) {
           begin_raising();
+        } else if (leaves_) {
+          return;  // at rest at the end of its last stroke, until the surface is released
         } else if (clock_ns_ >= end_ns) {
+          if (wants_contact && habits_.further_centres > 0 &&
+              strokes_here_ >= habits_.strokes_at_a_centre) {
+            leaves_ = true;
+            return;
+          }
           begin_stroke(end_ns);
         } else {
           return;
@@ -209,6 +229,7 @@ void VirtualHand::begin(Phase phase, const glm::dvec3& from_m, const glm::dvec3&
 }
 
 void VirtualHand::begin_lowering() noexcept {
+  strokes_here_ = 0;
   const glm::dvec3 from_m = moving().position_m;
   const glm::dvec3 to_m = stroke_end_m(-direction_);
   const glm::dvec3 aside_m(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
@@ -222,6 +243,7 @@ void VirtualHand::begin_lowering() noexcept {
 }
 
 void VirtualHand::begin_stroke(std::int64_t began_ns) noexcept {
+  ++strokes_here_;
   const bool first = phase_ == Phase::lowering;
   if (!first) {
     drift(seconds(move_.duration_ns));
@@ -239,7 +261,11 @@ void VirtualHand::begin_stroke(std::int64_t began_ns) noexcept {
 
 void VirtualHand::begin_raising() noexcept {
   const glm::dvec3 from_m = moving().position_m;
-  const glm::dvec3 to_m(from_m.x, from_m.y, habits_.centre_m.z + habits_.lift_height_m);
+  const glm::dvec3 to_m(from_m.x, from_m.y, centre_m().z + habits_.lift_height_m);
+  if (leaves_) {
+    centre_ = (centre_ + 1) % (habits_.further_centres + 1);
+    leaves_ = false;
+  }
   begin(Phase::raising, from_m, to_m,
         duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s, habits_.gathering),
         clock_ns_);
@@ -259,11 +285,16 @@ double VirtualHand::variation(double standard_deviation) noexcept {
   return standard_deviation * std::clamp(random_.normal(), -kFarthest, kFarthest);
 }
 
+const glm::dvec3& VirtualHand::centre_m() const noexcept {
+  return centre_ == 0 ? habits_.centre_m
+                      : habits_.further_centres_m[static_cast<std::size_t>(centre_ - 1)];
+}
+
 glm::dvec3 VirtualHand::stroke_end_m(double direction) const noexcept {
   const glm::dvec3 along(std::cos(habits_.direction_rad), std::sin(habits_.direction_rad), 0.0);
   const glm::dvec3 across(-along.y, along.x, 0.0);
   const double farthest_m = kFarthest * habits_.drift_m;
-  return habits_.centre_m +
+  return centre_m() +
          (0.5 * direction * habits_.stroke_length_m +
           std::clamp(drift_along_m_, -farthest_m, farthest_m)) *
              along +

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
@@ -14,6 +15,8 @@ namespace asperity {
 /// How a hand explores a surface. Deviations are between strokes, and never more than 2.5 standard
 /// deviations.
 struct HandHabits {
+  static constexpr int kMostFurtherCentres = 3;
+
   glm::dvec3 centre_m{0.0};    ///< middle of the strokes, on the surface
   double direction_rad = 0.0;  ///< of the stroke, from +x towards +y
   double stroke_length_m = 0.060;
@@ -29,6 +32,10 @@ struct HandHabits {
       0.004;  ///< standard deviation of a slow wander of the stroke's centre, across and along
   double lift_height_m = 0.010;  ///< how far above the surface the hand waits
   double approach_speed_m_per_s = 0.05;
+  /// Surfaces side by side: after `strokes_at_a_centre` strokes the hand lifts and strokes about the next centre, in turn.
+  std::array<glm::dvec3, kMostFurtherCentres> further_centres_m{};
+  int further_centres = 0;  ///< how many of them there are
+  int strokes_at_a_centre = 4;
 };
 
 /// What the hand is to do at one instant.
@@ -50,9 +57,10 @@ inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
 /// its time; its acceleration has no jumps. Each stroke draws its speed and force; the force changes over from
 /// the last stroke's while the hand gathers speed. Coming down, the hand moves to the start of the
 /// next stroke, touches at rest and then presses, within 0.15 s; when it is to lift, it releases the
-/// surface within 0.15 s and rises. When it is to stroke while it rises, it rises to the end first.
+/// surface within 0.15 s and rises. When it is to stroke while it rises, it rises to the end first. With further
+/// centres it lifts in the same way after its strokes about each of them, and comes down over the next one.
 ///
-/// What the caller may rely on: along the stroke the hand is never farther from the centre than
+/// What the caller may rely on: in contact, along the stroke the hand is never farther from the centre than
 /// half the stroke's length and 2.5 drifts, across it never farther than 2.5 drifts (with
 /// the defaults 40 mm and 10 mm). The motion is a function of the seed, the habits and the times of
 /// the calls; how often `intent` is called in between does not move the strokes.
@@ -68,7 +76,7 @@ class VirtualHand final {
   static constexpr int kButtons = 2;
 
   /// Errors: std::invalid_argument naming the habit that is not positive or finite (variations and
-  /// the drift may be zero; a variation is at most 0.3, so that every stroke moves and presses).
+  /// the drift may be zero; a variation is at most 0.3, so that every stroke moves and presses), or beyond its number.
   VirtualHand(const HandHabits& habits, Random random);
 
   void stroke() noexcept { wants_contact_.store(true, std::memory_order_release); }
@@ -105,6 +113,7 @@ class VirtualHand final {
   void begin_raising() noexcept;
   void drift(double duration_s) noexcept;
   double variation(double standard_deviation) noexcept;
+  const glm::dvec3& centre_m() const noexcept;
   glm::dvec3 stroke_end_m(double direction) const noexcept;
   HandIntent moving() const noexcept;
 
@@ -123,6 +132,9 @@ class VirtualHand final {
   std::int64_t clock_ns_ = 0;  ///< the hand's own: stands still in long gaps
   Phase phase_ = Phase::waiting;
   Move move_{};
+  int centre_ = 0;          ///< of the present strokes: 0, or the number of a further one
+  int strokes_here_ = 0;    ///< begun about it since the hand came down
+  bool leaves_ = false;     ///< for the next centre
   double direction_ = 1.0;  ///< of the present stroke, +1 or −1 along the line
   double drift_along_m_ = 0.0;
   double drift_across_m_ = 0.0;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 #include "analysis/compliance.h"
 #include "analysis/summary.h"
@@ -191,15 +194,51 @@ HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch)
   return habits;
 }
 
-HandHabits habits_in_trial(const Exploration& exploration, const SurfacePatch& workspace,
-                           const Arrangement& arrangement) {
+HandHabits habits_over_patches(const Exploration& exploration, const SurfacePatch& workspace,
+                               std::span<const SurfacePatch> patches, int minimum_visits) {
   HandHabits habits = habits_for(exploration, workspace);
-  if (arrangement.surfaces != Arrangement::Surfaces::side_by_side) return habits;
-  const bool along_x = arrangement.axis == Arrangement::Axis::x;
-  habits.direction_rad = along_x ? 0.0 : 0.5 * std::numbers::pi;
-  // The strokes wander by up to 2.5 standard deviations of the drift.
-  const double extent_m = along_x ? workspace.extent_m.x : workspace.extent_m.y;
-  habits.stroke_length_m = std::max(0.5 * extent_m, extent_m - 5.0 * habits.drift_m);
+  const double border_m =
+      workspace.edge == PatchEdge::fade ? std::max(kBlend_m, workspace.edge_width_m) : kBlend_m;
+  const glm::dvec2 middle_m(workspace.centre_m);
+  glm::dvec2 narrowest_m(0.5 * workspace.extent_m);  // half of a patch
+  std::vector<glm::dvec3> centres_m{};
+  for (const SurfacePatch& patch : patches) {
+    const glm::dvec2 own_m(patch.centre_m);
+    const glm::dvec2 lowest_m = glm::max(own_m - 0.5 * patch.extent_m + kBlend_m,
+                                         middle_m - 0.5 * workspace.extent_m + border_m);
+    const glm::dvec2 highest_m = glm::min(own_m + 0.5 * patch.extent_m - kBlend_m,
+                                          middle_m + 0.5 * workspace.extent_m - border_m);
+    centres_m.emplace_back(0.5 * (lowest_m + highest_m), patch.centre_m.z);
+    // A patch within the fading border leaves no room; the hand then moves a little at its middle.
+    const glm::dvec2 room_m = glm::max(0.5 * (highest_m - lowest_m), 0.05 * patch.extent_m);
+    narrowest_m = glm::min(narrowest_m, room_m);
+  }
+  const glm::dvec2 along(std::abs(std::cos(habits.direction_rad)),
+                         std::abs(std::sin(habits.direction_rad)));
+  constexpr double kAcross = 1e-9;  // cos(π/2) is not 0
+  double half_m = 0.5 * habits.stroke_length_m;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (along[axis] > kAcross) half_m = std::min(half_m, narrowest_m[axis] / along[axis]);
+  }
+  habits.stroke_length_m = 2.0 * half_m;
+  // Strokes wander by up to 2.5 standard deviations of the drift, along and across.
+  const glm::dvec2 left_m = narrowest_m - half_m * along;
+  const double wander_m = std::max(0.0, std::min(left_m.x, left_m.y)) / (along.x + along.y);
+  habits.drift_m = std::min(habits.drift_m, wander_m / 2.5);
+  habits.centre_m = centres_m.front();
+  habits.further_centres = static_cast<int>(centres_m.size()) - 1;
+  std::copy(centres_m.begin() + 1, centres_m.end(), habits.further_centres_m.begin());
+  const double visits = std::max(1, minimum_visits);
+  const auto requested =
+      exploration.strokes.target ? exploration.strokes.target : exploration.strokes.minimum;
+  const double strokes =
+      requested ? std::max(1.0, std::ceil(*requested / visits)) : habits.strokes_at_a_centre;
+  const double stroke_s =
+      habits.stroke_length_m / (habits.speed_m_per_s * (1.0 - habits.gathering));
+  // One visit more than required, for the one that the end cuts off.
+  const double longest_visit_s = exploration.maximum_contact_s / (visits + 1.0);
+  habits.strokes_at_a_centre =
+      std::max(1, static_cast<int>(std::min(strokes, longest_visit_s / stroke_s)));
   return habits;
 }
 

@@ -35,8 +35,11 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
 
 /// The habits of a hand that aims at the instructed exploration.
 HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch);
-/// The same in a trial: over surfaces side by side the hand strokes along all of them, at the same speed.
-HandHabits habits_in_trial(const Exploration& exploration, const SurfacePatch& workspace,
-                           const Arrangement& arrangement);
+/// The same over patches of a workspace that lie side by side, in the device's frame: the hand strokes within one patch after the
+/// other, with strokes that are shortened, and wander less, where a patch is too narrow for them. It stays outside the
+/// blend at the sides of a patch (kBlend_m) and the border at which the force fades. A visit has the
+/// strokes that the exploration requests, divided by `minimum_visits`, if these visits fit into the longest contact.
+HandHabits habits_over_patches(const Exploration& exploration, const SurfacePatch& workspace,
+                               std::span<const SurfacePatch> patches, int minimum_visits);
 
 }  // namespace asperity

@@ -121,8 +121,7 @@ void TrialAttempt::prepare() {
         {{"position", planned.position}, {"model", model.id}, {"version", model.version}});
   }
 
-  course_.rig().prepare_attempt(habits_in_trial(exploration_, patch_, trial_.arrangement),
-                                random_.split("hand"));
+  course_.rig().prepare_attempt(habits_of_hand(), random_.split("hand"));
   course_.respondent().begin_attempt(trial_.ordinal, order_.attempt);
   std::unique_ptr<RecordingWriter> writer{};
   if (order_.record && protocol.record) {
@@ -142,6 +141,18 @@ void TrialAttempt::prepare() {
                       .direction_rad = exploration_.direction_rad,
                       .usual_stroke_m = habits_for(exploration_, patch_).stroke_length_m,
                       .force = judged_force_of(course_.rig().capability())});
+}
+
+HandHabits TrialAttempt::habits_of_hand() const {
+  if (trial_.arrangement.surfaces != Arrangement::Surfaces::side_by_side) {
+    return habits_for(exploration_, patch_);
+  }
+  const Layout layout{course_.row().mirrored};
+  std::vector<SurfacePatch> patches{};
+  for (const PlannedPresentation& planned : trial_.presentations) {
+    patches.push_back(layout.of(planned));
+  }
+  return habits_over_patches(exploration_, patch_, patches, trial_.arrangement.minimum_visits);
 }
 
 void TrialAttempt::carry_out() {

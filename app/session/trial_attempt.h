@@ -13,6 +13,7 @@
 #include "app/session/session_course.h"
 #include "app/session/stimulus_builder.h"
 #include "app/session/trial_surfaces.h"
+#include "device/virtual_hand.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -86,6 +87,7 @@ class TrialAttempt final {
   };
 
   void prepare();
+  HandHabits habits_of_hand() const;  ///< of a virtual hand
   void carry_out();
   /// Asks until the page is answered (true) or its deadline has passed (false).
   bool answer_page(std::span<const TrialQuestion> page);

@@ -147,7 +147,7 @@ TEST_F(ArrangedSession, EndsEveryVisitAfterTheSameContact) {
   }
 }
 
-/// The hand strokes along both patches; the renderers alternate, and the recording tells them apart.
+/// The hand strokes in one patch after the other; the recording tells them apart.
 TEST_F(ArrangedSession, PresentsSurfacesSideBySide) {
   person_.has_had_enough = true;
   const std::vector<AttemptRow> attempts =
@@ -166,7 +166,8 @@ TEST_F(ArrangedSession, PresentsSurfacesSideBySide) {
     for (const TickRecord& record : records_of_attempt(attempt)) {
       if (!is_in_contact(record)) continue;
       const double x_m = record.probe.position_m.x;
-      EXPECT_EQ(record.presentation, x_m <= -0.003 ? 1U : x_m >= 0.003 ? 2U : kSideBySide) << x_m;
+      EXPECT_EQ(record.presentation, x_m < 0.0 ? 1U : 2U) << x_m;
+      EXPECT_GE(std::abs(x_m), 0.003 + kBlend_m) << "neither between the patches nor in a blend";
     }
     double contact_s = 0.0;
     for (const VisitRow& visit : left.visits) {
@@ -182,6 +183,76 @@ TEST_F(ArrangedSession, PresentsSurfacesSideBySide) {
   }
   expect_verified();
 }
+
+/// The hand slides over both patches, with its strokes along them; the renderers alternate.
+TEST_F(ArrangedSession, TellsThePatchesApartThatAHandSlidesOver) {
+  begin(arranged(R"({"surfaces": "side_by_side", "visits": {"minimum": 2}})"));
+  links_ = {};
+  person_.has_had_enough = true;
+  rig_->at_prepare = [](HandHabits& habits) {
+    habits.centre_m = {};
+    habits.stroke_length_m = 0.08;
+    habits.further_centres = 0;
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::set<std::uint64_t> touched{};
+  for (const AttemptRow& attempt : attempts()) {
+    EXPECT_LE(std::abs(static_cast<int>(attempt.presentations.at(0).visits.size()) -
+                       static_cast<int>(attempt.presentations.at(1).visits.size())),
+              1)
+        << "they alternate";
+    for (const TickRecord& record : records_of_attempt(attempt)) {
+      if (!is_in_contact(record)) continue;
+      const double x_m = record.probe.position_m.x;
+      EXPECT_EQ(record.presentation, x_m <= -0.003 ? 1U : x_m >= 0.003 ? 2U : kSideBySide) << x_m;
+      touched.insert(record.presentation);
+    }
+  }
+  EXPECT_THAT(touched, ElementsAre(1U, 2U, kSideBySide));
+  expect_verified();
+}
+
+/// Strokes of 30 mm along x at 0.1 m/s, over patches along an axis. The lift at the end cuts one of them off.
+std::string with_bands_along(const std::string& axis) {
+  std::string text = arranged(R"({"surfaces": "side_by_side", "axis": ")" + axis + R"("})");
+  const std::string stated =
+      R"("stroke_length_m": {"target": 0.04}, "speed_m_per_s": {"target": 0.1})";
+  text.replace(text.find(stated), stated.size(),
+               R"("direction_rad": 0, "required_fraction_in_band": 0.7, "on_failure": "flag",
+                  "stroke_length_m": {"target": 0.03, "minimum": 0.024, "maximum": 0.036},
+                  "speed_m_per_s": {"target": 0.1, "minimum": 0.07, "maximum": 0.13})");
+  const std::string contact = R"("minimum_contact_s": 0.3)";
+  text.replace(text.find(contact), contact.size(), R"("minimum_contact_s": 2)");
+  return text;
+}
+
+/// Speeds and lengths of strokes are in their bands, wherever the patches lie.
+class BandsOverPatches : public ArrangedSession, public testing::WithParamInterface<const char*> {};
+
+TEST_P(BandsOverPatches, AreMetWithinEachPatch) {
+  const std::string axis = GetParam();
+  begin(with_bands_along(axis));
+  links_ = {};
+  person_.has_had_enough = true;
+  EXPECT_EQ(run().state, SessionState::completed);
+  int bands = 0;
+  for (const AttemptRow& attempt : attempts()) {
+    EXPECT_FALSE(attempt.flagged);
+    for (const ComplianceRow& row : attempt.compliance) {
+      if (row.quantity != "speed_m_per_s" && row.quantity != "stroke_length_m") continue;
+      ++bands;
+      EXPECT_EQ(row.passed, true) << row.quantity << ' ' << row.mean;
+    }
+    for (const TickRecord& record : records_of_attempt(attempt)) {
+      if (!is_in_contact(record)) continue;
+      const glm::dvec3& place_m = record.probe.position_m;
+      EXPECT_EQ(record.presentation, (axis == "x" ? place_m.x : place_m.y) < 0.0 ? 1U : 2U);
+    }
+  }
+  EXPECT_EQ(bands, 2 * 2 * 2) << "of two trials with two surfaces";
+}
+
+INSTANTIATE_TEST_SUITE_P(AlongEachAxis, BandsOverPatches, testing::Values("x", "y"));
 
 /// A hand that stops after two visits never reaches the required number: the attempt does not count.
 TEST_F(ArrangedSession, DoesNotCountAnAttemptWithTooFewVisits) {
@@ -218,6 +289,7 @@ TEST_F(ArrangedSession, RefusesToFinishBeforeEveryPatchWasVisited) {
   rig_->at_prepare = [](HandHabits& habits) {  // stays on the left
     habits.centre_m.x = -0.03;
     habits.stroke_length_m = 0.01;
+    habits.further_centres = 0;
   };
   EXPECT_NE(run().state, SessionState::completed);
   const AttemptRow first = attempts().at(0);

@@ -93,6 +93,60 @@ TEST(Contact, IsTheSameForEveryNumberAndDisplay) {
   EXPECT_NEAR(curves.contacts.front().end_s, 0.010, 1e-12);
 }
 
+/// Two patches of 47 mm in a workspace of 100 mm, whose border fades over 5 mm; between them 6 mm.
+std::vector<SurfacePatch> two_patches(bool along_x) {
+  std::vector<SurfacePatch> patches(2);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const double place_m = i == 0 ? -0.0265 : 0.0265;
+    patches[i].centre_m = along_x ? glm::dvec3(place_m, 0.0, 0.0) : glm::dvec3(0.0, place_m, 0.0);
+    patches[i].extent_m = along_x ? glm::dvec2(0.047, 0.1) : glm::dvec2(0.1, 0.047);
+  }
+  return patches;
+}
+
+TEST(HabitsOverPatches, StrokeInTheDirectionOfTheExplorationWithinAPatch) {
+  Exploration exploration{};
+  exploration.stroke_length_m = {{}, 0.06, {}};
+  exploration.maximum_contact_s = 10.0;
+  const HandHabits across = habits_over_patches(exploration, {}, two_patches(false), 1);
+  EXPECT_EQ(across.direction_rad, 0.0);
+  EXPECT_EQ(across.stroke_length_m, 0.06);
+  // From the fading border to the blend: y from −45 to −5 mm.
+  EXPECT_NEAR(across.centre_m.y, -0.025, 1e-12);
+  EXPECT_NEAR(across.further_centres_m[0].y, 0.025, 1e-12);
+  EXPECT_EQ(across.further_centres, 1);
+  EXPECT_EQ(across.drift_m, 0.004) << "15 mm is left at each end, 20 mm at each side";
+  const HandHabits along = habits_over_patches(exploration, {}, two_patches(true), 1);
+  EXPECT_NEAR(along.stroke_length_m, 0.04, 1e-12) << "shortened to the patch";
+  EXPECT_NEAR(along.drift_m, 0.0, 1e-12);
+  EXPECT_NEAR(along.centre_m.x, -0.025, 1e-12);
+  exploration.stroke_length_m = {{}, 0.03, {}};
+  EXPECT_NEAR(habits_over_patches(exploration, {}, two_patches(true), 1).drift_m, 0.002, 1e-12)
+      << "5 mm at each end";
+}
+
+TEST(HabitsOverPatches, DivideTheStrokesAmongTheVisits) {
+  Exploration exploration{};
+  exploration.stroke_length_m = {{}, 0.03, {}};
+  exploration.speed_m_per_s = {{}, 0.1, {}};
+  exploration.strokes = {{}, 6.0, {}};
+  exploration.maximum_contact_s = 10.0;
+  EXPECT_EQ(habits_over_patches(exploration, {}, two_patches(true), 1).strokes_at_a_centre, 6);
+  EXPECT_EQ(habits_over_patches(exploration, {}, two_patches(true), 2).strokes_at_a_centre, 3);
+  exploration.maximum_contact_s = 2.0;  // three visits: 0.67 s of strokes of 0.3 s
+  EXPECT_EQ(habits_over_patches(exploration, {}, two_patches(true), 2).strokes_at_a_centre, 2);
+}
+
+TEST(HabitsOverPatches, AreThoseOfAHandWhereThereIsNoRoom) {
+  std::vector<SurfacePatch> patches = two_patches(true);
+  for (SurfacePatch& patch : patches) patch.extent_m.x = 0.004;
+  patches[0].centre_m.x = -0.048;
+  patches[1].centre_m.x = 0.048;
+  const HandHabits habits = habits_over_patches({}, {}, patches, 1);
+  EXPECT_GT(habits.stroke_length_m, 0.0);
+  EXPECT_NO_THROW(VirtualHand(habits, Random(1)));
+}
+
 TEST(ServoQuality, CountsNoneWhereThereIsNoTick) { EXPECT_EQ(quality_of("").missed_in_contact, 0); }
 
 }  // namespace

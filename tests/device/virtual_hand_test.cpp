@@ -243,6 +243,52 @@ TEST(VirtualHand, NeverLeavesItsBound) {
   EXPECT_GT(farthest_across_m, 2.0 * 0.008);
 }
 
+// Patches side by side along y, stroked along x.
+TEST(VirtualHand, StrokesAboutItsCentresInTurn) {
+  const HandHabits habits{.centre_m = {0.0, -0.02, 0.0},
+                          .drift_m = 0.002,
+                          .further_centres_m = {{{0.0, 0.02, 0.0}}},
+                          .further_centres = 1,
+                          .strokes_at_a_centre = 3};
+  VirtualHand hand(habits, Random(6));
+  hand.stroke();
+  std::vector<int> visits{};  // the centre, and the turns in between
+  std::vector<int> strokes{};
+  double direction = 0.0;
+  bool was_lifted = true;
+  HandIntent last{};
+  for (const HandIntent& intent : motion(hand, 0, seconds(30.0))) {
+    if (!intent.lifted) {
+      const int centre = intent.position_m.y < 0.0 ? 0 : 1;
+      EXPECT_LE(std::abs(std::abs(intent.position_m.y) - 0.02), 2.5 * 0.002 + 1e-12);
+      EXPECT_LE(std::abs(intent.position_m.x), 0.03 + 2.5 * 0.002 + 1e-12);
+      if (was_lifted) {
+        EXPECT_EQ(intent.press_N, 0.0) << "touches before it presses";
+        visits.push_back(centre);
+        strokes.push_back(0);
+        direction = 0.0;
+      }
+      EXPECT_EQ(visits.back(), centre) << "moves to another centre in the air";
+      const double vx = intent.velocity_m_per_s.x;
+      if (vx != 0.0 && std::copysign(1.0, vx) != direction) {
+        direction = std::copysign(1.0, vx);
+        ++strokes.back();
+      }
+    } else if (!was_lifted) {
+      EXPECT_LT(last.press_N, 0.01) << "releases before it lifts";
+    }
+    was_lifted = intent.lifted;
+    last = intent;
+  }
+  ASSERT_GE(visits.size(), 6U);
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    EXPECT_EQ(visits[i], static_cast<int>(i % 2));
+    if (i + 1 < visits.size()) {
+      EXPECT_EQ(strokes[i], 3);
+    }
+  }
+}
+
 TEST(VirtualHand, MovesTheSameBitForBitFromTheSameSeedAndOtherwiseFromAnother) {
   VirtualHand one(HandHabits{}, Random(7));
   VirtualHand again(HandHabits{}, Random(7));
