@@ -4,13 +4,14 @@
 
 namespace asperity {
 
-AnalysisUse use_in_analyses(std::string_view phase, int repetition) noexcept {
+AnalysisUse use_in_analyses(std::string_view phase, int repetition, bool is_catch) noexcept {
   if (phase != "main") return AnalysisUse::practice;
+  if (is_catch) return AnalysisUse::catch_trial;
   return repetition == 0 ? AnalysisUse::anchor : AnalysisUse::counted;
 }
 
 AnalysisUse use_in_analyses(const PlannedTrialRow& trial) noexcept {
-  return use_in_analyses(trial.phase, trial.repetition);
+  return use_in_analyses(trial.phase, trial.repetition, trial.is_catch);
 }
 
 AnalysisUse use_in_analyses(AnalysisUse of_trial, const AttemptState& attempt) noexcept {

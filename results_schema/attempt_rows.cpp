@@ -16,6 +16,7 @@ constexpr std::array kOutcomes{AttemptOutcome::answered,      AttemptOutcome::ti
                                AttemptOutcome::not_compliant, AttemptOutcome::aborted,
                                AttemptOutcome::device_fault,  AttemptOutcome::emergency_stop,
                                AttemptOutcome::skipped};
+constexpr std::array kPurposes{AttemptPurpose::trial, AttemptPurpose::refresher};
 
 // The schema counts an emergency stop among the faults; the servo's row tells which one it was.
 constexpr const char* kOutcomeAsRead =
@@ -83,14 +84,17 @@ Attempts read_bare_attempts(Database& database, const std::string& which, std::i
   Statement statement(database,
                       std::string("SELECT id, trial, attempt, segment, ") + kOutcomeAsRead +
                           ", valid, invalid_reason, invalid_reason_json, flagged, flag_reason, "
-                          "flag_reason_json, onset_ns, offset_ns FROM attempt WHERE " +
+                          "flag_reason_json, onset_ns, offset_ns, purpose FROM attempt WHERE " +
                           which + " ORDER BY id");
   statement.bind(key);
   while (statement.step()) {
     AttemptRow row;
     std::string outcome;
+    std::string purpose;
     statement.read(row.id, row.trial, row.attempt, row.segment, outcome, row.valid,
-                   row.invalid_reason, row.flagged, row.flag_reason, row.onset_ns, row.offset_ns);
+                   row.invalid_reason, row.flagged, row.flag_reason, row.onset_ns, row.offset_ns,
+                   purpose);
+    row.purpose = enum_of(purpose, kPurposes, "attempt.purpose");
     row.outcome = enum_of(outcome, kOutcomes, "attempt.outcome");
     attempts.add(std::move(row));
   }

@@ -60,6 +60,16 @@ const char* text_of(AttemptOutcome outcome) noexcept {
   return "";
 }
 
+const char* text_of(AttemptPurpose purpose) noexcept {
+  switch (purpose) {
+    case AttemptPurpose::trial:
+      return "trial";
+    case AttemptPurpose::refresher:
+      return "refresher";
+  }
+  return "";
+}
+
 const char* text_of(Verdict verdict) noexcept {
   switch (verdict) {
     case Verdict::set_aside:

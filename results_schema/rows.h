@@ -97,6 +97,7 @@ struct PlannedTrialRow {
   /// Where a procedure chose its level: the track within the run of its block, and the place in it.
   std::optional<int> track{};
   std::optional<int> step{};
+  bool is_catch = false;  ///< a catch trial of a procedure
   std::string factors_json = "{}";
   std::string plan_json = "{}";  ///< json_of(Trial)
 };
@@ -247,12 +248,19 @@ constexpr bool is_fault(AttemptOutcome outcome) noexcept {
   return outcome == AttemptOutcome::device_fault || outcome == AttemptOutcome::emergency_stop;
 }
 
+/// What an attempt is made for.
+enum class AttemptPurpose {
+  trial,      ///< to complete its trial
+  refresher,  ///< to practise again when a session is resumed; it never counts
+};
+
 /// One go at a trial, with all that hangs on it: written in one transaction or not at all.
 struct AttemptRow {
   std::int64_t id = 0;
   int trial = 0;
   int attempt = 0;  ///< 1-based within the trial
   int segment = 0;  ///< which uninterrupted stretch of the session
+  AttemptPurpose purpose = AttemptPurpose::trial;
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;  ///< as read: and not set aside
   std::optional<StoredWords> invalid_reason{};
@@ -331,6 +339,7 @@ const char* text_of(Verdict verdict) noexcept;
 const char* text_of(SessionMode mode) noexcept;
 const char* text_of(SessionState state) noexcept;
 const char* text_of(AttemptOutcome outcome) noexcept;
+const char* text_of(AttemptPurpose purpose) noexcept;
 const char* text_of(OutputKind kind) noexcept;
 const char* text_of(WithdrawnData data) noexcept;
 const char* text_of(WithdrawalReason reason) noexcept;

@@ -66,6 +66,7 @@ struct SessionAnswers {
     AttemptOutcome outcome = AttemptOutcome::answered;
     AnalysisUse use = AnalysisUse::counted;
     bool valid = true;  ///< and not set aside
+    bool excluded = false;
     bool flagged = false;
     std::size_t first_surface = 0;
     std::size_t surfaces = 0;

@@ -42,19 +42,20 @@ void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answ
   Statement statement(
       database,
       "SELECT session_id, trial, block, phase, factors_json, repetition, "
-      "block_ordinal, track, step FROM trial WHERE session_id >= ? ORDER BY session_id, "
+      "block_ordinal, track, step, is_catch FROM trial WHERE session_id >= ? ORDER BY session_id, "
       "trial");
   statement.bind(session_id);
   std::int64_t session = 0;
   std::string block;
   std::string phase;
   std::string factors_json;
+  bool is_catch = false;
   while (statement.step()) {
     SessionAnswers::Trial trial{};
     statement.read(session, trial.trial, block, phase, factors_json, trial.repetition,
-                   trial.block_ordinal, trial.track, trial.step);
+                   trial.block_ordinal, trial.track, trial.step, is_catch);
     if (session != session_id) break;
-    trial.use = use_in_analyses(phase, trial.repetition);
+    trial.use = use_in_analyses(phase, trial.repetition, is_catch);
     trial.block = words.place(block);
     trial.factors_json = words.place(factors_json);
     answers.trials.push_back(trial);
@@ -241,7 +242,8 @@ void count_attempts(Database& database, const Which& which,
                     std::map<std::int64_t, Counting>& sessions) {
   const SetAside set_aside = those_set_aside(database);
   Statement statement(database, std::string("SELECT session_id, trial, attempt, segment, "
-                                            "valid OR outcome = 'skipped', onset_ns, offset_ns "
+                                            "purpose = 'trial' AND (valid OR outcome = 'skipped'), "
+                                            "onset_ns, offset_ns "
                                             "FROM attempt") +
                                     (which ? " WHERE session_id = ?" : ""));
   if (which) statement.bind(*which);
@@ -322,8 +324,11 @@ SessionAnswers Study::answers(std::int64_t session_id, AnswerParts parts) const 
     answers.attempts.reserve(attempts.rows().size());
     Places places{};
     for (const AttemptRow& row : attempts.rows()) {
-      answers.attempts.push_back(
-          {.trial = row.trial, .outcome = row.outcome, .valid = row.valid, .flagged = row.flagged});
+      answers.attempts.push_back({.trial = row.trial,
+                                  .outcome = row.outcome,
+                                  .valid = row.valid,
+                                  .excluded = row.excluded.has_value(),
+                                  .flagged = row.flagged});
       places.emplace(row.id, &answers.attempts.back());
     }
     read_surfaces(database, session_id, answers, places, words);
@@ -333,10 +338,9 @@ SessionAnswers Study::answers(std::int64_t session_id, AnswerParts parts) const 
     read_replies(database, session_id, answers, places, words);
     for (const AttemptRow& row : attempts.rows()) {
       SessionAnswers::Attempt& attempt = *places.at(row.id);
-      attempt.use = use_in_analyses(use_of_trial(answers.trials, row.trial),
-                                    {.valid = row.valid,
-                                     .answered = attempt.replies > 0,
-                                     .excluded = row.excluded.has_value()});
+      attempt.use = use_in_analyses(
+          use_of_trial(answers.trials, row.trial),
+          {.valid = row.valid, .answered = attempt.replies > 0, .excluded = attempt.excluded});
     }
     // Those of a trial stand in the order of their attempts already.
     std::stable_sort(answers.attempts.begin(), answers.attempts.end(),

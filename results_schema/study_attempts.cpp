@@ -274,12 +274,12 @@ std::int64_t Study::add_attempt(std::int64_t session_id, const AttemptRow& attem
   Statement(database,
             "INSERT INTO attempt (session_id, trial, attempt, segment, outcome, valid, "
             "invalid_reason, invalid_reason_json, flagged, flag_reason, flag_reason_json, "
-            "onset_ns, offset_ns) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+            "onset_ns, offset_ns, purpose) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(session_id, attempt.trial, attempt.attempt, attempt.segment,
             text_of(attempt.outcome == AttemptOutcome::emergency_stop ? AttemptOutcome::device_fault
                                                                       : attempt.outcome),
             attempt.valid, attempt.invalid_reason, attempt.flagged, attempt.flag_reason,
-            attempt.onset_ns, attempt.offset_ns)
+            attempt.onset_ns, attempt.offset_ns, text_of(attempt.purpose))
       .run();
   const std::int64_t id = database.last_row_id();
   insert_presentations(database, id, attempt.presentations);

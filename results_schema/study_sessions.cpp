@@ -144,11 +144,12 @@ void insert_plan(Database& database, std::int64_t session_id,
   Statement statement(
       database,
       "INSERT INTO trial (session_id, trial, block, block_ordinal, phase, repetition, "
-      "factors_json, plan_json, track, step) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "factors_json, plan_json, track, step, is_catch) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const PlannedTrialRow& trial : plan) {
     statement
         .bind(session_id, trial.trial, trial.block, trial.block_ordinal, trial.phase,
-              trial.repetition, trial.factors_json, trial.plan_json, trial.track, trial.step)
+              trial.repetition, trial.factors_json, trial.plan_json, trial.track, trial.step,
+              trial.is_catch)
         .run();
   }
 }
@@ -297,15 +298,16 @@ std::vector<SessionRow> Study::sessions() const {
 
 std::vector<PlannedTrialRow> Study::plan(std::int64_t session_id) const {
   return store_->read([session_id](Database& database) {
-    Statement statement(database,
-                        "SELECT trial, block, block_ordinal, phase, repetition, track, step, "
-                        "factors_json, plan_json FROM trial WHERE session_id = ? ORDER BY trial");
+    Statement statement(
+        database,
+        "SELECT trial, block, block_ordinal, phase, repetition, track, step, "
+        "is_catch, factors_json, plan_json FROM trial WHERE session_id = ? ORDER BY trial");
     statement.bind(session_id);
     std::vector<PlannedTrialRow> rows;
     while (statement.step()) {
       PlannedTrialRow& row = rows.emplace_back();
       statement.read(row.trial, row.block, row.block_ordinal, row.phase, row.repetition, row.track,
-                     row.step, row.factors_json, row.plan_json);
+                     row.step, row.is_catch, row.factors_json, row.plan_json);
     }
     return rows;
   });

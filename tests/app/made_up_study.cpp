@@ -132,6 +132,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
     row.factors_json = trial.factors_json;
     row.repetition = trial.repetition;
     row.track = trial.track;
+    row.is_catch = trial.is_catch;
     row.step = trial.step;
     plan.push_back(row);
   }

@@ -32,6 +32,7 @@ struct MadeUpTrial {
   int repetition = 1;          ///< 0 of an anchor
   std::optional<int> track{};  ///< where a procedure chose the level
   std::optional<int> step{};
+  bool is_catch = false;
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;
   bool flagged = false;

@@ -40,9 +40,11 @@ TEST(AnalysisUse, LeavesOutForTheFirstOfItsReasons) {
 }
 
 TEST(AnalysisUse, IsKnownOfATrialBeforeItIsRun) {
-  EXPECT_EQ(use_in_analyses("main", 2), AnalysisUse::counted);
-  EXPECT_EQ(use_in_analyses("main", 0), AnalysisUse::anchor);
-  EXPECT_EQ(use_in_analyses("familiarisation", 1), AnalysisUse::practice);
+  EXPECT_EQ(use_in_analyses("main", 2, false), AnalysisUse::counted);
+  EXPECT_EQ(use_in_analyses("main", 0, false), AnalysisUse::anchor);
+  EXPECT_EQ(use_in_analyses("main", 0, true), AnalysisUse::catch_trial);
+  EXPECT_EQ(use_in_analyses("practice", 0, true), AnalysisUse::practice);
+  EXPECT_EQ(use_in_analyses("familiarisation", 1, false), AnalysisUse::practice);
 }
 
 }  // namespace

@@ -53,16 +53,24 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_EQ(session.mirrored, GetParam() >= 2);
   EXPECT_EQ(session.group_level.value_or(""), GetParam() >= 9 ? "haptic" : "");
   EXPECT_EQ(study.protocol(session.protocol_id).source, R"({"name":"selection"})");
-  ASSERT_EQ(study.plan(session.id).size(), GetParam() >= 10 ? 3U : 2U);
-  EXPECT_EQ(study.plan(session.id).back().track,
-            GetParam() >= 10 ? std::optional(2) : std::nullopt);
-  EXPECT_EQ(study.plan(session.id).back().step, GetParam() >= 10 ? std::optional(1) : std::nullopt);
+  const std::vector<PlannedTrialRow> plan = study.plan(session.id);
+  ASSERT_EQ(plan.size(), GetParam() >= 12 ? 4U : GetParam() >= 10 ? 3U : 2U);
+  if (GetParam() >= 10) {
+    EXPECT_EQ(plan[2].track, 2);
+    EXPECT_EQ(plan[2].step, 1);
+    EXPECT_FALSE(plan[2].is_catch);
+  }
+  EXPECT_FALSE(plan[0].track);
+  EXPECT_EQ(plan.back().is_catch, GetParam() >= 12);
   EXPECT_EQ(session.expected_trials, GetParam() >= 10 ? std::optional(7) : std::nullopt);
   EXPECT_EQ(study.session_answers(session.id).at(0).answer, "left");
   EXPECT_EQ(study.events(session.id).at(0).text, "done");
   EXPECT_EQ(study.solution("key"), R"({"A_m":0.0001})");
   const std::vector<AttemptRow> attempts = study.attempts(session.id);
-  ASSERT_EQ(attempts.size(), 3U);
+  ASSERT_EQ(attempts.size(), GetParam() >= 12 ? 4U : 3U);
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    EXPECT_EQ(attempts[i].purpose, i == 3 ? AttemptPurpose::refresher : AttemptPurpose::trial);
+  }
   EXPECT_EQ(attempts[0].outcome, AttemptOutcome::aborted);
   EXPECT_EQ(attempts[1].attempt, 2);
   EXPECT_EQ(attempts[1].responses.at(0).answer, "B");

@@ -39,7 +39,11 @@ int main(int count, char** arguments) {
   of_track.phase = "practice";
   of_track.track = 2;
   of_track.step = 1;
-  study.add_trials(id, {of_track});
+  PlannedTrialRow easy = some_plan(4).back();
+  easy.phase = "practice";
+  easy.repetition = 0;
+  easy.is_catch = true;
+  study.add_trials(id, {of_track, easy});
   study.begin_segment(id, 1'000'000'000);
   study.add_session_answer(id, {.question = "hand", .answer = "left", .source = "virtual"});
 
@@ -62,6 +66,9 @@ int main(int count, char** arguments) {
     attempt.recording = writer.finish();
     study.add_attempt(id, attempt);
   }
+  AttemptRow refresher = some_attempt(3);
+  refresher.purpose = AttemptPurpose::refresher;
+  study.add_attempt(id, refresher);
   study.add_event(id, {.time_ns = 9'000'000'000, .kind = "note", .text = "done"});
   const StoredWords repeated = set_aside_because("the participant sneezed");
   study.add_event(id, {.time_ns = 9'000'000'000,

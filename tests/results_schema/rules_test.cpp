@@ -106,7 +106,7 @@ const std::string kServoValues =
 
 /// Without the codes of its reasons.
 std::string attempt(const std::string& values) {
-  return "INSERT INTO attempt SELECT *, NULL, NULL FROM (VALUES " + values + ")";
+  return "INSERT INTO attempt SELECT *, NULL, NULL, 'trial' FROM (VALUES " + values + ")";
 }
 std::string session(const std::string& participant, const std::string& ordinal,
                     const std::string& mode, const std::string& group = "group_level") {
@@ -149,13 +149,16 @@ std::vector<Forbidden> forbidden_statements() {
       {"unplanned trial", attempt("(9,1,99,1,1,'answered',1,NULL,0,NULL,0,1)")},
       {"trial of another session", attempt("(9,2,2,1,1,'answered',1,NULL,0,NULL,0,1)")},
       {"attempt id taken by replacing",
-       "INSERT OR REPLACE INTO attempt VALUES (2,1,2,1,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL)"},
+       "INSERT OR REPLACE INTO attempt VALUES "
+       "(2,1,2,1,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL,'trial')"},
       {"attempt replaced by its key",
-       "INSERT OR REPLACE INTO attempt VALUES (9,1,1,2,1,'aborted',0,'x',0,NULL,0,1,NULL,NULL)"},
+       "INSERT OR REPLACE INTO attempt VALUES "
+       "(9,1,1,2,1,'aborted',0,'x',0,NULL,0,1,NULL,NULL,'trial')"},
       {"valid attempt replaced",
-       "INSERT OR REPLACE INTO attempt VALUES (9,1,1,3,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL)"},
+       "INSERT OR REPLACE INTO attempt VALUES "
+       "(9,1,1,3,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL,'trial')"},
       {"attempt upserted",
-       "INSERT INTO attempt VALUES (2,1,1,2,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL) "
+       "INSERT INTO attempt VALUES (2,1,1,2,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL,'trial') "
        "ON CONFLICT DO UPDATE SET flagged = 0, flag_reason = NULL"},
       {"update attempt", "UPDATE attempt SET valid = 0, invalid_reason = 'x' WHERE id = 2"},
       {"update or replace attempt", "UPDATE OR REPLACE attempt SET id = 1 WHERE id = 2"},
@@ -264,13 +267,23 @@ std::vector<Forbidden> forbidden_statements() {
       {"update trial", "UPDATE trial SET plan_json = '{}'"},
       {"delete trial", "DELETE FROM trial"},
       {"replace trial",
-       "INSERT OR REPLACE INTO trial VALUES (1,1,'b',1,'main',1,'{}','{}',NULL,NULL)"},
+       "INSERT OR REPLACE INTO trial VALUES (1,1,'b',1,'main',1,'{}','{}',NULL,NULL,0)"},
       {"trial that is not JSON",
-       "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{','{}',NULL,NULL)"},
-      {"trial of no session", "INSERT INTO trial VALUES (99,1,'b',1,'main',1,'{}','{}',NULL,NULL)"},
-      {"step without a track", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',NULL,1)"},
-      {"step zero", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',1,0)"},
-      {"track zero", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',0,1)"},
+       "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{','{}',NULL,NULL,0)"},
+      {"trial of no session",
+       "INSERT INTO trial VALUES (99,1,'b',1,'main',1,'{}','{}',NULL,NULL,0)"},
+      {"step without a track", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',NULL,1,0)"},
+      {"step zero", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',1,0,0)"},
+      {"catch trial of a track", "INSERT INTO trial VALUES (1,9,'b',1,'main',0,'{}','{}',1,1,1)"},
+      {"catch trial with a repetition",
+       "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',NULL,NULL,1)"},
+      {"catch trial of a third kind",
+       "INSERT INTO trial VALUES (1,9,'b',1,'main',0,'{}','{}',NULL,NULL,2)"},
+      {"attempt for no purpose",
+       "INSERT INTO attempt VALUES (9,1,1,3,1,'aborted',0,'x',0,NULL,0,1,NULL,NULL,'fun')"},
+      {"refresher of a main trial",
+       "INSERT INTO attempt VALUES (9,1,1,3,1,'aborted',0,'x',0,NULL,0,1,NULL,NULL,'refresher')"},
+      {"track zero", "INSERT INTO trial VALUES (1,9,'b',1,'main',1,'{}','{}',0,1,0)"},
       {"expected trials of a session", "UPDATE session SET expected_trials = 3 WHERE id = 1"},
       {"update protocol", "UPDATE protocol SET source = ''"},
       {"delete protocol", "DELETE FROM protocol"},
