@@ -27,6 +27,7 @@
 #include "device/drivers.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
+#include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/study.h"
@@ -86,6 +87,7 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check,
     json["name"] = check.protocol->name;
     json["version"] = check.protocol->version;
     json["trials"] = check.cost.trials;
+    json["trials_are_estimated"] = has_estimated_trials(*check.protocol);
     json["contacts"] = check.cost.contacts;
     json["contact_s"] = check.cost.contact_s;
     json["total_s"] = check.cost.total_s;
@@ -237,7 +239,8 @@ void add_check(CLI::App& program, Job& job) {
           }
         } else if (check.diagnostics.empty()) {
           std::cout << check.file << ": " << check.protocol->name << ' ' << check.protocol->version
-                    << ": " << counted(check.cost.trials, "trial") << ", "
+                    << ": " << (has_estimated_trials(*check.protocol) ? "about " : "")
+                    << counted(check.cost.trials, "trial") << ", "
                     << counted(check.cost.contacts, "contact") << ", "
                     << fixed(check.cost.contact_s / 60.0, 1) << " min of contact, about "
                     << fixed(check.cost.total_s / 60.0, 0) << " min in all, at most "

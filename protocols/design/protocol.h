@@ -310,6 +310,13 @@ struct Protocol {
       std::vector<ProcedureSettings> tracks{};
       /// A missed deadline counts as an incorrect response; otherwise the level is presented again in another trial.
       bool timeouts_are_incorrect = false;
+      /// Trials of an easy level at random places among the others: one in every `every` trials of the block. They belong
+      /// to no track and no threshold is estimated from them; errors in them are lapses of attention.
+      struct CatchTrials {
+        double level = 0.0;  ///< as `vary` states levels; it need not be one of them
+        int every = 0;       ///< at least 2
+      };
+      std::optional<CatchTrials> catch_trials{};
     };
     std::string name{};
     std::string kind{};  ///< the id of an ExperimentKind: its own, or that of the protocol
@@ -362,7 +369,11 @@ struct Protocol {
     std::string block{};
     std::string for_each{};  ///< a factor iterated outside the block, in a counterbalanced order
     int break_every_trials = 0;    ///< 0: none within the block
-    std::optional<Break> pause{};  ///< after that many trials and between the levels of `for_each`
+    /// Between two trials, once surfaces were in contact for so long since the last break of the session or since the
+    /// session was begun or resumed; 0: none. The plan does not contain these breaks.
+    double break_every_contact_s = 0.0;
+    /// After that many trials, after that much contact, and between the levels of `for_each`.
+    std::optional<Break> pause{};
   };
   struct Ask {
     std::vector<std::string> questions{};
@@ -388,6 +399,8 @@ struct Protocol {
     std::optional<std::vector<std::string>> screens{};
     /// Since the session last ran; an older one is resumed only with a stated reason.
     std::optional<double> maximum_age_hours{};
+    /// The first so many trials of the latest practice are made again (AttemptPurpose::refresher).
+    int practice_trials = 0;
   };
   Resume resume{};
   ObserverDeclaration observer{};

@@ -37,14 +37,23 @@ struct TrackStep {
   bool operator==(const TrackStep&) const = default;
 };
 
+/// Of a catch trial: an easy level at a random place among the trials of a procedure.
+struct CatchTrial {
+  bool is_above_standard = true;
+
+  bool operator==(const CatchTrial&) const = default;
+};
+
 struct Trial {
   int ordinal = 0;  ///< 1-based within the session
   std::string block{};
   std::string kind{};     ///< that of its block
   int block_ordinal = 0;  ///< 1-based within the session; every run of a block counts
   Phase phase = Phase::main;
-  int repetition = 1;                ///< 0 of an anchor; the step of a trial with a track
+  /// 0 of an anchor and of a catch trial; the step of a trial with a track.
+  int repetition = 1;
   std::optional<TrackStep> track{};  ///< where a procedure chose its level
+  std::optional<CatchTrial> catch_trial{};
   std::map<std::string, Level, std::less<>> factors{};
   std::vector<PlannedPresentation> presentations{};
   std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
@@ -57,6 +66,9 @@ struct Trial {
   std::vector<TrialQuestion> questions{};
   bool on_one_page = false;   ///< all questions are shown together; otherwise one after another
   std::string page_prompt{};  ///< shown above the questions of one page; may be empty
+
+  /// Of a track, or among those of tracks: what surfaces it presents depends on responses.
+  bool is_of_procedure() const noexcept { return track || catch_trial; }
 };
 
 /// The questions that are shown together, page after page.

@@ -163,18 +163,24 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
                                " determines this parameter; remove it there, or vary another "
                                "parameter");
     }
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-      const double value = dimension.value_of(levels[i]);
+    const auto check_level = [&](double level, const std::string& at) {
+      const double value = dimension.value_of(level);
       const auto complaint = complaint_about(*declared, value);
-      if (!complaint) continue;
-      const auto in_list = std::find(dimension.list.begin(), dimension.list.end(), levels[i]) -
-                           dimension.list.begin();
-      const std::string at = dimension.grid
-                                 ? at_levels + (i == 0 ? "/lowest" : "/highest")
-                                 : pointer_to(at_levels, static_cast<std::size_t>(in_list));
-      report(at, "the level " + digits(levels[i]) + " is a value of " + digits(value) + ": " +
-                     *complaint);
-      if (dimension.grid && i > 0) break;
+      if (complaint) {
+        report(at, "the level " + digits(level) + " is a value of " + digits(value) + ": " +
+                       *complaint);
+      }
+    };
+    if (dimension
+            .grid) {  // its values are in order: the limits are exceeded at its ends, if at all
+      check_level(levels.front(), at_levels + "/lowest");
+      if (levels.size() > 1) check_level(levels.back(), at_levels + "/highest");
+    }
+    for (std::size_t i = 0; i < dimension.list.size(); ++i) {
+      check_level(dimension.list[i], pointer_to(at_levels, i));
+    }
+    if (block.procedure && block.procedure->catch_trials) {
+      check_level(block.procedure->catch_trials->level, pointer + "/procedure/catch_trials/level");
     }
   }
 }

@@ -36,12 +36,19 @@ void Meaning::check_flow() {
         report(pointer + "/for_each", unknown_name("factor", run->for_each, protocol_.factors));
       }
     }
-    if (run->break_every_trials > 0 && !run->pause) {
-      report(pointer, "break_every_trials needs a \"pause\" that states the duration of the break");
+    const bool has_breaks_by_contact = run->break_every_contact_s > 0.0;
+    for (const auto& [key, is_stated] :
+         {std::pair("break_every_trials", run->break_every_trials > 0),
+          std::pair("break_every_contact_minutes", has_breaks_by_contact)}) {
+      if (!is_stated || run->pause) continue;
+      report(pointer,
+             std::string(key) + " needs a \"pause\" that states the duration of the break");
     }
-    if (run->pause && run->break_every_trials == 0 && run->for_each.empty()) {
+    if (run->pause && run->break_every_trials == 0 && !has_breaks_by_contact &&
+        run->for_each.empty()) {
       report(pointer + "/pause",
-             "the time of this pause is not stated: add break_every_trials or for_each");
+             "the time of this pause is not stated: add break_every_trials, "
+             "break_every_contact_minutes or for_each");
     }
   }
   for (const auto& [name, block] : protocol_.blocks) {
@@ -50,6 +57,16 @@ void Meaning::check_flow() {
                                                   " is never run; add {\"run\": \"" + name +
                                                   "\"} to the flow, or remove the block");
     }
+  }
+  const auto is_practised = [this](const std::string& name) {
+    const auto block = protocol_.blocks.find(name);
+    return block != protocol_.blocks.end() && block->second.phase == Phase::practice;
+  };
+  if (protocol_.resume.practice_trials > 0 &&
+      std::none_of(run_blocks.begin(), run_blocks.end(), is_practised)) {
+    report("/resume/practice_trials",
+           "no block has the phase \"practice\", so that nothing can be practised again; remove "
+           "this key, or add such a block");
   }
   if (protocol_.counterbalance != Protocol::Counterbalance::none && iterated.empty()) {
     report("/counterbalance",

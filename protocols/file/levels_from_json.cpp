@@ -135,7 +135,11 @@ void declare_dimension(Block& block, Protocol& protocol, const std::set<std::str
     factor.meaning = parameter->meaning;
     factor.unit = parameter->unit;
   }
-  for (const double value : dimension.values()) {
+  std::vector<double> values = dimension.values();
+  if (block.procedure && block.procedure->catch_trials) {
+    values.push_back(dimension.value_of(block.procedure->catch_trials->level));
+  }
+  for (const double value : values) {
     if (std::find(factor.levels.begin(), factor.levels.end(), Level(value)) ==
         factor.levels.end()) {
       factor.levels.emplace_back(value);
@@ -155,6 +159,11 @@ Block::LevelProcedure procedure_in(const json& object, const Dimension& dimensio
   }
   read_choice(object, "timed_out", procedure.timeouts_are_incorrect,
               {{"same_level", false}, {"incorrect", true}});
+  if (const auto found = object.find("catch_trials"); found != object.end()) {
+    procedure.catch_trials.emplace();
+    read(*found, "level", procedure.catch_trials->level);
+    read(*found, "every", procedure.catch_trials->every);
+  }
   return procedure;
 }
 

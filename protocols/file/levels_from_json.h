@@ -16,7 +16,8 @@ namespace asperity {
 Dimension dimension_in(const nlohmann::json& object);
 
 /// Completes the dimension of a block by what the presented stimuli state, and declares its factor in the protocol. A
-/// factor of the file (`of_file`) with this name remains, which the check of meaning reports.
+/// factor of the file (`of_file`) with this name remains, which the check of meaning reports. The levels of the factor
+/// are those of the dimension, and that of the catch trials of the block's procedure.
 void declare_dimension(Protocol::Block& block, Protocol& protocol,
                        const std::set<std::string>& of_file,
                        const std::vector<ModelDeclaration>& models);

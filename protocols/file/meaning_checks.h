@@ -61,6 +61,7 @@ class Meaning final : private ProblemSink {
   }
 
   void check_head();
+  void check_keys_of_format_2();
   void check_device_limits();
   void check_senses();
   void check_blindfold();
@@ -101,6 +102,7 @@ class Meaning final : private ProblemSink {
   bool check_standard(const Protocol::Block& block, const std::string& pointer);
   void check_values(const Protocol::Block& block, const std::string& pointer);
   void check_procedure(const Protocol::Block& block, const std::string& pointer);
+  void check_catch_trials(const Protocol::Block& block, const std::string& pointer);
   void check_track_starts(const Protocol::Block& block, const std::string& pointer);
   void check_arrangement(const Protocol::Block& block, const std::string& pointer);
   void check_exposure(const Protocol::Block& block, const std::string& place);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/meaning_checks.h"
@@ -114,7 +115,41 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
             "are easier; state levels above the standard, or use \"constant_stimuli\"");
     return;
   }
+  check_catch_trials(block, pointer);
   check_track_starts(block, pointer);
+}
+
+/// Errors in catch trials are lapses only if their level is easy and the correct response is known.
+void Meaning::check_catch_trials(const Block& block, const std::string& pointer) {
+  const auto& catch_trials = block.procedure->catch_trials;
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+  if (!catch_trials || !block.vary->standard || judged == nullptr) return;
+  const std::string place = pointer + "/procedure/catch_trials";
+  const double standard = *block.vary->standard;
+  const std::vector<double> values = block.vary->values();
+  const double level = catch_trials->level;
+  const double value = block.vary->value_of(level);
+  const double farthest =
+      std::max(std::abs(values.front() - standard), std::abs(values.back() - standard));
+  const bool is_performance = judged->judgement == DiscriminationJudgement::performance;
+  const bool is_other_side = is_performance && (value > standard) != (values.back() > standard);
+  // Values of a level are rounded to 12 digits.
+  if (is_other_side || std::abs(value - standard) < farthest * (1.0 - 1e-9)) {
+    report(place + "/level",
+           "a catch trial must be easy: state a level that is at least as far from the standard as "
+           "the farthest level of the block" +
+               std::string(is_performance ? ", on the same side" : "") + "; " + digits(level) +
+               " is not");
+    return;
+  }
+  if (is_performance) return;
+  const auto index = static_cast<std::size_t>(judged - block.questions.data());
+  const std::string at_direction = place_of_question(block, index) + "/asks_for";
+  if (document_.root().contains(nlohmann::json::json_pointer(at_direction))) return;
+  report(place,
+         "with the judgement \"comparison\" the correct response in a catch trial is known only if "
+         "the question states \"asks_for\": \"more\" or \"less\" of the varied parameter; add it "
+         "to the question");
 }
 
 /// The settings of every track; those that tracks share are reported once.
@@ -143,6 +178,17 @@ void Meaning::check_track_starts(const Block& block, const std::string& pointer)
   if (!is_usable) return;
   const auto known = [this](const std::string& name) { return protocol_.factors.contains(name); };
   if (block.all_pairs || !std::all_of(block.crossed.begin(), block.crossed.end(), known)) return;
+  if (const auto& catch_trials = block.procedure->catch_trials) {
+    Block without = block;
+    without.procedure->catch_trials.reset();
+    const std::size_t trials = most_trials_of(protocol_, without);
+    if (static_cast<std::size_t>(catch_trials->every) > trials) {
+      report(pointer + "/procedure/catch_trials/every",
+             "the tracks of this block have at most " + std::to_string(trials) +
+                 " trials, so that a session may have no catch trial; state that number or less");
+      return;
+    }
+  }
   if (most_trials_of(protocol_, block) > kMaximumTrials) {
     report(pointer + "/procedure",
            "this block can have " + std::to_string(most_trials_of(protocol_, block)) +

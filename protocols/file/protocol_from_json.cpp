@@ -396,6 +396,9 @@ Protocol::Step step_of(const json& object) {
   read(object, "run", run.block);
   read(object, "for_each", run.for_each);
   read(object, "break_every_trials", run.break_every_trials);
+  double minutes = 0.0;
+  read(object, "break_every_contact_minutes", minutes);
+  run.break_every_contact_s = 60.0 * minutes;
   if (const auto found = object.find("pause"); found != object.end()) run.pause = break_of(*found);
   return run;
 }
@@ -556,11 +559,11 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
   for (const auto& [name, factor] : protocol.factors) factors_of_file.insert(name);
   for (auto& [name, block] : protocol.blocks) {
     if (!block.vary) continue;
-    declare_dimension(block, protocol, factors_of_file, models);
     const json& object = root.at("blocks").at(name);
     if (const auto found = object.find("procedure"); found != object.end()) {
       block.procedure = procedure_in(*found, *block.vary);
     }
+    declare_dimension(block, protocol, factors_of_file, models);
   }
   for (const json& step : root.at("flow")) protocol.flow.push_back(step_of(step));
   if (const auto found = root.find("resume"); found != root.end()) {
@@ -568,6 +571,7 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
       protocol.resume.screens = screens->get<std::vector<std::string>>();
     }
     read(*found, "maximum_age_hours", protocol.resume.maximum_age_hours);
+    read(*found, "practice_trials", protocol.resume.practice_trials);
   }
   read_choice(root, "counterbalance", protocol.counterbalance,
               {{"none", Protocol::Counterbalance::none},

@@ -19,6 +19,7 @@ void Meaning::check_head() {
                             ", which requires the format \"asperity.protocol/2\"; write that here");
     }
   }
+  check_keys_of_format_2();
   for (const ExperimentKind* const kind : experiment_kinds()) {
     for (const KindKey& key : kind->keys) {
       const std::string name(key.name);
@@ -42,6 +43,21 @@ void Meaning::check_head() {
            "two edges of " + digits(patch.edge_width_m) + " m leave no surface of a patch of " +
                digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
                " m; reduce edge_width_m or enlarge the patch");
+  }
+}
+
+/// Those outside blocks.
+void Meaning::check_keys_of_format_2() {
+  if (protocol_.format >= 2) return;
+  const auto refuse = [this](const char* key) {
+    report("/format", "the key " + in_quotes(key) +
+                          " requires the format \"asperity.protocol/2\"; write that here");
+  };
+  if (protocol_.resume.practice_trials > 0) refuse("practice_trials");
+  for (const Protocol::Step& step : protocol_.flow) {
+    const auto* const run = std::get_if<Protocol::Run>(&step);
+    if (run == nullptr || run->break_every_contact_s == 0.0) continue;
+    return refuse("break_every_contact_minutes");
   }
 }
 

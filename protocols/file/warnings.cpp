@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -40,6 +42,7 @@ class Warnings final {
     }
     warn_of_words();
     warn_of_comparison();
+    for (const auto& [name, block] : protocol_.blocks) warn_of_trained_levels(block);
     return std::move(found_);
   }
 
@@ -168,6 +171,34 @@ class Warnings final {
         protocol_.resume.screens.value_or(std::vector<std::string>{});
     for (std::size_t i = 0; i < again.size(); ++i) {
       look(again[i], pointer_to("/resume/screens", i));
+    }
+  }
+
+  /// Warns about feedback at levels at which thresholds are measured.
+  void warn_of_trained_levels(const Protocol::Block& practice) {
+    if (practice.phase == Phase::main || practice.feedback == Protocol::Block::Feedback::none ||
+        !practice.vary) {
+      return;
+    }
+    const std::vector<double> trained = practice.vary->values();
+    for (const auto& [name, block] : protocol_.blocks) {
+      if (block.phase != Phase::main || !block.vary || !kind_of(block).has_judgement ||
+          block.vary->parameter != practice.vary->parameter) {
+        continue;
+      }
+      const std::vector<double> measured = block.vary->values();
+      const std::vector<double> levels = practice.vary->levels();
+      for (std::size_t i = 0; i < trained.size(); ++i) {
+        // Levels of a grid are sums of steps, and need not be equal to the digits in a file.
+        const bool is_measured = std::any_of(measured.begin(), measured.end(), [&](double value) {
+          return std::abs(value - trained[i]) <= 1e-9 * std::abs(trained[i]);
+        });
+        if (!is_measured) continue;
+        return warn(pointer_to("/blocks", practice.name) + "/vary",
+                    "participants practise with feedback at the level " + digits(levels[i]) +
+                        ", which the block " + in_quotes(name) +
+                        " measures; practise at levels between or beyond those that are measured");
+      }
     }
   }
 

@@ -27,9 +27,12 @@ constexpr std::array<std::string_view, 2> kDiscriminationRoles{"standard", "comp
 std::string item_of_discrimination(const PlannedPresentation& surface) { return surface.role; }
 
 std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestionTemplate& question,
-                                                   const Trial&) {
-  if (question.judgement != DiscriminationJudgement::performance) return {};
-  return {"comparison"};
+                                                   const Trial& trial) {
+  if (question.judgement == DiscriminationJudgement::performance) return {"comparison"};
+  // The level of a catch trial is so far from the standard that the response is known.
+  if (!trial.catch_trial) return {};
+  return {trial.catch_trial->is_above_standard != question.asks_for_less ? "comparison"
+                                                                         : "standard"};
 }
 
 /// Where every level is above the standard, or every level below it.

@@ -122,6 +122,9 @@ std::string procedure_text(const Protocol::Block& block) {
     text += " × " + std::to_string(tracks.size());
     text += block.order == Block::Order::fixed ? " tracks" : " interleaved tracks";
   }
+  if (const auto& catch_trials = block.procedure->catch_trials) {
+    text += ", one catch trial in every " + std::to_string(catch_trials->every) + " trials";
+  }
   return text;
 }
 

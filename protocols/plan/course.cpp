@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "protocols/plan/block_rows.h"
@@ -75,6 +76,36 @@ std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow
         ": no order of its trials satisfies maximum_in_a_row; allow more in a row");
   }
   return std::move(*order);
+}
+
+/// The probability of an answer that leads to a lower level: a logistic function of the place among the levels, from chance
+/// to certainty.
+double example_chance(const Dimension& dimension, double value) {
+  const std::vector<double> values = dimension.values();
+  const auto place = std::lower_bound(values.begin(), values.end(), value) - values.begin();
+  const double middle = 0.5 * static_cast<double>(values.size() - 1);
+  const double from_middle = (static_cast<double>(place) - middle) / std::max(middle, 0.5);
+  const double chance = values.front() < dimension.standard.value_or(values.front()) ? 0.0 : 0.5;
+  return chance + (1.0 - chance) / (1.0 + std::exp(-5.0 * from_middle));
+}
+
+double expected_trials_of_run(const Protocol& protocol, const Block& block) {
+  const auto rows = static_cast<double>(row_count(protocol, block));
+  if (!block.procedure) {
+    const double planned = rows * block.repetitions;
+    return (block.until ? std::min(planned, static_cast<double>(block.until->maximum_trials))
+                        : planned) +
+           (block.anchor.empty() ? 0.0 : 1.0);
+  }
+  const Dimension& dimension = *block.vary;
+  double of_tracks = 0.0;
+  for (const ProcedureSettings& settings : block.procedure->tracks) {
+    of_tracks += rows * expected_trials(settings, [&dimension](double level) {
+                   return example_chance(dimension, dimension.value_of(level));
+                 });
+  }
+  const auto& catch_trials = block.procedure->catch_trials;
+  return catch_trials ? of_tracks * catch_trials->every / (catch_trials->every - 1) : of_tracks;
 }
 
 }  // namespace
@@ -223,6 +254,14 @@ void Course::add(Trial trial) {
 
 const Trial* Course::awaited() const noexcept { return tracks_ ? &plan_.trials.back() : nullptr; }
 
+const Run& Course::run_of(int block_ordinal) const {
+  for (const Unit& unit : units_) {
+    const auto* const run = std::get_if<BlockRun>(&unit);
+    if (run != nullptr && run->ordinal == block_ordinal) return *run->run;
+  }
+  throw std::out_of_range("the session has no block " + std::to_string(block_ordinal));
+}
+
 std::size_t Course::trials_before_last_outcome() const noexcept {
   return trials_before_.value_or(plan_.trials.size());
 }
@@ -244,21 +283,41 @@ Plan make_plan(const Protocol& protocol, const Allocation& allocation) {
   return Course(protocol, allocation).plan();
 }
 
+bool has_estimated_trials(const Protocol& protocol) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [](const auto& each) {
+    const auto& procedure = each.second.procedure;
+    return procedure && std::any_of(procedure->tracks.begin(), procedure->tracks.end(),
+                                    [](const ProcedureSettings& settings) {
+                                      return !procedure_of(settings).has_fixed_length(settings);
+                                    });
+  });
+}
+
+int expected_trials(const Protocol& protocol) {
+  double trials = 0.0;
+  for (const Protocol::Step& step : protocol.flow) {
+    const auto* const run = std::get_if<Run>(&step);
+    if (run == nullptr) continue;
+    const std::size_t runs =
+        run->for_each.empty() ? 1 : protocol.factors.at(run->for_each).levels.size();
+    trials += static_cast<double>(runs) *
+              expected_trials_of_run(protocol, protocol.blocks.at(run->block));
+  }
+  return static_cast<int>(std::lround(trials));
+}
+
 Plan example_plan(const Protocol& protocol, const Allocation& allocation) {
   Course course(protocol, allocation);
   Random observer = Random(allocation.seed).split("example observer");
   while (const Trial* const trial = course.awaited()) {
+    if (trial->catch_trial) {
+      course.advance({});
+      continue;
+    }
     const Dimension& dimension = *protocol.blocks.at(trial->block).vary;
     const double value = std::get<double>(trial->factors.at(dimension.factor));
-    const std::vector<double> values = dimension.values();
-    // A logistic function of the place among the levels, from chance to certainty.
-    const auto place = std::lower_bound(values.begin(), values.end(), value) - values.begin();
-    const double middle = 0.5 * static_cast<double>(values.size() - 1);
-    const double from_middle = (static_cast<double>(place) - middle) / std::max(middle, 0.5);
-    const double chance = values.front() < dimension.standard.value_or(values.front()) ? 0.0 : 0.5;
-    const double chosen = chance + (1.0 - chance) / (1.0 + std::exp(-5.0 * from_middle));
-    course.advance({.answer = TrialOutcome::Answer{.value = value,
-                                                   .counts_down = observer.uniform() < chosen}});
+    const bool counts_down = observer.uniform() < example_chance(dimension, value);
+    course.advance({.answer = TrialOutcome::Answer{.value = value, .counts_down = counts_down}});
   }
   return course.plan();
 }

@@ -43,6 +43,8 @@ class Course final {
   const Trial* awaited() const noexcept;
   /// The number of trials before the last outcome; all of them where there was none.
   std::size_t trials_before_last_outcome() const noexcept;
+  /// The step of the flow that runs this block of the session. Errors: std::out_of_range where there is none.
+  const Protocol::Run& run_of(int block_ordinal) const;
   /// Continues the plan after the outcome of the awaited trial.
   ///
   /// Errors: std::logic_error when the plan is complete.
@@ -69,6 +71,12 @@ class Course final {
   std::optional<std::size_t> trials_before_{};
   Plan plan_{};
 };
+
+/// The expected number of trials of a session, for the same observer as `example_plan`; exact where no track ends by
+/// its reversals or at a bound, and the planned number of a practice to a criterion.
+int expected_trials(const Protocol& protocol);
+/// Whether this number is an estimate.
+bool has_estimated_trials(const Protocol& protocol);
 
 /// The course of a session whose answers come from an observer with a threshold in the middle of the levels: for
 /// estimates of durations, and to show an example of a session before it begins. Equal to `make_plan` for a protocol

@@ -50,35 +50,70 @@ void LevelTracks::begin_round() {
 std::optional<Trial> LevelTracks::next(const TrialMaker& maker) {
   if (round_.empty()) begin_round();
   if (round_.empty()) return std::nullopt;
-  awaited_ = round_.back();
-  round_.pop_back();
-  return trial_of(awaited_, next_level(tracks_[awaited_]).value(), maker);
+  return is_place_of_catch_trial() ? next_catch_trial(maker) : next_of_track(maker);
+}
+
+bool LevelTracks::is_place_of_catch_trial() const {
+  const auto& catch_trials = run_.block->procedure->catch_trials;
+  if (!catch_trials) return false;
+  const auto every = static_cast<std::size_t>(catch_trials->every);
+  Random place =
+      run_.random.split("catch places").split(static_cast<std::uint64_t>(trials_ / every));
+  return place.below(every) == trials_ % every;
 }
 
 void LevelTracks::answer(const std::optional<LevelAnswer>& answer) {
-  if (answer) tracks_.at(awaited_).answers.push_back(*answer);
+  if (answer && awaited_) tracks_.at(*awaited_).answers.push_back(*answer);
 }
 
-Trial LevelTracks::trial_of(std::size_t index, double level, const TrialMaker& maker) {
-  const Protocol::Block& block = *run_.block;
+Trial LevelTracks::next_of_track(const TrialMaker& maker) {
+  const std::size_t index = round_.back();
+  round_.pop_back();
+  awaited_ = index;
   Track& track = tracks_[index];
+  const double level = next_level(track).value();
   const std::size_t step = ++track.trials;
-  const BlockRow& row = rows_[track.row];
   Trial trial{};
   trial.track = TrackStep{.track = static_cast<int>(index) + 1, .step = static_cast<int>(step)};
   trial.repetition = static_cast<int>(step);
+  return made(std::move(trial), track.row, level, step, track.random, maker);
+}
+
+/// The combinations of the other factors take turns, in an order that is drawn anew for each turn.
+Trial LevelTracks::next_catch_trial(const TrialMaker& maker) {
+  awaited_.reset();
+  const Dimension& dimension = *run_.block->vary;
+  const double level = run_.block->procedure->catch_trials->level;
+  const Random draws = run_.random.split("catch trials");
+  std::vector<std::size_t> rows(rows_.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  Random turn = draws.split("rows").split(static_cast<std::uint64_t>(catch_trials_ / rows.size()));
+  turn.shuffle(std::span(rows));
+  const std::size_t row = rows[catch_trials_ % rows.size()];
+  ++catch_trials_;
+  Trial trial{};
+  trial.repetition = 0;
+  trial.catch_trial =
+      CatchTrial{.is_above_standard = dimension.value_of(level) > dimension.standard.value_or(0.0)};
+  return made(std::move(trial), row, level, catch_trials_, draws, maker);
+}
+
+Trial LevelTracks::made(Trial trial, std::size_t row, double level, std::size_t count,
+                        const Random& draws, const TrialMaker& maker) {
+  const Protocol::Block& block = *run_.block;
+  const BlockRow& with = rows_[row];
   trial.factors = run_.outer;
-  trial.factors.insert(row.factors.begin(), row.factors.end());
+  trial.factors.insert(with.factors.begin(), with.factors.end());
   trial.factors[block.vary->factor] = block.vary->value_of(level);
   for (const std::string& factor : block.drawn) {
-    trial.factors[factor] = balanced_draws(protocol_->factors.at(factor).levels, step,
-                                           track.random.split("drawn").split(factor))
+    trial.factors[factor] = balanced_draws(protocol_->factors.at(factor).levels, count,
+                                           draws.split("drawn").split(factor))
                                 .back();
   }
-  const std::vector<Protocol::Presented> listed = surfaces_of(block, row);
+  const std::vector<Protocol::Presented> listed = surfaces_of(block, with);
   std::vector<Protocol::Presented> surfaces{};
   const auto positions =
-      positions_of(block.positions, listed.size(), step, track.random.split("positions"));
+      positions_of(block.positions, listed.size(), count, draws.split("positions"));
   for (const std::size_t surface : positions.back()) {
     surfaces.push_back(listed[surface]);
   }
@@ -94,7 +129,11 @@ std::size_t most_trials_of(const Protocol& protocol, const Protocol::Block& bloc
                       [](std::size_t sum, const ProcedureSettings& settings) {
                         return sum + procedure_of(settings).most_trials(settings);
                       });
-  return of_row * row_count(protocol, block);
+  const std::size_t of_tracks = of_row * row_count(protocol, block);
+  const auto& catch_trials = block.procedure->catch_trials;
+  if (!catch_trials) return of_tracks;
+  const auto others = static_cast<std::size_t>(catch_trials->every - 1);
+  return of_tracks + (of_tracks + others - 1) / others;
 }
 
 }  // namespace asperity

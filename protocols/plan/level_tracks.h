@@ -19,6 +19,10 @@ namespace asperity {
 ///
 /// Tracks are interleaved in rounds: in each round every track that is not finished has one trial, in random order
 /// (`Block::Order::shuffle`). With the order `fixed` a track begins when the one before is finished.
+///
+/// With catch trials, one of every `CatchTrials::every` trials of the block is one, at a place that is drawn beforehand.
+/// Their places do not depend on answers, and they do not change the levels of the tracks; answers determine only after
+/// how many trials the block ends.
 class LevelTracks final {
  public:
   /// The protocol and the block must outlive the tracks.
@@ -32,7 +36,7 @@ class LevelTracks final {
   /// one is determined.
   std::optional<Trial> next(const TrialMaker& maker);
   /// The answer to the last trial; nothing where it does not count for its track, which then has the same level in
-  /// another trial.
+  /// another trial. The answer to a catch trial changes nothing.
   void answer(const std::optional<LevelAnswer>& answer);
 
   static constexpr std::size_t kMostPresented = 2;
@@ -49,7 +53,12 @@ class LevelTracks final {
   /// The level of the next trial of a track; nothing when it is finished.
   static std::optional<double> next_level(const Track& track);
   void begin_round();
-  Trial trial_of(std::size_t index, double level, const TrialMaker& maker);
+  bool is_place_of_catch_trial() const;
+  Trial next_of_track(const TrialMaker& maker);
+  Trial next_catch_trial(const TrialMaker& maker);
+  /// Completes a trial with a level, the `count`-th with this stream of draws.
+  Trial made(Trial trial, std::size_t row, double level, std::size_t count, const Random& draws,
+             const TrialMaker& maker);
 
   const Protocol* protocol_;
   BlockRun run_{};
@@ -59,7 +68,8 @@ class LevelTracks final {
       round_{};  // the tracks that still follow in this round, the next one last
   std::size_t rounds_ = 0;
   std::size_t trials_ = 0;
-  std::size_t awaited_ = 0;
+  std::size_t catch_trials_ = 0;
+  std::optional<std::size_t> awaited_{};  // the track; nothing of a catch trial
 };
 
 /// The maximum number of trials of one run of a block with a procedure.

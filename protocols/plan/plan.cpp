@@ -30,6 +30,14 @@ std::vector<Trial> possible_trials(const Protocol& protocol) {
     block.repetitions = 1;
     block.maximum_in_a_row.clear();
     block.until.reset();
+    if (block.procedure && block.procedure->catch_trials && block.vary) {
+      std::vector<double> levels = block.vary->levels();
+      const double easy = block.procedure->catch_trials->level;
+      if (std::find(levels.begin(), levels.end(), easy) == levels.end()) levels.push_back(easy);
+      std::sort(levels.begin(), levels.end());
+      block.vary->list = std::move(levels);
+      block.vary->grid.reset();
+    }
     block.procedure.reset();
     if (block.listed.empty()) {
       block.crossed.insert(block.crossed.end(), block.drawn.begin(), block.drawn.end());

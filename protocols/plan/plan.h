@@ -76,10 +76,14 @@ struct PlanCost {
   double contact_s = 0.0;
   double total_s = 0.0;
   double longest_without_break_s = 0.0;
+  double breaks_after_contact_s =
+      0.0;  ///< part of the total: breaks that the plan does not contain
 };
 PlanCost cost_of(const Protocol& protocol, const Plan& plan);
 /// The same of one step of the plan.
 PlanCost cost_of(const Protocol& protocol, const Plan& plan, const PlanStep& step);
+/// The same of the steps from `first` on.
+PlanCost cost_from(const Protocol& protocol, const Plan& plan, std::size_t first);
 
 /// The state of a practice block with a criterion, given the outcomes so far.
 enum class BlockState { go_on, criterion_met, criterion_failed };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 
+#include "protocols/design/block_factors.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -71,16 +73,34 @@ class CostSum final {
     } else if (const auto* const ask = std::get_if<Protocol::Ask>(&step)) {
       spend(kQuestion_s * static_cast<double>(ask->questions.size()));
     } else if (const auto* const pause = std::get_if<Protocol::Break>(&step)) {
-      cost_.total_s += pause->minimum_s;
-      since_break_s_ = 0.0;
+      rest(*pause);
     } else {
       add(plan_.trials[std::get<TrialStep>(step).trial]);
     }
   }
 
  private:
+  void rest(const Protocol::Break& pause) {
+    cost_.total_s += pause.minimum_s;
+    since_break_s_ = 0.0;
+    contact_since_break_s_ = 0.0;
+  }
+
+  /// The breaks that the plan does not contain: between two trials of a block.
+  void rest_after_contact(const Protocol::Block& block, int block_ordinal) {
+    const bool is_within_block = std::exchange(block_ordinal_, block_ordinal) == block_ordinal;
+    if (!is_within_block) return;
+    for (const Protocol::Run* const run : runs_of(protocol_, block)) {
+      const double limit_s = run->break_every_contact_s;
+      if (limit_s <= 0.0 || contact_since_break_s_ < limit_s) continue;
+      cost_.breaks_after_contact_s += run->pause->minimum_s;
+      return rest(*run->pause);
+    }
+  }
+
   void add(const Trial& trial) {
     const Protocol::Block& block = protocol_.blocks.at(trial.block);
+    rest_after_contact(block, trial.block_ordinal);
     const auto surfaces = static_cast<double>(trial.presentations.size());
     const Arrangement& arrangement = trial.arrangement;
     const Exploration& exploration = exploration_of(protocol_, trial);
@@ -92,6 +112,7 @@ class CostSum final {
     ++cost_.trials;
     cost_.contacts += static_cast<int>(visits);
     cost_.contact_s += felt_s;
+    contact_since_break_s_ += felt_s;
     double answers = 0.0;
     for (const TrialQuestion& question : trial.questions) {
       answers += items_of(question.form, static_cast<int>(trial.presentations.size()));
@@ -115,13 +136,19 @@ class CostSum final {
   const Plan& plan_;
   PlanCost cost_{};
   double since_break_s_ = 0.0;
+  double contact_since_break_s_ = 0.0;
+  int block_ordinal_ = 0;  // of the last trial
 };
 
 }  // namespace
 
 PlanCost cost_of(const Protocol& protocol, const Plan& plan) {
+  return cost_from(protocol, plan, 0);
+}
+
+PlanCost cost_from(const Protocol& protocol, const Plan& plan, std::size_t first) {
   CostSum sum(protocol, plan);
-  for (const PlanStep& step : plan.steps) sum.add(step);
+  for (std::size_t i = first; i < plan.steps.size(); ++i) sum.add(plan.steps[i]);
   return sum.cost();
 }
 

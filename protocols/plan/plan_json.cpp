@@ -49,6 +49,10 @@ class JsonLine final {
     separate();
     line_ += std::to_string(number);
   }
+  void add(bool value) {
+    separate();
+    line_ += value ? "true" : "false";
+  }
   void add(double number) {
     separate();
     line_ += nlohmann::json(number).dump();
@@ -241,6 +245,7 @@ std::string json_of(const Trial& trial) {
     line.field("track", trial.track->track);
     line.field("step", trial.track->step);
   }
+  if (trial.catch_trial) line.field("catch", true);
   line.key("factors");
   line.levels(trial.factors);
   line.key("presentations");

@@ -15,6 +15,7 @@
 
 #include "analysis/psychometric_function.h"
 #include "protocols/file/protocol_problems.h"
+#include "protocols/file/warnings.h"
 #include "protocols/plan/block_design.h"
 #include "tests/protocols/example.h"
 
@@ -214,6 +215,264 @@ TEST(Course, MovesFromTheDeliveredLevel) {
   while (course.awaited()->track->track != track)
     course.advance(outcome_by_step(*course.awaited()));
   EXPECT_NEAR(gain_of(*course.awaited()), 1.5, 1e-9) << "30 % and a step of 20 %";
+}
+
+json with_catch_trials(int every) {
+  json file = staircases();
+  file["blocks"]["tracks"]["procedure"]["catch_trials"] = {{"level", 200}, {"every", every}};
+  return file;
+}
+
+/// Catch trials are answered in either way.
+Course answered_with_catch_trials(const Protocol& protocol, std::uint64_t seed, bool well = true) {
+  Course course(protocol, {.seed = seed});
+  while (const Trial* const trial = course.awaited()) {
+    course.advance(trial->catch_trial
+                       ? TrialOutcome{TrialOutcome::Answer{.value = 3.0, .counts_down = well}}
+                       : outcome_by_step(*trial));
+  }
+  return course;
+}
+
+TEST(Course, HasOneCatchTrialAtARandomPlaceOfEachStretch) {
+  const Protocol protocol = protocol_of(with_catch_trials(4));
+  std::set<std::size_t> places{};
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Course course = answered_with_catch_trials(protocol, seed);
+    std::map<std::size_t, int> of_stretch{};
+    std::size_t trials = 0;
+    for (const Trial& trial : course.plan().trials) {
+      if (trial.block != "tracks") continue;
+      if (trial.catch_trial) {
+        ++of_stretch[trials / 4];
+        places.insert(trials % 4);
+        EXPECT_EQ(trial.repetition, 0);
+        EXPECT_FALSE(trial.track);
+        EXPECT_TRUE(trial.is_of_procedure());
+        EXPECT_TRUE(trial.catch_trial->is_above_standard);
+        EXPECT_DOUBLE_EQ(gain_of(trial), 3.0);
+        EXPECT_THAT(json_of(trial), HasSubstr(R"("catch":true)"));
+        EXPECT_THAT(trial.questions.front().correct, ElementsAre("comparison"));
+      }
+      ++trials;
+    }
+    EXPECT_GE(of_stretch.size(), trials / 4);
+    for (const auto& [stretch, count] : of_stretch) EXPECT_EQ(count, 1) << stretch;
+  }
+  EXPECT_GT(places.size(), 1U);
+}
+
+TEST(Course, PresentsTheSameLevelsToItsTracksWithAndWithoutCatchTrials) {
+  const auto levels_of = [](const Course& course) {
+    std::map<std::pair<int, int>, double> levels{};
+    for (const Trial& trial : course.plan().trials) {
+      if (trial.track) levels[{trial.track->track, trial.track->step}] = gain_of(trial);
+    }
+    return levels;
+  };
+  const Protocol plain = protocol_of(staircases());
+  const Protocol caught = protocol_of(with_catch_trials(5));
+  const auto expected = levels_of(answered_course(plain, 9));
+  EXPECT_EQ(expected.size(), 24U);
+  EXPECT_EQ(levels_of(answered_with_catch_trials(caught, 9, true)), expected);
+  EXPECT_EQ(levels_of(answered_with_catch_trials(caught, 9, false)), expected);
+}
+
+TEST(Course, GivesCatchTrialsEveryConditionInTurn) {
+  const Protocol protocol = protocol_of(with_catch_trials(2));
+  std::vector<std::string> conditions{};
+  const Course course = answered_with_catch_trials(protocol, 4);
+  for (const Trial& trial : course.plan().trials) {
+    if (trial.catch_trial) conditions.push_back(text_of(trial.factors.at("stroking")));
+  }
+  ASSERT_GE(conditions.size(), 20U);
+  for (std::size_t i = 0; i + 1 < conditions.size(); i += 2) {
+    EXPECT_NE(conditions[i], conditions[i + 1]) << i;
+  }
+}
+
+TEST(Course, CountsCatchTrialsInItsLimitsAndExamples) {
+  const Protocol protocol = protocol_of(with_catch_trials(4));
+  EXPECT_EQ(most_trials_of(protocol, protocol.blocks.at("tracks")), 24U + 8U);
+  const Plan plan = example_plan(protocol, {.seed = 1});
+  EXPECT_GE(plan.trials.size(), 26U + 8U - 1U);
+  std::set<double> gains{};
+  for (const Trial& trial : possible_trials(protocol)) {
+    if (trial.block == "tracks") gains.insert(gain_of(trial));
+  }
+  EXPECT_EQ(gains.size(), 11U);
+  EXPECT_EQ(*gains.rbegin(), 3.0);
+  EXPECT_THAT(design_of(protocol, protocol.blocks.at("tracks"), plan),
+              HasSubstr("6 trials × 2 interleaved tracks, one catch trial in every 4 trials"));
+}
+
+/// The messages about a file, with their places.
+std::vector<std::string> problems_with(const json& file) {
+  std::vector<std::string> problems{};
+  for (const Diagnostic& problem :
+       read_protocol_with_problems(file.dump(1), "file.json", test::example_models()).problems) {
+    problems.push_back(problem.pointer + ": " + problem.message);
+  }
+  return problems;
+}
+
+TEST(CatchTrials, AreRefusedWhereTheyAreNotEasy) {
+  json file = with_catch_trials(4);
+  json& level = file["blocks"]["tracks"]["procedure"]["catch_trials"]["level"];
+  level = 50;
+  EXPECT_THAT(problems_with(file),
+              ElementsAre(HasSubstr("/blocks/tracks/procedure/catch_trials/level: a catch trial "
+                                    "must be easy")));
+  level = -200;
+  EXPECT_THAT(problems_with(file), testing::Contains(HasSubstr("on the same side; -200 is not")));
+  level = 100;
+  EXPECT_TRUE(problems_with(file).empty());
+  level = 1e12;
+  EXPECT_THAT(problems_with(file),
+              ElementsAre(HasSubstr("/blocks/tracks/procedure/catch_trials/level: the level "
+                                    "1e+12 is a value of")));
+  level = 200;
+  file["blocks"]["tracks"]["procedure"]["catch_trials"]["every"] = 25;
+  EXPECT_THAT(problems_with(file),
+              ElementsAre(HasSubstr("/catch_trials/every: the tracks of this block have at most 24 "
+                                    "trials")));
+  file["blocks"]["tracks"]["procedure"]["catch_trials"]["every"] = 1;
+  EXPECT_THAT(problems_with(file), ElementsAre(HasSubstr("catch_trials/every")));
+}
+
+TEST(CatchTrials, OfAComparisonNeedTheDirectionOfTheQuestion) {
+  json file = with_catch_trials(4);
+  json& block = file["blocks"]["tracks"];
+  block["question"]["judgement"] = "comparison";
+  block["vary"]["levels_percent"] = {{"lowest", -50}, {"highest", 50}, {"step", 10}};
+  block["procedure"]["tracks"] = json::parse(R"([{"start": 30}, {"start": -30}])");
+  EXPECT_THAT(problems_with(file), ElementsAre(HasSubstr("/catch_trials: with the judgement")));
+  const auto correct_at = [&](double level, const char* direction) {
+    block["procedure"]["catch_trials"]["level"] = level;
+    block["question"]["asks_for"] = direction;
+    const Protocol protocol = protocol_of(file);
+    const Course course = answered_with_catch_trials(protocol, 1);
+    for (const Trial& trial : course.plan().trials) {
+      if (trial.catch_trial) return trial.questions.front().correct;
+      EXPECT_TRUE(trial.block != "tracks" || trial.questions.front().correct.empty());
+    }
+    return std::vector<std::string>{};
+  };
+  EXPECT_THAT(correct_at(80, "more"), ElementsAre("comparison"));
+  EXPECT_THAT(correct_at(80, "less"), ElementsAre("standard"));
+  EXPECT_THAT(correct_at(-80, "more"), ElementsAre("standard"));
+  EXPECT_THAT(correct_at(-80, "less"), ElementsAre("comparison"));
+}
+
+TEST(CatchTrials, OfAComparisonAreAsFarAsTheFarthestLevel) {
+  json file = with_catch_trials(4);
+  json& block = file["blocks"]["tracks"];
+  block["question"]["judgement"] = "comparison";
+  block["question"]["asks_for"] = "more";
+  block["vary"]["levels_percent"] = {{"lowest", -10}, {"highest", 60}, {"step", 10}};
+  block["procedure"]["tracks"] = json::parse(R"([{"start": 30}])");
+  block["procedure"]["catch_trials"]["level"] = -20;
+  EXPECT_THAT(problems_with(file), ElementsAre(HasSubstr("must be easy")));
+  block["procedure"]["catch_trials"]["level"] = -60;
+  EXPECT_TRUE(problems_with(file).empty());
+}
+
+TEST(ExpectedTrials, AreExactWhereTracksEndByTheirNumberOfTrials) {
+  json file = staircases();
+  const Protocol fixed = protocol_of(file);
+  EXPECT_EQ(expected_trials(fixed), 26);
+  EXPECT_FALSE(has_estimated_trials(fixed));
+  EXPECT_EQ(expected_trials(protocol_of(with_catch_trials(4))), 34);
+  file["blocks"]["tracks"]["procedure"]["stop"]["trials"] = 60;
+  file["blocks"]["tracks"]["procedure"]["stop"]["reversals"] = 4;
+  const Protocol estimated = protocol_of(file);
+  EXPECT_TRUE(has_estimated_trials(estimated));
+  double mean = 0.0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    mean += static_cast<double>(example_plan(estimated, {.seed = seed}).trials.size()) / 40.0;
+  }
+  // The mean of 40 sessions of 4 tracks, whose standard deviation is about 4 trials each.
+  EXPECT_NEAR(expected_trials(estimated), mean, 4.0);
+}
+
+/// The warning of levels that are practised with feedback.
+std::vector<std::string> training_warnings_of(const json& file) {
+  std::vector<std::string> warnings{};
+  for (const Diagnostic& warning : warnings_about(protocol_of(file), "file.json")) {
+    warnings.push_back(warning.pointer + ": " + warning.message);
+  }
+  return warnings;
+}
+
+TEST(TrainedLevels, AreWarnedOfWhereAMainBlockMeasuresThem) {
+  json file = staircases();
+  json& practice = file["blocks"]["after"];
+  practice["feedback"] = "correctness";
+  EXPECT_THAT(training_warnings_of(file),
+              ElementsAre(HasSubstr("/blocks/after/vary: participants practise with feedback at "
+                                    "the level 2, which the block \"tracks\" measures; practise at "
+                                    "levels between or beyond those that are measured")));
+  practice["vary"]["levels_ratio"] = {2.05, 3};
+  EXPECT_TRUE(training_warnings_of(file).empty());
+  practice["vary"].erase("levels_ratio");
+  practice["vary"]["levels"] = {1.3, 2.05};
+  EXPECT_THAT(training_warnings_of(file), ElementsAre(HasSubstr("the level 1.3,")));
+  practice["feedback"] = "none";
+  EXPECT_TRUE(training_warnings_of(file).empty());
+}
+
+TEST(Resume, CanOnlyRepeatPracticeThatThereIs) {
+  json file = staircases();
+  file["resume"] = {{"practice_trials", 2}};
+  EXPECT_TRUE(problems_with(file).empty());
+  file["blocks"]["after"]["phase"] = "familiarisation";
+  EXPECT_THAT(problems_with(file),
+              ElementsAre(HasSubstr("/resume/practice_trials: no block has the phase")));
+}
+
+TEST(BreaksAfterContact, NeedAPauseAndTheFormatThatHasThem) {
+  json file = staircases();
+  file["flow"][2]["break_every_contact_minutes"] = 5;
+  EXPECT_THAT(problems_with(file),
+              ElementsAre(HasSubstr("/flow/2: break_every_contact_minutes needs a \"pause\"")));
+  file["flow"][2]["pause"] = {{"minimum_s", 30}};
+  EXPECT_TRUE(problems_with(file).empty());
+  file["flow"][2].erase("break_every_contact_minutes");
+  EXPECT_THAT(problems_with(file), ElementsAre(HasSubstr("the time of this pause is not stated")));
+  json plain = json::parse(test::example_selection());
+  plain["flow"][2]["break_every_contact_minutes"] = 5;
+  EXPECT_THAT(problems_with(plain),
+              ElementsAre(HasSubstr("/format: the key \"break_every_contact_minutes\" requires the "
+                                    "format \"asperity.protocol/2\"")));
+}
+
+TEST(Course, NamesTheStepOfTheFlowThatRunsABlock) {
+  const Protocol protocol = protocol_of(staircases());
+  const Course course(protocol, {.seed = 3});
+  EXPECT_EQ(course.run_of(1).block, "tracks");
+  EXPECT_EQ(course.run_of(2).block, "after");
+  EXPECT_THROW(course.run_of(3), std::out_of_range);
+}
+
+TEST(CostOfAPlan, HasTheBreaksThatContactRequires) {
+  json file = staircases();
+  json& run = file["flow"][1];
+  run.erase("break_every_trials");
+  run["pause"]["minimum_s"] = 1000;
+  file["explorations"]["slow"]["minimum_contact_s"] = 3;
+  file["explorations"]["fast"]["minimum_contact_s"] = 3;
+  const auto cost_with = [&](double minutes) {
+    run["break_every_contact_minutes"] = minutes;
+    const Protocol protocol = protocol_of(file);
+    return cost_of(protocol, answered_course(protocol, 1).plan());
+  };
+  // 24 trials of two surfaces, each felt for 3 s: 144 s, and 12 s of the block after them.
+  const PlanCost none = cost_with(10);
+  EXPECT_NEAR(none.contact_s, 156.0, 1e-9);
+  const PlanCost one = cost_with(1.3);  // 78 s: before the 14th trial
+  EXPECT_NEAR(one.total_s - none.total_s, 1000.0, 1e-9);
+  EXPECT_LT(one.longest_without_break_s, none.longest_without_break_s);
+  EXPECT_NEAR(cost_with(0.5).total_s - none.total_s, 4000.0, 1e-9);
 }
 
 TEST(Course, HasItsBreaksBetweenTrialsAndNoneAtTheEnd) {
