@@ -41,6 +41,7 @@ bool is_as_stored(const Trial& trial, const PlannedTrialRow& stored) {
   return stored.trial == trial.ordinal && stored.block == trial.block &&
          stored.track == (trial.track ? std::optional(trial.track->track) : std::nullopt) &&
          stored.step == (trial.track ? std::optional(trial.track->step) : std::nullopt) &&
+         stored.is_catch == trial.catch_trial.has_value() &&
          stored.block_ordinal == trial.block_ordinal && stored.phase == text_of(trial.phase) &&
          stored.repetition == trial.repetition && stored.factors_json == factors_json_of(trial) &&
          stored.plan_json == json_of(trial);

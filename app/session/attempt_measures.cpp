@@ -62,6 +62,34 @@ ComplianceRow judged_by_mean(const std::string& quantity, std::span<const double
   return row;
 }
 
+/// The strokes of one surface, of which those after the required number of a visit do not count.
+class VisitStrokes final {
+ public:
+  explicit VisitStrokes(std::optional<int> of_visit) : of_visit_(of_visit) {}
+
+  void lift() { strokes_.lift(); }
+  void take(double along_m, std::int64_t time_ns) { strokes_.take(along_m, time_ns); }
+  /// The hand has lifted from the surface for the last time in this visit.
+  void end_visit() {
+    const std::vector<double> all = strokes_.lengths_m();
+    const std::size_t made = all.size() - read_;
+    const std::size_t counted =
+        of_visit_ ? std::min(made, static_cast<std::size_t>(*of_visit_)) : made;
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(read_);
+    lengths_m_.insert(lengths_m_.end(), first, first + static_cast<std::ptrdiff_t>(counted));
+    read_ = all.size();
+  }
+  /// After the last `end_visit`.
+  const std::vector<double>& lengths_m() const noexcept { return lengths_m_; }
+  std::vector<double> speeds_m_per_s() const { return strokes_.speeds_m_per_s(); }
+
+ private:
+  std::optional<int> of_visit_{};
+  HandStrokes strokes_{};
+  std::vector<double> lengths_m_{};
+  std::size_t read_ = 0;
+};
+
 }  // namespace
 
 ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rate_Hz,
@@ -127,9 +155,10 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
 
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
-                                         const Exploration& exploration, JudgedForce force) {
+                                         const Exploration& exploration, JudgedForce force,
+                                         std::optional<int> strokes_of_visit) {
   ContactReader reader(exploration.direction_rad, force);
-  HandStrokes hand_strokes{};
+  VisitStrokes hand_strokes(strokes_of_visit);
   std::vector<double> force_N{};
   std::int64_t contact_ticks = 0;
   std::int64_t visit_ticks = 0;  // of contact in the present visit (VisitRow)
@@ -137,6 +166,7 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   for (const TickRecord& record : records) {
     if (is_rendered(record, presentation) && record.has(TickFlag::first_of_presentation)) {
       visit_ticks = 0;
+      hand_strokes.end_visit();
     }
     // Another patch side by side is touched.
     if (is_in_contact(record) && record.presentation != presentation &&
@@ -153,7 +183,8 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
     if (hand->begins_contact) hand_strokes.lift();
     hand_strokes.take(hand->along_m, record.probe.time_ns);
   }
-  const std::vector<double> stroke_lengths_m = hand_strokes.lengths_m();
+  hand_strokes.end_visit();
+  const std::vector<double>& stroke_lengths_m = hand_strokes.lengths_m();
   const std::vector<double> speed_m_per_s = hand_strokes.speeds_m_per_s();
   const double fraction = exploration.required_fraction_in_band;
   const std::array<double, 1> contact_s{static_cast<double>(contact_ticks) / rate_Hz};

@@ -28,10 +28,14 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
 /// Force, speed, contact time and strokes of one surface, compared with the bands of the protocol.
 /// All are computed, whether or not the protocol declares a band. Force is the pressing force in
 /// every tick (ContactReader); speed is that of every stroke (HandStrokes).
+///
+/// `strokes_of_visit`: where a visit ends after so many strokes; the strokes that a hand adds until it has lifted count
+/// neither in number nor in length.
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
                                          const Exploration& exploration,
-                                         JudgedForce force = JudgedForce::sent);
+                                         JudgedForce force = JudgedForce::sent,
+                                         std::optional<int> strokes_of_visit = {});
 
 /// The habits of a hand that aims at the instructed exploration.
 HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch);

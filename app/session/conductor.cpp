@@ -47,6 +47,8 @@ SessionEnd Conductor::run(OpenSession session) {
   stopped_.reset();
   attempts_made_ = 0;
   standstills_ = 0;
+  contact_since_break_s_ = 0.0;
+  is_refreshing_ = false;
   const std::int64_t began_ns = rig_.clock().now_ns();
   requests_.attach(rig_);
   const struct Attached {
@@ -224,7 +226,8 @@ void Conductor::run_steps() {
       if (stopped_ || tally_->is_done(trial) || tally_->is_over(trial) || is_put_off(trial)) {
         continue;
       }
-      run_trial(trial);
+      rest_after_contact(trial);
+      if (!stopped_) run_trial(trial);
       continue;
     }
     // What follows a block waits until the block is finished; a break within the block takes place
@@ -253,41 +256,6 @@ void Conductor::run_steps() {
   if (!stopped_) between_steps(Next::other);
   // The eye mask is off before the session ends.
   if (!stopped_) course_.put_mask(false, [this](double duration_s) { course_.wait(duration_s); });
-}
-
-/// Prepares the participant of an interrupted session for trial `first`.
-void Conductor::lead_back(std::size_t first) {
-  const std::vector<PlanStep>& steps = plan().steps;
-  // A virtual participant needs no preparation, and answers as if there had been no interruption.
-  const bool is_person = session_.row.mode != SessionMode::simulate;
-  std::vector<std::string> texts = protocol_.resume.screens.value_or(std::vector<std::string>{});
-  if (!protocol_.resume.screens) {
-    for (std::size_t i = 0; i < first; ++i) {
-      if (const auto* screen = std::get_if<Protocol::Screen>(&steps[i])) texts = {screen->text};
-    }
-  }
-  if (!is_person) texts.clear();
-  for (const std::string& text : texts) {
-    run_outside_trials([&] { let_read(scene_to_read(text)); });
-  }
-  // The device may be a different one now, or the same one after a fault.
-  for (std::size_t i = 0; i < first; ++i) {
-    if (std::holds_alternative<Protocol::Check>(steps[i])) run_other(steps[i]);
-  }
-  if (is_person) run_outside_trials([&] { let_read(scene_of_resuming()); });
-}
-
-/// Repeats trials of earlier blocks that were invalidated to be repeated before the session was
-/// interrupted.
-void Conductor::resume_repeats(std::size_t first) {
-  if (!session_.resumed) return;
-  const TrialStep* next = std::get_if<TrialStep>(&plan().steps.at(first));
-  if (next == nullptr) return;
-  const int block = plan().trials[next->trial].block_ordinal;
-  for (const auto& [ordinal, attempt] : tally_->those_set_aside()) {
-    const Trial& trial = plan().trials.at(static_cast<std::size_t>(ordinal - 1));
-    if (trial.block_ordinal < block && !tally_->is_done(trial) && !stopped_) ask_again(trial);
-  }
 }
 
 /// Runs a step that is not a trial; it is started again after a fault.
@@ -349,8 +317,20 @@ void Conductor::rest(const Protocol::Break& pause) {
   course_.show(std::move(scene));
   course_.play(Cue::rest);
   respondent_.read(pause.text, pause.minimum_s, outside_);
+  contact_since_break_s_ = 0.0;
   course_.play(Cue::rest);
   course_.event("break_ended", "");
+}
+
+/// A break between two trials of a block, once surfaces were in contact for long enough since the last one.
+void Conductor::rest_after_contact(const Trial& next) {
+  const std::vector<AttemptRow>& made = tally_->attempts();
+  if (made.empty()) return;
+  const Trial& last = plan().trials.at(static_cast<std::size_t>(made.back().trial - 1));
+  if (last.block_ordinal != next.block_ordinal) return;
+  const Protocol::Run& run = session_.course->run_of(next.block_ordinal);
+  const double limit_s = run.break_every_contact_s;
+  if (limit_s > 0.0 && contact_since_break_s_ >= limit_s) run_other(*run.pause);
 }
 
 void Conductor::ask(const Protocol::Ask& questions) {
@@ -392,7 +372,8 @@ void Conductor::finish_block(int block_ordinal) {
           tally_->is_over(trial)) {
         continue;
       }
-      run_trial(trial);
+      rest_after_contact(trial);
+      if (!stopped_) run_trial(trial);
       again = true;
     }
   }
@@ -416,7 +397,7 @@ void Conductor::finish_block(int block_ordinal) {
 
 // --- one trial -----------------------------------------------------------------------------------
 
-void Conductor::run_trial(const Trial& trial) {
+void Conductor::run_trial(const Trial& trial, AttemptPurpose purpose) {
   int failures = 0;
   for (;;) {
     do {
@@ -425,12 +406,13 @@ void Conductor::run_trial(const Trial& trial) {
         snapshot.block = trial.block_ordinal;
         snapshot.trial = trial.ordinal;
         snapshot.attempt = tally_->attempts_at(trial.ordinal) + 1;
+        snapshot.purpose = purpose;
       });
       course_.show({});
     } while (between_steps(Next::trial) && !stopped_);
     if (stopped_) return;
     std::optional<Interruption> interruption{};
-    const AttemptRow attempt = make_attempt(trial, interruption);
+    const AttemptRow attempt = make_attempt(trial, purpose, interruption);
     tell(trial, attempt);
     if (stopped_) return;
     if (is_fault(attempt.outcome)) {
@@ -446,6 +428,7 @@ void Conductor::run_trial(const Trial& trial) {
       return;
     }
     if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) break;
+    if (purpose == AttemptPurpose::refresher) break;  // how it went does not matter
     if (failed_technically(attempt)) {
       if (++failures < kTechnicalRepeats) continue;
       stop(phrase_of(Reason::failed_repeatedly)
@@ -460,24 +443,30 @@ void Conductor::run_trial(const Trial& trial) {
   }
 }
 
-AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruption>& interruption) {
+AttemptRow Conductor::make_attempt(const Trial& trial, AttemptPurpose purpose,
+                                   std::optional<Interruption>& interruption) {
   const AttemptOrder order{.trial = trial,
                            .attempt = tally_->attempts_at(trial.ordinal) + 1,
                            .segment = segment_,
+                           .purpose = purpose,
                            .explored_wrongly = tally_->explored_wrongly(trial.ordinal),
                            .earlier_estimate = tally_->earlier_estimate(trial),
                            .record = settings_.record};
   course_.update([&order](SessionSnapshot& snapshot) {
     snapshot.trial = order.trial.ordinal;
     snapshot.attempt = order.attempt;
+    snapshot.purpose = order.purpose;
   });
-  tell_of_repetition(trial);
+  if (purpose == AttemptPurpose::trial) tell_of_repetition(trial);
   TrialAttempt attempt(course_, builder_, order);
   AttemptRow row = attempt.make();
   interruption = attempt.interruption();
   row.id = study_.add_attempt(session_.row.id, row);
   tally_->add(row);
   ++attempts_made_;
+  for (const PresentationRow& surface : row.presentations) {
+    contact_since_break_s_ += surface.contact_s;
+  }
   extend_plan(trial, row);
   const TrialTally::Again again =
       waits_for_others(trial, row) ? TrialTally::Again::after_others : TrialTally::Again::at_once;
@@ -487,7 +476,7 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
                     .session = session_.row.session,
                     .trial = trial.ordinal,
                     .attempt = order.attempt,
-                    .counts = row.valid,
+                    .counts = row.valid && purpose == AttemptPurpose::trial,
                     .outcome = row.outcome});
   }
   return row;

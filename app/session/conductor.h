@@ -90,20 +90,23 @@ class Conductor final {
 
   void run_steps();
   void lead_back(std::size_t first);
+  void refresh_practice(std::size_t first);
   void resume_repeats(std::size_t first);
   void run_outside_trials(const std::function<void()>& step);
   void run_other(const PlanStep& step);
   void try_other(const PlanStep& step);
   void let_read(const ParticipantScene& scene);
   void rest(const Protocol::Break& pause);
+  void rest_after_contact(const Trial& next);
   void ask(const Protocol::Ask& questions);
 
   void finish_block(int block_ordinal);
-  void run_trial(const Trial& trial);
+  void run_trial(const Trial& trial, AttemptPurpose purpose = AttemptPurpose::trial);
   const Plan& plan() const noexcept { return session_.course->plan(); }
   void store_trials(std::size_t first);
   void extend_plan(const Trial& trial, const AttemptRow& attempt);
-  AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
+  AttemptRow make_attempt(const Trial& trial, AttemptPurpose purpose,
+                          std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
   void tell_of_repetition(const Trial& trial) const;
   /// Whether the trial is asked again after all others of its block.
@@ -146,6 +149,8 @@ class Conductor final {
   int attempts_made_ = 0;
 
   int standstills_ = 0;
+  bool is_refreshing_ = false;
+  double contact_since_break_s_ = 0.0;  ///< or since the session was begun or resumed
 
   Wait outside_{};    ///< waits while there is no current trial
   Wait unheeding_{};  ///< waits regardless of requests and faults

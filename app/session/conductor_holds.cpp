@@ -48,6 +48,10 @@ bool Conductor::between_steps(Next next) {
 }
 
 void Conductor::repeat_last(const Phrase& reason) {
+  if (is_refreshing_) {
+    course_.event("repeat_refused", phrase_of(Reason::practice_is_repeated));
+    return;
+  }
   const AttemptRow* last = tally_->last_done();
   if (last == nullptr) {
     course_.event("repeat_refused", phrase_of(Reason::nothing_to_repeat));

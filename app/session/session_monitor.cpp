@@ -5,6 +5,7 @@
 
 #include "analysis/number_text.h"
 #include "analysis/random.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -122,9 +123,14 @@ void SessionMonitor::add_bin(const LiveBin& bin) {
   ++bins_added_;
 }
 
+bool is_named_by_places(const Trial& trial) {
+  const ExperimentKind* const kind = find_kind(trial.kind);
+  return trial.is_of_procedure() || (kind != nullptr && kind->has_judgement);
+}
+
 BlindCodes::BlindCodes(const Plan& plan, const std::string& seed) {
   for (const Trial& trial : plan.trials) {
-    if (trial.track) continue;
+    if (is_named_by_places(trial)) continue;
     for (const PlannedPresentation& surface : trial.presentations) {
       codes_.emplace_back(stimulus_key(surface), "");
     }
@@ -153,7 +159,7 @@ std::string BlindCodes::of(const Trial& trial) const {
   std::string text{};
   for (const PlannedPresentation& surface : trial.presentations) {
     if (!text.empty()) text += ' ';
-    text += trial.track ? surface.code : of(surface);
+    text += is_named_by_places(trial) ? surface.code : of(surface);
   }
   return text;
 }

@@ -44,6 +44,7 @@ const char* text_of(SessionPhase phase) noexcept;
 struct AttemptSummary {
   int trial = 0;
   int attempt = 0;
+  AttemptPurpose purpose = AttemptPurpose::trial;
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;
   bool flagged = false;
@@ -135,6 +136,7 @@ struct SessionSnapshot {
   std::int64_t began_ns = 0;  ///< of this stretch
   int trial = 0;              ///< current, or otherwise the next one; 0 where there is none
   int attempt = 0;            ///< of the trial
+  AttemptPurpose purpose = AttemptPurpose::trial;  ///< of the current attempt; `trial` is its trial
   int last_done = 0;          ///< the trial that `repeat_last` would repeat; 0: none yet
   int surface = 0;            ///< position, from 1; 0 while none is felt
   double contact_s = 0.0;     ///< with the current surface
@@ -219,9 +221,13 @@ class SessionMonitor final {
   std::uint64_t bins_added_ = 0;
 };
 
+/// Whether the surfaces of a trial have the codes of their places, "A" and "B", while stimuli are concealed: in a
+/// discrimination a code of the standard would return in every trial and reveal the correct response, and that of a
+/// level the next level of a procedure.
+bool is_named_by_places(const Trial& trial);
+
 /// The codes for stimuli while these are concealed: one per distinct presentation of the plan, "S1"
-/// … in an order drawn from the session's seed. Surfaces of a trial whose level a procedure chose have
-/// the codes of their places, "A" and "B": the next level must not be recognised.
+/// … in an order drawn from the session's seed.
 class BlindCodes final {
  public:
   BlindCodes(const Plan& plan, const std::string& seed);

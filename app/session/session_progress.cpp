@@ -14,6 +14,14 @@ double duration_s(const AttemptRow& attempt) {
   return static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
 }
 
+/// Whether there are breaks that the plan does not contain.
+bool rests_after_contact(const Protocol& protocol) {
+  return std::any_of(protocol.flow.begin(), protocol.flow.end(), [](const Protocol::Step& step) {
+    const auto* const run = std::get_if<Protocol::Run>(&step);
+    return run != nullptr && run->break_every_contact_s > 0.0;
+  });
+}
+
 }  // namespace
 
 SessionProgress::SessionProgress(SessionCourse& course, const Course& trials,
@@ -75,7 +83,11 @@ void SessionProgress::set_aside(const AttemptRow& attempt) {
 void SessionProgress::publish(std::size_t step, int coming, std::optional<AttemptSummary> added) {
   int done = 0;
   double trials_left_s = 0.0;
-  double others_left_s = 0.0;  // breaks and screens, whose duration does not depend on the pace
+  // Breaks and screens, whose duration does not depend on the pace.
+  double others_left_s = 0.0;
+  if (rests_after_contact(course_.protocol())) {
+    others_left_s = cost_from(course_.protocol(), plan_, step).breaks_after_contact_s;
+  }
   for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
     if (const auto* of_trial = std::get_if<TrialStep>(&plan_.steps[i])) {
       const Trial& trial = plan_.trials[of_trial->trial];
@@ -97,6 +109,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
     if (left_s) *left_s = *left_s * trials_left_s + others_left_s;
   }
   const AttemptRow* last = tally_.last_done();
+  const bool is_refresher = added && added->purpose == AttemptPurpose::refresher;
   course_.update([&](SessionSnapshot& snapshot) {
     if (added) {
       auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
@@ -106,8 +119,11 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
       snapshot.phase = SessionPhase::iti;
       snapshot.phase_began_ns = snapshot.now_ns;
     }
-    snapshot.trial = coming;
-    snapshot.attempt = coming == 0 ? 0 : tally_.attempts_at(coming) + 1;
+    if (!is_refresher) {
+      snapshot.trial = coming;
+      snapshot.attempt = coming == 0 ? 0 : tally_.attempts_at(coming) + 1;
+      snapshot.purpose = AttemptPurpose::trial;
+    }
     snapshot.last_done = last == nullptr ? 0 : last->trial;
     snapshot.trials_done = done;
     snapshot.expected_left_s = left_s;
@@ -115,7 +131,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
   });
 }
 
-/// Skipped trials provide no information.
+/// Skipped trials provide no information, and neither do refreshers, which are not planned.
 std::optional<double> SessionProgress::pace() const {
   constexpr int kFewest = 3;  // too few trials give no reliable pace
   int done = 0;
@@ -123,6 +139,7 @@ std::optional<double> SessionProgress::pace() const {
   double spent_s = 0.0;
   for (const AttemptRow& attempt : tally_.attempts()) {
     if (attempt.outcome == AttemptOutcome::skipped) continue;
+    if (attempt.purpose == AttemptPurpose::refresher) continue;
     spent_s += duration_s(attempt);
     if (!attempt.valid) continue;
     planned_s += trial_s_.at(static_cast<std::size_t>(attempt.trial - 1));
@@ -138,6 +155,7 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
   AttemptSummary summary{};
   summary.trial = attempt.trial;
   summary.attempt = attempt.attempt;
+  summary.purpose = attempt.purpose;
   summary.outcome = attempt.outcome;
   summary.valid = attempt.valid;
   summary.flagged = attempt.flagged;

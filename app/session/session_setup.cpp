@@ -41,10 +41,10 @@ std::vector<PlannedTrialRow> planned_rows(const Plan& plan) {
 }
 
 /// The number of trials where it depends on responses.
-std::optional<int> expected_trials_of(const Protocol& protocol, std::uint64_t seed) {
+std::optional<int> expected_trials_of(const Protocol& protocol) {
   const auto has_procedure = [](const auto& each) { return each.second.procedure.has_value(); };
   if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), has_procedure)) return {};
-  return static_cast<int>(example_plan(protocol, {.seed = seed}).trials.size());
+  return expected_trials(protocol);
 }
 
 /// Whether the stored trials are those of the plan, without or with those that the last response determined.
@@ -72,6 +72,7 @@ PlannedTrialRow planned_row(const Trial& trial) {
     row.track = trial.track->track;
     row.step = trial.track->step;
   }
+  row.is_catch = trial.catch_trial.has_value();
   row.factors_json = factors_json_of(trial);
   row.plan_json = json_of(trial);
   return row;
@@ -163,7 +164,7 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   row.mirrored = conditions.mirrored;
   row.files = hash_files(protocol, study.folder());
   row.group_level = conditions.group;
-  row.expected_trials = expected_trials_of(protocol, conditions.seed);
+  row.expected_trials = expected_trials_of(protocol);
   if (conditions.counterbalance_row) {
     row.counterbalance_row = *conditions.counterbalance_row;
     session.course.emplace(protocol, allocation_of(row));

@@ -62,6 +62,7 @@ TrialAttempt::TrialAttempt(SessionCourse& course, StimulusBuilder& builder,
   row_.trial = trial_.ordinal;
   row_.attempt = order.attempt;
   row_.segment = order.segment;
+  row_.purpose = order.purpose;
 }
 
 TrialAttempt::~TrialAttempt() = default;
@@ -467,8 +468,9 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
           {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
     }
     if (presentation.onset_ns) {
-      for (ComplianceRow& compliance : compliance_of(records, id, rate_Hz, exploration_,
-                                                     judged_force_of(course_.rig().capability()))) {
+      for (ComplianceRow& compliance :
+           compliance_of(records, id, rate_Hz, exploration_,
+                         judged_force_of(course_.rig().capability()), trial_.arrangement.strokes)) {
         compliance.position = planned.position;
         row_.compliance.push_back(std::move(compliance));
       }

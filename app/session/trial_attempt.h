@@ -23,6 +23,7 @@ struct AttemptOrder {
   const Trial& trial;
   int attempt = 1;
   int segment = 1;
+  AttemptPurpose purpose = AttemptPurpose::trial;
   /// Earlier attempts at this trial that did not comply with the instructed exploration.
   int explored_wrongly = 0;
   /// Of the same stimulus by the same participant, where a number is requested.

@@ -46,7 +46,7 @@ void advance_through(Course& course, const Protocol& protocol,
   while (const Trial* const trial = course.awaited()) {
     const auto first =
         std::find_if(attempts.begin(), attempts.end(), [&](const AttemptRow& attempt) {
-          return attempt.trial == trial->ordinal &&
+          return attempt.trial == trial->ordinal && attempt.purpose == AttemptPurpose::trial &&
                  (attempt.valid || attempt.outcome == AttemptOutcome::skipped ||
                   set_aside.contains({attempt.trial, attempt.attempt}));
         });

@@ -23,6 +23,7 @@ bool failed_technically(const AttemptRow& attempt) {
 }
 
 bool TrialTally::does_its_trial(const AttemptRow& attempt) const {
+  if (is_refresher(attempt)) return false;
   return attempt.valid || (attempt.outcome == AttemptOutcome::skipped &&
                            !set_aside_.contains({attempt.trial, attempt.attempt}));
 }
@@ -54,7 +55,7 @@ BlockState TrialTally::criterion_of(const Trial& trial) const {
   if (!block.until) return BlockState::go_on;
   std::vector<bool> correct{};
   for (const AttemptRow& attempt : attempts_) {
-    if (!attempt.valid) continue;
+    if (!attempt.valid || is_refresher(attempt)) continue;
     const Trial& tried = plan_.trials.at(static_cast<std::size_t>(attempt.trial - 1));
     if (tried.block_ordinal != trial.block_ordinal) continue;
     correct.push_back(is_right(attempt));
@@ -117,8 +118,8 @@ std::optional<double> TrialTally::earlier_estimate(const Trial& trial) const {
 int TrialTally::explored_wrongly(int trial) const {
   return static_cast<int>(
       std::count_if(attempts_.begin(), attempts_.end(), [trial](const AttemptRow& attempt) {
-        return attempt.trial == trial && attempt.outcome == AttemptOutcome::not_compliant &&
-               !failed_technically(attempt);
+        return attempt.trial == trial && !is_refresher(attempt) &&
+               attempt.outcome == AttemptOutcome::not_compliant && !failed_technically(attempt);
       }));
 }
 

@@ -24,7 +24,8 @@ bool failed_technically(const AttemptRow& attempt);
 /// The attempts of a session, those of earlier stretches included, and their consequences for the
 /// plan.
 ///
-/// A trial is done when an attempt at it is valid, or was skipped and not invalidated since. A
+/// A trial is done when an attempt at it is valid, or was skipped and not invalidated since.
+/// Refreshers are numbered among the attempts and change nothing else. A
 /// block that is practised to a criterion is over once the criterion is met or can no longer be
 /// met.
 class TrialTally final {
@@ -61,6 +62,9 @@ class TrialTally final {
 
  private:
   bool does_its_trial(const AttemptRow& attempt) const;
+  static bool is_refresher(const AttemptRow& attempt) {
+    return attempt.purpose == AttemptPurpose::refresher;
+  }
   bool is_open(const Trial& trial) const { return !is_done(trial) && !is_over(trial); }
 
   const Protocol& protocol_;

@@ -75,6 +75,8 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::none_given, "no_reason_given", phrase("Reasons", "no reason was given")},
       {Reason::nothing_to_repeat, "nothing_to_repeat",
        phrase("Reasons", "no trial has been answered or skipped yet")},
+      {Reason::practice_is_repeated, "practice_is_repeated",
+       phrase("Reasons", "practice is being repeated, which does not count")},
       {Reason::agreement_witnessed, "agreement_witnessed",
        phrase("Reasons", "consent witnessed by %1")},
   };

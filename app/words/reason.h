@@ -51,6 +51,7 @@ enum class Reason {
   none_given,
   // of events
   nothing_to_repeat,
+  practice_is_repeated,
   agreement_witnessed,  ///< name of the witness
 };
 Phrase phrase_of(Reason reason);

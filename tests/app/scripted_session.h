@@ -123,12 +123,15 @@ class SessionTest : public testing::Test {
     study_->add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
     builder_ = std::make_unique<StimulusBuilder>(models_, folder_.path() / "study");
     make_rig(faults);
-    SessionConditions conditions{};
-    conditions.seed = 7;
-    conditions.pacing = rig_->pacing();
-    conditions.started_utc = rig_->clock().utc();
-    conditions.device = rig_->capability();
-    session_ = begin_session(*study_, protocol_, "p1", conditions, this_program());
+    begin_session_of("p1", 7);
+  }
+
+  /// Another session of this protocol, of a new participant.
+  void start(const std::string& participant, std::uint64_t seed) {
+    study_->add_participant({.label = participant, .created_utc = "2026-01-01T00:00:00.000Z"});
+    make_rig({});
+    begin_session_of(participant, seed);
+    done_.clear();
   }
 
   void make_rig(const std::vector<ScriptedFault>& faults) {
@@ -148,6 +151,12 @@ class SessionTest : public testing::Test {
 
   std::vector<AttemptRow> attempts() const { return study_->attempts(session_.row.id); }
 
+  std::vector<std::string> stored_plan() const {
+    std::vector<std::string> plan{};
+    for (const PlannedTrialRow& row : study_->plan(session_.row.id)) plan.push_back(row.plan_json);
+    return plan;
+  }
+
   TemporaryFolder folder_{};
   ModelRegistry models_ = built_in_models();
   Protocol protocol_{};
@@ -159,6 +168,16 @@ class SessionTest : public testing::Test {
   OpenSession session_{};
   std::vector<AttemptDone> done_{};
   SessionLinks links_{};
+
+ private:
+  void begin_session_of(const std::string& participant, std::uint64_t seed) {
+    SessionConditions conditions{};
+    conditions.seed = seed;
+    conditions.pacing = rig_->pacing();
+    conditions.started_utc = rig_->clock().utc();
+    conditions.device = rig_->capability();
+    session_ = begin_session(*study_, protocol_, participant, conditions, this_program());
+  }
 };
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 
 #include "app/records/recorded_attempt.h"
 #include "app/session/trial_outcome.h"
+#include "results_schema/analysis_use.h"
 #include "results_schema/sqlite.h"
 #include "tests/app/scripted_session.h"
 
@@ -54,21 +55,12 @@ class StaircaseSession : public SessionTest {
   /// A new session. Its participant answers four of five trials correctly; a trial has the same answer in every session
   /// of this seed.
   void start(std::uint64_t seed) {
-    participant_ = "p" + std::to_string(++participants_);
-    study_->add_participant({.label = participant_, .created_utc = "2026-01-01T00:00:00.000Z"});
-    make_rig({});
-    SessionConditions conditions{};
-    conditions.seed = seed;
-    conditions.pacing = rig_->pacing();
-    conditions.started_utc = rig_->clock().utc();
-    conditions.device = rig_->capability();
-    session_ = begin_session(*study_, protocol_, participant_, conditions, this_program());
+    SessionTest::start("p" + std::to_string(++participants_), seed);
     person_.at_question = [seed](int, const Trial& trial) {
       Random random =
           Random(seed).split("answers").split(static_cast<std::uint64_t>(trial.ordinal));
       return reply_that_is(trial, random.uniform() < 0.8);
     };
-    done_.clear();
   }
 
   /// Runs the session, and stops it after this number of trials in this run.
@@ -92,19 +84,12 @@ class StaircaseSession : public SessionTest {
     return run_trials(trials);
   }
 
-  std::vector<std::string> stored_plan() const {
-    std::vector<std::string> plan{};
-    for (const PlannedTrialRow& row : study_->plan(session_.row.id)) plan.push_back(row.plan_json);
-    return plan;
-  }
-
   std::vector<std::string> uninterrupted(std::uint64_t seed) {
     start(seed);
     EXPECT_EQ(run_trials(1000).state, SessionState::completed);
     return stored_plan();
   }
 
-  std::string participant_{};
   int participants_ = 1;
 };
 
@@ -161,6 +146,83 @@ TEST_F(StaircaseSession, IsResumedWhereTheNextTrialWasNotYetStored) {
   EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(), 5U);
   EXPECT_EQ(resume(1000).state, SessionState::completed);
   EXPECT_EQ(stored_plan(), expected);
+}
+
+/// The outcome of the last trial of the tracks determines a whole block.
+TEST_F(StaircaseSession, IsResumedWhereTheFollowingBlockWasNotYetStored) {
+  std::string text = kStaircases;
+  const std::string one = R"("levels_ratio": [2])";
+  text.replace(text.find(one), one.size(), R"("levels_ratio": [2, 3, 4])");
+  protocol_ = read_small_protocol(models_, text);
+  const std::vector<std::string> expected = uninterrupted(2);
+  ASSERT_EQ(expected.size(), 19U);
+  start(2);
+  ASSERT_EQ(run_trials(16).state, SessionState::stopped);
+  ASSERT_EQ(stored_plan(), expected);
+  {
+    const std::filesystem::path folder = folder_.path() / "study";
+    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
+    database.execute(
+        "DROP TRIGGER trial_no_delete; DELETE FROM trial WHERE trial > 16 AND session_id = " +
+        std::to_string(session_.row.id));
+  }
+  EXPECT_EQ(resume(1000).state, SessionState::completed);
+  EXPECT_EQ(stored_plan(), expected);
+}
+
+/// A procedure for each level of an iterated factor, in the group of the participant.
+TEST_F(StaircaseSession, ContinuesInEveryRunOfItsBlockAndInItsGroup) {
+  std::string text = kStaircases;
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace(R"("factors": {)",
+          R"("counterbalance": "latin", "groups": {"factor": "hand"},
+             "factors": {"ground": {"levels": ["soft", "hard"]}, "hand": {"levels": ["bare", "gloved"]}, )");
+  replace(R"({"run": "tracks"})", R"({"run": "tracks", "for_each": "ground"})");
+  protocol_ = read_small_protocol(models_, text);
+  const std::vector<std::string> expected = uninterrupted(2);
+  ASSERT_EQ(expected.size(), 33U);
+  const std::optional<std::string> group = session_.row.group_level;
+  ASSERT_TRUE(group);
+  for (const int position : {15, 16, 17, 31, 32}) {
+    SCOPED_TRACE(position);
+    do {
+      start(2);
+    } while (session_.row.group_level != group || session_.row.counterbalance_row != 0);
+    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
+    EXPECT_EQ(resume(1000).state, SessionState::completed);
+    EXPECT_EQ(stored_plan(), expected);
+  }
+}
+
+TEST_F(StaircaseSession, ContinuesWithTheSameCatchTrials) {
+  std::string text = kStaircases;
+  const std::string method = R"("method": "transformed_up_down",)";
+  text.replace(text.find(method), method.size(),
+               method + R"( "catch_trials": {"level": 100, "every": 4},)");
+  protocol_ = read_small_protocol(models_, text);
+  const std::vector<std::string> expected = uninterrupted(2);
+  ASSERT_GT(expected.size(), 20U);
+  for (int position = 1; position < 8; ++position) {
+    SCOPED_TRACE(position);
+    start(2);
+    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
+    EXPECT_EQ(resume(1000).state, SessionState::completed);
+    EXPECT_EQ(stored_plan(), expected);
+  }
+  int caught = 0;
+  for (const PlannedTrialRow& row : study_->plan(session_.row.id)) {
+    if (!row.is_catch) continue;
+    ++caught;
+    EXPECT_FALSE(row.track);
+    EXPECT_EQ(row.repetition, 0);
+    EXPECT_EQ(use_in_analyses(row), AnalysisUse::catch_trial);
+  }
+  EXPECT_GE(caught, 5);
+  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
+            expected.size());
 }
 
 TEST_F(StaircaseSession, TakesTheFirstAttemptThatCompletedATrial) {

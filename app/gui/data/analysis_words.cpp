@@ -27,6 +27,7 @@ constexpr std::array kHeadings{
     Word{"against", QT_TRANSLATE_NOOP("AnalysisWords", "other item")},
     Word{"all", QT_TRANSLATE_NOOP("AnalysisWords", "all")},
     Word{"answers", QT_TRANSLATE_NOOP("AnalysisWords", "responses")},
+    Word{"block", QT_TRANSLATE_NOOP("AnalysisWords", "block")},
     Word{"block_ordinal", QT_TRANSLATE_NOOP("AnalysisWords", "number of the block")},
     Word{"by", QT_TRANSLATE_NOOP("AnalysisWords", "trials grouped by")},
     Word{"by_chance", QT_TRANSLATE_NOOP("AnalysisWords", "expected under guessing")},

@@ -82,7 +82,13 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   if (said.isEmpty()) {
     switch (use_in_analyses(detail.planned, attempt)) {
       case AnalysisUse::practice:
-        said << tr("Practice: not included in analyses");
+        said << (attempt.purpose == AttemptPurpose::refresher
+                     ? tr("Practice repeated before the session was resumed: not included in "
+                          "analyses")
+                     : tr("Practice: not included in analyses"));
+        break;
+      case AnalysisUse::catch_trial:
+        said << tr("Catch trial: not included in thresholds");
         break;
       case AnalysisUse::anchor:
         said << tr("Anchor: not included in analyses");

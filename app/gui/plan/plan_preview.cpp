@@ -102,6 +102,16 @@ QString surface_in_full(const PlannedPresentation& surface) {
   return words;
 }
 
+/// "repetition 2", "track 1, step 7".
+QString place_in_block(const Trial& trial) {
+  if (trial.catch_trial) return PlanPreview::tr("catch trial");
+  if (trial.track) {
+    return PlanPreview::tr("track %1, step %2").arg(trial.track->track).arg(trial.track->step);
+  }
+  if (trial.repetition == 0) return PlanPreview::tr("anchor");
+  return PlanPreview::tr("repetition %1").arg(trial.repetition);
+}
+
 QString in_full(const Trial& trial) {
   QStringList surfaces{};
   for (const PlannedPresentation& surface : trial.presentations) {
@@ -118,10 +128,9 @@ QString in_full(const Trial& trial) {
     questions += html_line(PlanPreview::tr("Question"), text(question.prompt)) +
                  html_line(PlanPreview::tr("Options as shown"), options.join(" · "));
   }
-  const QString head = PlanPreview::tr("Trial %1, %2, repetition %3")
+  const QString head = PlanPreview::tr("Trial %1, %2, %3")
                            .arg(trial.ordinal)
-                           .arg(text(trial.block))
-                           .arg(trial.repetition);
+                           .arg(text(trial.block), place_in_block(trial));
   return QString("<p><b>%1</b></p>").arg(head.toHtmlEscaped()) +
          html_line(PlanPreview::tr("Factors"), factors_of(trial)) +
          html_line(PlanPreview::tr("Surfaces in order"), surfaces.join(" · ")) + questions +

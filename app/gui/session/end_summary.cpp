@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
@@ -87,7 +88,10 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
   fill(*go_on_, outcome.can_go_on);
   fill(*start_again_, !began);
   fill(*see_table_, began && !outcome.can_go_on);
-  const auto& attempts = *snapshot.attempts;
+  std::vector<AttemptSummary> attempts = *snapshot.attempts;
+  const auto refreshers = std::erase_if(attempts, [](const AttemptSummary& each) {
+    return each.purpose == AttemptPurpose::refresher;
+  });
   const auto flagged = std::count_if(attempts.begin(), attempts.end(),
                                      [](const AttemptSummary& each) { return each.flagged; });
   const auto skipped = std::count_if(
@@ -105,6 +109,9 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
           .arg(flagged)
           .arg(invalid)
           .arg(skipped);
+  if (refreshers > 0) {
+    text += ' ' + tr("Practice trials made again: %1.").arg(refreshers);
+  }
   if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
   if (!outcome.why.isEmpty()) text = tr("%1\n\n%2").arg(outcome.why, text);
   if (outcome.can_go_on) {

@@ -116,7 +116,7 @@ void PlanModel::set_facts(std::shared_ptr<const SessionFacts> facts) {
       row.name = stimulus_names(trial);
       for (const PlannedPresentation& surface : trial.presentations) {
         row.surface_codes +=
-            QString::fromStdString(trial.track ? surface.code : codes_->of(surface));
+            QString::fromStdString(is_named_by_places(trial) ? surface.code : codes_->of(surface));
         Trial alone{};
         alone.presentations.push_back(surface);
         row.surface_names += QString::fromStdString(unblinded_text(alone));
@@ -199,10 +199,11 @@ void PlanModel::write_outcomes() {
     if (number < 0) continue;
     Row& row = rows_[static_cast<std::size_t>(number)];
     const QString text = SessionText::of_attempt(attempt, tells_right(attempt));
+    row.history = row.history.isEmpty() ? text : tr("%1, previously: %2").arg(text, row.history);
+    if (attempt.purpose == AttemptPurpose::refresher) continue;
     // What counts is the last one; the tool tip states those before it.
     row.attempts = attempt.attempt;
     row.outcome = numbered(text, attempt.attempt);
-    row.history = row.history.isEmpty() ? text : tr("%1, previously: %2").arg(text, row.history);
     row.state = SessionText::state_of(attempt);
     const QString reason = words_of(attempt.reason);
     row.reason = blind_ ? veil_.veiled(reason) : reason;

@@ -127,7 +127,7 @@ void SessionControls::write() {
   abort_->setEnabled(s.running || (s.preparing && !s.cancelling));
   // A fault is cleared or the session ended, first.
   if (s.in_fault) pause_->setEnabled(false);
-  repeat_->setEnabled(s.running && s.trial_done && !s.repeat_pending);
+  repeat_->setEnabled(s.running && s.trial_done && !s.repeat_pending && !s.refreshing);
   skip_->setEnabled(s.running && s.in_trial);
   note_->setEnabled(s.running && !s.note_locked);
 
@@ -142,6 +142,8 @@ void SessionControls::write() {
     if (s.in_fault) why += tr("Pause: the session is already stopped.");
     if (s.repeat_pending) {
       why += tr("Repeat: the last trial is repeated next.");
+    } else if (s.refreshing) {
+      why += tr("Repeat: practice is being repeated, which does not count.");
     } else if (!s.trial_done) {
       why += tr("Repeat: no trial has been completed yet.");
     }

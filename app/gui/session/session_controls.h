@@ -26,6 +26,7 @@ struct ControlState {
   std::optional<StopAfter> stop_pending{};
   bool repeat_pending = false;
   bool trial_done = false;  ///< there is one to be repeated
+  bool refreshing = false;  ///< practice is repeated, which does not count
   bool in_trial = false;    ///< there is one to be skipped
   bool in_fault = false;
   bool note_locked = false;

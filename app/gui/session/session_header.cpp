@@ -218,8 +218,10 @@ void SessionHeader::show_progress(const SessionSnapshot& snapshot) {
   progress_->setValue(s.trials_done);
   const QString all =
       s.trials_are_estimated ? tr("about %1").arg(s.trials) : QString::number(s.trials);
-  set_if_new(*trial_,
-             s.trial > 0 ? tr("trial %1 of %2").arg(s.trial).arg(all) : tr("trials: %1").arg(all));
+  const bool is_refresher = s.purpose == AttemptPurpose::refresher;
+  set_if_new(*trial_, is_refresher  ? tr("repeated practice, trial %1").arg(s.trial)
+                      : s.trial > 0 ? tr("trial %1 of %2").arg(s.trial).arg(all)
+                                    : tr("trials: %1").arg(all));
 }
 
 void SessionHeader::show_preparation(std::optional<double> fraction) {

@@ -7,6 +7,7 @@
 
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
+#include "app/gui/session/trial_under_way.h"
 #include "protocols/file/protocol_reader.h"
 
 namespace asperity {
@@ -50,6 +51,11 @@ QString NameVeil::veiled(const QString& text) const {
 
 QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial, const int to_come,
                             const QString& condition, double in_phase_s) {
+  if (snapshot.purpose == AttemptPurpose::refresher && is_in_trial(snapshot)) {
+    SessionSnapshot of_trial = snapshot;
+    of_trial.purpose = AttemptPurpose::trial;
+    return tr("Repeated practice: %1").arg(of_now(of_trial, trial, to_come, condition, in_phase_s));
+  }
   const QString seconds = shown_number(std::max(0.0, in_phase_s), 'f', 1);
   switch (snapshot.phase) {
     case SessionPhase::idle:
@@ -83,7 +89,9 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::response:
       return tr("Trial %1: answering, %2 s").arg(snapshot.trial).arg(seconds);
     case SessionPhase::feedback:
-      return tr("Trial %1: feedback").arg(snapshot.last_done);
+      return snapshot.purpose == AttemptPurpose::refresher
+                 ? tr("Repeated practice: feedback")
+                 : tr("Trial %1: feedback").arg(snapshot.last_done);
     case SessionPhase::rest:
       return tr("Break, %1").arg(of_duration(in_phase_s));
     case SessionPhase::questions:
@@ -132,6 +140,11 @@ QString SessionText::of_answers(const AttemptSummary& attempt) {
 }
 
 QString SessionText::of_attempt(const AttemptSummary& attempt, bool tells_right) {
+  if (attempt.purpose == AttemptPurpose::refresher) {
+    AttemptSummary practised = attempt;
+    practised.purpose = AttemptPurpose::trial;
+    return tr("%1, practised again").arg(of_attempt(practised, tells_right));
+  }
   const QString outcome = OutcomeWords::of(attempt.outcome);
   if (attempt.outcome != AttemptOutcome::answered) return outcome;
   const QString answers = of_answers(attempt);

@@ -212,6 +212,7 @@ void SessionWindow::do_verb(SessionVerb verb) {
       break;
     case SessionVerb::repeat_last:
       if (shown_.attempts->empty() || pending.repeat_last) break;
+      if (shown_.purpose == AttemptPurpose::refresher) break;
       if (field_lock().isEmpty()) take_keyboard();
       questions_->ask_to_repeat();
       break;

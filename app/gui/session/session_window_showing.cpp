@@ -151,6 +151,7 @@ void SessionWindow::write_controls() {
   state.stop_pending = pending.stop;
   state.repeat_pending = pending.repeat_last;
   state.trial_done = !shown_.attempts->empty();
+  state.refreshing = shown_.purpose == AttemptPurpose::refresher;
   state.in_trial = is_in_trial(shown_);
   state.in_fault = shown_.phase == SessionPhase::fault;
   state.note_locked = notes_->is_locked();

@@ -53,8 +53,12 @@ QString text_of_outcome(const TrialOverview& trial) {
 }
 
 /// What is to be said of the attempt beside its outcome.
-QString text_of_remarks(const AttemptRow& attempt) {
+QString text_of_remarks(const PlannedTrialRow& planned, const AttemptRow& attempt) {
   QStringList remarks{};
+  if (planned.is_catch) remarks.append(TrialsPage::tr("catch trial"));
+  if (attempt.purpose == AttemptPurpose::refresher) {
+    remarks.append(TrialsPage::tr("repeated practice"));
+  }
   if (!attempt.valid) {
     remarks.append(
         TrialsPage::tr("not valid: %1").arg(OutcomeWords::of_reason(attempt.invalid_reason)));
@@ -114,7 +118,7 @@ StudyTable::Row trial_row(const SessionDetail& detail, const TrialOverview& tria
   }
   QStandardItem* outcome = text_cell(text_of_outcome(trial));
   if (!attempt) outcome->setForeground(theme().muted);
-  const QString remarks = attempt ? text_of_remarks(*attempt) : QString{};
+  const QString remarks = attempt ? text_of_remarks(trial.planned, *attempt) : QString{};
   QStandardItem* remark_cell = text_cell(remarks);
   remark_cell->setForeground(theme().look);
   StudyTable::Row row{
@@ -247,7 +251,7 @@ void TrialsPage::show_selected() {
     selected_->setText(tr("To show details, select a trial that has begun."));
     return;
   }
-  const QString remarks = text_of_remarks(*found->attempt);
+  const QString remarks = text_of_remarks(found->planned, *found->attempt);
   selected_->setText(tr("Trial %1, attempt %2: %3")
                          .arg(found->planned.trial)
                          .arg(found->attempt->attempt)

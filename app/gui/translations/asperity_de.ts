@@ -1959,6 +1959,14 @@
         <source>Proportions of choices of the comparison as surface A and as surface B, and their difference (A − B). In a sequence A is presented first.</source>
         <translation>Anteile der Wahlen des Vergleichsreizes als Oberfläche A und als Oberfläche B und ihre Differenz (A − B). In einer Folge wird A zuerst dargeboten.</translation>
     </message>
+    <message>
+        <source>Catch trials</source>
+        <translation>Kontrolldurchgänge (catch trials)</translation>
+    </message>
+    <message>
+        <source>Trials with an easy level at random places among the others. Errors and missed deadlines indicate lapses of attention. No threshold is estimated from these trials.</source>
+        <translation>Durchgänge mit einer leichten Stufe an zufälligen Stellen zwischen den anderen. Fehler und versäumte Fristen weisen auf Aufmerksamkeitslücken hin. Aus diesen Durchgängen wird keine Schwelle geschätzt.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2553,6 +2561,10 @@
         <source>repetitions without threshold</source>
         <translation>Wiederholungen ohne Schwelle</translation>
     </message>
+    <message>
+        <source>block</source>
+        <translation>Block</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -2667,6 +2679,14 @@
     <message>
         <source>invalidated, repeated</source>
         <translation>für ungültig erklärt, wiederholt</translation>
+    </message>
+    <message>
+        <source>Practice repeated before the session was resumed: not included in analyses</source>
+        <translation>Vor der Fortsetzung der Sitzung wiederholte Übung: nicht in die Auswertungen einbezogen</translation>
+    </message>
+    <message>
+        <source>Catch trial: not included in thresholds</source>
+        <translation>Kontrolldurchgang: nicht in die Schwellen einbezogen</translation>
     </message>
 </context>
 <context>
@@ -5049,6 +5069,10 @@
         <source>Confirm to feel surface %1.</source>
         <translation>Bestätigen Sie, um Oberfläche %1 zu fühlen.</translation>
     </message>
+    <message>
+        <source>First, please do some practice trials again. They do not count. Confirm when you are ready.</source>
+        <translation>Bitte wiederholen Sie zuerst einige Übungsdurchgänge. Sie zählen nicht. Bestätigen Sie, wenn Sie bereit sind.</translation>
+    </message>
 </context>
 <context>
     <name>ProfileWords</name>
@@ -5397,6 +5421,10 @@
     <message>
         <source>a visit to surface %1 ended before the required number of strokes or contact time</source>
         <translation>ein Besuch der Oberfläche %1 endete vor der vorgegebenen Zahl der Striche oder Kontaktzeit</translation>
+    </message>
+    <message>
+        <source>practice is being repeated, which does not count</source>
+        <translation>es wird Übung wiederholt, die nicht zählt</translation>
     </message>
 </context>
 <context>
@@ -6208,6 +6236,18 @@
     <message>
         <source>Trial %1: feeling %2 surfaces side by side, %3 s</source>
         <translation>Durchgang %1: fühlt %2 Oberflächen nebeneinander, %3 s</translation>
+    </message>
+    <message>
+        <source>Repeated practice: %1</source>
+        <translation>Wiederholte Übung: %1</translation>
+    </message>
+    <message>
+        <source>Repeated practice: feedback</source>
+        <translation>Wiederholte Übung: Rückmeldung</translation>
+    </message>
+    <message>
+        <source>%1, practised again</source>
+        <translation>%1, wiederholte Übung</translation>
     </message>
 </context>
 <context>
@@ -7776,6 +7816,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Every completed trial is stored in %1, session %2 of %3.</source>
         <translation>Jeder abgeschlossene Durchgang ist in %1 gespeichert, Sitzung %2 von %3.</translation>
     </message>
+    <message>
+        <source>Practice trials made again: %1.</source>
+        <translation>Wiederholte Übungsdurchgänge: %1.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::FaultPanel</name>
@@ -9073,10 +9117,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1: %2 von %3</translation>
     </message>
     <message>
-        <source>Trial %1, %2, repetition %3</source>
-        <translation>Durchgang %1, %2, Wiederholung %3</translation>
-    </message>
-    <message>
         <source>Factors</source>
         <translation>Faktoren</translation>
     </message>
@@ -9179,6 +9219,26 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>example of a session, whose levels depend on the responses</source>
         <translation>Beispiel einer Sitzung, deren Stufen von den Antworten abhängen</translation>
+    </message>
+    <message>
+        <source>catch trial</source>
+        <translation>Kontrolldurchgang</translation>
+    </message>
+    <message>
+        <source>track %1, step %2</source>
+        <translation>Folge %1, Schritt %2</translation>
+    </message>
+    <message>
+        <source>anchor</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>repetition %1</source>
+        <translation>Wiederholung %1</translation>
+    </message>
+    <message>
+        <source>Trial %1, %2, %3</source>
+        <translation>Durchgang %1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -10118,6 +10178,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>The session has not begun: its files are being read and the device opened.</source>
         <translation>Die Sitzung hat noch nicht begonnen: Ihre Dateien werden gelesen, das Gerät wird geöffnet.</translation>
     </message>
+    <message>
+        <source>Repeat: practice is being repeated, which does not count.</source>
+        <translation>Wiederholen: Es wird Übung wiederholt, die nicht zählt.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionDesk</name>
@@ -10215,6 +10279,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>about %1</source>
         <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>repeated practice, trial %1</source>
+        <translation>wiederholte Übung, Durchgang %1</translation>
     </message>
 </context>
 <context>
@@ -11474,6 +11542,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Text</source>
         <translation>Wortlaut</translation>
+    </message>
+    <message>
+        <source>repeated practice</source>
+        <translation>wiederholte Übung</translation>
+    </message>
+    <message>
+        <source>catch trial</source>
+        <translation>Kontrolldurchgang</translation>
     </message>
 </context>
 <context>

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "protocols/design/json_pointer.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -28,17 +30,24 @@ std::optional<double> smallest_step(const Dimension& dimension) {
   return smallest;
 }
 
-/// Whether the levels are heights of a surface.
-bool varies_height(const Protocol& protocol, const Protocol::Block& block,
-                   const ModelRegistry& models) {
-  if (!block.vary || block.vary->unit != "m") return false;
-  return std::any_of(
-      block.presented.begin(), block.presented.end(), [&](const Protocol::Presented& presented) {
-        const auto stimulus = protocol.stimuli.find(presented.stimulus);
-        if (stimulus == protocol.stimuli.end() || !stimulus->second.model.value) return false;
-        const ForceModel* const model = models.find(*stimulus->second.model.value);
-        return model != nullptr && model->declaration.amplitude_parameter == block.vary->parameter;
-      });
+/// The stiffnesses of the surfaces of a block whose heights its levels are; empty where they are not heights.
+std::vector<double> stiffnesses_of_varied_heights(const std::vector<Trial>& possible,
+                                                  const Protocol::Block& block,
+                                                  const ModelRegistry& models) {
+  std::vector<double> stiffnesses{};
+  if (!block.vary || block.vary->unit != "m") return stiffnesses;
+  for (const Trial& trial : possible) {
+    if (trial.block != block.name) continue;
+    for (const PlannedPresentation& planned : trial.presentations) {
+      if (planned.role != block.vary->role) continue;
+      const ForceModel* const model = models.find(planned.stimulus.model);
+      if (model == nullptr || model->declaration.amplitude_parameter != block.vary->parameter) {
+        continue;
+      }
+      stiffnesses.push_back(planned.stimulus.material.stiffness_N_per_m);
+    }
+  }
+  return stiffnesses;
 }
 
 }  // namespace
@@ -47,13 +56,17 @@ std::vector<RehearsalWarning> level_warnings(const Protocol& protocol, const Dev
                                              const ModelRegistry& models) {
   const double noise_m = std::max(profile.value("position_noise_m").value_or(0.0),
                                   profile.value("position_resolution_m").value_or(0.0));
-  const double noise_N = noise_m * protocol.material.stiffness_N_per_m;
+  const std::vector<Trial> possible = possible_trials(protocol);
   std::vector<RehearsalWarning> warnings{};
   for (const auto& [name, block] : protocol.blocks) {
-    if (!varies_height(protocol, block, models)) continue;
+    const std::vector<double> stiffnesses = stiffnesses_of_varied_heights(possible, block, models);
+    if (stiffnesses.empty()) continue;
+    // Step and noise are proportional to the stiffness: their ratio is the same for all of them.
+    const double stiffness_N_per_m = *std::min_element(stiffnesses.begin(), stiffnesses.end());
+    const double noise_N = noise_m * stiffness_N_per_m;
     const std::optional<double> step_m = smallest_step(*block.vary);
     if (!step_m) continue;
-    const double step_N = *step_m * protocol.material.stiffness_N_per_m;
+    const double step_N = *step_m * stiffness_N_per_m;
     if (step_N >= kTimesNoise * noise_N) continue;
     warnings.push_back(
         {.id = "level_step",

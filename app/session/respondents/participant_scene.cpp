@@ -149,6 +149,10 @@ Phrase phrase_of(const Saying& saying) {
                     "%1 is ambiguous. Please write thousands without a point or a comma, and "
                     "decimals with one or two decimal places.")
           .with(saying.code);
+    case Saying::What::practice_resumes:
+      return phrase("ParticipantWords",
+                    "First, please do some practice trials again. They do not count. Confirm when "
+                    "you are ready.");
     case Saying::What::session_resumes:
       return phrase("ParticipantWords",
                     "The session continues where it was interrupted. Confirm when you are ready.");
@@ -170,6 +174,10 @@ ParticipantScene scene_to_read(const std::string& text) {
   return scene;
 }
 
+ParticipantScene scene_of_refresher() {
+  return scene_that_says(ParticipantScene::Kind::text, {.what = Saying::What::practice_resumes});
+}
+
 ParticipantScene scene_of_resuming() {
   return scene_that_says(ParticipantScene::Kind::text, {.what = Saying::What::session_resumes});
 }
@@ -186,6 +194,7 @@ ParticipantScene scene_at_surface(const Trial& trial, const std::vector<int>& fe
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     scene.surfaces[i].now = trial.presentations[i].position == now;
   }
+  scene.can_finish = !trial.arrangement.strokes && !trial.arrangement.contact_s;
   scene.standard_picture = trial.standard_picture;
   // The pictures of the first question that has any: there is room for one set of them.
   const auto with_pictures =

@@ -49,6 +49,7 @@ struct Saying {
     option_needed,      ///< refused: one of the options
     estimate_needed,    ///< refused: a number above 0
     estimate_unclear,   ///< refused: `code` can be read with thousands or with decimals
+    practice_resumes,   ///< practice trials are made again before the session resumes
     session_resumes,    ///< the session resumes where it was interrupted, after a confirmation
     check_estimate,     ///< the number `code` differs greatly from an earlier one
   };
@@ -157,6 +158,8 @@ struct ParticipantScene {
 
   std::optional<Question> question{};           ///< of a form
   std::optional<std::int64_t> rest_until_ns{};  ///< on the session's clock
+  /// While a surface is felt: the participant ends it; otherwise a number of strokes or a contact time does.
+  bool can_finish = true;
   /// While a surface is felt: show the workspace (object, tool, probe) to users who are allowed to
   /// see it.
   bool show_workspace = false;
@@ -178,6 +181,8 @@ struct ParticipantScene {
 
 /// The scenes of a session; the conductor shows them to every kind of respondent.
 ParticipantScene scene_to_read(const std::string& text);
+/// Shown before practice trials that are made again after an interruption.
+ParticipantScene scene_of_refresher();
 /// Shown before the first trial after an interruption.
 ParticipantScene scene_of_resuming();
 /// `felt`: positions that were felt in this attempt; `now`: the position of the current surface.

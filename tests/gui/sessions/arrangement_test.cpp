@@ -29,6 +29,7 @@ class ArrangementsInWindows : public SessionRoom {
       json protocol = json::parse(each.text);
       protocol["name"] = "small";
       protocol["blocks"].erase("practice");
+      protocol.erase("resume");
       json& block = protocol["blocks"]["comparisons"];
       block["procedure"]["stop"]["trials"] = 3;
       block["pause_before_trial_s"] = 0;

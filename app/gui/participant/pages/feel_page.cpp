@@ -188,7 +188,7 @@ class FeelPage final : public ParticipantPage {
   }
 
   void add_controls(PageFrame& frame) const override {
-    if (frame.scene().kind != Scene::Kind::feel) return;
+    if (frame.scene().kind != Scene::Kind::feel || !frame.scene().can_finish) return;
     frame.add_control(frame.said(is_side_by_side(frame.scene())
                                      ? phrase("ParticipantLayout", "Finish with these surfaces")
                                      : phrase("ParticipantLayout", "Finish with this surface")),
