@@ -91,10 +91,17 @@ void WideTable::begin_session(const ExportPlace& at) {
 
 void WideTable::add_answer(const ExportPlace& at) {
   const AnalysisUse use = use_in_analyses(*at.trial, *at.attempt);
-  if (use == AnalysisUse::practice || use == AnalysisUse::anchor) return;
+  if (use == AnalysisUse::practice || use == AnalysisUse::anchor ||
+      use == AnalysisUse::catch_trial) {
+    return;
+  }
   Person& person = people_.back();
   if (use != AnalysisUse::counted) {
     ++person.left_out;
+    return;
+  }
+  if (at.response->answer_number && is_level_of_procedure(at)) {
+    ++person.of_procedures;
     return;
   }
   ++person.answers;
@@ -124,6 +131,13 @@ void WideTable::add_answer(const ExportPlace& at) {
     ++tally.judged;
     tally.right += *response.correct ? 1 : 0;
   }
+}
+
+bool WideTable::is_level_of_procedure(const ExportPlace& at) const {
+  if (!at.trial->track) return false;
+  const std::string& wording = vocabulary_.first_wording.at(at.protocol->source_sha256);
+  const auto block = vocabulary_.discriminations.find({wording, at.trial->block});
+  return block != vocabulary_.discriminations.end() && block->second.task.has_levels_of_procedure;
 }
 
 bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condition) {
@@ -178,7 +192,8 @@ WideTable::Made WideTable::make() const {
   count("answers", "responses that are counted in the columns of conditions", &Person::answers);
   count("answers_flagged", "counted responses from flagged attempts", &Person::flagged);
   count("answers_left_out",
-        "responses in trials of the main phase, without anchors, that are not counted because the "
+        "responses in trials of the main phase, without anchors and catch trials, that are not "
+        "counted because the "
         "attempt is invalid or was excluded",
         &Person::left_out);
 
@@ -193,6 +208,15 @@ WideTable::Made WideTable::make() const {
           "counted estimates that were re-elicited because they were at least ten times, or at "
           "most a tenth of, an earlier one for the same stimulus",
           &Person::doubted);
+  }
+
+  if (std::any_of(people_.begin(), people_.end(),
+                  [](const Person& person) { return person.of_procedures > 0; })) {
+    count(
+        "answers_at_levels_of_procedures",
+        "responses that are numbers in trials whose level was chosen from earlier responses; they "
+        "are not counted, because their means would depend on the levels",
+        &Person::of_procedures);
   }
 
   count("sessions_unfinished",

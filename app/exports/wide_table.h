@@ -74,6 +74,9 @@ class WideTable final {
     std::int64_t right = 0;
     std::map<std::string, std::int64_t> chosen{};
   };
+  /// Whether the level of the trial was chosen from earlier responses: a mean over such trials depends on the levels.
+  bool is_level_of_procedure(const ExportPlace& at) const;
+
   struct Person {
     std::vector<Cell> about{};
     std::map<Asked, std::map<Condition, Tally>> tallies{};
@@ -82,6 +85,7 @@ class WideTable final {
     std::int64_t flagged = 0;
     std::int64_t left_out = 0;
     std::int64_t doubted = 0;
+    std::int64_t of_procedures = 0;
     std::int64_t unfinished = 0;
   };
 

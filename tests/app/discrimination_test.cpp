@@ -521,6 +521,46 @@ TEST(Discrimination, AlwaysEstimatesTheEffectOfTheOrder) {
   EXPECT_THAT(sentence_about(none, "order"), HasSubstr("not significantly different"));
 }
 
+TEST(Discrimination, CountsErrorsInCatchTrialsAndEstimatesNothingFromThem) {
+  const auto outcome_with = [](bool with_catch_trials) {
+    MadeUpStudy made;
+    const std::int64_t protocol =
+        made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+    for (const std::string label : {"p1", "p2"}) {
+      MadeUpObserver observer(kPerformer, label == "p1" ? 1 : 2);
+      std::vector<MadeUpTrial> trials = trials_of(observer.choices(kAbove_m, 40, true));
+      for (int i = 0; i < 5 && with_catch_trials; ++i) {
+        MadeUpTrial easy = discriminated({.value_m = 100e-6, .chose_comparison = i > 0});
+        if (i == 4) {  // a missed deadline
+          easy.outcome = AttemptOutcome::timed_out;
+          easy.answers.clear();
+          easy.right.clear();
+        }
+        easy.repetition = 0;
+        easy.is_catch = true;
+        easy.valid = label == "p1" || i != 3;
+        trials.push_back(easy);
+      }
+      made.add_person(label, "");
+      made.add_session(label, protocol, trials);
+    }
+    return outcome_of_discrimination(made);
+  };
+  const AnalysisOutcome with = outcome_with(true);
+  const AnalysisOutcome without = outcome_with(false);
+  EXPECT_EQ(discrimination_table(with, "thresholds").table.rows,
+            discrimination_table(without, "thresholds").table.rows);
+  EXPECT_EQ(discrimination_table(with, "order").table.rows,
+            discrimination_table(without, "order").table.rows);
+  EXPECT_EQ(with.count.planned_trials, without.count.planned_trials);
+  const Table& caught = discrimination_table(with, "catch_trials").table;
+  const std::vector<std::vector<Cell>> expected{
+      {std::string("p1"), std::string("only"), std::int64_t{3}, std::int64_t{5}, 0.6},
+      {std::string("p2"), std::string("only"), std::int64_t{2}, std::int64_t{4}, 0.5}};
+  EXPECT_EQ(caught.rows, expected);
+  EXPECT_THROW(discrimination_table(without, "catch_trials"), std::runtime_error);
+}
+
 TEST(Discrimination, NeverReportsProportionsOverLevelsOfAProcedure) {
   json protocol = discrimination_protocol("performance");
   MadeUpStudy made;
@@ -935,14 +975,20 @@ TEST(Discrimination, IsDescribedInTheReportAndInAPaper) {
     const std::string task = analysis.task(protocol);
     EXPECT_THAT(task, HasSubstr("Task: two-interval forced choice."));
     EXPECT_THAT(
-        task, HasSubstr("The amplitude of the standard is 50 µm; that of the comparison "
-                        "differs from it by 2 % to 100 % in 50 levels. Choice of the level: "
-                        "3-down/1-up staircase (79.4 %), 40 trials × 2 interleaved tracks."));
+        task,
+        HasSubstr("The amplitude of the standard is 50 µm; that of the comparison "
+                  "differs from it by 2 % to 100 % in 50 levels. Choice of the level: "
+                  "3-down/1-up staircase (79.4 %), 40 trials × 2 interleaved tracks, one catch "
+                  "trial in every 20 trials. In a catch trial the comparison differs from "
+                  "the standard by 150 %; no threshold is estimated from these trials."));
     EXPECT_THAT(task, HasSubstr("The comparison is the correct response"));
     const std::string paper = analysis.task_for_paper(protocol);
     EXPECT_THAT(paper, HasSubstr("(two-interval forced choice, 2IFC)"));
     EXPECT_THAT(paper,
                 HasSubstr("differed from it by 2 % to 100 % in 50 levels. Levels were chosen by a procedure (3-down"));
+    EXPECT_THAT(paper,
+                HasSubstr("In catch trials the comparison differed from the standard by 150 %; no "
+                          "threshold was estimated from them."));
     EXPECT_THAT(paper, HasSubstr("guess rate fixed at 50 % and a lapse rate between 0 and 6 %"));
     EXPECT_THAT(paper, Not(HasSubstr("subjective equality")));
     return;

@@ -44,7 +44,13 @@ Columns attempt_columns() {
                          [](const Place& at) { return text_of(at.attempt->outcome); }),
                   {"answered", "timed_out", "not_compliant", "aborted", "device_fault",
                    "emergency_stop", "skipped"}));
-  add(column("valid", "boolean", "", "1: the valid attempt of its trial; there is at most one",
+  add(with_levels(column("purpose", "text", "",
+                         "trial: the attempt is to complete its trial; refresher: practice that is "
+                         "repeated when a session is resumed, which never counts",
+                         [](const Place& at) { return text_of(at.attempt->purpose); }),
+                  {"trial", "refresher"}));
+  add(column("valid", "boolean", "",
+             "1: the valid attempt of its trial; there is at most one apart from refreshers",
              [](const Place& at) { return boolean(at.attempt->valid); }));
   add(dropped(missing(
       "the attempt is valid",
@@ -63,12 +69,13 @@ Columns attempt_columns() {
                              [](const Place& at) { return text_cell_of(at.attempt->excluded); }))));
   add(codes_column("exclusion_code", "not excluded", "the reasons as codes, as in invalid_code",
                    &AttemptRow::excluded));
-  add(column("counts_in_analyses", "boolean", "",
-             "1: the attempt counts in analyses: the trial belongs to the main phase and is not an "
-             "anchor, and the attempt is answered, valid and not excluded",
-             [](const Place& at) {
-               return boolean(use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted);
-             }));
+  add(column(
+      "counts_in_analyses", "boolean", "",
+      "1: the attempt counts in analyses: the trial belongs to the main phase and is neither "
+      "an anchor nor a catch trial, and the attempt is answered, valid and not excluded",
+      [](const Place& at) {
+        return boolean(use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted);
+      }));
   add(column("flagged", "boolean", "", "1: the attempt should be inspected; it counts nevertheless",
              [](const Place& at) { return boolean(at.attempt->flagged); }));
   add(dropped(

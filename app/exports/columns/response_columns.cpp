@@ -77,7 +77,7 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              "the magnitude estimate with the participant's own scale removed: multiplied by the "
              "geometric mean of all participants and divided by that of the participant; both of "
              "this protocol, version and kind of session, over valid attempts of the main "
-             "phase, without excluded attempts and anchors",
+             "phase, without excluded attempts, anchors and catch trials",
              [](const Place& at) -> Cell {
                if (!at.own_scale || !at.response->answer_number) return {};
                return *at.own_scale * *at.response->answer_number;

@@ -60,9 +60,9 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
   add(with_levels(column("phase", "text", "", "only the main phase is analysed",
                          [](const Place& at) { return at.trial->phase; }),
                   {"familiarisation", "practice", "main"}));
-  add(at_least(
-      0, column("repetition", "integer", "", "repetition of the same conditions; 0 for an anchor",
-                [](const Place& at) { return integer(at.trial->repetition); })));
+  add(at_least(0, column("repetition", "integer", "",
+                         "repetition of the same conditions; 0 for an anchor or a catch trial",
+                         [](const Place& at) { return integer(at.trial->repetition); })));
   const auto of_procedure = [](ExportColumn made) {
     return missing("no procedure chose the level of the trial", at_least(1, std::move(made)));
   };
@@ -78,6 +78,10 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
                             if (!at.trial->step) return {};
                             return integer(*at.trial->step);
                           })));
+  add(column("catch_trial", "boolean", "",
+             "1: a trial with an easy level at a random place among those of a procedure; no "
+             "threshold is estimated from it",
+             [](const Place& at) { return boolean(at.trial->is_catch); }));
   for (const auto& [name, factor] : vocabulary.factors) {
     ExportColumn made = missing(
         "the trial does not have this factor",

@@ -8,7 +8,7 @@
 
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/discrimination_questions.h"
-#include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/discrimination_tables.h"
 #include "app/findings/study/kinds/discrimination_analysis.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/tidy/finding_list.h"

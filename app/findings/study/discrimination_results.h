@@ -1,7 +1,8 @@
-// Joins the thresholds of a discrimination, their means and the order effect, and makes tables of them.
+// Joins the thresholds of a discrimination, their means and the order effect.
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,8 @@ inline constexpr const char* kPsychometric = "psychometric";
 inline constexpr const char* kOrderEffect = "order";
 /// The table of the trials whose level a procedure chose, by track and step; absent without such trials.
 inline constexpr const char* kTracks = "tracks";
+/// The table of the responses in catch trials; absent without any.
+inline constexpr const char* kCatchTrials = "catch_trials";
 
 /// The choices of the comparison by one participant, by the position of the comparison.
 struct OrderOfPerson {
@@ -31,6 +34,17 @@ struct OrderOfPerson {
   /// Proportion of choices of the comparison presented first, minus that of the comparison presented second.
   double difference() const { return proportion(first) - proportion(second); }
 };
+
+/// A threshold of a participant: the quantity of its finding, the column of its table, and the quantity of the mean.
+struct ThresholdColumn {
+  const char* quantity = "";
+  const char* column = "";
+  const char* mean = "";
+};
+inline constexpr std::array kThresholdColumns{
+    ThresholdColumn{"pse", "pse", "mean.pse"}, ThresholdColumn{"jnd", "jnd", "mean.jnd"},
+    ThresholdColumn{"jnd.dprime1", "jnd_dprime1", "mean.jnd.dprime1"},
+    ThresholdColumn{"weber", "weber", "mean.weber"}};
 
 /// The results of one task.
 struct DiscriminationResults {
@@ -67,14 +81,5 @@ struct DiscriminationResults {
     return study.task.is_detection() ? "detection threshold" : "JND";
   }
 };
-
-/// Appends the tables of all tasks.
-void add_discrimination_tables(const GatheredAnswers& gathered,
-                               const std::vector<DiscriminationResults>& all,
-                               AnalysisOutcome& outcome);
-
-/// For display: quantities with the prefix of their unit, "12.3 µm", and without the columns of units and parameters; a
-/// table of another name is unchanged.
-Table with_quantities(const NamedTable& table);
 
 }  // namespace asperity

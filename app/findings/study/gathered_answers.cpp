@@ -136,6 +136,12 @@ class Gathering {
         case AnalysisUse::anchor:
           if (attempt.valid && attempt.replies > 0) ++gathered.count.anchors;
           break;
+        case AnalysisUse::catch_trial:
+          if (attempt.valid && !attempt.excluded) {
+            add_catch_response(session.participant, answers.words[trial->second->block],
+                               answers.replies_of(attempt));
+          }
+          break;
         case AnalysisUse::invalid:
         case AnalysisUse::unanswered:
         case AnalysisUse::excluded:
@@ -358,6 +364,24 @@ class Gathering {
         gathered.replies.push_back({word(session, reply.answer), reply.correct, reply.number});
       }
     }
+  }
+
+  /// Correct where there is a response, and none is incorrect.
+  void add_catch_response(const std::string& participant, const std::string& block,
+                          std::span<const SessionAnswers::Reply> replies) {
+    auto& all = gathered.catch_responses;
+    auto known = std::find_if(all.begin(), all.end(), [&](const CatchResponses& each) {
+      return each.participant == participant && each.block == block;
+    });
+    if (known == all.end()) {
+      known = all.insert(known, {.participant = participant, .block = block});
+    }
+    ++known->trials;
+    const bool is_correct =
+        !replies.empty() && std::all_of(replies.begin(), replies.end(), [](const auto& reply) {
+          return reply.correct.value_or(true);
+        });
+    if (is_correct) ++known->correct;
   }
 
   void add_surface(Session& session, const SessionAnswers::Surface& surface) {

@@ -118,6 +118,14 @@ struct TextureForces {
 /// "answered but invalid", or otherwise their outcome.
 std::string fate_of(AnalysisUse use, AttemptOutcome outcome);
 
+/// The valid attempts of a participant at the catch trials of a block. A missed deadline is not correct.
+struct CatchResponses {
+  std::string participant{};
+  std::string block{};
+  std::size_t trials = 0;
+  std::size_t correct = 0;
+};
+
 /// Counts what was omitted, and what was kept with a warning.
 struct AnswerCount {
   std::size_t participants = 0;
@@ -164,6 +172,8 @@ struct GatheredAnswers {
   GatheredExploration exploration{};
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
+  /// By participant and block. No other number contains these responses.
+  std::vector<CatchResponses> catch_responses{};
 
   /// Whether responses are numbers that are analysed as the protocol's key `estimation` specifies.
   bool has_estimates() const noexcept { return !estimation.spacing.empty(); }

@@ -11,7 +11,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
-#include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/discrimination_tables.h"
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/exploration_model.h"
 #include "app/findings/study/test_sentences.h"

@@ -374,6 +374,22 @@ std::string planned_trials_text(const ReportFacts& facts) {
   return text + '.';
 }
 
+/// ", with a break of at least 120 s after every 5 min of contact"
+std::string breaks_text(const Protocol::Run& run) {
+  std::vector<std::string> after{};
+  if (run.break_every_trials > 0) {
+    after.push_back("after every " + std::to_string(run.break_every_trials) +
+                    (run.break_every_trials == 1 ? " trial" : " trials"));
+  }
+  if (run.break_every_contact_s > 0.0) {
+    after.push_back("after every " + reading_quantity(run.break_every_contact_s, "s") +
+                    " of contact");
+  }
+  if (after.empty()) return {};
+  return ", with a break of at least " + reading_quantity(run.pause->minimum_s, "s") + ' ' +
+         listed(after);
+}
+
 std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run) {
   std::string text = order_text(block);
   if (block.until) {
@@ -382,7 +398,7 @@ std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run)
     text += ", " + std::to_string(block.repetitions) + " repetitions";
   }
   if (!run.for_each.empty()) text += ", once for each level of " + run.for_each;
-  return text;
+  return text + breaks_text(run);
 }
 
 std::string after_failure(const Exploration& exploration) {

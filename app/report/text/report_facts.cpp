@@ -81,9 +81,10 @@ void count_compliance(const ComplianceRow& row, std::optional<double> required_f
   if (*row.passed) ++band.passed;
 }
 
-/// The purpose of a trial outside the results: "familiarisation", "practice", "anchors".
+/// The purpose of a trial outside the results: "familiarisation", "practice", "anchors", "catch trials".
 std::string other_kind(const PlannedTrialRow& planned, AnalysisUse use) {
   if (use == AnalysisUse::anchor) return "anchors";
+  if (use == AnalysisUse::catch_trial) return kCatchTrialsKind;
   return planned.phase.empty() ? "unknown trials" : planned.phase;
 }
 
@@ -92,6 +93,7 @@ void count_use(const AttemptRow& attempt, const PlannedTrialRow& planned, Analys
   switch (use) {
     case AnalysisUse::practice:
     case AnalysisUse::anchor:
+    case AnalysisUse::catch_trial:
       ++facts.other_attempts;
       facts.other_kinds.insert(other_kind(planned, use));
       return;
@@ -201,6 +203,10 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
   const std::size_t counted_before = facts.counted;
   for (const AttemptRow& attempt : attempts) {
+    if (attempt.purpose == AttemptPurpose::refresher) {
+      ++facts.refreshers;
+      facts.refreshed_sessions.insert(row.id);
+    }
     // A trial that is missing in a damaged study is not counted in the main phase.
     count_attempt(attempt, plan[attempt.trial], facts);
   }

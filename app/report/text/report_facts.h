@@ -81,6 +81,9 @@ struct ReportedBand {
 /// Attempts with the same outcome, by their reasons.
 using ReasonCounts = std::map<std::string, std::size_t>;
 
+/// In `ReportFacts::other_kinds`.
+inline constexpr const char* kCatchTrialsKind = "catch trials";
+
 struct ReportFacts {
   ProtocolRow protocol{};           ///< the first of its files
   ProtocolCheck file{};             ///< the parsed protocol, or why it cannot be read
@@ -94,7 +97,10 @@ struct ReportFacts {
   std::size_t attempts = 0;               ///< of the main phase
   std::size_t counted = 0;                ///< of those: answered, valid and not excluded
   std::set<std::string> counted_participants{};  ///< with at least one counted attempt
-  std::size_t other_attempts = 0;         ///< of familiarisation and practice, and at anchors
+  std::size_t other_attempts =
+      0;  ///< of familiarisation and practice, at anchors and at catch trials
+  std::size_t refreshers = 0;                   ///< of those: practice repeated at a resume
+  std::set<std::int64_t> refreshed_sessions{};  ///< with such attempts
   std::set<std::string> other_kinds{};    ///< the purposes of those: "practice", "anchors"
   std::set<std::string> other_planned{};  ///< the same in the plans
   std::map<std::string, ReasonCounts> not_counted{};  ///< by outcome, then reason

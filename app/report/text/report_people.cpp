@@ -177,14 +177,28 @@ std::string counted_text(std::size_t counted, std::size_t attempts) {
   return "; " + reading_count(counted) + (counted == 1 ? " counts" : " count");
 }
 
+/// " Four of them are practice trials that were repeated when two sessions were resumed."
+std::string refreshers_text(const ReportFacts& facts) {
+  if (facts.refreshers == 0) return {};
+  const std::size_t sessions = facts.refreshed_sessions.size();
+  return ' ' + capitalised(count_in_words(facts.refreshers)) +
+         (facts.refreshers == 1 ? " of them is a practice trial that was repeated when "
+                                : " of them are practice trials that were repeated when ") +
+         count_in_words(sessions) +
+         (sessions == 1 ? " session was resumed." : " sessions were resumed.");
+}
+
 /// " Two attempts belong to practice and are not included in the results."
 std::string other_attempts_text(const ReportFacts& facts) {
   if (facts.other_attempts == 0) return {};
   return ' ' + capitalised(count_in_words(facts.other_attempts)) +
          (facts.other_attempts == 1 ? " attempt belongs to " : " attempts belong to ") +
          listed({facts.other_kinds.begin(), facts.other_kinds.end()}) +
-         (facts.other_attempts == 1 ? " and is not included in the results."
-                                    : " and are not included in the results.");
+         (facts.other_attempts == 1 ? " and is not included in the results"
+                                    : " and are not included in the results") +
+         (facts.other_kinds.contains(kCatchTrialsKind) ? "; catch trials have a separate table."
+                                                       : ".") +
+         refreshers_text(facts);
 }
 
 ReportText attempts_text(const ReportFacts& facts) {

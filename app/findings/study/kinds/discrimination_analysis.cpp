@@ -70,7 +70,28 @@ std::string level_text(const Block& block, double level) {
   return {};
 }
 
-/// "differed from the standard by 5 %, 10 % and 20 %", after "The comparison".
+/// "differs from it by 5 %", after the varied quantity of the comparison. `standard`: "it"; `of_several`: the values are
+/// several.
+std::string differing_by(const Block& block, const std::string& values, const std::string& standard,
+                         bool of_several) {
+  const auto has = [of_several](const std::string& one) {
+    return of_several ? "has " + one + 's' : "has a " + one;
+  };
+  switch (block.vary->measure) {
+    case LevelMeasure::value:
+      return has("value") + " of " + values;
+    case LevelMeasure::difference:
+    case LevelMeasure::percent:
+      return "differs from " + standard + " by " + values;
+    case LevelMeasure::ratio:
+      return has("ratio") + " to " + standard + " of " + values;
+    case LevelMeasure::decibels:
+      return has("level") + " re the standard of " + values;
+  }
+  return {};
+}
+
+/// "differs from it by 5 %, 10 % and 20 %".
 std::string levels_text(const Block& block) {
   constexpr std::size_t kMostListed = 12;
   const std::vector<double> levels = block.vary->levels();
@@ -80,18 +101,24 @@ std::string levels_text(const Block& block) {
                                  ? texts.front() + " to " + texts.back() + " in " +
                                        std::to_string(texts.size()) + " levels"
                                  : listed(texts);
-  switch (block.vary->measure) {
-    case LevelMeasure::value:
-      return "has values of " + values;
-    case LevelMeasure::difference:
-    case LevelMeasure::percent:
-      return "differs from it by " + values;
-    case LevelMeasure::ratio:
-      return "has ratios to it of " + values;
-    case LevelMeasure::decibels:
-      return "has levels re the standard of " + values;
-  }
-  return {};
+  return differing_by(block, values, "it", true);
+}
+
+/// "differs from the standard by 150 %"; empty without catch trials.
+std::string catch_level_text(const Block& block) {
+  if (!block.procedure || !block.procedure->catch_trials) return {};
+  return differing_by(block, level_text(block, block.procedure->catch_trials->level),
+                      "the standard", false);
+}
+
+std::string apart_from_catch_trials(const Block& block) {
+  return catch_level_text(block).empty() ? "" : ", apart from catch trials";
+}
+
+/// In the past tense of a paper.
+std::string in_past(std::string text) {
+  text.replace(0, text.find(' '), text.starts_with("differs") ? "differed" : "had");
+  return text;
 }
 
 std::string task_of_arrangement(const Arrangement& arrangement) {
@@ -135,10 +162,15 @@ std::string task_of_block(const Block& block) {
           levels_text(block) + ". ";
   if (block.procedure) {
     text += "Choice of the level: " + procedure_text(block) + ". ";
+    if (const std::string easy = catch_level_text(block); !easy.empty()) {
+      text += "In a catch trial the comparison " + easy +
+              "; no threshold is estimated from these trials. ";
+    }
   }
   return text + (is_performance(block)
                      ? "The comparison is the correct response (judgement of performance)."
-                     : "No response is correct or incorrect (judgement of comparison).");
+                     : "No response is correct or incorrect" + apart_from_catch_trials(block) +
+                           " (judgement of comparison).");
 }
 
 std::string task_of_discrimination(const Protocol& protocol) {
@@ -154,16 +186,17 @@ std::string task_of_discrimination(const Protocol& protocol) {
              : text;
 }
 
-/// In the past tense of a paper.
-std::string paper_levels(const Block& block) {
-  std::string text = levels_text(block);
-  text.replace(0, text.find(' '), text.starts_with("differs") ? "differed" : "had");
-  return text;
+std::string paper_catch_trials(const Block& block) {
+  const std::string easy = catch_level_text(block);
+  if (easy.empty()) return {};
+  return "In catch trials the comparison " + in_past(easy) +
+         "; no threshold was estimated from them. ";
 }
 
 std::string paper_thresholds(const Block& block) {
   if (!is_performance(block)) {
-    return "No response was correct or incorrect. For each participant and condition, a cumulative "
+    return "No response was correct or incorrect" + apart_from_catch_trials(block) +
+           ". For each participant and condition, a cumulative "
            "normal function was fitted to the choices by maximum likelihood, with lapse rates "
            "fixed at 2 % in both directions. The point of subjective equality (PSE) is the value "
            "at which both responses are equally frequent, the just-noticeable difference (JND) "
@@ -184,13 +217,18 @@ std::string paper_task_of_discrimination(const Protocol& protocol) {
   std::string text =
       paper_task_of_arrangement(blocks.empty() ? Arrangement{} : blocks.front()->arrangement);
   for (const Block* const block : blocks) {
+    const bool is_arranged_otherwise =
+        block->arrangement.surfaces != blocks.front()->arrangement.surfaces;
     const std::string details =
+        (is_arranged_otherwise ? " In the block " + quoted(block->name) + ", they were presented" +
+                                     paper_task_of_arrangement(block->arrangement)
+                               : std::string()) +
         " The " + words_of_parameter(block->vary->parameter) + " of the standard was " +
         reading_quantity(*block->vary->standard, unit_of(*block)) + "; that of the comparison " +
-        paper_levels(*block) + ". " +
+        in_past(levels_text(*block)) + ". " +
         (block->procedure ? "Levels were chosen by a procedure (" + procedure_text(*block) + "). "
                           : "") +
-        paper_thresholds(*block);
+        paper_catch_trials(*block) + paper_thresholds(*block);
     if (text.find(details) == std::string::npos) text += details;
   }
   return text;

@@ -1,0 +1,321 @@
+#include "app/findings/study/discrimination_tables.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/discrimination_coverage.h"
+
+namespace asperity {
+
+namespace {
+
+Cell text_or_none(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
+
+void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                        Table& table) {
+  const FoundNumbers thresholds(results.fit.thresholds);
+  const FoundNumbers functions(results.fit.functions);
+  for (const auto& function : results.functions) {
+    const std::string& key = function.data.key;
+    std::vector<Cell> row{gathered.people[function.person].label,
+                          results.conditions[function.condition]};
+    Cell why{};
+    for (const ThresholdColumn& column : kThresholdColumns) {
+      const auto [low, high] = thresholds.interval(column.quantity, key);
+      row.push_back(thresholds.cell(column.quantity, key));
+      row.push_back(low);
+      row.push_back(high);
+      const Finding* const finding = thresholds.find(column.quantity, key);
+      const bool is_missing = finding != nullptr && !finding->value;
+      if (is_missing && why == Cell{}) why = finding->word;
+    }
+    const Finding* const at_bound = functions.find("bound.beta", key);
+    const bool has_limits = results.study.task.is_performance && function.data.by_procedure;
+    if (why == Cell{} && !has_limits && at_bound != nullptr && at_bound->word == "TRUE") {
+      why = std::string("slope_at_bound");  // and therefore without an interval
+    }
+    std::int64_t responses = 0;
+    for (const auto& [value, count] : function.data.hits) {
+      responses += static_cast<std::int64_t>(count.trials);
+    }
+    row.push_back(functions.cell("deviance", key));
+    row.push_back(functions.count("deviance.df", key));
+    row.push_back(functions.cell("deviance.p.chisq", key));
+    row.emplace_back(responses);
+    row.push_back(thresholds.count("without", key));
+    row.push_back(text_or_none(results.study.task.varied.unit));
+    row.push_back(why);
+    table.rows.push_back(std::move(row));
+  }
+}
+
+void add_mean_rows(const DiscriminationResults& results, Table& table) {
+  const FoundNumbers means(results.means);
+  for (const ThresholdColumn& column : kThresholdColumns) {
+    for (const std::string& condition : results.conditions) {
+      const Finding* const mean = means.find(column.mean, condition);
+      if (mean == nullptr) continue;
+      const auto [low, high] = means.interval(column.mean, condition);
+      table.rows.push_back({condition, std::string(column.column),
+                            static_cast<std::int64_t>(mean->n), cell_of(mean->value), low, high,
+                            mean->unit});
+    }
+  }
+}
+
+void add_psychometric_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                           Table& table) {
+  const DiscriminationTask& task = results.study.task;
+  for (const auto& function : results.functions) {
+    for (const auto& [value, count] : function.data.hits) {
+      table.rows.push_back({gathered.people[function.person].label,
+                            results.conditions[function.condition], task.varied.parameter, value,
+                            task.is_performance ? Cell{value - task.standard()} : Cell{},
+                            static_cast<std::int64_t>(count.trials),
+                            static_cast<std::int64_t>(count.hits), proportion(count),
+                            text_or_none(task.varied.unit)});
+    }
+  }
+}
+
+void add_order_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                    Table& table) {
+  // Over levels that a procedure chose, only the difference of the proportions has a meaning.
+  const bool hides_proportions = results.study.has_levels_of_procedure;
+  for (const OrderOfPerson& own : results.orders) {
+    const auto share = [&](const HitCount& count) {
+      return hides_proportions || count.trials == 0 ? Cell{} : Cell{proportion(count)};
+    };
+    table.rows.push_back({gathered.people[own.person].label, text_or_none(results.name),
+                          static_cast<std::int64_t>(own.first.trials), share(own.first),
+                          static_cast<std::int64_t>(own.second.trials), share(own.second),
+                          own.has_both() ? Cell{own.difference()} : Cell{}});
+  }
+}
+
+void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                    Table& table) {
+  const DiscriminationStudy& study = results.study;
+  std::vector<const DiscriminationTrial*> of_tracks{};
+  for (const DiscriminationTrial& trial : study.trials) {
+    if (trial.track != 0) of_tracks.push_back(&trial);
+  }
+  const auto place = [](const DiscriminationTrial& trial) {
+    return std::tie(trial.person, trial.session, trial.block_ordinal, trial.track, trial.step);
+  };
+  std::stable_sort(of_tracks.begin(), of_tracks.end(),
+                   [&place](const DiscriminationTrial* one, const DiscriminationTrial* other) {
+                     return place(*one) < place(*other);
+                   });
+  for (const DiscriminationTrial* const trial : of_tracks) {
+    table.rows.push_back(
+        {gathered.people[trial->person].label, results.conditions[trial->condition],
+         static_cast<std::int64_t>(trial->session), static_cast<std::int64_t>(trial->block_ordinal),
+         static_cast<std::int64_t>(trial->track), static_cast<std::int64_t>(trial->step),
+         trial->value, static_cast<std::int64_t>(study.is_hit(*trial) ? 1 : 0),
+         text_or_none(study.task.varied.unit)});
+  }
+}
+
+std::vector<BlockWithProcedure> blocks_with_procedure(
+    const GatheredAnswers& gathered, const std::vector<DiscriminationResults>& all) {
+  std::vector<BlockWithProcedure> blocks{};
+  for (const auto& [name, block] : gathered.blocks) {
+    const std::optional<DiscriminationTask> task = discrimination_task(name, block);
+    if (!task || !has_levels_of_procedure(block)) continue;
+    const bool is_analysed = std::any_of(
+        all.begin(), all.end(), [&task](const auto& each) { return each.study.task == *task; });
+    if (is_analysed) blocks.push_back({.block = &block, .is_performance = task->is_performance});
+  }
+  return blocks;
+}
+
+Phrase note_on_thresholds(const GatheredAnswers& gathered,
+                          const std::vector<DiscriminationResults>& all) {
+  const bool has_performance = std::any_of(
+      all.begin(), all.end(), [](const auto& each) { return each.study.task.is_performance; });
+  const bool has_comparison = std::any_of(
+      all.begin(), all.end(), [](const auto& each) { return !each.study.task.is_performance; });
+  Phrase note{};
+  const auto add = [&note](const Phrase& sentence) {
+    note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  if (has_performance) {
+    add(phrase("Analysis",
+               "Performance: a Weibull function of the difference from the standard, fitted by "
+               "maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. "
+               "JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %. 95 % CI: "
+               "delta method, truncated at 0."));
+  }
+  if (has_comparison) {
+    add(phrase("Analysis",
+               "Comparison: a cumulative normal function of the parameter, fitted by maximum "
+               "likelihood with lapse rates of 2 % in both directions. PSE: the value at which "
+               "both responses are equally frequent; JND: half the distance between the values at "
+               "25 % and 75 %, without lapses. 95 % CI: delta method, for the JND on the "
+               "logarithmic scale."));
+  }
+  const std::vector<BlockWithProcedure> blocks = blocks_with_procedure(gathered, all);
+  if (!blocks.empty()) {
+    add(phrase("Analysis",
+               "With an adaptive procedure, the slope of a Weibull "
+               "function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval "
+               "whose critical value is found by running the procedure again with simulated "
+               "observers (%3 repetitions; those without a threshold are counted in the table).")
+            .with(reading_number(kSlopesOfProcedures.least),
+                  reading_number(kSlopesOfProcedures.greatest),
+                  std::to_string(kRepetitionsOfProcedures)));
+    if (const Phrase coverage = note_on_coverage(blocks); !coverage.empty()) add(coverage);
+  }
+  add(phrase("Analysis",
+             "Weber fraction: JND divided by the standard. Thresholds outside the presented levels "
+             "are not reported. Deviance with its degrees of freedom and p (χ²): goodness of fit, "
+             "indicative only with few trials per level."));
+  return note;
+}
+
+Phrase note_on_hits_of(const DiscriminationStudy& study) {
+  if (study.task.is_performance) return phrase("Analysis", "Hits are correct responses.");
+  return study.counts_standard
+             ? phrase("Analysis",
+                      "Hits are choices of the standard, because the comparison was chosen less "
+                      "often at higher levels.")
+             : phrase("Analysis", "Hits are choices of the comparison.");
+}
+
+/// One sentence where it holds for all tasks, otherwise one for each.
+Phrase note_on_hits(const std::vector<DiscriminationResults>& all) {
+  const Phrase first = note_on_hits_of(all.front().study);
+  if (std::all_of(all.begin(), all.end(), [&first](const DiscriminationResults& each) {
+        return note_on_hits_of(each.study) == first;
+      })) {
+    return first;
+  }
+  Phrase note{};
+  for (const DiscriminationResults& results : all) {
+    const Phrase of_task =
+        phrase("Analysis", "%1: %2").with(results.name, note_on_hits_of(results.study));
+    note = note.empty() ? of_task : phrase("Analysis", "%1 %2").with(note, of_task);
+  }
+  return note;
+}
+
+}  // namespace
+
+void add_discrimination_tables(const GatheredAnswers& gathered,
+                               const std::vector<DiscriminationResults>& all,
+                               AnalysisOutcome& outcome) {
+  NamedTable means{
+      kMeanThresholds,
+      phrase("Analysis", "Mean thresholds"),
+      {{"condition", "measure", "persons", "mean", "mean_low", "mean_high", "unit"}, {}},
+      phrase("Analysis",
+             "Means over the participants whose threshold could be estimated, with "
+             "t-based 95 % CIs.")};
+  NamedTable thresholds{kThresholds,
+                        phrase("Analysis", "Thresholds of the participants"),
+                        {{"participant", "condition"}, {}},
+                        note_on_thresholds(gathered, all)};
+  for (const ThresholdColumn& column : kThresholdColumns) {
+    for (const char* const end : {"", "_low", "_high"}) {
+      thresholds.table.columns.push_back(std::string(column.column) + end);
+    }
+  }
+  for (const char* const column :
+       {"deviance", "df", "p", "responses", "without_threshold", "unit", "status"}) {
+    thresholds.table.columns.emplace_back(column);
+  }
+  NamedTable psychometric{kPsychometric,
+                          phrase("Analysis", "Responses by level"),
+                          {{"participant", "condition", "parameter", "level", "difference",
+                            "responses", "hits", "share", "unit"},
+                           {}},
+                          {}};
+  psychometric.note = note_on_hits(all);
+  NamedTable order{
+      kOrderEffect,
+      phrase("Analysis", "Choices of the comparison by its position"),
+      {{"participant", "task", "first_responses", "share_first", "second_responses", "share_second",
+        "difference"},
+       {}},
+      phrase("Analysis",
+             "Proportions of choices of the comparison as surface A and as surface B, and "
+             "their difference (A − B). In a sequence A is presented first.")};
+  NamedTable tracks{kTracks,
+                    phrase("Analysis", "Trials of each track"),
+                    {{"participant", "condition", "session", "block_ordinal", "track", "step",
+                      "level", "hit", "unit"},
+                     {}},
+                    phrase("Analysis",
+                           "The trials whose level a procedure chose from the responses, by track "
+                           "and in their order.")};
+  NamedTable catch_trials{
+      kCatchTrials,
+      phrase("Analysis", "Catch trials"),
+      {{"participant", "block", "right", "of", "share"}, {}},
+      phrase("Analysis",
+             "Trials with an easy level at random places among the others. Errors and missed "
+             "deadlines indicate lapses of attention. No threshold is estimated from these "
+             "trials.")};
+  for (const CatchResponses& each : gathered.catch_responses) {
+    catch_trials.table.rows.push_back(
+        {each.participant, each.block, static_cast<std::int64_t>(each.correct),
+         static_cast<std::int64_t>(each.trials),
+         static_cast<double>(each.correct) / static_cast<double>(each.trials)});
+  }
+  for (const DiscriminationResults& results : all) {
+    add_mean_rows(results, means.table);
+    add_track_rows(gathered, results, tracks.table);
+    add_threshold_rows(gathered, results, thresholds.table);
+    add_psychometric_rows(gathered, results, psychometric.table);
+    add_order_rows(gathered, results, order.table);
+  }
+  drop_empty_columns(thresholds.table, 2);
+  drop_empty_columns(psychometric.table, 2);
+  drop_empty_columns(order.table, 1);
+  if (!means.table.rows.empty()) outcome.tables.push_back(std::move(means));
+  outcome.tables.push_back(std::move(thresholds));
+  outcome.tables.push_back(std::move(psychometric));
+  if (!tracks.table.rows.empty()) outcome.tables.push_back(std::move(tracks));
+  outcome.tables.push_back(std::move(order));
+  if (!catch_trials.table.rows.empty()) outcome.tables.push_back(std::move(catch_trials));
+}
+
+Table with_quantities(const NamedTable& table) {
+  static const std::set<std::string> kTables{kThresholds, kMeanThresholds, kPsychometric, kTracks};
+  const std::optional<std::size_t> unit = column_of(table.table, "unit");
+  if (!kTables.contains(table.name) || !unit) return table.table;
+  static const std::set<std::string> kQuantities{"pse",  "jnd",   "jnd_dprime1",
+                                                 "mean", "level", "difference"};
+  Table made = table.table;
+  for (std::size_t column = 0; column < made.columns.size(); ++column) {
+    std::string name = made.columns[column];
+    for (const std::string end : {"_low", "_high"}) {
+      if (name.ends_with(end)) name.erase(name.size() - end.size());
+    }
+    if (!kQuantities.contains(name)) continue;
+    for (std::vector<Cell>& row : made.rows) {
+      const std::optional<double> number = number_of(row[column]);
+      const auto* const of_row = std::get_if<std::string>(&row[*unit]);
+      if (number && of_row != nullptr) row[column] = reading_quantity(*number, *of_row);
+    }
+  }
+  for (const char* const name : {"unit", "parameter"}) {
+    const std::optional<std::size_t> column = column_of(made, name);
+    if (!column) continue;
+    const auto at = static_cast<std::ptrdiff_t>(*column);
+    made.columns.erase(made.columns.begin() + at);
+    for (std::vector<Cell>& row : made.rows) row.erase(row.begin() + at);
+  }
+  return made;
+}
+
+}  // namespace asperity
