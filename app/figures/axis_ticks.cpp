@@ -18,9 +18,9 @@ std::string label_of(double value) {
   return value < 0.0 ? "−" + number_text(-value) : number_text(value);
 }
 
-std::vector<AxisTick> linear_ticks(const FigureAxis& axis, int labels) {
+std::vector<AxisTick> round_ticks(const FigureAxis& axis, int count) {
   QCPAxisTicker ticker{};
-  ticker.setTickCount(labels);
+  ticker.setTickCount(count);
   QVector<double> values{};
   ticker.generate({axis.low, axis.high}, QLocale::c(), 'g', 6, values, nullptr, nullptr);
   // The library continues one step beyond both ends, and its sums contain 0.30000000000000004.
@@ -35,12 +35,24 @@ std::vector<AxisTick> linear_ticks(const FigureAxis& axis, int labels) {
   return ticks;
 }
 
+/// At least two: a single number does not show how long a unit is. A round step may be longer than
+/// the axis; about six steps always leave two ticks.
+std::vector<AxisTick> linear_ticks(const FigureAxis& axis, int labels) {
+  constexpr std::size_t kLeast = 2;
+  constexpr int kShortSteps = 6;
+  std::vector<AxisTick> ticks = round_ticks(axis, labels);
+  for (int count = labels + 1; ticks.size() < kLeast && count <= kShortSteps; ++count) {
+    ticks = round_ticks(axis, count);
+  }
+  return ticks;
+}
+
 /// The labelled multiples of powers of ten: a longer list where a shorter one gives too few labels.
 constexpr std::array<std::initializer_list<int>, 4> kLabelled{
     std::initializer_list<int>{1}, std::initializer_list<int>{1, 3},
     std::initializer_list<int>{1, 2, 5}, std::initializer_list<int>{1, 2, 3, 4, 5, 6, 8}};
 
-std::vector<AxisTick> log_ticks(const FigureAxis& axis) {
+std::vector<AxisTick> log_ticks(const FigureAxis& axis, int labels_wished) {
   constexpr std::size_t kEnough = 3;
   std::vector<AxisTick> ticks{};
   for (const std::initializer_list<int>& labelled : kLabelled) {
@@ -59,9 +71,10 @@ std::vector<AxisTick> log_ticks(const FigureAxis& axis) {
             {.value = value, .label = has_label ? Phrase(number_text(value)) : Phrase()});
       }
     }
-    if (labels >= kEnough) break;
+    if (labels >= kEnough) return ticks;
   }
-  return ticks;
+  // From 1.3 to 1.7 there is no such multiple.
+  return linear_ticks(axis, labels_wished);
 }
 
 }  // namespace
@@ -74,7 +87,7 @@ std::vector<AxisTick> ticks_of(const FigureAxis& axis, int labels) {
     }
     return ticks;
   }
-  return axis.scale == AxisScale::log10 ? log_ticks(axis) : linear_ticks(axis, labels);
+  return axis.scale == AxisScale::log10 ? log_ticks(axis, labels) : linear_ticks(axis, labels);
 }
 
 }  // namespace asperity

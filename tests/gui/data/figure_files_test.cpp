@@ -2,6 +2,7 @@
 
 #include "app/figures/figure_files.h"
 
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include <QtGui/QPainter>
 #include <gtest/gtest.h>
 
+#include "app/figures/axis_ticks.h"
 #include "app/figures/draw_figure.h"
 #include "app/figures/figures_of.h"
 #include "app/findings/tidy/reference_case.h"
@@ -115,6 +117,39 @@ TEST(FigureFiles, PutPowersOfTenAtEqualDistancesOnALogarithmicAxis) {
   EXPECT_NEAR(2.0 * svg.circles[1].x(), svg.circles[0].x() + svg.circles[2].x(), 0.1);
   EXPECT_NEAR(2.0 * svg.circles[1].y(), svg.circles[0].y() + svg.circles[2].y(), 0.1);
   EXPECT_GT(svg.circles[0].y(), svg.circles[2].y()) << "numbers rise upwards";
+}
+
+// Without such a number readers cannot see what a distance on the axis means; response times of a
+// quick task lie between 1.3 and 1.7 s, where no 1, 2 or 5 times a power of ten lies.
+TEST(FigureFiles, LabelAtLeastTwoTicksOfEveryAxis) {
+  for (const AxisScale scale : {AxisScale::log10, AxisScale::linear}) {
+    for (int power = -7; power <= 6; ++power) {
+      for (double low = 1.0; low < 10.0; low *= 1.037) {
+        for (double ratio = 1.01; ratio < 2000.0; ratio *= 1.17) {
+          const double scaled = low * std::pow(10.0, power);
+          const FigureAxis axis{.scale = scale, .low = scaled, .high = scaled * ratio};
+          for (int labels = 2; labels <= 7; ++labels) {
+            int labelled = 0;
+            for (const AxisTick& tick : ticks_of(axis, labels)) {
+              labelled += tick.label.empty() ? 0 : 1;
+              ASSERT_GE(tick.value, axis.low * (1.0 - 1e-8));
+              ASSERT_LE(tick.value, axis.high * (1.0 + 1e-8));
+            }
+            ASSERT_GE(labelled, 2) << axis.low << " to " << axis.high << ", " << labels;
+          }
+        }
+      }
+    }
+  }
+  Figure figure{.name = "quick"};
+  figure.x = {.name = "response time", .unit = "s", .scale = AxisScale::log10};
+  figure.x.low = 1.3;
+  figure.x.high = 1.7;
+  figure.y = {.name = "trials", .low = 0.0, .high = 1.0};
+  figure.series = {{.points = {{.x = 1.5, .y = 0.5}}}};
+  const DrawnSvg svg = drawn(figure);
+  EXPECT_NEAR(svg.circles[0].x(), middle_of(svg, "1.5"), 1.0);
+  EXPECT_LT(middle_of(svg, "1.4"), svg.circles[0].x());
 }
 
 TEST(FigureFiles, NameAxesWithTheirUnits) {
