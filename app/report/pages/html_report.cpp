@@ -38,8 +38,7 @@ thead th { border-bottom: 1px solid #1a1a1a; vertical-align: bottom; font-weight
 th.n, td.n { text-align: right; }
 .reference table { font-size: .8rem; }
 .note { font-size: .85rem; color: #444444; }
-td, tbody th { overflow-wrap: anywhere; }
-td.n { overflow-wrap: normal; }
+.long { overflow-wrap: anywhere; }
 figure { margin: 1.4rem 0 1.8rem; }
 figure svg { max-width: 100%; height: auto; }
 figcaption { font-size: .875rem; max-width: 44rem; }
@@ -101,6 +100,18 @@ std::string with_breaks(const std::string& text) {
   return out;
 }
 
+/// The class of a cell of words: hashes and long names may break anywhere, short words nowhere.
+std::string class_of_words(const std::string& text) {
+  constexpr std::size_t kLongName = 24;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+    if (end - begin > kLongName) return " class=\"long\"";
+    begin = end + 1;
+  }
+  return {};
+}
+
 std::string mark_of(const ReportChapter& chapter) {
   if (chapter.mark.empty()) return {};
   return " <span class=\"mark\">" + escaped(chapter.mark) + "</span>";
@@ -157,11 +168,9 @@ class HtmlParts final {
         const bool numbers = part.columns[i].holds_numbers;
         const bool names_the_row = i == 0 && !numbers;
         const std::string element = names_the_row ? "th" : "td";
-        out_ += '<' + element +
-                (names_the_row ? " scope=\"row\""
-                 : numbers     ? " class=\"n\""
-                               : "") +
-                '>' + with_breaks(row[i]) + "</" + element + '>';
+        out_ += '<' + element + (names_the_row ? " scope=\"row\"" : "") +
+                (numbers ? " class=\"n\"" : class_of_words(row[i])) + '>' + with_breaks(row[i]) +
+                "</" + element + '>';
       }
       out_ += "</tr>\n";
     }

@@ -281,7 +281,10 @@ class PageMaker final {
   }
 
   double least_height_of(const ReportTable& table) {
-    const LaidOutTable made = lay_out(table, family_, area_.width());
+    return least_height_of(table, lay_out(table, family_, area_.width()).front());
+  }
+
+  double least_height_of(const ReportTable& table, const LaidOutTable& made) {
     const double title = title_height(title_of(table)) + 100.0;
     const double whole = title + whole_height(made);
     if (whole <= kLargestMovedTable * area_.height()) return whole;
@@ -297,8 +300,9 @@ class PageMaker final {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       double baseline = y_ + made.padding + 0.5 * made.line_height + 0.36 * font.pixelSize();
       for (const QString& line : row.cells[i]) {
-        const double x =
-            table.columns[i].holds_numbers ? made.right[i] - text_width(line, font) : made.left[i];
+        const double x = table.columns[made.columns[i]].holds_numbers
+                             ? made.right[i] - text_width(line, font)
+                             : made.left[i];
         add_text(pages_.back(), {area_.left() + x, baseline}, line, font, kInk);
         baseline += made.line_height;
       }
@@ -320,17 +324,16 @@ class PageMaker final {
     return std::max<std::size_t>(fitting, 1);
   }
 
-  void place(const ReportTable& table) {
-    const LaidOutTable made = lay_out(table, family_, area_.width());
+  /// The columns of a table that stand side by side, on as many pages as they need.
+  void place_columns(const ReportTable& table, const LaidOutTable& made, QString title) {
     const QFont bold = font(kCaptionPixels, true);
-    need(least_height_of(table));
+    need(least_height_of(table, made));
     if (y_ > area_.top()) y_ += 100.0;
     const double width = made.right.empty() ? 0.0 : made.right.back();
     std::size_t next = 0;
     do {
-      const QString title =
-          next == 0 ? title_of(table) : QString("Table %1, continued").arg(table.number);
       place_lines(title, bold, kInk, 0.0);
+      title = QString("Table %1, continued").arg(table.number);
       y_ += 40.0;
       const std::size_t now = made.rows.empty() ? 0 : rows_that_fit(made, next);
       add_box({area_.left(), y_, width, kRule}, kInk);
@@ -344,6 +347,14 @@ class PageMaker final {
       next += now;
       if (next < made.rows.size()) new_page();
     } while (next < made.rows.size());
+  }
+
+  void place(const ReportTable& table) {
+    QString title = title_of(table);
+    for (const LaidOutTable& made : lay_out(table, family_, area_.width())) {
+      place_columns(table, made, title);
+      title = QString("Table %1, further columns").arg(table.number);
+    }
     if (!table.note.empty()) {
       y_ += 40.0;
       place_lines(QString::fromStdString(table.note), font(kNotePixels), kGrey, 0.0);

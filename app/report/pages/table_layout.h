@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <QtCore/QString>
@@ -22,7 +23,10 @@ struct LaidOutRow {
   double height = 0.0;
 };
 
+/// The columns of a table that stand side by side: all of them, or, of a table that is too wide,
+/// those that identify its rows and some of the others.
 struct LaidOutTable {
+  std::vector<std::size_t> columns{};  ///< their places in the table
   QFont font{};
   QFont bold{};
   double line_height = 0.0;
@@ -34,7 +38,9 @@ struct LaidOutTable {
 };
 
 /// At most `width` wide: columns have their natural width where that fits; otherwise columns of
-/// words are broken into lines, and finally the font size is reduced.
-LaidOutTable lay_out(const ReportTable& table, const QString& family, double width);
+/// words are broken into lines, and the font size is reduced to no less than 7 points. A table that
+/// is still too wide is divided into several parts, to be placed one below the other; each begins
+/// with the columns that identify a row.
+std::vector<LaidOutTable> lay_out(const ReportTable& table, const QString& family, double width);
 
 }  // namespace asperity

@@ -139,13 +139,15 @@ TEST(HtmlReport, BreaksNoLineWithinANumber) {
 TEST(ReportPages, BreakNoLineWithinANumber) {
   QFont font{};
   font.setPixelSize(150);
-  const QString text = "The difference was 0.33, 95 % CI [−0.16, 0.49], t(19) = 12.25, p = .031.";
+  const QString text =
+      "The difference was 0.33, 95 % CI [−0.16, 0.49], t(19) = 12.25, p = .031, trials 1–5.";
   for (double width = 1500.0; width < 6000.0; width += 50.0) {
     for (const QString& line : broken_lines(text, font, width)) {
       EXPECT_FALSE(line.endsWith("[−0.16,")) << width;
       EXPECT_FALSE(line.endsWith("=")) << width;
       EXPECT_FALSE(line.startsWith("=")) << width;
       EXPECT_FALSE(line.startsWith("%")) << width;
+      EXPECT_FALSE(line.endsWith("1–")) << width;
     }
   }
 }
@@ -368,7 +370,7 @@ TEST(TableLayout, BreaksWordsAndNamesThatAreTooLong) {
   ReportTable table = long_table(1);
   table.rows[0][0] = std::string(400, 'a');
   const double width = ReportPages::text_area().width();
-  const LaidOutTable made = lay_out(table, "DejaVu Sans", width);
+  const LaidOutTable made = lay_out(table, "DejaVu Sans", width).front();
   EXPECT_LE(made.right.back(), width + 1.0);
   ASSERT_GT(made.rows[0].cells[0].size(), 1);
   for (const QString& line : made.rows[0].cells[0]) {
@@ -377,7 +379,69 @@ TEST(TableLayout, BreaksWordsAndNamesThatAreTooLong) {
   ReportTable wide{};
   for (int i = 0; i < 40; ++i) wide.columns.push_back({"column " + std::to_string(i), true});
   wide.rows.push_back(std::vector<std::string>(40, "0.1234"));
-  EXPECT_LE(lay_out(wide, "DejaVu Sans", width).right.back(), width + 1.0);
+  for (const LaidOutTable& part : lay_out(wide, "DejaVu Sans", width)) {
+    EXPECT_LE(part.right.back(), width + 1.0);
+  }
+}
+
+ReportTable table_of_tests(const std::string& statistic) {
+  ReportTable table{};
+  table.number = 1;
+  table.title = "Tests";
+  table.columns = {{"test"},        {"method"},  {"n", true},       {"statistic"},
+                   {"effect size"}, {"p", true}, {"p, Holm", true}, {"role"}};
+  table.rows = {{"order of presentation", "Wilcoxon signed-rank test", "6 participants", statistic,
+                 "r = .10", ".875", ".875", "confirmatory"}};
+  return table;
+}
+
+TEST(TableLayout, BreaksNoLineWithinAStatement) {
+  const double width = ReportPages::text_area().width();
+  for (const char* statistic : {"W⁺ = 11.50", "χ²(3) = 0.19", "F(1, 353.00) = 4.64"}) {
+    ReportTable table = table_of_tests(statistic);
+    // Until there is no room left.
+    for (int longer = 0; longer < 40; ++longer) {
+      table.rows[0][0] += " of it";
+      table.rows[0][7] += "y";
+      for (const LaidOutTable& part : lay_out(table, "DejaVu Sans", width)) {
+        for (std::size_t i = 0; i < part.columns.size(); ++i) {
+          if (part.columns[i] != 3 && part.columns[i] != 4) continue;
+          EXPECT_EQ(part.rows[0].cells[i].size(), 1)
+              << part.rows[0].cells[i].join('|').toStdString();
+        }
+      }
+    }
+  }
+}
+
+// Thresholds have many columns; letters of five points cannot be read on paper.
+TEST(TableLayout, DividesATableThatIsTooWide) {
+  const double width = ReportPages::text_area().width();
+  ReportTable table = long_table(3);
+  table.columns = {{"participant"}, {"condition"}};
+  for (auto& row : table.rows) row = {"virtual" + row[0].substr(4), "all"};
+  for (int i = 0; i < 6; ++i) {
+    table.columns.push_back({"JND " + std::to_string(i), true});
+    table.columns.push_back({"95 % CI", true});
+    for (auto& row : table.rows) row.insert(row.end(), {"10.7 µm", "[4.64 µm, 21.4 µm]"});
+  }
+  const std::vector<LaidOutTable> parts = lay_out(table, "DejaVu Sans", width);
+  ASSERT_EQ(parts.size(), 2U);
+  std::size_t next = 2;
+  for (const LaidOutTable& part : parts) {
+    EXPECT_GE(part.font.pixelSize(), 140) << "7 points";
+    EXPECT_LE(part.right.back(), width + 1.0);
+    ASSERT_GE(part.columns.size(), 6U);
+    EXPECT_EQ(part.columns[0], 0U);
+    EXPECT_EQ(part.columns[1], 1U);
+    EXPECT_FALSE(table.columns[part.columns[2]].heading.starts_with("95 %"));
+    for (std::size_t i = 2; i < part.columns.size(); ++i) EXPECT_EQ(part.columns[i], next++);
+  }
+  EXPECT_EQ(next, table.columns.size()) << "every column once";
+  const ReportPages pages(report_with({table}));
+  EXPECT_TRUE(stands_on(pages, 0, "Table 1. Many rows"));
+  EXPECT_TRUE(stands_on(pages, 0, "Table 1, further columns"));
+  take_pictures(pages, "report-wide-table");
 }
 
 TEST(PdfReport, HasAllPagesItsLettersAndNoPixels) {
