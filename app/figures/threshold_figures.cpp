@@ -209,6 +209,7 @@ struct DrawnThreshold {
   const char* figure = "";
   Phrase title{};
   Phrase axis{};
+  std::string mean = "mean";  ///< column of the table of means
 };
 
 /// Means with their intervals, a row per condition, and the participants behind them; nothing without a mean.
@@ -228,7 +229,7 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
     if (row.text("measure") != drawn.column) continue;
     rows.push_back(row);
     unit = row.text("unit");
-    for (const char* const column : {"mean", "mean_low", "mean_high"}) reach(row.number(column));
+    for (const char* const end : {"", "_low", "_high"}) reach(row.number(drawn.mean + end));
   }
   if (rows.empty()) return std::nullopt;
   std::map<std::string, std::vector<double>> singles{};
@@ -243,9 +244,14 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
   Figure figure{.name = drawn.figure,
                 .table = kMeanThresholds,
                 .title = drawn.title,
-                .note = phrase("Figures",
-                               "Points are means over the participants whose threshold could be "
-                               "estimated, bars their t-based 95 % CIs."),
+                .note = drawn.mean == "mean"
+                            ? phrase("Figures",
+                                     "Points are means over the participants whose threshold could "
+                                     "be estimated, bars their t-based 95 % CIs.")
+                            : phrase("Figures",
+                                     "Points are geometric means over the participants whose "
+                                     "threshold could be estimated, bars their t-based 95 % CIs on "
+                                     "the logarithmic scale."),
                 .shape = FigureShape::rows};
   const bool is_pse = std::string(drawn.column) == "pse";
   const double room = 0.06 * (greatest - (is_pse ? lowest : std::min(0.0, lowest)));
@@ -256,13 +262,13 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
   FigureSeries points{};
   std::vector<SingleValues> behind{};
   for (const RowOfTable& row : rows) {
-    const auto scaled = [&](const char* column) {
-      const std::optional<double> number = row.number(column);
+    const auto scaled = [&](const char* end) {
+      const std::optional<double> number = row.number(drawn.mean + end);
       return number ? std::optional(*number / shown.size) : std::nullopt;
     };
     const auto place = static_cast<double>(figure.y.places.size());
-    FigurePoint point{.x = *scaled("mean"), .y = place};
-    if (const auto low = scaled("mean_low"), high = scaled("mean_high"); low && high) {
+    FigurePoint point{.x = *scaled(""), .y = place};
+    if (const auto low = scaled("_low"), high = scaled("_high"); low && high) {
       point.x_interval = FigureSpan{*low, *high};
     }
     points.points.push_back(point);
@@ -399,7 +405,8 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
                        phrase("Figures", "Points of subjective equality"),
                        phrase("Figures", "point of subjective equality, mean with its 95 % CI")},
         DrawnThreshold{"jnd", "thresholds", phrase("Figures", "Thresholds"),
-                       phrase("Figures", "threshold, mean with its 95 % CI")}};
+                       phrase("Figures", "threshold, geometric mean with its 95 % CI"),
+                       "geometric_mean"}};
     for (const DrawnThreshold& drawn : kDrawn) {
       auto figure = figure_of_thresholds(drawn, means->table, thresholds->table);
       if (figure) figures.push_back(std::move(*figure));

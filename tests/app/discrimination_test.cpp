@@ -209,6 +209,46 @@ TEST(Discrimination, RecoversTheThresholdOfObserversWithinItsInterval) {
   EXPECT_NEAR(unit_m / *mean->value, kPerformer.inverse(0.7602499) / jnd_m, 0.02);
 }
 
+// Three participants whose thresholds differ by a factor of 8: the t interval of their arithmetic mean begins below 0,
+// and no JND is negative.
+TEST(Discrimination, HasGeometricMeansWithoutNegativeLimits) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+  for (const double alpha_m : {3e-6, 4e-6, 24e-6}) {
+    const std::string label = "p" + std::to_string(std::lround(alpha_m * 1e6));
+    PsychometricFunction function = kPerformer;
+    function.alpha = alpha_m;
+    made.add_person(label, "");
+    made.add_session(label, protocol,
+                     trials_of(MadeUpObserver(function, 3)
+                                   .choices({51e-6, 52e-6, 54e-6, 58e-6, 66e-6, 82e-6}, 60, true)));
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
+  const FoundNumbers found(means);
+  double sum_of_logs = 0.0;
+  for (const Finding* const jnd : FoundNumbers(thresholds).all("jnd")) {
+    ASSERT_TRUE(jnd->value) << jnd->key;
+    sum_of_logs += std::log(*jnd->value);
+  }
+  const Finding* const arithmetic = found.find("mean.jnd", "all");
+  const Finding* const geometric = found.find("geomean.jnd", "all");
+  ASSERT_TRUE(arithmetic != nullptr && geometric != nullptr);
+  EXPECT_LT(*arithmetic->low, 0.0);
+  EXPECT_NEAR(*geometric->value, std::exp(sum_of_logs / 3.0), 1e-12);
+  EXPECT_GT(*geometric->low, 0.0);
+  EXPECT_NEAR(*geometric->low * *geometric->high, *geometric->value * *geometric->value, 1e-15);
+  EXPECT_NEAR(*found.value("geomean.weber", "all"), *geometric->value / kStandard_m, 1e-12);
+  EXPECT_EQ(found.find("geomean.pse", "all"), nullptr);
+  EXPECT_THAT(answer_to(outcome, "threshold"), Not(HasSubstr("[−")));
+  const NamedTable& table = discrimination_table(outcome, "mean_thresholds");
+  for (const char* const column : {"mean", "geometric_mean", "geometric_mean_low"}) {
+    EXPECT_TRUE(column_of(table.table, column)) << column;
+  }
+}
+
 TEST(Discrimination, ByPerformanceHasNoPointOfSubjectiveEquality) {
   const AnalysisOutcome outcome = outcome_of_observers(kPerformer, 4, kAbove_m, true);
   for (const Finding& finding : outcome.findings)
@@ -217,7 +257,8 @@ TEST(Discrimination, ByPerformanceHasNoPointOfSubjectiveEquality) {
   EXPECT_THAT(sentence_about(outcome, "point_of_subjective_equality"),
               HasSubstr("there is no point of subjective equality"));
   EXPECT_THAT(sentence_about(outcome, "conditions"), HasSubstr("there is only one condition"));
-  EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("Mean just-noticeable difference: "));
+  EXPECT_THAT(answer_to(outcome, "threshold"),
+              HasSubstr("Geometric mean of the just-noticeable differences: "));
   EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("µm"));
   EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("Weber fraction"));
 }
@@ -273,7 +314,8 @@ TEST(Discrimination, OfAStandardOfZeroIsADetectionWithoutAWeberFraction) {
   for (const Finding& finding : outcome.findings) {
     EXPECT_EQ(finding.quantity.find("weber"), std::string::npos) << finding.quantity;
   }
-  EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("Mean detection threshold: "));
+  EXPECT_THAT(answer_to(outcome, "threshold"),
+              HasSubstr("Geometric mean of the detection thresholds: "));
   const StudyAnalysis& analysis = *find_analysis("discrimination");
   EXPECT_THAT(analysis.estimates(outcome).text, HasSubstr("detection threshold"));
 }
@@ -307,8 +349,17 @@ TEST(Discrimination, ReportsAThresholdOutsideTheLevelsAsAStatus) {
   }
   EXPECT_TRUE(part_of(outcome, "mean_thresholds").empty());
   EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("could not be estimated"));
-  const Table shown = reading_table(discrimination_table(outcome, "thresholds"));
+  const NamedTable& table = discrimination_table(outcome, "thresholds");
+  const Table shown = reading_table(table);
   EXPECT_EQ(shown.rows[0].back(), Cell(std::string("below_levels")));
+  // The same remedies as in the list of the report, which has the statuses of the findings.
+  EXPECT_EQ(found.find("jnd", "poor|all")->status,
+            "the threshold is above the presented levels: present larger differences");
+  for (const char* const key : {"perfect|all", "poor|all"}) {
+    std::string sentence = found.find("jnd", key)->status;
+    EXPECT_THAT(table.note.english(), HasSubstr(sentence.substr(1)));
+  }
+  EXPECT_THAT(table.note.english(), Not(HasSubstr("running the procedure again")));
 }
 
 TEST(Discrimination, OfOneParticipantHasThresholdsWithoutTests) {
@@ -874,8 +925,15 @@ TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
     EXPECT_LE(*beta->value, 8.0);
   }
   const NamedTable& table = discrimination_table(outcome, "thresholds");
-  EXPECT_TRUE(column_of(table.table, "without_threshold"));
+  const auto without = column_of(table.table, "without_threshold");
+  ASSERT_TRUE(without);
+  EXPECT_EQ(table.table.rows[0][*column_of(table.table, "repetitions")], Cell(std::int64_t{500}));
+  const Table shown = reading_table(table);
+  EXPECT_FALSE(column_of(shown, "repetitions"));
+  const Cell of_all = shown.rows[0][*column_of(shown, "without_threshold")];
+  EXPECT_THAT(std::get<std::string>(of_all), testing::EndsWith("/500"));
   EXPECT_THAT(table.note.english(), HasSubstr("running the procedure again"));
+  EXPECT_THAT(table.note.english(), Not(HasSubstr("delta"))) << "no interval is of this method";
   EXPECT_EQ(part_of(outcome_of_staircases(protocol, 2, 80), "thresholds"),
             part_of(outcome_of_staircases(protocol, 2, 80), "thresholds"))
       << "the same for the same responses";

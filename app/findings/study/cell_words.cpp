@@ -170,6 +170,7 @@ const CellWords& words_of_reasons() {
       {"quasi_separated", phrase("CellWords", "only one level has both responses")},
       {"separated", phrase("CellWords", "no level has both responses")},
       {"slope_at_bound", phrase("CellWords", "steeper than the presented levels can resolve")},
+      {"slope_at_limit", phrase("CellWords", "the slope is at a limit of the fit")},
       {"no_interior_maximum", phrase("CellWords", "no significant interior maximum")},
       {"at least one condition has no interior maximum",
        phrase("CellWords", "at least one condition has no interior maximum")},

@@ -63,15 +63,15 @@ Phrase method_of_thresholds(const DiscriminationResults& results) {
         "Analysis",
         "For each participant and condition, a cumulative normal function of the parameter "
         "was fitted by maximum likelihood, with lapse rates of 2 % in both directions; the "
-        "JND is half the distance between the values at 25 % and 75 %. CIs of means are "
-        "t-based.");
+        "JND is half the distance between the values at 25 % and 75 %. CIs of geometric means "
+        "are t-based on the logarithmic scale.");
   }
   const Phrase method =
       phrase("Analysis",
              "For each participant and condition, a Weibull function of the difference from "
              "the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a "
              "lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct "
-             "responses. CIs of means are t-based.");
+             "responses. CIs of geometric means are t-based on the logarithmic scale.");
   if (!results.study.has_levels_of_procedure) return method;
   return phrase("Analysis", "%1 %2")
       .with(method, phrase("Analysis",
@@ -89,18 +89,19 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                     : phrase("Analysis", "How large is the just-noticeable difference of the %1?"))
           .with(parameter);
   const FoundNumbers found(results.means);
-  const Phrase means = mean_thresholds_text(results, "mean.jnd", "mean.weber");
+  const Phrase means = mean_thresholds_text(results, "geomean.jnd", "geomean.weber");
   const Phrase answer =
       means.empty()
           ? phrase("Analysis",
                    "It could not be estimated: no participant has a threshold within the presented "
                    "levels.")
-          : (is_detection ? phrase("Analysis", "Mean detection threshold: %1.")
-                          : phrase("Analysis", "Mean just-noticeable difference: %1."))
+          : (is_detection
+                 ? phrase("Analysis", "Geometric mean of the detection thresholds: %1.")
+                 : phrase("Analysis", "Geometric mean of the just-noticeable differences: %1."))
                 .with(means);
   add_question(outcome, name_of_question("threshold", results).c_str(), question, answer,
                method_of_thresholds(results), means.empty() ? kThresholds : kMeanThresholds,
-               first_mean(results, "mean.jnd", found));
+               first_mean(results, "geomean.jnd", found));
 }
 
 void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
@@ -167,15 +168,15 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
     return;
   }
   const FoundNumbers found(results.means);
-  const Phrase means = mean_thresholds_text(results, "mean.jnd", "");
+  const Phrase means = mean_thresholds_text(results, "geomean.jnd", "");
   const auto with_numbers = [&](const Phrase& words) { return words.with(means, p_text(*test)); };
-  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: mean thresholds %1 (%2).")),
+  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: geometric mean thresholds %1 (%2).")),
                         with_numbers(phrase("Analysis",
-                                            "Not significantly: mean thresholds %1 (%2). This does "
-                                            "not show that they are equal.")),
-                        with_numbers(phrase("Analysis", "Mean thresholds: %1 (%2)."))};
+                                            "Not significantly: geometric mean thresholds %1 (%2). "
+                                            "This does not show that they are equal.")),
+                        with_numbers(phrase("Analysis", "Geometric mean thresholds: %1 (%2)."))};
   add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kMeanThresholds,
-               first_mean(results, "mean.jnd", found));
+               first_mean(results, "geomean.jnd", found));
 }
 
 void ask_order(const DiscriminationResults& results, const StudyTests& tests,
@@ -275,15 +276,16 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   const std::set<std::string> detections = conditions_of_detections(outcome.findings);
   std::string text{};
   const FoundNumbers found(means);
-  for (const Finding* const jnd : found.all("mean.jnd")) {
+  for (const Finding* const jnd : found.all("geomean.jnd")) {
     std::vector<std::string> parts{};
     if (const Finding* const pse = found.find("mean.pse", jnd->key)) {
       parts.push_back(mean_of_paper("PSE", *pse));
     }
-    const Finding* const weber = found.find("mean.weber", jnd->key);
+    const Finding* const weber = found.find("geomean.weber", jnd->key);
     const bool is_detection = detections.contains(jnd->key);
-    parts.push_back(mean_of_paper(is_detection ? "detection threshold" : "JND", *jnd));
-    if (weber != nullptr) parts.push_back(mean_of_paper("Weber fraction", *weber));
+    parts.push_back(mean_of_paper(
+        is_detection ? "detection threshold (geometric mean)" : "JND (geometric mean)", *jnd));
+    if (weber != nullptr) parts.push_back(mean_of_paper("Weber fraction (geometric mean)", *weber));
     text += text.empty() ? "Mean thresholds were: " : "; ";
     if (jnd->key != "all") text += jnd->key + ", ";
     for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];

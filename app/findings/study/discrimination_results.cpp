@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "analysis/geometric_mean.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/tidy/finding_list.h"
@@ -34,6 +35,22 @@ std::vector<DiscriminationResults::Function> functions_of(
   return functions;
 }
 
+void add_geometric(const char* quantity, const std::string& key, const std::vector<double>& numbers,
+                   FindingList& list) {
+  const bool are_positive =
+      std::all_of(numbers.begin(), numbers.end(), [](double number) { return number > 0.0; });
+  if (!are_positive) return;
+  constexpr double kConfidence = 0.95;
+  const GeometricMean mean = geometric_mean(numbers, kConfidence);
+  Basis basis{.n = mean.n,
+              .method =
+                  "geometric mean over the participants with such a threshold; t interval on "
+                  "the log scale",
+              .interval = mean.interval};
+  if (mean.interval) basis.confidence = kConfidence;
+  list.number(quantity, key, mean.mean, basis);
+}
+
 std::vector<Finding> means_of(const DiscriminationResults& results) {
   const FoundNumbers found(results.fit.thresholds);
   std::vector<Finding> means{};
@@ -52,6 +69,9 @@ std::vector<Finding> means_of(const DiscriminationResults& results) {
       FindingList list{};
       add_mean_of_group(column.mean, results.conditions[condition], numbers,
                         {.of = "mean over the participants with such a threshold"}, list);
+      if (column.geometric_mean != nullptr) {
+        add_geometric(column.geometric_mean, results.conditions[condition], numbers, list);
+      }
       for (Finding& finding : list.take()) {
         finding.unit = unit;
         finding.analysis = kMeanThresholds;

@@ -35,16 +35,19 @@ struct OrderOfPerson {
   double difference() const { return proportion(first) - proportion(second); }
 };
 
-/// A threshold of a participant: the quantity of its finding, the column of its table, and the quantity of the mean.
+/// A threshold of a participant: the quantity of its finding, the column of its table, and the quantities of its
+/// arithmetic and its geometric mean. A point of subjective equality has no geometric mean: it may have any sign.
 struct ThresholdColumn {
   const char* quantity = "";
   const char* column = "";
   const char* mean = "";
+  const char* geometric_mean = nullptr;
 };
 inline constexpr std::array kThresholdColumns{
-    ThresholdColumn{"pse", "pse", "mean.pse"}, ThresholdColumn{"jnd", "jnd", "mean.jnd"},
-    ThresholdColumn{"jnd.dprime1", "jnd_dprime1", "mean.jnd.dprime1"},
-    ThresholdColumn{"weber", "weber", "mean.weber"}};
+    ThresholdColumn{"pse", "pse", "mean.pse", nullptr},
+    ThresholdColumn{"jnd", "jnd", "mean.jnd", "geomean.jnd"},
+    ThresholdColumn{"jnd.dprime1", "jnd_dprime1", "mean.jnd.dprime1", "geomean.jnd.dprime1"},
+    ThresholdColumn{"weber", "weber", "mean.weber", "geomean.weber"}};
 
 /// The results of one task.
 struct DiscriminationResults {
@@ -64,8 +67,9 @@ struct DiscriminationResults {
   };
   std::vector<Function> functions{};
   DiscriminationFit fit{};
-  /// By condition, analysis `mean_thresholds`: mean.pse, mean.jnd, mean.jnd.dprime1, mean.weber over the participants with
-  /// such a number.
+  /// By condition, analysis `mean_thresholds`, over the participants with such a number: mean.pse, mean.jnd,
+  /// mean.jnd.dprime1, mean.weber; and geomean.jnd, geomean.jnd.dprime1, geomean.weber with intervals on the logarithmic
+  /// scale, which contain no negative numbers.
   std::vector<Finding> means{};
   std::vector<OrderOfPerson> orders{};  ///< of the participants with trials
   std::vector<Finding> order{};  ///< analysis `order`: the mean of `OrderOfPerson::difference`

@@ -53,6 +53,8 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
     row.push_back(thresholds.count("without", key));
     row.push_back(text_or_none(results.study.task.varied.unit));
     row.push_back(why);
+    const Finding* const without = thresholds.find("without", key);
+    row.push_back(without == nullptr ? Cell{} : Cell{static_cast<std::int64_t>(without->n)});
     table.rows.push_back(std::move(row));
   }
 }
@@ -64,9 +66,12 @@ void add_mean_rows(const DiscriminationResults& results, Table& table) {
       const Finding* const mean = means.find(column.mean, condition);
       if (mean == nullptr) continue;
       const auto [low, high] = means.interval(column.mean, condition);
+      const std::string geometric = column.geometric_mean == nullptr ? "" : column.geometric_mean;
+      const auto [geometric_low, geometric_high] = means.interval(geometric, condition);
       table.rows.push_back({condition, std::string(column.column),
                             static_cast<std::int64_t>(mean->n), cell_of(mean->value), low, high,
-                            mean->unit});
+                            mean->unit, means.cell(geometric, condition), geometric_low,
+                            geometric_high});
     }
   }
 }
@@ -138,48 +143,116 @@ std::vector<BlockWithProcedure> blocks_with_procedure(
   return blocks;
 }
 
+/// Which functions a table contains, and therefore which methods its note explains.
+struct ShownFunctions {
+  bool has_performance = false;
+  bool has_comparison = false;
+  bool has_delta_performance = false;
+  bool has_delta_comparison = false;
+  bool has_limited_slopes = false;
+  bool has_repeated_procedure = false;
+};
+
+ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
+  ShownFunctions shown{};
+  for (const DiscriminationResults& results : all) {
+    const bool is_performance = results.study.task.is_performance;
+    const FoundNumbers thresholds(results.fit.thresholds);
+    for (const auto& function : results.functions) {
+      const bool by_procedure = function.data.by_procedure;
+      shown.has_performance = shown.has_performance || is_performance;
+      shown.has_comparison = shown.has_comparison || !is_performance;
+      shown.has_delta_performance =
+          shown.has_delta_performance || (is_performance && !by_procedure);
+      shown.has_delta_comparison = shown.has_delta_comparison || (!is_performance && !by_procedure);
+      shown.has_limited_slopes = shown.has_limited_slopes || (is_performance && by_procedure);
+      shown.has_repeated_procedure =
+          shown.has_repeated_procedure || thresholds.find("without", function.data.key) != nullptr;
+    }
+  }
+  return shown;
+}
+
 Phrase note_on_thresholds(const GatheredAnswers& gathered,
                           const std::vector<DiscriminationResults>& all) {
-  const bool has_performance = std::any_of(
-      all.begin(), all.end(), [](const auto& each) { return each.study.task.is_performance; });
-  const bool has_comparison = std::any_of(
-      all.begin(), all.end(), [](const auto& each) { return !each.study.task.is_performance; });
+  const ShownFunctions shown = shown_functions(all);
   Phrase note{};
   const auto add = [&note](const Phrase& sentence) {
     note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
   };
-  if (has_performance) {
+  if (shown.has_performance) {
     add(phrase("Analysis",
                "Performance: a Weibull function of the difference from the standard, fitted by "
                "maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. "
-               "JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %. 95 % CI: "
-               "delta method, truncated at 0."));
+               "JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %."));
   }
-  if (has_comparison) {
+  if (shown.has_delta_performance) {
+    add(phrase("Analysis", "95 % CI: delta method, truncated at 0."));
+  }
+  if (shown.has_comparison) {
     add(phrase("Analysis",
                "Comparison: a cumulative normal function of the parameter, fitted by maximum "
                "likelihood with lapse rates of 2 % in both directions. PSE: the value at which "
                "both responses are equally frequent; JND: half the distance between the values at "
-               "25 % and 75 %, without lapses. 95 % CI: delta method, for the JND on the "
-               "logarithmic scale."));
+               "25 % and 75 %, without lapses."));
   }
-  const std::vector<BlockWithProcedure> blocks = blocks_with_procedure(gathered, all);
-  if (!blocks.empty()) {
+  if (shown.has_delta_comparison) {
+    add(phrase("Analysis", "95 % CI: delta method, for the JND on the logarithmic scale."));
+  }
+  if (shown.has_limited_slopes) {
     add(phrase("Analysis",
-               "With an adaptive procedure, the slope of a Weibull "
-               "function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval "
-               "whose critical value is found by running the procedure again with simulated "
-               "observers (%3 repetitions; those without a threshold are counted in the table).")
+               "With an adaptive procedure, the slope of a Weibull function is limited to %1 to "
+               "%2.")
             .with(reading_number(kSlopesOfProcedures.least),
-                  reading_number(kSlopesOfProcedures.greatest),
-                  std::to_string(kRepetitionsOfProcedures)));
+                  reading_number(kSlopesOfProcedures.greatest)));
+  }
+  if (shown.has_repeated_procedure) {
+    add(phrase("Analysis",
+               "With an adaptive procedure, the 95 % CI is a likelihood-ratio interval whose "
+               "critical value is found by running the procedure again with simulated observers "
+               "(%1 repetitions; those without a threshold are counted in the table).")
+            .with(std::to_string(kRepetitionsOfProcedures)));
+    const std::vector<BlockWithProcedure> blocks = blocks_with_procedure(gathered, all);
     if (const Phrase coverage = note_on_coverage(blocks); !coverage.empty()) add(coverage);
   }
   add(phrase("Analysis",
              "Weber fraction: JND divided by the standard. Thresholds outside the presented levels "
              "are not reported. Deviance with its degrees of freedom and p (χ²): goodness of fit, "
              "indicative only with few trials per level."));
+  std::vector<Phrase> reasons{};
+  for (const DiscriminationResults& results : all) {
+    for (const Phrase& reason : results.fit.reasons) {
+      if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
+        reasons.push_back(reason);
+      }
+    }
+  }
+  if (!reasons.empty()) {
+    Phrase listed = reasons.front();
+    for (std::size_t i = 1; i < reasons.size(); ++i) {
+      listed = phrase("Analysis", "%1; %2").with(listed, reasons[i]);
+    }
+    add(phrase("Analysis", "Where a number is missing: %1.").with(listed));
+  }
   return note;
+}
+
+Phrase note_on_means(const std::vector<DiscriminationResults>& all) {
+  const bool has_geometric =
+      std::any_of(all.begin(), all.end(), [](const DiscriminationResults& results) {
+        return std::any_of(results.means.begin(), results.means.end(), [](const Finding& mean) {
+          return mean.quantity.starts_with("geomean.");
+        });
+      });
+  const Phrase means = phrase("Analysis",
+                              "Means over the participants whose threshold could be estimated, "
+                              "with t-based 95 % CIs.");
+  if (!has_geometric) return means;
+  return phrase("Analysis", "%1 %2")
+      .with(means, phrase("Analysis",
+                          "Those of geometric means are computed on the logarithmic scale and "
+                          "contain no negative numbers; those of arithmetic means can, if the "
+                          "participants differ greatly."));
 }
 
 Phrase note_on_hits_of(const DiscriminationStudy& study) {
@@ -213,13 +286,12 @@ Phrase note_on_hits(const std::vector<DiscriminationResults>& all) {
 void add_discrimination_tables(const GatheredAnswers& gathered,
                                const std::vector<DiscriminationResults>& all,
                                AnalysisOutcome& outcome) {
-  NamedTable means{
-      kMeanThresholds,
-      phrase("Analysis", "Mean thresholds"),
-      {{"condition", "measure", "persons", "mean", "mean_low", "mean_high", "unit"}, {}},
-      phrase("Analysis",
-             "Means over the participants whose threshold could be estimated, with "
-             "t-based 95 % CIs.")};
+  NamedTable means{kMeanThresholds,
+                   phrase("Analysis", "Mean thresholds"),
+                   {{"condition", "measure", "persons", "mean", "mean_low", "mean_high", "unit",
+                     "geometric_mean", "geometric_mean_low", "geometric_mean_high"},
+                    {}},
+                   note_on_means(all)};
   NamedTable thresholds{kThresholds,
                         phrase("Analysis", "Thresholds of the participants"),
                         {{"participant", "condition"}, {}},
@@ -230,7 +302,7 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
     }
   }
   for (const char* const column :
-       {"deviance", "df", "p", "responses", "without_threshold", "unit", "status"}) {
+       {"deviance", "df", "p", "responses", "without_threshold", "unit", "status", "repetitions"}) {
     thresholds.table.columns.emplace_back(column);
   }
   NamedTable psychometric{kPsychometric,
@@ -278,6 +350,7 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
     add_psychometric_rows(gathered, results, psychometric.table);
     add_order_rows(gathered, results, order.table);
   }
+  drop_empty_columns(means.table, 2);
   drop_empty_columns(thresholds.table, 2);
   drop_empty_columns(psychometric.table, 2);
   drop_empty_columns(order.table, 1);
@@ -289,12 +362,28 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   if (!catch_trials.table.rows.empty()) outcome.tables.push_back(std::move(catch_trials));
 }
 
+namespace {
+
+/// "22/500": repetitions without a threshold, of all.
+void write_of_repetitions(Table& table) {
+  const std::optional<std::size_t> without = column_of(table, "without_threshold");
+  const std::optional<std::size_t> repetitions = column_of(table, "repetitions");
+  if (!without || !repetitions) return;
+  for (std::vector<Cell>& row : table.rows) {
+    const std::optional<double> part = number_of(row[*without]);
+    const std::optional<double> whole = number_of(row[*repetitions]);
+    if (part && whole) row[*without] = reading_number(*part) + '/' + reading_number(*whole);
+  }
+}
+
+}  // namespace
+
 Table with_quantities(const NamedTable& table) {
   static const std::set<std::string> kTables{kThresholds, kMeanThresholds, kPsychometric, kTracks};
   const std::optional<std::size_t> unit = column_of(table.table, "unit");
   if (!kTables.contains(table.name) || !unit) return table.table;
-  static const std::set<std::string> kQuantities{"pse",  "jnd",   "jnd_dprime1",
-                                                 "mean", "level", "difference"};
+  static const std::set<std::string> kQuantities{
+      "pse", "jnd", "jnd_dprime1", "mean", "geometric_mean", "level", "difference"};
   Table made = table.table;
   for (std::size_t column = 0; column < made.columns.size(); ++column) {
     std::string name = made.columns[column];
@@ -308,7 +397,8 @@ Table with_quantities(const NamedTable& table) {
       if (number && of_row != nullptr) row[column] = reading_quantity(*number, *of_row);
     }
   }
-  for (const char* const name : {"unit", "parameter"}) {
+  write_of_repetitions(made);
+  for (const char* const name : {"unit", "parameter", "repetitions"}) {
     const std::optional<std::size_t> column = column_of(made, name);
     if (!column) continue;
     const auto at = static_cast<std::ptrdiff_t>(*column);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "analysis/number_text.h"
@@ -22,6 +23,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kFunctions = "psychometric";
+constexpr const char* kSlope = "slope";
 constexpr double kThresholdConfidence = 0.95;
 constexpr double kNormalQuantile = 1.959963984540054;  // of 97.5 %
 constexpr double kQuartileOfNormal = 0.6744897501960817;
@@ -77,9 +79,17 @@ class ThresholdList final {
   }
 
   bool is_presented(double x) const { return x >= lowest_ && x <= highest_; }
+  WhyNoThreshold outside(double x) const {
+    return x > highest_ ? threshold_above_levels() : threshold_below_levels();
+  }
 
   void none(const char* quantity, const WhyNoThreshold& why) {
-    list_.word(quantity, key_, why.word, why.sentence, basis("", ""));
+    list_.word(quantity, key_, why.word, why.sentence.english(), basis("", ""));
+    const bool is_known =
+        std::find(reasons_.begin(), reasons_.end(), why.sentence) != reasons_.end();
+    if (!is_known && std::string_view(quantity) != kSlope) {
+      reasons_.push_back(why.sentence);
+    }
   }
 
   void number(const char* quantity, double value, Basis basis) {
@@ -119,10 +129,12 @@ class ThresholdList final {
 
   const std::string& key() const { return key_; }
   std::vector<Finding> take() { return list_.take(); }
+  std::vector<Phrase> take_reasons() { return std::move(reasons_); }
 
  private:
   const DiscriminationTask& task_;
   FindingList list_{};
+  std::vector<Phrase> reasons_{};  ///< each once; not those of slopes, which are in no table
   std::string key_{};
   std::size_t n_ = 0;
   double lowest_ = 0.0;
@@ -172,8 +184,9 @@ void add_performance(const DiscriminationTask& task, const DiscriminationData& d
     return list.none(quantity, why);
   }
   if (!list.is_presented(*threshold->value)) {
-    if (std::string(quantity) == "jnd") return list.no_difference(threshold_outside_levels());
-    return list.none(quantity, threshold_outside_levels());
+    const WhyNoThreshold why = list.outside(*threshold->value);
+    if (std::string(quantity) == "jnd") return list.no_difference(why);
+    return list.none(quantity, why);
   }
   Basis estimate = list.basis(
       "Weibull function of the difference from the standard, maximum likelihood", task.varied.unit);
@@ -252,18 +265,18 @@ void add_slope(const DiscriminationTask& task, const DiscriminationData& data,
                const FoundNumbers& found, ThresholdList& list) {
   const auto threshold = found.value(task.is_performance ? "threshold" : "fit.alpha", list.key());
   const WhyNoThreshold not_fitted = why_not_fitted(task, found.find("status", list.key()));
-  if (!threshold) return list.none("slope", not_fitted);
+  if (!threshold) return list.none(kSlope, not_fitted);
   if (!list.is_presented(*threshold)) {
-    return list.none("slope",
-                     task.is_performance ? threshold_outside_levels() : equality_outside_levels());
+    return list.none(kSlope,
+                     task.is_performance ? list.outside(*threshold) : equality_outside_levels());
   }
   if (is_slope_at_bound(found, list.key())) {
     return list.none(
-        "slope", task.is_performance && data.by_procedure ? slope_at_limit() : slope_at_bound());
+        kSlope, task.is_performance && data.by_procedure ? slope_at_limit() : slope_at_bound());
   }
   const auto slope = found.value("slope.at.threshold", list.key());
-  if (!slope) return list.none("slope", not_fitted);
-  list.number("slope", *slope,
+  if (!slope) return list.none(kSlope, not_fitted);
+  list.number(kSlope, *slope,
               list.basis("slope dψ/dx at the threshold", unit_of_slope(task.varied.unit)));
 }
 
@@ -425,6 +438,7 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
     add_slope(task, one, found, list);
   }
   fit.thresholds = list.take();
+  fit.reasons = list.take_reasons();
   for (Finding& finding : fit.thresholds) finding.analysis = "thresholds";
   return fit;
 }

@@ -11,6 +11,7 @@
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 
@@ -56,6 +57,8 @@ struct DiscriminationFit {
   ///   without      repetitions of the procedure without a threshold, of `kRepetitionsOfProcedures`, where it was repeated
   /// A word and a status in place of a number that cannot be estimated, or that is outside the presented levels.
   std::vector<Finding> thresholds{};
+  /// The sentences of `WhyNoThreshold` in `thresholds`, each once, except for those of slopes.
+  std::vector<Phrase> reasons{};
 };
 DiscriminationFit fit_discrimination(const DiscriminationTask& task,
                                      std::span<const DiscriminationData> data);

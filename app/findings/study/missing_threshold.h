@@ -6,16 +6,20 @@
 
 #include "analysis/finding.h"
 #include "app/findings/study/discrimination_tasks.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 
-/// Why there is no number: a word for programs and a sentence.
+/// Why there is no number: a word for programs, and a sentence with the remedy. All displays of the
+/// reason take the sentence from here.
 struct WhyNoThreshold {
   std::string word{};
-  std::string sentence{};
+  Phrase sentence{};
 };
 
-WhyNoThreshold threshold_outside_levels();
+/// The fitted threshold of a performance is greater, or smaller, than all presented differences.
+WhyNoThreshold threshold_above_levels();
+WhyNoThreshold threshold_below_levels();
 WhyNoThreshold equality_outside_levels();
 WhyNoThreshold quartiles_outside_levels();
 /// The fitted slope is at the bound of the fit, and at a limit that is set for procedures.

@@ -61,6 +61,8 @@ constexpr std::array kHeadings{
     Word{"first", QT_TRANSLATE_NOOP("AnalysisWords", "first")},
     Word{"first_half", QT_TRANSLATE_NOOP("AnalysisWords", "first half")},
     Word{"first_responses", QT_TRANSLATE_NOOP("AnalysisWords", "responses, comparison first")},
+    Word{"geometric_mean", QT_TRANSLATE_NOOP("AnalysisWords", "geometric mean")},
+    Word{"geometric_mean 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "geometric mean, 95 % CI")},
     Word{"goes", QT_TRANSLATE_NOOP("AnalysisWords", "trials")},
     Word{"height", QT_TRANSLATE_NOOP("AnalysisWords", "height")},
     Word{"high_label", QT_TRANSLATE_NOOP("AnalysisWords", "label of the maximum")},

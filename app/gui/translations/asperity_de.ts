@@ -1676,14 +1676,6 @@
         <translation>%1, n = %2</translation>
     </message>
     <message>
-        <source>For each participant and condition, a Weibull function of the difference from the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct responses. CIs of means are t-based.</source>
-        <translation>Für jede Versuchsperson und Bedingung wurde eine Weibull-Funktion der Differenz zum Standardreiz nach der Maximum-Likelihood-Methode angepasst, mit einer Ratewahrscheinlichkeit von 1/2 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %; die Schwelle ist die Differenz bei 75 % richtigen Antworten. Die KIs der Mittelwerte beruhen auf der t-Verteilung.</translation>
-    </message>
-    <message>
-        <source>For each participant and condition, a cumulative normal function of the parameter was fitted by maximum likelihood, with lapse rates of 2 % in both directions; the JND is half the distance between the values at 25 % and 75 %. CIs of means are t-based.</source>
-        <translation>Für jede Versuchsperson und Bedingung wurde eine kumulative Normalverteilung über dem Parameter nach der Maximum-Likelihood-Methode angepasst, mit Fehlerraten (lapse rates) von 2 % in beiden Richtungen; die Unterschiedsschwelle ist der halbe Abstand zwischen den Werten bei 25 % und 75 %. Die KIs der Mittelwerte beruhen auf der t-Verteilung.</translation>
-    </message>
-    <message>
         <source>What is the detection threshold of the %1?</source>
         <translation>Wie groß ist die Wahrnehmungsschwelle des Parameters %1?</translation>
     </message>
@@ -1694,14 +1686,6 @@
     <message>
         <source>It could not be estimated: no participant has a threshold within the presented levels.</source>
         <translation>Sie konnte nicht geschätzt werden: Bei keiner Versuchsperson liegt die Schwelle innerhalb der dargebotenen Stufen.</translation>
-    </message>
-    <message>
-        <source>Mean detection threshold: %1.</source>
-        <translation>Mittlere Wahrnehmungsschwelle: %1.</translation>
-    </message>
-    <message>
-        <source>Mean just-noticeable difference: %1.</source>
-        <translation>Mittlere Unterschiedsschwelle: %1.</translation>
     </message>
     <message>
         <source>Is the point of subjective equality different from the standard?</source>
@@ -1744,18 +1728,6 @@
         <translation>Nicht getestet: Weniger als zwei Versuchspersonen haben in jeder Bedingung eine Schwelle.</translation>
     </message>
     <message>
-        <source>Yes: mean thresholds %1 (%2).</source>
-        <translation>Ja: mittlere Schwellen %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Not significantly: mean thresholds %1 (%2). This does not show that they are equal.</source>
-        <translation>Nicht signifikant: mittlere Schwellen %1 (%2). Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>Mean thresholds: %1 (%2).</source>
-        <translation>Mittlere Schwellen: %1 (%2).</translation>
-    </message>
-    <message>
         <source>Does the order of presentation matter?</source>
         <translation>Spielt die Reihenfolge der Darbietung eine Rolle?</translation>
     </message>
@@ -1790,14 +1762,6 @@
     <message>
         <source>On average, %1 (%2).</source>
         <translation>Im Mittel gilt: %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Performance: a Weibull function of the difference from the standard, fitted by maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %. 95 % CI: delta method, truncated at 0.</source>
-        <translation>Leistungsurteil: Weibull-Funktion der Differenz zum Standardreiz, angepasst nach der Maximum-Likelihood-Methode, mit einer Ratewahrscheinlichkeit von 1/2 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %. JND: Differenz bei 75 % richtigen Antworten; JND bei d′ = 1: bei 76 %. 95-%-KI: Delta-Methode, bei 0 abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>Comparison: a cumulative normal function of the parameter, fitted by maximum likelihood with lapse rates of 2 % in both directions. PSE: the value at which both responses are equally frequent; JND: half the distance between the values at 25 % and 75 %, without lapses. 95 % CI: delta method, for the JND on the logarithmic scale.</source>
-        <translation>Vergleichsurteil: kumulative Normalverteilung über dem Parameter, angepasst nach der Maximum-Likelihood-Methode, mit Fehlerraten (lapse rates) von 2 % in beiden Richtungen. PSE: Wert, bei dem beide Antworten gleich häufig sind; JND: halber Abstand zwischen den Werten bei 25 % und 75 %, ohne Fehlerraten. 95-%-KI: Delta-Methode, für die JND auf der logarithmischen Skala.</translation>
     </message>
     <message>
         <source>Weber fraction: JND divided by the standard. Thresholds outside the presented levels are not reported. Deviance with its degrees of freedom and p (χ²): goodness of fit, indicative only with few trials per level.</source>
@@ -1940,10 +1904,6 @@
         <translation>Bei einem adaptiven Verfahren war die Steigung auf %1 bis %2 begrenzt.</translation>
     </message>
     <message>
-        <source>With an adaptive procedure, the slope of a Weibull function is limited to %1 to %2, and the 95 % CI is a likelihood-ratio interval whose critical value is found by running the procedure again with simulated observers (%3 repetitions; those without a threshold are counted in the table).</source>
-        <translation>Bei einem adaptiven Verfahren ist die Steigung einer Weibull-Funktion auf %1 bis %2 begrenzt, und das 95-%-KI ist ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%3 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
-    </message>
-    <message>
         <source>Does the position of the surfaces matter?</source>
         <translation>Spielt die Position der Oberflächen eine Rolle?</translation>
     </message>
@@ -1966,6 +1926,66 @@
     <message>
         <source>Trials with an easy level at random places among the others. Errors and missed deadlines indicate lapses of attention. No threshold is estimated from these trials.</source>
         <translation>Durchgänge mit einer leichten Stufe an zufälligen Stellen zwischen den anderen. Fehler und versäumte Fristen weisen auf Aufmerksamkeitslücken hin. Aus diesen Durchgängen wird keine Schwelle geschätzt.</translation>
+    </message>
+    <message>
+        <source>For each participant and condition, a cumulative normal function of the parameter was fitted by maximum likelihood, with lapse rates of 2 % in both directions; the JND is half the distance between the values at 25 % and 75 %. CIs of geometric means are t-based on the logarithmic scale.</source>
+        <translation>Für jede Versuchsperson und Bedingung wurde eine kumulative Normalverteilung über dem Parameter nach der Maximum-Likelihood-Methode angepasst, mit Fehlerraten (lapse rates) von 2 % in beiden Richtungen; die Unterschiedsschwelle ist der halbe Abstand zwischen den Werten bei 25 % und 75 %. Die KIs der geometrischen Mittel beruhen auf der t-Verteilung auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>For each participant and condition, a Weibull function of the difference from the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct responses. CIs of geometric means are t-based on the logarithmic scale.</source>
+        <translation>Für jede Versuchsperson und Bedingung wurde eine Weibull-Funktion der Differenz zum Standardreiz nach der Maximum-Likelihood-Methode angepasst, mit einer Ratewahrscheinlichkeit von 1/2 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %; die Schwelle ist die Differenz bei 75 % richtigen Antworten. Die KIs der geometrischen Mittel beruhen auf der t-Verteilung auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Geometric mean of the detection thresholds: %1.</source>
+        <translation>Geometrisches Mittel der Wahrnehmungsschwellen: %1.</translation>
+    </message>
+    <message>
+        <source>Geometric mean of the just-noticeable differences: %1.</source>
+        <translation>Geometrisches Mittel der Unterschiedsschwellen: %1.</translation>
+    </message>
+    <message>
+        <source>Yes: geometric mean thresholds %1 (%2).</source>
+        <translation>Ja: geometrische Mittel der Schwellen %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Not significantly: geometric mean thresholds %1 (%2). This does not show that they are equal.</source>
+        <translation>Nicht signifikant: geometrische Mittel der Schwellen %1 (%2). Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Geometric mean thresholds: %1 (%2).</source>
+        <translation>Geometrische Mittel der Schwellen: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Performance: a Weibull function of the difference from the standard, fitted by maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %.</source>
+        <translation>Leistungsurteil: Weibull-Funktion der Differenz zum Standardreiz, angepasst nach der Maximum-Likelihood-Methode, mit einer Ratewahrscheinlichkeit von 1/2 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %. JND: Differenz bei 75 % richtigen Antworten; JND bei d′ = 1: bei 76 %.</translation>
+    </message>
+    <message>
+        <source>95 % CI: delta method, truncated at 0.</source>
+        <translation>95-%-KI: Delta-Methode, bei 0 abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Comparison: a cumulative normal function of the parameter, fitted by maximum likelihood with lapse rates of 2 % in both directions. PSE: the value at which both responses are equally frequent; JND: half the distance between the values at 25 % and 75 %, without lapses.</source>
+        <translation>Vergleichsurteil: kumulative Normalverteilung über dem Parameter, angepasst nach der Maximum-Likelihood-Methode, mit Fehlerraten (lapse rates) von 2 % in beiden Richtungen. PSE: Wert, bei dem beide Antworten gleich häufig sind; JND: halber Abstand zwischen den Werten bei 25 % und 75 %, ohne Fehlerraten.</translation>
+    </message>
+    <message>
+        <source>95 % CI: delta method, for the JND on the logarithmic scale.</source>
+        <translation>95-%-KI: Delta-Methode, für die JND auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>With an adaptive procedure, the slope of a Weibull function is limited to %1 to %2.</source>
+        <translation>Bei einem adaptiven Verfahren ist die Steigung einer Weibull-Funktion auf %1 bis %2 begrenzt.</translation>
+    </message>
+    <message>
+        <source>With an adaptive procedure, the 95 % CI is a likelihood-ratio interval whose critical value is found by running the procedure again with simulated observers (%1 repetitions; those without a threshold are counted in the table).</source>
+        <translation>Bei einem adaptiven Verfahren ist das 95-%-KI ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%1 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
+    </message>
+    <message>
+        <source>Where a number is missing: %1.</source>
+        <translation>Wo eine Zahl fehlt: %1.</translation>
+    </message>
+    <message>
+        <source>Those of geometric means are computed on the logarithmic scale and contain no negative numbers; those of arithmetic means can, if the participants differ greatly.</source>
+        <translation>Die der geometrischen Mittel sind auf der logarithmischen Skala berechnet und enthalten keine negativen Zahlen; die der arithmetischen Mittel können welche enthalten, wenn sich die Versuchspersonen stark unterscheiden.</translation>
     </message>
 </context>
 <context>
@@ -2564,6 +2584,14 @@
     <message>
         <source>block</source>
         <translation>Block</translation>
+    </message>
+    <message>
+        <source>geometric mean</source>
+        <translation>geometrisches Mittel</translation>
+    </message>
+    <message>
+        <source>geometric mean, 95 % CI</source>
+        <translation>geometrisches Mittel, 95-%-KI</translation>
     </message>
 </context>
 <context>
@@ -3270,6 +3298,10 @@
     <message>
         <source>too few measurements</source>
         <translation>zu wenige Messungen</translation>
+    </message>
+    <message>
+        <source>the slope is at a limit of the fit</source>
+        <translation>die Steigung liegt an einer Grenze der Anpassung</translation>
     </message>
 </context>
 <context>
@@ -4332,10 +4364,6 @@
         <translation>Schwellen</translation>
     </message>
     <message>
-        <source>threshold, mean with its 95 % CI</source>
-        <translation>Schwelle, Mittelwert mit 95-%-KI</translation>
-    </message>
-    <message>
         <source>Levels over the trials of each track</source>
         <translation>Stufen über die Durchgänge jeder Folge (Track)</translation>
     </message>
@@ -4386,6 +4414,14 @@
     <message>
         <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: points of subjective equality, with 95 % CIs by running the procedure again.</source>
         <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit 95-%-KIs durch Wiederholung des Verfahrens.</translation>
+    </message>
+    <message>
+        <source>Points are geometric means over the participants whose threshold could be estimated, bars their t-based 95 % CIs on the logarithmic scale.</source>
+        <translation>Punkte: geometrische Mittel über die Versuchspersonen, deren Schwelle geschätzt werden konnte; Balken: deren 95-%-KIs nach der t-Verteilung auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>threshold, geometric mean with its 95 % CI</source>
+        <translation>Schwelle, geometrisches Mittel mit 95-%-KI</translation>
     </message>
 </context>
 <context>
@@ -4566,6 +4602,61 @@
     <message>
         <source>%1 has completed %2 of %3 planned sessions of this protocol, the latest %4</source>
         <translation>%1 hat %2 von %3 geplanten Sitzungen dieses Protokolls abgeschlossen, die letzte %4</translation>
+    </message>
+</context>
+<context>
+    <name>MissingThreshold</name>
+    <message>
+        <source>every response is correct: the threshold is below the presented levels; present smaller differences</source>
+        <translation>jede Antwort ist richtig: Die Schwelle liegt unter den dargebotenen Stufen; kleinere Differenzen darbieten</translation>
+    </message>
+    <message>
+        <source>no response is correct: check the question and its correct response</source>
+        <translation>keine Antwort ist richtig: die Frage und ihre richtige Antwort prüfen</translation>
+    </message>
+    <message>
+        <source>the proportion correct does not increase with the difference from the standard, as if the responses were guesses: check the responses in the practice and in catch trials before you present other levels</source>
+        <translation>der Anteil richtiger Antworten nimmt mit der Differenz zum Standardreiz nicht zu, als wären die Antworten geraten: die Antworten in der Übung und in den Kontrolldurchgängen prüfen, bevor andere Stufen dargeboten werden</translation>
+    </message>
+    <message>
+        <source>every response is the one of high levels: the point of subjective equality is below the presented levels; present lower levels</source>
+        <translation>jede Antwort ist die hoher Stufen: Der Punkt subjektiver Gleichheit liegt unter den dargebotenen Stufen; niedrigere Stufen darbieten</translation>
+    </message>
+    <message>
+        <source>every response is the one of low levels: the point of subjective equality is above the presented levels; present higher levels</source>
+        <translation>jede Antwort ist die niedriger Stufen: Der Punkt subjektiver Gleichheit liegt über den dargebotenen Stufen; höhere Stufen darbieten</translation>
+    </message>
+    <message>
+        <source>the proportion of hits does not increase with the level, as if the responses were guesses: check the responses in the practice and in catch trials before you present other levels</source>
+        <translation>der Anteil der Treffer nimmt mit der Stufe nicht zu, als wären die Antworten geraten: die Antworten in der Übung und in den Kontrolldurchgängen prüfen, bevor andere Stufen dargeboten werden</translation>
+    </message>
+    <message>
+        <source>the threshold is above the presented levels: present larger differences</source>
+        <translation>die Schwelle liegt über den dargebotenen Stufen: größere Differenzen darbieten</translation>
+    </message>
+    <message>
+        <source>the threshold is below the presented levels: present smaller differences</source>
+        <translation>die Schwelle liegt unter den dargebotenen Stufen: kleinere Differenzen darbieten</translation>
+    </message>
+    <message>
+        <source>the point of subjective equality is outside the presented levels: present levels on both sides of it</source>
+        <translation>der Punkt subjektiver Gleichheit liegt außerhalb der dargebotenen Stufen: Stufen auf beiden Seiten davon darbieten</translation>
+    </message>
+    <message>
+        <source>the values at 25 % and 75 % are not both within the presented levels: present a wider range of levels</source>
+        <translation>die Werte bei 25 % und 75 % liegen nicht beide innerhalb der dargebotenen Stufen: einen größeren Bereich von Stufen darbieten</translation>
+    </message>
+    <message>
+        <source>the function is steeper than the presented levels can resolve: present levels nearer to the threshold</source>
+        <translation>die Funktion ist steiler, als die dargebotenen Stufen auflösen: Stufen näher an der Schwelle darbieten</translation>
+    </message>
+    <message>
+        <source>the slope is at a limit of the fit, because the responses do not determine it: more trials are needed</source>
+        <translation>die Steigung liegt an einer Grenze der Anpassung, weil die Antworten sie nicht bestimmen: mehr Durchgänge sind nötig</translation>
+    </message>
+    <message>
+        <source>no threshold is defined for these data</source>
+        <translation>für diese Daten ist keine Schwelle definiert</translation>
     </message>
 </context>
 <context>
