@@ -249,9 +249,13 @@ class StudyExport final {
       trials[trial.trial] = &trial;
       at.trial = &trial;
       at.factors = &factors_.of(trial.factors_json);
+      const nlohmann::json planned = nlohmann::json::parse(trial.plan_json);
+      at.plan = &planned;
+      at.attempts_of_trial = attempts_by_trial[trial.trial].size();
       add("trials", at);
       for (AttemptRow* attempt : attempts_by_trial[trial.trial]) add_attempt(at, *attempt, files);
     }
+    at.plan = nullptr;
     for (const TimedEvent& event : timeline) {
       at.event = &event;
       at.attempt = event.attempt;

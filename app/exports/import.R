@@ -2,7 +2,7 @@
 #
 #   source("import.R", chdir = TRUE)   # from any folder: the path of this file
 #   tables$attempts                    # every .tsv and .csv of the folder, by name
-#   answers <- answered_trials()       # one row per counted response of a human participant
+#   answers <- answered_trials()       # one row per counted response of a human participant; simulated: "virtual"
 #
 # Types come from codebook.tsv. Boolean values are TRUE and FALSE; a text with declared levels is a factor;
 # missing is NA. A text that begins with an apostrophe was written with one more, so that no
@@ -61,7 +61,7 @@ read_asperity_tables <- function(folder = asperity_folder) {
 
 # One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only those that count in
 # analyses (counts_in_analyses), of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
-# `counted = FALSE` keeps those that do not count as well.
+# `counted = FALSE` keeps those that do not count as well. Without `who` it stops if there are answers, but none of these.
 answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   if (!is.character(who) || length(who) != 1 || !(who %in% c("run", "pilot", "virtual"))) {
     stop("answered_trials: who is \"run\", \"pilot\" or \"virtual\"; tables of another export are answered_trials(read = ...)")
@@ -72,6 +72,12 @@ answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   group <- ifelse(answers$virtual, "virtual", as.character(answers$mode))
   kept <- group == who
   if (counted) kept <- kept & answers$counts_in_analyses
+  if (missing(who) && nrow(answers) > 0 && !any(kept)) {
+    stop("no participant has a response that counts in analyses; the study has responses of the groups ",
+         paste0("\"", sort(unique(group)), "\"", collapse = ", "),
+         " (", sum(answers$counts_in_analyses), " that count): answered_trials(\"", sort(unique(group))[1],
+         "\") returns those of a group, counted = FALSE also those that do not count")
+  }
   answers <- answers[kept, ]
   answers[order(answers$participant, answers$session, answers$trial, answers$attempt, answers$item), ]
 }

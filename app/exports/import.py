@@ -87,10 +87,12 @@ def read_tables(folder=FOLDER):
     return {name.rsplit(".", 1)[0].replace("/", "_"): read_table(name, folder) for name in files(folder)}
 
 
-def answered_trials(tables, who="run", counted=True):
+def answered_trials(tables, who=None, counted=True):
     """One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only those that count
     in analyses (counts_in_analyses), of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
-    `counted=False` keeps those that do not count as well."""
+    `counted=False` keeps those that do not count as well. Without `who` ("run") a ValueError states what to pass if there
+    are answers, but none of these."""
+    is_default, who = who is None, "run" if who is None else who
     if who not in ("run", "pilot", "virtual"):
         raise ValueError(f'answered_trials: who is "run", "pilot" or "virtual", not {who!r}')
     keys = ["participant", "session", "trial", "virtual", "mode"]
@@ -100,6 +102,11 @@ def answered_trials(tables, who="run", counted=True):
     kept = group == who
     if counted:
         kept &= answers["counts_in_analyses"]
+    if is_default and len(answers) and not kept.any():
+        groups = sorted(group.unique())
+        raise ValueError(f"no participant has a response that counts in analyses; the study has responses of the groups {groups}: "
+                         f'answered_trials(tables, who="{groups[0]}") returns those of a group, counted=False also those '
+                         "that do not count")
     return answers[kept].sort_values(keys[:3] + ["attempt", "item"]).reset_index(drop=True)
 
 

@@ -173,6 +173,49 @@ TEST(Export, GivesEachFactorAColumnWithTheProtocolsWords) {
   EXPECT_EQ((*row)[10], Cell{"protocol recognition 1: /factors/spacing_m"});
 }
 
+// Practice ends when its criterion is reached; the rest of it stays in the plan.
+TEST(Export, CountsTheAttemptsAtEveryPlannedTrial) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  MadeUpTrial practice = some_trial();
+  practice.phase = "practice";
+  practice.is_presented = false;
+  made.add_session("anna", made.add_protocol("recognition", "recognition", kExportedProtocol),
+                   {some_trial(), practice});
+  const Exported tables(made);
+  const Table trials = tables.table("trials");
+  EXPECT_EQ(trials.columns.back(), "attempts");
+  EXPECT_EQ(cell_of(trials, 0, "attempts"), Cell{"1"});
+  EXPECT_EQ(cell_of(trials, 1, "attempts"), Cell{"0"});
+}
+
+TEST(Export, HasThePlaceOnTheTextureAndTheIntervalBeforeEverySurface) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  MadeUpTrial drawn = some_trial();
+  drawn.plan_json = R"({"presentations": [
+    {"position": 1, "patch": {"centre_m": [0, 0], "texture_origin_m": [0.25, 0.5]}},
+    {"position": 2}]})";
+  drawn.surfaces[0].onset_ns = 6'100'000'000;
+  drawn.surfaces[0].visits = {{.contact_ns = 6'200'000'000, .offset_ns = 6'300'000'000},
+                              {.contact_ns = 7'800'000'000, .offset_ns = 7'900'000'000}};
+  drawn.surfaces[1].onset_ns = 7'200'000'000;
+  drawn.surfaces[1].visits = {{.contact_ns = 7'300'000'000, .offset_ns = 7'400'000'000}};
+  for (PresentationRow& surface : drawn.surfaces) {
+    for (VisitRow& visit : surface.visits) visit.contact_s = 0.1;
+  }
+  made.add_session("anna", made.add_protocol("recognition", "recognition", kExportedProtocol),
+                   {drawn});
+  const Exported tables(made);
+  const Table surfaces = tables.table("presentations");
+  EXPECT_EQ(surfaces.columns.back(), "interval_s");
+  EXPECT_EQ(cell_of(surfaces, 0, "texture_origin_x_m"), Cell{"0.25"});
+  EXPECT_EQ(cell_of(surfaces, 0, "texture_origin_y_m"), Cell{"0.5"});
+  EXPECT_EQ(cell_of(surfaces, 1, "texture_origin_x_m"), Cell{});
+  EXPECT_EQ(cell_of(surfaces, 0, "interval_s"), Cell{});
+  EXPECT_EQ(cell_of(surfaces, 1, "interval_s"), Cell{"0.9"}) << "before the second visit to A";
+}
+
 TEST(Export, GivesEachParameterOfAModelAColumn) {
   MadeUpStudy made;
   fill(made);

@@ -134,13 +134,16 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
     row.track = trial.track;
     row.is_catch = trial.is_catch;
     row.step = trial.step;
+    row.plan_json = trial.plan_json;
     plan.push_back(row);
   }
   const std::int64_t id = study_->add_session(session, plan);
   const int segment = study_->begin_segment(id, kClockZero_ns);
   int trial = 0;
-  for (const MadeUpTrial& made : trials)
-    study_->add_attempt(id, attempt_of(made, ++trial, segment));
+  for (const MadeUpTrial& made : trials) {
+    ++trial;
+    if (made.is_presented) study_->add_attempt(id, attempt_of(made, trial, segment));
+  }
   study_->end_segment(id, segment, kFirstTrial_ns + trial * kTrial_ns, "completed");
   study_->end_session(id, state_, "2001-02-03T05:05:06Z");
   return id;

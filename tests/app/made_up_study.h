@@ -38,6 +38,8 @@ struct MadeUpTrial {
   bool flagged = false;
   std::optional<RecordingRow> recording{};
   std::vector<EventRow> events{};
+  std::string plan_json = "{}";
+  bool is_presented = true;
 };
 
 PresentationRow surface_of(const std::string& item, const std::string& model,

@@ -22,7 +22,7 @@ for (name in names(tables)) {
 for (wrong in list("virtuals", c("run", "pilot"), tables)) {
   stopifnot(inherits(try(answered_trials(wrong), silent = TRUE), "try-error"))
 }
-stopifnot(nrow(answered_trials()) == 0, identical(answered_trials("virtual"), answered_trials(who = "virtual")))
+stopifnot(nrow(answered_trials("run")) == 0, inherits(try(answered_trials(), silent = TRUE), "try-error"), identical(answered_trials("virtual"), answered_trials(who = "virtual")))
 
 answers <- answered_trials("virtual")
 results <- data.frame(protocol = character(), quantity = character(), key = character(), value = numeric())

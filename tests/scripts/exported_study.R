@@ -6,7 +6,9 @@ setwd(arguments[2])
 
 stopifnot(is.logical(tables$attempts$valid), is.character(tables$participants$participant), is.factor(tables$sessions$mode),
           is.character(tables$sessions$seed), is.numeric(tables$responses$time_s),
-          nrow(answered_trials()) == 0)  # nobody here is a person
+          nrow(answered_trials("run")) == 0)  # nobody here is a person
+refusal <- try(answered_trials(), silent = TRUE)
+stopifnot(inherits(refusal, "try-error"), grepl("answered_trials(\"virtual\")", refusal, fixed = TRUE))
 answers <- answered_trials(who = "virtual")
 answers <- answers[answers$question == "most_realistic", ]
 stopifnot(nrow(answers) > 0)

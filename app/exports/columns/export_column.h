@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -35,9 +36,11 @@ struct ExportPlace {
   std::optional<double> doubted_estimate{};
   /// The factor that removes the participant's own scale from an estimate (OwnScales).
   std::optional<double> own_scale{};
+  std::size_t attempts_of_trial = 0;
   // The JSON of these rows, parsed.
   const nlohmann::json* answers = nullptr;     ///< of the participant
   const nlohmann::json* factors = nullptr;     ///< of the trial
+  const nlohmann::json* plan = nullptr;        ///< the complete trial
   const nlohmann::json* parameters = nullptr;  ///< of the presentation
   const ServoQualityRow* servo = nullptr;
   const VisitRow* visit = nullptr;

@@ -15,9 +15,11 @@ namespace asperity {
 using namespace export_columns;
 
 std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
+  Columns trials = trial_columns(vocabulary);
+  trials.push_back(attempts_of_trial_column());
   return {{"participants", participant_columns(vocabulary)},
           {"sessions", session_columns(vocabulary)},
-          {"trials", trial_columns(vocabulary)},
+          {"trials", std::move(trials)},
           {"attempts", attempt_columns()},
           {"presentations", presentation_columns(vocabulary)},
           {"visits", visit_columns()},

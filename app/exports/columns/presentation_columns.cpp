@@ -1,6 +1,11 @@
+#include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
@@ -10,6 +15,33 @@ namespace asperity::export_columns {
 namespace {
 
 using Place = ExportPlace;
+
+/// The place of the texture in the plan, in one of its two directions.
+Cell texture_origin_m(const Place& at, std::size_t direction) {
+  const auto planned = at.plan->find("presentations");
+  if (planned == at.plan->end()) return {};
+  for (const nlohmann::json& presentation : *planned) {
+    if (presentation.value("position", 0) != at.presentation->position) continue;
+    const auto patch = presentation.find("patch");
+    if (patch == presentation.end()) return {};
+    return patch->at("texture_origin_m").at(direction).get<double>();
+  }
+  return {};
+}
+
+/// From the last contact with any surface of the attempt to the onset of this one.
+Cell interval_before(const Place& at) {
+  if (!at.presentation->onset_ns) return {};
+  std::optional<std::int64_t> lifted_ns{};
+  for (const PresentationRow& other : at.attempt->presentations) {
+    for (const VisitRow& visit : other.visits) {
+      if (visit.offset_ns >= *at.presentation->onset_ns) continue;
+      lifted_ns = std::max(lifted_ns.value_or(visit.offset_ns), visit.offset_ns);
+    }
+  }
+  if (!lifted_ns) return {};
+  return static_cast<double>(*at.presentation->onset_ns - *lifted_ns) / 1e9;
+}
 
 }  // namespace
 
@@ -122,6 +154,24 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
     made.levels.assign(parameter.levels.begin(), parameter.levels.end());
     columns.push_back(std::move(made));
   }
+  for (const auto& [name, direction] :
+       {std::pair{"texture_origin_x_m", std::size_t{0}}, {"texture_origin_y_m", std::size_t{1}}}) {
+    add(missing(
+        "the surface fills the workspace, and its place on the texture is that of the "
+        "protocol",
+        column(
+            name, "number", "m",
+            "point of the texture at the centre of the surface, as planned: the place "
+            "that was drawn for the presentation, where the protocol draws it",
+            [direction = direction](const Place& at) { return texture_origin_m(at, direction); })));
+  }
+  add(
+      missing("no surface was touched before in the attempt, or the attempt was stored before "
+              "schema version 11",
+              at_least(0, column("interval_s", "number", "s",
+                                 "inter-stimulus interval: time from the last contact with a "
+                                 "surface of the attempt to the onset of this one",
+                                 interval_before))));
   return columns;
 }
 

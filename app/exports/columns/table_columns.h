@@ -17,6 +17,8 @@ inline constexpr const char* kNotCountedApart =
 Columns participant_columns(const StudyVocabulary& vocabulary);
 Columns session_columns(const StudyVocabulary& vocabulary);
 Columns trial_columns(const StudyVocabulary& vocabulary);
+/// Of the table of trials only: in tables of attempts it would say nothing.
+ExportColumn attempts_of_trial_column();
 Columns attempt_columns();
 Columns presentation_columns(const StudyVocabulary& vocabulary);
 Columns response_columns(const StudyVocabulary& vocabulary);

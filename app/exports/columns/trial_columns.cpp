@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -101,6 +102,16 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
   }
   if (!vocabulary.estimations.empty()) add(texture_spacing(vocabulary));
   return columns;
+}
+
+ExportColumn attempts_of_trial_column() {
+  return at_least(
+      0, column("attempts", "integer", "1",
+                "number of attempts at the trial; 0: it was planned and never presented, for "
+                "example because the practice had reached its criterion or the session ended",
+                [](const Place& at) {
+                  return integer(static_cast<std::int64_t>(at.attempts_of_trial));
+                }));
 }
 
 }  // namespace asperity::export_columns
