@@ -21,6 +21,7 @@
 #include "device/simulated_device.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
+#include "renderers/force/friction.h"
 #include "renderers/servo/servo_loop.h"
 #include "renderers/servo/servo_thread.h"
 
@@ -235,6 +236,9 @@ int run(bool as_json) {
   laws.push_back({registry.find("stochastic"), {{"index", std::string("distance")}}});
   laws.push_back({registry.find("normal_map"), {{"law", std::string("physical")}}});
   laws.push_back({registry.find("periodic"), {{"force_direction", std::string("gradient")}}});
+  for (const FrictionLaw& law : friction_laws()) {
+    laws.push_back({registry.find(kPlainest), {{"friction_law", std::string(law.name)}}});
+  }
   double felt_N = 0.0;  // printed to nobody, but used: the work cannot be left out
   std::vector<Costs> all;
   all.push_back(measure("clock", Caches::warm, [&](int i) { felt_N += i; }));

@@ -64,10 +64,15 @@ void require_place(std::span<const AdjacentPatch> patches, std::size_t index,
   }
 }
 
-/// The flat surface has the default of every model, whatever the surfaces beside it have.
-ParameterValues parameters_of_friction() {
+/// Of the flat surface: those of the first patch, whose law is that of all of them as a rule; the law `rounded` has the
+/// default speed, whatever the patches have.
+ParameterValues parameters_of_friction(std::span<const AdjacentPatch> patches) {
   const Parameter speed = friction_speed_parameter();
-  return {{speed.name, speed.default_value}};
+  ParameterValues values{};
+  if (!patches.empty()) values = friction_values_of(patches.front().inputs.parameters);
+  if (&friction_law_of(values) == &friction_law("rounded")) values.clear();
+  values[speed.name] = speed.default_value;
+  return values;
 }
 
 }  // namespace
@@ -82,7 +87,7 @@ RendererInputs without_border(RendererInputs inputs) {
 AdjacentPatches::AdjacentPatches(std::span<const AdjacentPatch> patches,
                                  const SurfacePatch& workspace, const Material& material,
                                  double blend_m)
-    : flat_(workspace, material, parameters_of_friction()), blend_m_(blend_m) {
+    : flat_(workspace, material, parameters_of_friction(patches)), blend_m_(blend_m) {
   if (patches.empty()) throw std::invalid_argument("there must be at least one patch");
   if (!(blend_m > 0.0)) throw std::invalid_argument("the width of the blend must be positive");
   for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -101,7 +106,10 @@ AdjacentPatches::AdjacentPatches(std::span<const AdjacentPatch> patches,
   }
 }
 
-void AdjacentPatches::reset(const ProbeState&) noexcept { entered_ = 0; }
+void AdjacentPatches::reset(const ProbeState&) noexcept {
+  entered_ = 0;
+  flat_.reset();
+}
 
 double AdjacentPatches::weight_of(const Patch& patch, const glm::dvec3& position_m) const noexcept {
   double weight = 1.0;
@@ -118,22 +126,31 @@ RenderedTick AdjacentPatches::tick(const ProbeState& probe, double dt_s) noexcep
   PatchPoint point = flat_.locate(probe.position_m);
   const glm::dvec3 wall_N(point.wall_N, 0.0);
   point.wall_N = glm::dvec2(0.0);  // belongs to the workspace, not to one of the surfaces
-  RenderedTick blend{};
-  if (const double depth_m = -point.height_m; depth_m > 0.0 && point.gain > 0.0) {
-    const double normal_N = flat_.material().stiffness_N_per_m * depth_m;
-    blend = flat_.force(
-        point, probe,
-        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = depth_m});
-  }
   double weight = 0.0;
   std::size_t entered = 0;
   for (std::size_t i = 0; i < patches_.size() && entered == 0; ++i) {
     weight = weight_of(patches_[i], probe.position_m);
     if (weight > 0.0) entered = i + 1;
   }
+  if (entered != 0 && entered != entered_) {
+    ForceRenderer& renderer = *patches_[entered - 1].renderer;
+    renderer.reset(probe);
+    // The contact of the last tick, in which the hand was still on the flat surface alone.
+    if (Friction* const friction = renderer.friction()) {
+      friction->continue_contact_of(flat_.friction());
+    }
+  }
+  RenderedTick blend{};
+  if (const double depth_m = -point.height_m; depth_m > 0.0 && point.gain > 0.0) {
+    const double normal_N = flat_.material().stiffness_N_per_m * depth_m;
+    blend = flat_.force(
+        point, probe,
+        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = depth_m}, dt_s);
+  } else {
+    flat_.reset();
+  }
   if (entered != 0) {
     ForceRenderer& renderer = *patches_[entered - 1].renderer;
-    if (entered != entered_) renderer.reset(probe);
     const RenderedTick of_patch = renderer.tick(probe, dt_s);
     const double share = weight * point.gain;
     blend.wrench.force_N = share * of_patch.wrench.force_N + (1.0 - weight) * blend.wrench.force_N;

@@ -11,6 +11,8 @@
 
 namespace asperity {
 
+class Friction;
+
 /// The number of ticks in which a condition held. The model that counts the condition documents it.
 struct NamedCount {
   std::string_view name{};  ///< `[a-z][a-z0-9_]*`; points to a literal and outlives the renderer
@@ -48,6 +50,10 @@ class ForceRenderer {
   /// The wrench and the penetration for this sample. Samples arrive in temporal order. `dt_s` is the time since the
   /// previous sample, already clamped and always positive.
   virtual RenderedTick tick(const ProbeState& probe, double dt_s) noexcept = 0;
+
+  /// The friction of a contact with a surface, for a renderer that hands a contact over from one surface to the next
+  /// (AdjacentPatches); null for a renderer without one. Servo thread only.
+  virtual Friction* friction() noexcept { return nullptr; }
 
   /// The number of ticks since construction in which each assumption of the model was violated: the same names in the
   /// same order at every call, zeros included. Empty for a model without such limits. `reset` does not clear the

@@ -10,8 +10,6 @@
 namespace asperity {
 namespace {
 
-constexpr const char* kFrictionSpeed = "friction_speed_m_per_s";
-
 void refuse_unless(bool acceptable, const char* what, double value) {
   if (acceptable && std::isfinite(value)) return;
   throw std::invalid_argument(std::string(what) + ", but it is " + std::to_string(value));
@@ -29,25 +27,12 @@ double excess(double coordinate, double half) noexcept {
 
 }  // namespace
 
-Parameter friction_speed_parameter() {
-  return {.name = kFrictionSpeed,
-          .kind = ParameterKind::number,
-          .unit = "m/s",
-          .minimum = 1e-4,
-          .maximum = 0.1,
-          .choices = {},
-          .default_value = 0.010,
-          .meaning =
-              "Speed v0 below which Coulomb friction decreases to zero at rest: "
-              "mu N v / sqrt(v^2 + v0^2)"};
-}
-
 SurfaceContact::SurfaceContact(const SurfacePatch& patch, const Material& material,
                                const ParameterValues& parameters)
     : patch_(patch),
       material_(material),
       half_extent_m_(0.5 * patch.extent_m),
-      friction_speed_m_per_s_(number_of(parameters, kFrictionSpeed)) {
+      friction_(material.friction, parameters) {
   for (int axis = 0; axis < 3; ++axis) {
     refuse_unless(true, "SurfacePatch::centre_m must be finite", patch.centre_m[axis]);
   }
@@ -95,16 +80,21 @@ PatchPoint SurfaceContact::locate(const glm::dvec3& position_m) const noexcept {
 }
 
 RenderedTick SurfaceContact::force(const PatchPoint& point, const ProbeState& probe,
-                                   const ContactForce& contact) const noexcept {
-  const double vx = probe.velocity_m_per_s.x;
-  const double vy = probe.velocity_m_per_s.y;
-  const double v0 = friction_speed_m_per_s_;
-  const double friction_N_s_per_m =
-      material_.friction * contact.normal_N / std::sqrt(vx * vx + vy * vy + v0 * v0);
+                                   const ContactForce& contact, double dt_s) noexcept {
+  const glm::dvec2 drag_N =
+      friction_.drag_N({.position_m = glm::dvec2(probe.position_m),
+                        .velocity_m_per_s = glm::dvec2(probe.velocity_m_per_s),
+                        .normal_N = contact.normal_N,
+                        .dt_s = dt_s});
   glm::dvec3 force_N = contact.texture_N;
-  force_N.x += point.wall_N.x - friction_N_s_per_m * vx;
-  force_N.y += point.wall_N.y - friction_N_s_per_m * vy;
+  force_N.x += point.wall_N.x - drag_N.x;
+  force_N.y += point.wall_N.y - drag_N.y;
   return {.wrench = {.force_N = point.gain * force_N}, .penetration_m = contact.penetration_m};
+}
+
+RenderedTick SurfaceContact::no_contact() noexcept {
+  friction_.reset();
+  return {};
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "device/probe_state.h"
+#include "renderers/force/friction.h"
 #include "renderers/force/rendered_tick.h"
 #include "stimuli/properties/material.h"
 #include "stimuli/properties/parameter.h"
@@ -32,31 +33,37 @@ struct ContactForce {
 /// Computes the placement, friction and border of a stimulus's patch in the same way for every force model, so that
 /// models that are compared do not differ in them.
 ///
-///   friction   F_f = −μ·N·v_t / √(v_t² + v₀²)   v_t tangential velocity of the hand [m/s],
-///                                               N normal force [N], μ the Material's [1],
-///                                               v₀ `friction_speed_m_per_s` [m/s]
+///   friction   F_f = −D   the drag of the law `friction_law` (friction.h), from the motion of the hand along the
+///                         surface, the normal force N and the Material's μ
 ///   wall       F_w = −k·e   e the distance beyond the border [m], k the Material's stiffness [N/m]
 ///   fade       F·s(b_x/w)·s(b_y/w)   b the distance inside each border, w its width [m],
 ///                                    s(u) = u²(3 − 2u) on [0, 1]
 ///
-/// Friction is Coulomb friction, smoothed below v₀: 99 % of μN at 7 v₀ and zero at rest, so that a hand on a slope is
-/// not held. Near rest it is a damper of μN/v₀, on which the loop vibrates if it is too steep (offline/sampled_loop.h).
+/// The law `rounded` is D = μ·N·v_t/√(v_t² + v₀²): 99 % of μN at 7 v₀ and zero at rest, so that a hand on a slope is not
+/// held. Near rest it is a damper of μN/v₀, on which the loop vibrates if it is too steep (offline/sampled_loop.h). Other
+/// laws remember the contact: a model calls `force` in every tick of a contact and `no_contact` in every other one.
 /// Extent and border are measured in the device's coordinates, independent of `motion_scale`.
 ///
-/// Errors: the constructor throws std::invalid_argument, naming the field, for an extent, motion scale, stiffness or v₀
-/// that is not positive, a negative friction, or a fading border that is wider than half the patch.
+/// Errors: the constructor throws std::invalid_argument, naming the field, for an extent, motion scale or stiffness
+/// that is not positive, a negative friction, or a fading border that is wider than half the patch; as Friction for its
+/// parameters.
 ///
-/// Real-time: `locate` and `force` do not allocate, lock or throw.
+/// Real-time: `locate`, `force`, `no_contact` and `reset` do not allocate, lock or throw.
 class SurfaceContact final {
  public:
   SurfaceContact(const SurfacePatch& patch, const Material& material,
                  const ParameterValues& parameters);
 
   PatchPoint locate(const glm::dvec3& position_m) const noexcept;
-  /// The complete result, from the model's contact force at `point`.
-  RenderedTick force(const PatchPoint& point, const ProbeState& probe,
-                     const ContactForce& contact) const noexcept;
+  /// The complete result, from the model's contact force at `point`, `dt_s` after the previous sample.
+  RenderedTick force(const PatchPoint& point, const ProbeState& probe, const ContactForce& contact,
+                     double dt_s) noexcept;
+  /// The result of a sample that is not in contact: no force, and the friction starts over.
+  RenderedTick no_contact() noexcept;
+  /// At the start of a presentation.
+  void reset() noexcept { friction_.reset(); }
 
+  Friction& friction() noexcept { return friction_; }
   const SurfacePatch& patch() const noexcept { return patch_; }
   const Material& material() const noexcept { return material_; }
 
@@ -64,10 +71,7 @@ class SurfaceContact final {
   SurfacePatch patch_{};
   Material material_{};
   glm::dvec2 half_extent_m_{0.0};
-  double friction_speed_m_per_s_ = 0.0;
+  Friction friction_;
 };
-
-/// The declaration of v₀ of the friction, which every model has.
-Parameter friction_speed_parameter();
 
 }  // namespace asperity

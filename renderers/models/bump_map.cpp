@@ -21,12 +21,12 @@ class BumpMap final : public ForceRenderer {
                     ? height_scale_ * (field_->maximum_m() - field_->minimum_m())
                     : 0.0) {}
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
     const double depth_m = face_m_ - point.height_m;
-    if (point.gain == 0.0 || !(depth_m > 0.0)) return {};
+    if (point.gain == 0.0 || !(depth_m > 0.0)) return contact_.no_contact();
     const HeightSample h = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
     const double raised_m =
         depth_scale_ * height_scale_ * std::max(0.0, h.height_m - field_->minimum_m());
@@ -40,8 +40,11 @@ class BumpMap final : public ForceRenderer {
     const glm::dvec3 force_N{-k * upright_m * slope_x, -k * upright_m * slope_y,
                              k * (depth_m - along_bump_m + upright_m)};
     return contact_.force(point, probe,
-                          {.texture_N = force_N, .normal_N = force_N.z, .penetration_m = depth_m});
+                          {.texture_N = force_N, .normal_N = force_N.z, .penetration_m = depth_m},
+                          dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   SurfaceContact contact_;
@@ -89,8 +92,8 @@ ForceModel bump_map_model() {
        .choices = {"mean", "crest"},
        .default_value = std::string("mean"),
        .meaning = "mean: contact begins at the plane; crest: contact begins "
-                  "above it by the height of the texture, lowest to highest"},
-      friction_speed_parameter()};
+                  "above it by the height of the texture, lowest to highest"}};
+  add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<BumpMap>(inputs);

@@ -13,7 +13,7 @@ namespace asperity {
 ///   d   = max(0, z_s + h_c − p_z)           depth under the face [m]
 ///   F   = k·[(d − K·h')·n + K·h'·M̂]         where d ≥ K·h'
 ///   F   = k·d·M̂                             where d < K·h'
-///       − μ·F_n·v_t/√(v_t² + v₀²)           F_n = F·n, the rendered normal force [N]
+///       − D                                 D the drag (force/friction.h) of F_n = F·n, the rendered normal force
 ///
 /// h the height field [m], n = ẑ, k, μ the Material's stiffness [N/m] and friction [1], z_s the patch's plane, p_z the tip
 /// [m], K = `depth_scale` [1], 0 to 1. `face = mean` (default): h_c = 0, the face is the plane z_s. `face = crest`: h_c =

@@ -18,14 +18,14 @@ class CorrectedHeightMap final : public ForceRenderer {
         depth_limit_m_(number_of(inputs.parameters, "depth_limit_m")),
         lateral_gain_(number_of(inputs.parameters, "lateral_gradient_gain")) {}
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
-    if (point.gain == 0.0) return {};
+    if (point.gain == 0.0) return contact_.no_contact();
     const HeightSample d = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
     const double penetration_m = height_scale_ * d.height_m - point.height_m;
-    if (!(penetration_m > 0.0)) return {};
+    if (!(penetration_m > 0.0)) return contact_.no_contact();
     const double normal_N =
         contact_.material().stiffness_N_per_m * std::min(penetration_m, depth_limit_m_);
     const double per_slope_N =
@@ -34,8 +34,11 @@ class CorrectedHeightMap final : public ForceRenderer {
         point, probe,
         {.texture_N = {per_slope_N * d.slope_x, per_slope_N * d.slope_y, normal_N},
          .normal_N = normal_N,
-         .penetration_m = penetration_m});
+         .penetration_m = penetration_m},
+        dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   SurfaceContact contact_;
@@ -58,12 +61,12 @@ class LiteralHeightMap final : public ForceRenderer {
                       ? inputs.height_field->minimum_m()
                       : 0.0) {}
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
-    if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     double force_N = k1_N_per_m_ * std::min(penetration_m, depth_limit_m_);
     if (penetration_m <= depth_limit_m_) {
       const HeightSample d = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
@@ -71,8 +74,10 @@ class LiteralHeightMap final : public ForceRenderer {
     }
     // Without a normal force there is no friction: the equations contain none.
     return contact_.force(point, probe,
-                          {.texture_N = {0.0, 0.0, force_N}, .penetration_m = penetration_m});
+                          {.texture_N = {0.0, 0.0, force_N}, .penetration_m = penetration_m}, dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   SurfaceContact contact_;
@@ -144,8 +149,8 @@ ForceModel height_map_model() {
        .maximum = 5000.0,
        .choices = {},
        .default_value = 500.0,
-       .meaning = "Literal law only: k1 of equation 2, the stiffness of the plate"},
-      friction_speed_parameter()};
+       .meaning = "Literal law only: k1 of equation 2, the stiffness of the plate"}};
+  add_friction_parameters(declaration.parameters);
   const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     if (choice_of(inputs.parameters, "law") == "literal") {
       return std::make_unique<LiteralHeightMap>(inputs);

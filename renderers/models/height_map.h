@@ -16,7 +16,7 @@ namespace asperity {
 ///
 ///   w   = max(0, z_s + s·d(x, y) − p_z)      penetration [m], texture included
 ///   F_n = k·min(w, H)                        saturates continuously at depth H [N]
-///   F   = F_n·n − g·F_n·s·∇d − μ·F_n·v_t/√(v_t² + v₀²)
+///   F   = F_n·n − g·F_n·s·∇d − D                D the drag of the friction (force/friction.h)
 ///
 /// With g = 1, μ = 0 and w < H the force is −∇U of the energy U = ½·k·w²: a closed path does no work. With g = 0 (the
 /// default) it points up for any slope, as in the source. ∇d is the derivative with respect to the device's motion, so

@@ -17,12 +17,12 @@ class LateralGradient final : public ForceRenderer {
         per_slope_N_(-number_of(inputs.parameters, "gain_N") * inputs.patch.motion_scale),
         by_force_(choice_of(inputs.parameters, "law") == "force") {}
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
-    if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     const HeightSample h = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
     const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     const double per_slope_N = by_force_ ? per_slope_N_ * (normal_N / kUnit_N) : per_slope_N_;
@@ -30,8 +30,11 @@ class LateralGradient final : public ForceRenderer {
         point, probe,
         {.texture_N = {per_slope_N * h.slope_x, per_slope_N * h.slope_y, normal_N},
          .normal_N = normal_N,
-         .penetration_m = penetration_m});
+         .penetration_m = penetration_m},
+        dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   SurfaceContact contact_;
@@ -69,8 +72,8 @@ ForceModel lateral_gradient_model() {
                              .default_value = std::string("constant"),
                              .meaning = "constant: the force along the surface does not depend on "
                                         "how hard the hand presses, as in the source; force: it is "
-                                        "proportional to the normal force"},
-                            friction_speed_parameter()};
+                                        "proportional to the normal force"}};
+  add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<LateralGradient>(inputs);

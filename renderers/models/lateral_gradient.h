@@ -12,7 +12,7 @@ namespace asperity {
 ///   F_n = k·w                              k the Material's stiffness [N/m]
 ///   F_x = −K·∂h/∂x,  F_y = −K·∂h/∂y        in contact (w > 0), h the height field [m],
 ///                                          K = `gain_N` [N], independent of the normal force
-///   F   = F_n·n + (F_x, F_y, 0) − μ·F_n·v_t/√(v_t² + v₀²)
+///   F   = F_n·n + (F_x, F_y, 0) − D                D the drag of the friction (force/friction.h)
 ///
 /// `law = constant` (default) is the law of the source. `law = force`: F_x and F_y are multiplied by F_n/(1 N), so that the
 /// texture is felt in proportion to the normal force and does not jump at contact.

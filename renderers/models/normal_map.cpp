@@ -108,20 +108,23 @@ class NormalMap final : public ForceRenderer {
         height_scale_(number_of(inputs.parameters, "height_scale")),
         physical_(choice_of(inputs.parameters, "law") == "physical") {}
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
-    if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     const glm::dvec2 slope = height_scale_ * slope_at(point);
     const double upright_N = normal_N / std::sqrt(1.0 + glm::dot(slope, slope));
     return contact_.force(point, probe,
                           {.texture_N = {-upright_N * slope.x, -upright_N * slope.y, upright_N},
                            .normal_N = normal_N,
-                           .penetration_m = penetration_m});
+                           .penetration_m = penetration_m},
+                          dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   glm::dvec2 slope_at(const PatchPoint& point) const noexcept {
@@ -175,8 +178,8 @@ ForceModel normal_map_model() {
        .default_value = 8.0,
        .meaning =
            "Law grey_level only: bits of a grey level and of a stored component; 8 as in the "
-           "source, 24 for practically no rounding"},
-      friction_speed_parameter()};
+           "source, 24 for practically no rounding"}};
+  add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<NormalMap>(inputs);

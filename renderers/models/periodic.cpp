@@ -97,11 +97,11 @@ class Periodic final : public ForceRenderer {
     }
   }
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
-    if (point.gain == 0.0 || point.height_m >= highest_m_) return {};
+    if (point.gain == 0.0 || point.height_m >= highest_m_) return contact_.no_contact();
     double height_m = 0.0;
     double slope_x = 0.0;
     double slope_y = 0.0;
@@ -116,15 +116,18 @@ class Periodic final : public ForceRenderer {
       slope_y += wave.y_rad_per_m * rise_m;
     }
     const double penetration_m = height_m - point.height_m;
-    if (!(penetration_m > 0.0)) return {};
+    if (!(penetration_m > 0.0)) return contact_.no_contact();
     const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     return contact_.force(
         point, probe,
         {.texture_N = directed_N(normal_N, contact_.patch().motion_scale * slope_x,
                                  contact_.patch().motion_scale * slope_y),
          .normal_N = normal_N,
-         .penetration_m = penetration_m});
+         .penetration_m = penetration_m},
+        dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   struct Wave {
@@ -224,7 +227,7 @@ std::vector<Parameter> parameters_of_waves() {
        .default_value = std::string("fixed"),
        .meaning = "fixed: along the normal of the plane; local_normal: along that of the relief; "
                   "gradient: minus the gradient of the energy of the spring"});
-  parameters.push_back(friction_speed_parameter());
+  add_friction_parameters(parameters);
   return parameters;
 }
 

@@ -24,14 +24,15 @@ class Sinusoid final : public ForceRenderer {
         local_normal_(choice_of(inputs.parameters, "force_direction") == "local_normal"),
         gradient_(choice_of(inputs.parameters, "force_direction") == "gradient") {}
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
-    if (point.gain == 0.0 || point.height_m >= 2.0 * amplitude_m_) return {};  // above the crests
+    if (point.gain == 0.0 || point.height_m >= 2.0 * amplitude_m_)
+      return contact_.no_contact();  // above the crests
     const double phase_rad = wave_number_rad_per_m_ * (along_x_ * point.x_m + along_y_ * point.y_m);
     const double penetration_m = amplitude_m_ * std::sin(phase_rad) + amplitude_m_ - point.height_m;
-    if (!(penetration_m > 0.0)) return {};
+    if (!(penetration_m > 0.0)) return contact_.no_contact();
     const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     glm::dvec3 force_N{0.0, 0.0, normal_N};
     if (local_normal_ || gradient_) {
@@ -41,8 +42,11 @@ class Sinusoid final : public ForceRenderer {
       force_N = per_slope_N * glm::dvec3{-slope * along_x_, -slope * along_y_, 1.0};
     }
     return contact_.force(
-        point, probe, {.texture_N = force_N, .normal_N = normal_N, .penetration_m = penetration_m});
+        point, probe, {.texture_N = force_N, .normal_N = normal_N, .penetration_m = penetration_m},
+        dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   SurfaceContact contact_;
@@ -99,8 +103,8 @@ ForceModel sinusoid_model() {
        .choices = {"fixed", "local_normal", "gradient"},
        .default_value = std::string("fixed"),
        .meaning = "fixed: along the normal of the plane, as in the source; local_normal: along "
-                  "that of the grating; gradient: minus the gradient of the energy of the spring"},
-      friction_speed_parameter()};
+                  "that of the grating; gradient: minus the gradient of the energy of the spring"}};
+  add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<Sinusoid>(inputs);

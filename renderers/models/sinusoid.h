@@ -11,7 +11,7 @@ namespace asperity {
 ///   q   = x·cos θ + y·sin θ                along the grating [m]; 0 at the patch's centre
 ///   h   = A·sin(2πq/L) + A                 height over the plane z_s [m]
 ///   w   = max(0, h − (p_z − z_s))          penetration [m]
-///   F   = k·w·n − μ·F_n·v_t/√(v_t² + v₀²)
+///   F   = k·w·n − D                D the drag of the friction (force/friction.h)
 ///
 /// A = `amplitude_m`, L = `wavelength_m`, θ = `direction_rad` from +x towards +y; k, μ of the Material.
 /// `force_direction = fixed` (default): n = ẑ, as in [Wu 2009] (F_mag of [Choi 2004], which is known for ridges that

@@ -25,15 +25,16 @@ class NoiseInTime final : public ForceRenderer {
         threshold_m_per_s_(number_of(inputs.parameters, "velocity_threshold_m_per_s")) {}
 
   void reset(const ProbeState& first) noexcept override {
+    contact_.reset();
     first_ns_ = first.time_ns;
     step_ = 0;
     held_ = noise_.split(step_).normal();
   }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
-    if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     const glm::dvec3& v = probe.velocity_m_per_s;
     if (std::sqrt(v.x * v.x + v.y * v.y) >= threshold_m_per_s_) {
@@ -41,8 +42,11 @@ class NoiseInTime final : public ForceRenderer {
     }
     return contact_.force(
         point, probe,
-        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = penetration_m});
+        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = penetration_m},
+        dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   double noise_at(std::int64_t time_ns) noexcept {
@@ -78,6 +82,7 @@ class NoiseAlongPath final : public ForceRenderer {
         clock_(number_of(inputs.parameters, "device_step_m")) {}
 
   void reset(const ProbeState& first) noexcept override {
+    contact_.reset();
     clock_.reset(first.position_m);
     length_m_ = 0.0;
     step_ = 0;
@@ -85,17 +90,20 @@ class NoiseAlongPath final : public ForceRenderer {
     low_pass_.reset(0.0);
   }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const double noise_N = noise_up_to(clock_.advance(probe.position_m));
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
-    if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     const double normal_N =
         std::max(0.0, contact_.material().stiffness_N_per_m * penetration_m + noise_N);
     return contact_.force(
         point, probe,
-        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = penetration_m});
+        {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = penetration_m},
+        dt_s);
   }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
   /// The noise on the way to this length, in equal steps, below half the servo rate.
@@ -208,8 +216,8 @@ ForceModel stochastic_model() {
        .choices = {},
        .default_value = 0.0,
        .meaning = "Index distance only: position step of the device; motion of up to two steps, "
-                  "and of up to 20 um, does not lengthen the path"},
-      friction_speed_parameter()};
+                  "and of up to 20 um, does not lengthen the path"}};
+  add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             if (choice_of(inputs.parameters, "index") == "distance") {

@@ -12,7 +12,7 @@ namespace asperity {
 ///   F_n = max(0, k·w + a·(m + σ·ξ_j))                  normal force, in contact only [N]
 ///   a   = 1 where the tangential speed |v_t| ≥ v_min, else 0
 ///   j   = ⌊(t − t₀)·f + ½⌋                             noise step of `index = time` (default), t₀ the first sample's time [s]
-///   F   = F_n·n − μ·F_n·v_t/√(v_t² + v₀²)
+///   F   = F_n·n − D                D the drag of the friction (force/friction.h)
 ///
 /// m = `noise_mean_N`, σ = `noise_sd_N` (a standard deviation, not a variance), f = `noise_rate_Hz`, v_min =
 /// `velocity_threshold_m_per_s`; ξ_j is the standard normal number that belongs to the seed and to j, held constant

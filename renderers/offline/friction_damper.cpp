@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "renderers/force/friction.h"
 #include "renderers/offline/sampled_loop.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 
@@ -25,6 +26,7 @@ std::optional<FrictionDamper> friction_damper_of(const ForceModel& model,
   if (speed == declared.end()) return {};
   const ParameterValues values = complete_values(model.declaration, stimulus.parameters);
   if (has_virtual_coupling(values)) return {};
+  if (&friction_law_of(values) != &friction_law("rounded")) return {};
   return FrictionDamper{.friction = stimulus.material.friction,
                         .force_N = force_N,
                         .speed_m_per_s = number_of(values, kFrictionSpeed),

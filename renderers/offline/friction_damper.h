@@ -10,8 +10,9 @@
 
 namespace asperity {
 
-/// The friction of a stimulus near rest: the friction of every force model, F_f = −μ·F_n·v/√(v² + v₀²), is a damper of
-/// B = μ·F_n/v₀ where v is small, where its slope is greatest.
+/// The friction of a stimulus near rest: friction of the law `rounded`, F_f = −μ·F_n·v/√(v² + v₀²), is a damper of
+/// B = μ·F_n/v₀ where v is small, where its slope is greatest. The other laws (force/friction.h) are no such damper:
+/// `bounded` keeps its slope below what the loop carries, `proxy` and `dahl` are springs near rest.
 ///
 /// Bodies behind a virtual coupling have none: the tool's friction is integrated implicitly, and the device feels the
 /// coupling.
@@ -31,7 +32,8 @@ struct FrictionDamper {
   }
 };
 
-/// The damper of a stimulus of this model under a normal force; nullopt without friction and behind a coupling.
+/// The damper of a stimulus of this model under a normal force; nullopt without friction, behind a coupling and with
+/// a law other than `rounded`.
 /// Errors: as complete_values.
 std::optional<FrictionDamper> friction_damper_of(const ForceModel& model,
                                                  const StimulusDescription& stimulus,

@@ -137,13 +137,13 @@ class TipOnField final : public ForceRenderer {
     }
   }
 
-  void reset(const ProbeState&) noexcept override {}
+  void reset(const ProbeState&) noexcept override { contact_.reset(); }
 
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
     const PatchPoint point = contact_.locate(probe.position_m);
     const Entry surface = at(point.x_m);
     const double depth_m = surface.height_m - point.height_m;
-    if (point.gain == 0.0 || !(depth_m > 0.0)) return {};
+    if (point.gain == 0.0 || !(depth_m > 0.0)) return contact_.no_contact();
     const double stiffness_N_per_m = contact_.material().stiffness_N_per_m;
     const double rate_m_per_s = surface.slope * probe.velocity_m_per_s.x - probe.velocity_m_per_s.z;
     const double push_N =
@@ -151,7 +151,8 @@ class TipOnField final : public ForceRenderer {
     return contact_.force(point, probe,
                           {.texture_N = {-push_N * surface.slope, 0.0, push_N},
                            .normal_N = stiffness_N_per_m * depth_m,
-                           .penetration_m = depth_m});
+                           .penetration_m = depth_m},
+                          dt_s);
   }
 
  private:

@@ -43,11 +43,11 @@ TEST(SurfaceContact, FadesAsASmoothstepInsideItsBorder) {
 }
 
 TEST(SurfaceContact, ScalesTheWholeForceByTheFade) {
-  const SurfaceContact contact(small_patch(PatchEdge::fade), {}, kFriction);
+  SurfaceContact contact(small_patch(PatchEdge::fade), {}, kFriction);
   ProbeState probe;
   probe.position_m = {0.055, -0.02, 0.004};
   const RenderedTick tick = contact.force(contact.locate(probe.position_m), probe,
-                                          {.texture_N = {0.2, 0.0, 1.0}, .normal_N = 1.0});
+                                          {.texture_N = {0.2, 0.0, 1.0}, .normal_N = 1.0}, 1e-3);
   EXPECT_NEAR(tick.wrench.force_N.z, 0.5, 1e-12);
   EXPECT_NEAR(tick.wrench.force_N.x, 0.1, 1e-12);
 }
@@ -63,9 +63,9 @@ TEST(SurfaceContact, PushesBackInsideFromAWall) {
 }
 
 TEST(SurfaceContact, HasNoFrictionAtRest) {
-  const SurfaceContact contact(small_patch(PatchEdge::wall), {}, kFriction);
+  SurfaceContact contact(small_patch(PatchEdge::wall), {}, kFriction);
   const RenderedTick tick =
-      contact.force(contact.locate({0.01, -0.02, 0.0}), {}, {.normal_N = 3.0});
+      contact.force(contact.locate({0.01, -0.02, 0.0}), {}, {.normal_N = 3.0}, 1e-3);
   EXPECT_EQ(tick.wrench.force_N, glm::dvec3(0.0));
 }
 

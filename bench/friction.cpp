@@ -1,0 +1,97 @@
+// The vibration that each law of friction causes under a stroking hand, on simulated devices.
+
+#include "renderers/force/friction.h"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/machine.h"
+#include "device/simulated_models.h"
+#include "renderers/models/sinusoid.h"
+#include "renderers/offline/friction_stroke.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::array kDevices{"simulated", "simulated:falcon", "simulated:delta.3"};
+
+// The strokes of the library's protocols with models that touch with a point, and some around them.
+struct Setting {
+  double friction = 0.2;
+  double force_N = 1.0;
+  double speed_m_per_s = 0.06;
+  double stiffness_N_per_m = 500.0;
+};
+
+constexpr std::array kSettings{Setting{},
+                               Setting{.force_N = 0.5},
+                               Setting{.force_N = 2.0},
+                               Setting{.speed_m_per_s = 0.03},
+                               Setting{.speed_m_per_s = 0.1},
+                               Setting{.speed_m_per_s = 0.15},
+                               Setting{.friction = 0.5},
+                               Setting{.friction = 0.8},
+                               Setting{.stiffness_N_per_m = 3000.0}};
+
+StrokeVibration vibration_of(const FrictionLaw& law, const char* device, const Setting& setting) {
+  return stroke_vibration(
+      sinusoid_model(),
+      {.parameters = {{"amplitude_m", 1e-6}, {"friction_law", std::string(law.name)}},
+       .material = {.stiffness_N_per_m = setting.stiffness_N_per_m, .friction = setting.friction}},
+      {.device = simulated_settings(device).value(),
+       .hand = {.speed_m_per_s = setting.speed_m_per_s, .normal_force_N = setting.force_N}});
+}
+
+int run(bool as_json) {
+  nlohmann::ordered_json document{{"format", "asperity.bench/1"},
+                                  {"machine", machine()},
+                                  {"commit", ASPERITY_COMMIT},
+                                  {"cases", nlohmann::ordered_json::array()}};
+  if (!as_json) {
+    std::printf(
+        "force along the surface from 30 Hz: greatest at reversals / RMS in steady parts, "
+        "mN\n%-10s %4s %5s %6s %6s",
+        "law", "mu", "F_n N", "v mm/s", "k N/m");
+    for (const char* device : kDevices) std::printf(" %18s", device);
+    std::printf("\n");
+  }
+  for (const Setting& setting : kSettings) {
+    for (const FrictionLaw& law : friction_laws()) {
+      const std::string name(law.name);
+      if (!as_json) {
+        std::printf("%-10s %4.1f %5.1f %6.0f %6.0f", name.c_str(), setting.friction,
+                    setting.force_N, 1e3 * setting.speed_m_per_s, setting.stiffness_N_per_m);
+      }
+      for (const char* device : kDevices) {
+        const StrokeVibration found = vibration_of(law, device, setting);
+        if (!as_json) std::printf(" %10.2f / %5.2f", 1e3 * found.burst_N, 1e3 * found.steady_rms_N);
+        document["cases"].push_back({{"name", "friction/" + name + '/' + device},
+                                     {"friction", setting.friction},
+                                     {"force_N", setting.force_N},
+                                     {"speed_m_per_s", setting.speed_m_per_s},
+                                     {"stiffness_N_per_m", setting.stiffness_N_per_m},
+                                     {"burst_N", found.burst_N},
+                                     {"steady_rms_N", found.steady_rms_N},
+                                     {"drag_share", found.drag_share}});
+      }
+      if (!as_json) std::printf("\n");
+    }
+  }
+  if (as_json) std::puts(document.dump(2).c_str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+  if (argc > 2 || (argc == 2 && std::strcmp(argv[1], "--json") != 0)) {
+    std::fprintf(stderr, "usage: %s [--json]\n", argv[0]);
+    return 2;
+  }
+  return asperity::run(argc == 2);
+}

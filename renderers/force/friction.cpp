@@ -1,0 +1,254 @@
+// Implements the laws of friction and the declarations of their parameters.
+
+#include "renderers/force/friction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace asperity {
+namespace {
+
+constexpr const char* kSpeed = "friction_speed_m_per_s";
+constexpr const char* kLaw = "friction_law";
+constexpr const char* kMass = "friction_mass_kg";
+constexpr const char* kDelay = "friction_delay_s";
+constexpr const char* kStiffness = "friction_stiffness_N_per_m";
+constexpr const char* kSmoothing = "friction_smoothing_s";
+constexpr const char* kStaticRatio = "friction_static_ratio";
+constexpr const char* kDamping = "friction_damping_N_s_per_m";
+
+// Below this speed a sliding proxy sticks again.
+constexpr double kSticking_m_per_s = 1e-3;
+
+glm::dvec2 rounded_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
+                          FrictionState&) noexcept {
+  const double vx = sample.velocity_m_per_s.x;
+  const double vy = sample.velocity_m_per_s.y;
+  const double v0 = settings.speed_m_per_s;
+  const double friction_N_s_per_m =
+      settings.coefficient * sample.normal_N / std::sqrt(vx * vx + vy * vy + v0 * v0);
+  return {friction_N_s_per_m * vx, friction_N_s_per_m * vy};
+}
+
+// The root s of s + c·s/√(s² + a²) = v, for c, a and v not negative, a positive: the speed that friction leaves. The left
+// side is concave, so that each step of Newton's method ends below the root and the next one nearer to it.
+double bounded_speed(double c, double a, double v) noexcept {
+  constexpr int kSteps = 4;
+  double s = std::max(v - c, v / (1.0 + c / a));
+  for (int step = 0; step < kSteps; ++step) {
+    const double square = s * s + a * a;
+    const double root = std::sqrt(square);
+    s += (v - s - c * s / root) / (1.0 + c * a * a / (square * root));
+  }
+  return s;
+}
+
+glm::dvec2 bounded_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
+                          FrictionState&) noexcept {
+  const double speed_m_per_s = glm::length(sample.velocity_m_per_s);
+  if (!(speed_m_per_s > 0.0)) return glm::dvec2(0.0);
+  const double sliding_N = settings.coefficient * sample.normal_N;
+  const double v_m_per_s = std::max(
+      settings.speed_m_per_s, sliding_N / greatest_friction_slope_N_s_per_m(settings, sample.dt_s));
+  const double left_m_per_s =
+      bounded_speed(sliding_N * sample.dt_s / settings.mass_kg, v_m_per_s, speed_m_per_s);
+  const double drag_N =
+      sliding_N * left_m_per_s / std::sqrt(left_m_per_s * left_m_per_s + v_m_per_s * v_m_per_s);
+  return drag_N / speed_m_per_s * sample.velocity_m_per_s;
+}
+
+// The way of the smoothed position since the previous sample; none at the first one of a contact.
+glm::dvec2 smoothed_way_m(const FrictionSettings& settings, const FrictionSample& sample,
+                          FrictionState& state) noexcept {
+  if (!state.in_contact) {
+    state.in_contact = true;
+    state.halfway_m = sample.position_m;
+    state.smooth_m = sample.position_m;
+    return glm::dvec2(0.0);
+  }
+  const double gain =
+      settings.smoothing_s > 0.0 ? -std::expm1(-sample.dt_s / settings.smoothing_s) : 1.0;
+  state.halfway_m += gain * (sample.position_m - state.halfway_m);
+  const glm::dvec2 way_m = gain * (state.halfway_m - state.smooth_m);
+  state.smooth_m += way_m;
+  return way_m;
+}
+
+glm::dvec2 shortened(const glm::dvec2& vector, double length) noexcept {
+  const double present = glm::length(vector);
+  return present > length ? length / present * vector : vector;
+}
+
+glm::dvec2 proxy_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
+                        FrictionState& state) noexcept {
+  const glm::dvec2 way_m = smoothed_way_m(settings, sample, state);
+  const double sliding_N = settings.coefficient * sample.normal_N;
+  const double sticking_N = settings.static_ratio * sliding_N;
+  state.strain_m += way_m;
+  const double strain_m = glm::length(state.strain_m);
+  const double limit_m = (state.slides ? sliding_N : sticking_N) / settings.stiffness_N_per_m;
+  if (strain_m > limit_m) {
+    state.slides = true;
+    state.strain_m = shortened(state.strain_m, sliding_N / settings.stiffness_N_per_m);
+  } else if (glm::length(way_m) < kSticking_m_per_s * sample.dt_s ||
+             glm::dot(way_m, state.strain_m) < 0.0) {  // has turned round
+    state.slides = false;
+  }
+  const glm::dvec2 drag_N = settings.stiffness_N_per_m * state.strain_m;
+  if (state.slides || settings.damping_N_s_per_m == 0.0) return drag_N;
+  return shortened(drag_N + settings.damping_N_s_per_m / sample.dt_s * way_m, sticking_N);
+}
+
+glm::dvec2 dahl_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
+                       FrictionState& state) noexcept {
+  const glm::dvec2 way_m = smoothed_way_m(settings, sample, state);
+  const double sliding_m = settings.coefficient * sample.normal_N / settings.stiffness_N_per_m;
+  state.strain_m = shortened(state.strain_m, sliding_m);
+  if (const double length_m = glm::length(way_m); length_m > 0.0 && sliding_m > 0.0) {
+    const glm::dvec2 towards_m = sliding_m / length_m * way_m;
+    state.strain_m = towards_m + std::exp(-length_m / sliding_m) * (state.strain_m - towards_m);
+  }
+  return settings.stiffness_N_per_m * state.strain_m;
+}
+
+constexpr std::array<FrictionLaw, 4> kLaws{{
+    {.name = "rounded",
+     .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device gives",
+     .drag_N = rounded_drag_N},
+    {.name = "bounded",
+     .meaning = "the same with an implicit step and a slope that the servo loop carries",
+     .drag_N = bounded_drag_N},
+    {.name = "proxy",
+     .meaning = "adhesion of a given stiffness that breaks, with stick-slip for a static ratio "
+                "above 1",
+     .drag_N = proxy_drag_N},
+    {.name = "dahl",
+     .meaning = "adhesion of a given stiffness that creeps, without a kink where sliding begins",
+     .drag_N = dahl_drag_N},
+}};
+
+std::string names_of_laws() {
+  std::string names{};
+  for (const FrictionLaw& law : kLaws) {
+    names += (names.empty() ? "" : ", ") + std::string(law.name);
+  }
+  return names;
+}
+
+Parameter law_parameter() {
+  Parameter parameter{.name = kLaw,
+                      .kind = ParameterKind::choice,
+                      .unit = "1",
+                      .choices = {},
+                      .default_value = std::string("rounded"),
+                      .meaning = "Law of the friction"};
+  for (const FrictionLaw& law : kLaws) {
+    parameter.choices.emplace_back(law.name);
+    parameter.meaning += (parameter.choices.size() == 1 ? ": " : "; ") + std::string(law.name) +
+                         ": " + std::string(law.meaning);
+  }
+  return parameter;
+}
+
+Parameter number(const char* name, const char* unit, double minimum, double maximum,
+                 double default_value, const char* meaning) {
+  return {.name = name,
+          .kind = ParameterKind::number,
+          .unit = unit,
+          .minimum = minimum,
+          .maximum = maximum,
+          .choices = {},
+          .default_value = default_value,
+          .meaning = meaning};
+}
+
+}  // namespace
+
+std::span<const FrictionLaw> friction_laws() noexcept { return kLaws; }
+
+const FrictionLaw& friction_law(std::string_view name) {
+  for (const FrictionLaw& law : kLaws) {
+    if (law.name == name) return law;
+  }
+  throw std::invalid_argument("there is no law of friction \"" + std::string(name) +
+                              "\"; there are: " + names_of_laws());
+}
+
+const FrictionLaw& friction_law_of(const ParameterValues& parameters) {
+  return parameters.contains(kLaw) ? friction_law(choice_of(parameters, kLaw)) : kLaws.front();
+}
+
+FrictionSettings friction_settings(double coefficient, const ParameterValues& parameters) {
+  FrictionSettings settings{.coefficient = coefficient,
+                            .speed_m_per_s = number_of(parameters, kSpeed)};
+  const auto take = [&parameters](const char* name, double& value) {
+    if (parameters.contains(name)) value = number_of(parameters, name);
+  };
+  take(kMass, settings.mass_kg);
+  take(kDelay, settings.delay_s);
+  take(kStiffness, settings.stiffness_N_per_m);
+  take(kSmoothing, settings.smoothing_s);
+  take(kStaticRatio, settings.static_ratio);
+  take(kDamping, settings.damping_N_s_per_m);
+  return settings;
+}
+
+double greatest_friction_slope_N_s_per_m(const FrictionSettings& settings,
+                                         double period_s) noexcept {
+  // As steepest_damper_N_s_per_m of offline/sampled_loop.h, which servo code must not depend on.
+  const double delay_ticks = settings.delay_s / period_s;
+  return 0.5 * settings.mass_kg / period_s *
+         std::sin(0.5 * std::numbers::pi / (2.0 * delay_ticks + 1.0));
+}
+
+Parameter friction_speed_parameter() {
+  return number(kSpeed, "m/s", 1e-4, 0.1, 0.010,
+                "Speed v0 below which Coulomb friction decreases to zero at rest: "
+                "mu N v / sqrt(v^2 + v0^2)");
+}
+
+void add_friction_parameters(std::vector<Parameter>& parameters) {
+  const FrictionSettings defaults{};
+  parameters.push_back(friction_speed_parameter());
+  parameters.push_back(law_parameter());
+  parameters.push_back(
+      number(kStiffness, "N/m", 10.0, 5000.0, defaults.stiffness_N_per_m,
+             "Laws proxy and dahl: stiffness of the contact along the surface before it "
+             "slides"));
+  parameters.push_back(
+      number(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
+             "Laws proxy and dahl: time constant of each of the two low-passes of the "
+             "position, against the steps of the device; 0: none"));
+  parameters.push_back(
+      number(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
+             "Law proxy: static over kinetic friction; the friction of the material is "
+             "the kinetic one"));
+  parameters.push_back(number(kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
+                              "Law proxy: damping along the surface while the contact sticks"));
+  parameters.push_back(number(kMass, "kg", 0.001, 1.0, defaults.mass_kg,
+                              "Law bounded: moving mass of device and hand"));
+  parameters.push_back(number(kDelay, "s", 0.0, 0.05, defaults.delay_s,
+                              "Law bounded: age of the velocity, latency and lag of its estimate"));
+}
+
+ParameterValues friction_values_of(const ParameterValues& parameters) {
+  std::vector<Parameter> declared{};
+  add_friction_parameters(declared);
+  ParameterValues values{};
+  for (const Parameter& parameter : declared) {
+    const auto found = parameters.find(parameter.name);
+    if (found != parameters.end()) values.insert(*found);
+  }
+  return values;
+}
+
+Friction::Friction(double coefficient, const ParameterValues& parameters)
+    : law_(&friction_law_of(parameters)), settings_(friction_settings(coefficient, parameters)) {}
+
+}  // namespace asperity

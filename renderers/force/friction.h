@@ -1,0 +1,158 @@
+// Declares the friction of the point models: its laws, their parameters and their state.
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "stimuli/properties/parameter.h"
+
+namespace asperity {
+
+/// The constants of a friction law: the Material's coefficient, and the parameters that all point models share.
+struct FrictionSettings {
+  double coefficient = 0.0;          ///< μ of sliding
+  double speed_m_per_s = 0.010;      ///< v₀
+  double mass_kg = 0.05;             ///< m̂
+  double delay_s = 0.0045;           ///< τ
+  double stiffness_N_per_m = 120.0;  ///< σ
+  double smoothing_s = 0.0025;       ///< τ_s
+  double static_ratio = 1.0;         ///< μ_s/μ
+  double damping_N_s_per_m = 0.0;    ///< b_s
+};
+
+/// One sample of the hand along the surface, in contact.
+struct FrictionSample {
+  glm::dvec2 position_m{0.0};
+  glm::dvec2 velocity_m_per_s{0.0};
+  double normal_N = 0.0;  ///< N, not negative
+  double dt_s = 0.0;      ///< T, since the previous sample, positive
+};
+
+/// What a law remembers of a contact. The initial state is that of no contact.
+struct FrictionState {
+  bool in_contact = false;
+  bool slides = false;        ///< `proxy`: at the level of sliding
+  glm::dvec2 halfway_m{0.0};  ///< after the first of two low-passes
+  glm::dvec2 smooth_m{0.0};   ///< s, the smoothed position
+  glm::dvec2 strain_m{0.0};   ///< z, of the contact
+};
+
+/// One law of friction by name.
+struct FrictionLaw {
+  std::string_view name{};
+  std::string_view meaning{};
+  /// The drag [N]: the force on the hand is −drag. Real-time: no allocation, no exceptions.
+  glm::dvec2 (*drag_N)(const FrictionSettings&, const FrictionSample&,
+                       FrictionState&) noexcept = nullptr;
+};
+
+/// The laws of friction, in the order in which they are listed to users.
+///
+/// Symbols: v velocity along the surface, N normal force, μ = FrictionSettings::coefficient, T the period.
+///
+/// **rounded**: D = μ·N·v/√(v² + v₀²). Coulomb friction that decreases to zero below v₀: a damper of B = μN/v₀ near rest,
+/// evaluated with a velocity that is as old as the device makes it. The law of version 0.1.0, and the only one without a
+/// memory.
+///
+/// **bounded**: the same curve, with a slope that a loop of period T carries, at the end of an implicit step.
+///
+///   D = μ·N·v'/√(v'² + v_b²),    v' = v − (T/m̂)·D,    v_b = max(v₀, μN/B),    B = m̂/(2T)·sin(π/(2(2τ/T + 1)))
+///
+/// B is a quarter of the damper on which a mass m̂ begins to oscillate if its velocity is τ old (steepest_damper_N_s_per_m
+/// in offline/sampled_loop.h), m̂/(2T) without a delay. v' is the velocity at the end of a period in which friction alone
+/// slows m̂, so that dD/dv ≤ B/(1 + BT/m̂). The curve is monotonic in v', and a Newton iteration from below converges to it
+/// (bounded_speed in friction.cpp). Price: friction is as weak below v_b as that of `rounded` below v₀.
+///
+/// **proxy**: adhesion with a breaking strain [Hayward 2000]. The contact sticks to a point of the surface, the anchor a,
+/// and pulls the hand to it; the anchor follows the hand at the distance at which the force is that of sliding.
+///
+///   z = s − a,   D = σ·z;    |z| > z_max:  a ← s − z_max·z/|z|,    z_max = μ·N/σ
+///
+/// There is no drift: under a force below μ_s·N the anchor does not move, however often the force changes. With μ_s > μ
+/// there are two levels, and the hand sticks and slips: it slides off at |z| = μ_s·N/σ, drags at μ·N/σ while it slides and
+/// sticks again below 1 mm/s or where it turns round, with a damper D += b_s·ṡ while it sticks (|D| ≤ μ_s·N). A mass m on a spring k_h pulled
+/// slowly at v slips with the period (μ_s − μ)·N·(2/k_h + 1/σ)/v + π·√(m/k_h).
+///
+/// **dahl**: a contact that creeps while it is strained [Dahl 1968], in the vector form in which z relaxes towards the
+/// direction of motion e over the path length ℓ:
+///
+///   dz/dℓ = e − z/z_ss,   z_ss = μ·N/σ,   D = σ·z
+///
+/// which along a line is dF/dt = σ·v·(1 − F·sgn(v)/(μN)). Over a straight step of length d it is integrated exactly:
+///
+///   z⁺ = z_ss·e + (z − z_ss·e)·exp(−d/z_ss)
+///
+/// so the result does not depend on the period, and the drag never exceeds μN (z is shortened to z_ss first where N has
+/// decreased). Its slope is bounded by 2σ, without the kink that `proxy` has where sliding begins.
+///
+/// Position instead of velocity: `proxy` and `dahl` depend on the way and not on the speed, so that they do not amplify
+/// the delay and the steps of an estimated velocity. A spring σ at a sampled device needs the damping [Colgate 1997]
+///
+///   b > σ·(T/2 + latency + 2τ_s)
+///
+/// The steps of a device's sensor are steps of the force of up to 2σ·Δ; s is the position after two low-passes of the time
+/// constant τ_s each (gain 1 − exp(−T/τ_s) per tick), which cost the delay 2τ_s in this condition. τ_s = 0: s is the
+/// position. Both laws store at most ½σz² and return no more: their work on a closed path is never positive.
+///
+/// At rest `rounded` and `bounded` exert no force; `proxy` and `dahl` hold a hand on a slope up to μ·N, as friction does.
+///
+/// [Hayward 2000] Hayward, Armstrong: A new computational model of friction applied to haptic rendering.
+/// [Dahl 1968] Dahl: A solid friction model, Aerospace Corporation TOR-0158(3107-18)-1.
+/// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
+std::span<const FrictionLaw> friction_laws() noexcept;
+
+/// The law of this name. Errors: std::invalid_argument, with the names of all laws.
+const FrictionLaw& friction_law(std::string_view name);
+
+/// The law of these parameters: `friction_law`, and `rounded` for a model that does not declare this parameter.
+const FrictionLaw& friction_law_of(const ParameterValues& parameters);
+
+/// The constants of the shared parameters in a model's complete values; those that a model does not declare keep their
+/// defaults. Errors: std::invalid_argument without `friction_speed_m_per_s`.
+FrictionSettings friction_settings(double coefficient, const ParameterValues& parameters);
+
+/// The greatest slope [N s/m] of the law `bounded`: a quarter of the damper on which the loop begins to oscillate.
+double greatest_friction_slope_N_s_per_m(const FrictionSettings& settings,
+                                         double period_s) noexcept;
+
+/// The declaration of v₀, which every model has.
+Parameter friction_speed_parameter();
+
+/// Adds the parameters of friction to those of a point model: v₀, the law and the laws' further parameters.
+void add_friction_parameters(std::vector<Parameter>& parameters);
+
+/// Only the parameters of friction among a model's values.
+ParameterValues friction_values_of(const ParameterValues& parameters);
+
+/// The friction of one contact: a law with its constants and its state.
+///
+/// Real-time: `drag_N` and `reset` do not allocate, lock or throw.
+class Friction final {
+ public:
+  /// Errors: as friction_law and friction_settings.
+  Friction(double coefficient, const ParameterValues& parameters);
+
+  /// Forgets the contact: where it is lost, and at the start of a presentation.
+  void reset() noexcept { state_ = {}; }
+  /// Takes over the contact of another friction of the same law, where the hand slides from its surface to this one. A
+  /// friction of another law starts over.
+  void continue_contact_of(const Friction& other) noexcept {
+    state_ = law_ == other.law_ ? other.state_ : FrictionState{};
+  }
+  /// The drag of one sample in contact; the force on the hand is −drag.
+  glm::dvec2 drag_N(const FrictionSample& sample) noexcept {
+    return law_->drag_N(settings_, sample, state_);
+  }
+
+ private:
+  const FrictionLaw* law_ = nullptr;
+  FrictionSettings settings_{};
+  FrictionState state_{};
+};
+
+}  // namespace asperity

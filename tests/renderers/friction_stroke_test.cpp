@@ -1,0 +1,125 @@
+// Friction under a hand that strokes on simulated devices, at the settings of the library's protocols.
+
+#include "renderers/offline/friction_stroke.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "device/simulated_models.h"
+#include "renderers/built_in_models.h"
+#include "renderers/models/sinusoid.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::array kRealDevices{"simulated", "simulated:falcon", "simulated:delta.3"};
+constexpr double kGreatestBurst_N = 0.005;
+constexpr double kGreatestSteady_N = 0.001;
+
+/// Friction, normal force, stiffness, speed and rate of a protocol's strokes.
+struct StrokeSetting {
+  double friction = 0.2;
+  double force_N = 1.0;
+  double stiffness_N_per_m = 500.0;
+  double speed_m_per_s = 0.06;
+  double rate_Hz = 1000.0;
+
+  auto operator<=>(const StrokeSetting&) const = default;
+};
+
+/// Whether a text of the protocol is the id of a model that touches with a point.
+bool names_point_model(const nlohmann::json& part, const ModelRegistry& models) {
+  if (part.is_string()) {
+    const ForceModel* const model = models.find(part.get<std::string>());
+    return model != nullptr && !model->declaration.needs_bodies;
+  }
+  return part.is_structured() &&
+         std::any_of(part.begin(), part.end(), [&models](const nlohmann::json& inner) {
+           return names_point_model(inner, models);
+         });
+}
+
+/// Those of the library with a model that takes part in the laws of friction: one that touches with a point.
+std::set<StrokeSetting> settings_of_library() {
+  const ModelRegistry models = built_in_models();
+  std::set<StrokeSetting> settings{};
+  for (const auto& file : std::filesystem::directory_iterator(
+           std::filesystem::path(ASPERITY_SOURCE_DIR) / "protocols/library")) {
+    if (file.path().extension() != ".json") continue;
+    std::ifstream in(file.path());
+    const nlohmann::json protocol = nlohmann::json::parse(in);
+    if (!names_point_model(protocol.at("stimuli"), models) &&
+        !names_point_model(protocol.at("factors"), models)) {
+      continue;
+    }
+    for (const auto& exploration : protocol.at("explorations")) {
+      settings.insert(
+          {.friction = protocol.at("material").at("friction").get<double>(),
+           .force_N = exploration.at("normal_force_N").at("target").get<double>(),
+           .stiffness_N_per_m = protocol.at("material").at("stiffness_N_per_m").get<double>(),
+           .speed_m_per_s = exploration.at("speed_m_per_s").at("target").get<double>(),
+           .rate_Hz = protocol.at("device").at("rate_Hz").get<double>()});
+    }
+  }
+  return settings;
+}
+
+StrokeVibration vibration_of(const std::string& law, const std::string& device,
+                             const StrokeSetting& setting) {
+  return stroke_vibration(
+      sinusoid_model(),
+      {.parameters = {{"amplitude_m", 1e-6}, {"friction_law", law}},
+       .material = {.stiffness_N_per_m = setting.stiffness_N_per_m, .friction = setting.friction}},
+      {.device = simulated_settings(device).value(),
+       .hand = {.speed_m_per_s = setting.speed_m_per_s, .normal_force_N = setting.force_N},
+       .rate_Hz = setting.rate_Hz});
+}
+
+// physics-review E1: 0.19 N at each reversal on simulated:falcon with the defaults, and nothing on the ideal device.
+TEST(FrictionStroke, ShowsTheBurstsOfTheRoundedLaw) {
+  const StrokeVibration falcon = vibration_of("rounded", "simulated:falcon", {});
+  EXPECT_NEAR(falcon.burst_N, 0.19, 0.02);
+  EXPECT_LT(vibration_of("rounded", "simulated", {}).burst_N, kGreatestBurst_N);
+  const StrokeSetting strong{.friction = 0.8, .force_N = 1.0};
+  EXPECT_GT(vibration_of("rounded", "simulated:delta.3", strong).burst_N, 0.1);
+  EXPECT_GT(vibration_of("rounded", "simulated:falcon", strong).burst_N, 1.0);
+}
+
+TEST(FrictionStroke, IsCleanWithDahlAtTheSettingsOfTheLibrary) {
+  const std::set<StrokeSetting> settings = settings_of_library();
+  ASSERT_FALSE(settings.empty());
+  for (const StrokeSetting& setting : settings) {
+    for (const std::string device : kRealDevices) {
+      const StrokeVibration vibration = vibration_of("dahl", device, setting);
+      ASSERT_TRUE(vibration.has_steady_part);
+      EXPECT_LE(vibration.burst_N, kGreatestBurst_N) << device << ' ' << setting.speed_m_per_s;
+      EXPECT_LE(vibration.steady_rms_N, kGreatestSteady_N) << device << ' ' << setting.force_N;
+      EXPECT_NEAR(vibration.drag_share, setting.friction, 0.02 * setting.friction)
+          << "still friction: " << device;
+    }
+  }
+}
+
+// Around the library's settings: lighter, harder, faster, another hand.
+TEST(FrictionStroke, IsCleanWithDahlAroundTheSettingsOfTheLibrary) {
+  for (const StrokeSetting& setting :
+       {StrokeSetting{.force_N = 0.5}, StrokeSetting{.force_N = 2.0},
+        StrokeSetting{.speed_m_per_s = 0.03}, StrokeSetting{.speed_m_per_s = 0.1}}) {
+    for (const std::string device : kRealDevices) {
+      const StrokeVibration vibration = vibration_of("dahl", device, setting);
+      EXPECT_LE(vibration.burst_N, kGreatestBurst_N) << device << ' ' << setting.speed_m_per_s;
+      EXPECT_LE(vibration.steady_rms_N, kGreatestSteady_N) << device << ' ' << setting.force_N;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asperity
