@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "device/falcon/falcon_device.h"
 #include "device/force_dimension/dhd_models.h"
@@ -80,18 +83,87 @@ std::vector<Model> models() {
   return all;
 }
 
-}  // namespace
+// A property of a real arm, or of a hand on it, that replaces the model's own.
+struct Property {
+  std::string_view name{};
+  std::optional<DeviceTrait> trait{};  ///< that it makes known
+  void (*set)(SimulatedDeviceSettings&, double) = nullptr;
+};
 
-std::vector<std::string> simulated_models() {
-  std::vector<std::string> names;
-  for (const Model& model : models()) names.push_back(model.name);
-  return names;
+void set_velocity_samples(SimulatedDeviceSettings& settings, double value) {
+  settings.sensor.velocity.reset();
+  if (value == 0.0) return;
+  if (value != std::floor(value) || value < 2.0 || value > VelocityEstimator::kMostSamples) {
+    throw std::runtime_error("velocity_samples of the simulated device must be 0 or from 2 to " +
+                             std::to_string(VelocityEstimator::kMostSamples));
+  }
+  settings.sensor.velocity = VelocityWindow{.samples = static_cast<int>(value)};
 }
 
-SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings settings) {
-  std::string names;
+constexpr std::array kProperties{
+    Property{"mass_kg", DeviceTrait::moving_mass,
+             [](SimulatedDeviceSettings& to, double value) { to.hand.mass_kg = value; }},
+    Property{"damping_N_s_per_m", DeviceTrait::damping,
+             [](SimulatedDeviceSettings& to, double value) { to.hand.damping_N_s_per_m = value; }},
+    Property{"normal_damping_N_s_per_m", std::nullopt,
+             [](SimulatedDeviceSettings& to, double value) {
+               to.hand.normal_damping_N_s_per_m = value;
+             }},
+    Property{"stiffness_N_per_m", std::nullopt,
+             [](SimulatedDeviceSettings& to, double value) { to.hand.stiffness_N_per_m = value; }},
+    Property{"friction_N", DeviceTrait::friction,
+             [](SimulatedDeviceSettings& to, double value) { to.friction_N = value; }},
+    Property{"latency_s", DeviceTrait::latency,
+             [](SimulatedDeviceSettings& to, double value) { to.sensor.latency_s = value; }},
+    Property{"position_step_m", DeviceTrait::position_step,
+             [](SimulatedDeviceSettings& to, double value) { to.sensor.position_step_m = value; }},
+    Property{"position_noise_m", DeviceTrait::position_noise,
+             [](SimulatedDeviceSettings& to, double value) { to.sensor.position_noise_m = value; }},
+    Property{"velocity_samples", std::nullopt, set_velocity_samples}};
+
+const Property& property_of(std::string_view name) {
+  std::string names{};
+  for (const Property& property : kProperties) {
+    if (property.name == name) return property;
+    names += (names.empty() ? "" : ", ") + std::string(property.name);
+  }
+  throw std::runtime_error("the simulated device has no property \"" + std::string(name) +
+                           "\"; it has: " + names);
+}
+
+double number_in(std::string_view text, const Property& property) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result read = std::from_chars(text.data(), end, value);
+  if (read.ec == std::errc() && read.ptr == end && std::isfinite(value)) return value;
+  throw std::runtime_error(std::string(property.name) + " of the simulated device is \"" +
+                           std::string(text) + "\"; it must be a number");
+}
+
+// "KEY=VALUE,KEY=VALUE": replaces properties, and states so in the remarks.
+void take_properties(std::string_view list, SimulatedDeviceSettings& settings) {
+  DeviceCapability& real = settings.stands_for.value();
+  real.remarks += (real.remarks.empty() ? "" : " ") + std::string("Given for this simulation: ") +
+                  std::string(list) + ".";
+  do {
+    const std::string_view one = list.substr(0, list.find(','));
+    list.remove_prefix(std::min(one.size() + 1, list.size()));
+    const std::size_t equals = std::min(one.find('='), one.size());
+    const Property& property = property_of(one.substr(0, equals));
+    property.set(settings, number_in(one.substr(std::min(equals + 1, one.size())), property));
+    if (property.trait) std::erase(real.not_known, *property.trait);
+  } while (!list.empty());
+}
+
+SimulatedDeviceSettings as_named_model(std::string_view name, SimulatedDeviceSettings settings) {
+  if (name == kIdealModel) {
+    VirtualHand hand(HandHabits{}, Random(0));
+    settings.stands_for = SimulatedDevice(hand, settings).capability();
+    return settings;
+  }
+  std::string names{};
   for (const Model& model : models()) {
-    names += (names.empty() ? "" : ", ") + model.name;
+    names += model.name + ", ";
     if (model.name != name) continue;
     settings.stands_for = model.capability;
     settings.stands_for->model = std::string(kInPlaceOf) + model.capability.model;
@@ -104,7 +176,22 @@ SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings 
     return settings;
   }
   throw std::runtime_error("the simulated device has no model \"" + std::string(name) +
-                           "\"; it has: " + names);
+                           "\"; it has: " + names + std::string(kIdealModel));
+}
+
+}  // namespace
+
+std::vector<std::string> simulated_models() {
+  std::vector<std::string> names;
+  for (const Model& model : models()) names.push_back(model.name);
+  return names;
+}
+
+SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings settings) {
+  const std::size_t comma = name.find(',');
+  settings = as_named_model(name.substr(0, comma), std::move(settings));
+  if (comma != std::string_view::npos) take_properties(name.substr(comma + 1), settings);
+  return settings;
 }
 
 std::string_view model_stood_for(std::string_view in_place_of) noexcept {

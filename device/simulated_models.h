@@ -14,6 +14,9 @@ namespace asperity {
 /// How the model of a simulated device begins that stands for a real one: "in place of Novint Falcon".
 inline constexpr std::string_view kInPlaceOf = "in place of ";
 
+/// The model that stands for no real device: `simulated:ideal` is the plain `simulated`, for properties to be given.
+inline constexpr std::string_view kIdealModel = "ideal";
+
 /// What `simulated:MODEL` may name: "falcon", and Force Dimension's models as its driver calls them,
 /// "delta.3", "omega.3".
 std::vector<std::string> simulated_models();
@@ -23,7 +26,15 @@ std::vector<std::string> simulated_models();
 /// the capability lists (DeviceCapability::not_known), stays as it is in `settings`, by default ideal.
 /// The probe has three degrees of freedom whatever the model has.
 ///
-/// Errors: std::runtime_error naming the models, for one that is not there.
+/// `model` may give properties of a real arm, measured or assumed, that replace those of the model and of the virtual
+/// hand: "falcon,mass_kg=0.2,damping_N_s_per_m=1,friction_N=0.3". They are mass_kg, damping_N_s_per_m (along the
+/// surface), normal_damping_N_s_per_m (across it) and stiffness_N_per_m of the hand's hold, which include the arm's;
+/// friction_N; latency_s, position_step_m, position_noise_m; and velocity_samples, the readings in the driver's estimate
+/// (VelocityWindow), 0 for the exact velocity. The remarks of the capability list them, so that a session stores them,
+/// and they no longer count as unknown. The model "ideal" has no properties of a real device.
+///
+/// Errors: std::runtime_error naming the models or properties, for one that is not there, and for a value that is not a
+/// number; a value that is out of range is refused by the constructor of SimulatedDevice.
 SimulatedDeviceSettings as_model(std::string_view model, SimulatedDeviceSettings settings);
 
 /// "delta.3" of "in place of delta.3"; empty of a model that stands for no other. A part of what it is given.
@@ -35,7 +46,7 @@ std::vector<DeviceTrait> not_known_of(std::string_view in_place_of);
 /// How the driver of that device estimates velocity; nothing of a model that is none of these.
 std::optional<VelocityWindow> velocity_window_stood_for(std::string_view in_place_of);
 
-/// The settings for what `--device` names, "simulated" or "simulated:MODEL"; nothing for other devices.
+/// The settings for what `--device` names, "simulated", "simulated:MODEL" or "simulated:MODEL,PROPERTY=VALUE,…"; nothing for other devices.
 /// Errors: as `as_model`.
 std::optional<SimulatedDeviceSettings> simulated_settings(std::string_view device);
 

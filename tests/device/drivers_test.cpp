@@ -110,6 +110,67 @@ TEST(SimulatedModels, AreNamedAfterTheSimulatedDeviceOnly) {
   EXPECT_THROW(simulated_settings("simulated:"), std::runtime_error);
 }
 
+TEST(SimulatedModels, TakeThePropertiesOfARealArm) {
+  const SimulatedDeviceSettings plain = simulated_settings("simulated:falcon").value();
+  const SimulatedDeviceSettings arm =
+      simulated_settings(
+          "simulated:falcon,mass_kg=0.2,damping_N_s_per_m=0.5,normal_damping_N_s_per_m=2,"
+          "stiffness_N_per_m=150,friction_N=0.3,latency_s=0.002,position_step_m=1e-5,"
+          "position_noise_m=2e-6,velocity_samples=5")
+          .value();
+  EXPECT_EQ(arm.hand.mass_kg, 0.2);
+  EXPECT_EQ(arm.hand.damping_N_s_per_m, 0.5);
+  EXPECT_EQ(arm.hand.normal_damping_N_s_per_m, 2.0);
+  EXPECT_EQ(arm.hand.stiffness_N_per_m, 150.0);
+  EXPECT_EQ(arm.friction_N, 0.3);
+  EXPECT_EQ(arm.sensor.latency_s, 0.002);
+  EXPECT_EQ(arm.sensor.position_step_m, 1e-5);
+  EXPECT_EQ(arm.sensor.position_noise_m, 2e-6);
+  EXPECT_EQ(arm.sensor.velocity.value().samples, 5);
+  EXPECT_EQ(arm.peak_force_N, plain.peak_force_N);
+  const auto knows = [](const SimulatedDeviceSettings& settings, DeviceTrait trait) {
+    const std::vector<DeviceTrait>& missing = settings.stands_for->not_known;
+    return std::find(missing.begin(), missing.end(), trait) == missing.end();
+  };
+  EXPECT_FALSE(knows(plain, DeviceTrait::damping));
+  EXPECT_TRUE(knows(arm, DeviceTrait::damping));
+  EXPECT_FALSE(knows(arm, DeviceTrait::resonance));
+  // A session stores the capability.
+  VirtualHand hand(HandHabits{}, Random(1));
+  const auto device =
+      built_in_drivers().open("simulated:falcon,mass_kg=0.2", {.hand = &hand})->capability();
+  EXPECT_EQ(device.model, "in place of Novint Falcon");
+  EXPECT_THAT(device.remarks, HasSubstr("Given for this simulation: mass_kg=0.2."));
+  EXPECT_FALSE(simulated_settings("simulated:delta.3,velocity_samples=0")->sensor.velocity);
+}
+
+TEST(SimulatedModels, IncludeTheIdealOneWithPropertiesOfAnArm) {
+  const SimulatedDeviceSettings arm = simulated_settings("simulated:ideal,mass_kg=0.2").value();
+  EXPECT_EQ(arm.hand.mass_kg, 0.2);
+  EXPECT_FALSE(arm.sensor.velocity);
+  VirtualHand hand(HandHabits{}, Random(1));
+  const DeviceCapability ideal = SimulatedDevice(hand, {}).capability();
+  const DeviceCapability capability = SimulatedDevice(hand, arm).capability();
+  EXPECT_EQ(capability.model, ideal.model);
+  EXPECT_EQ(capability.maximum_rate_Hz, ideal.maximum_rate_Hz);
+  EXPECT_TRUE(capability.not_known.empty());
+}
+
+TEST(SimulatedModels, RefusePropertiesThatTheyDoNotHave) {
+  const auto refusal = [](const char* name) {
+    return refusal_of([name] { (void)simulated_settings(name); });
+  };
+  EXPECT_THAT(refusal("simulated:falcon,colour=1"),
+              HasSubstr("has no property \"colour\"; it has"));
+  EXPECT_THAT(refusal("simulated:falcon,mass_kg"), HasSubstr("must be a number"));
+  EXPECT_THAT(refusal("simulated:falcon,mass_kg=heavy"), HasSubstr("is \"heavy\"; it must be"));
+  EXPECT_THAT(refusal("simulated:falcon,"), HasSubstr("has no property"));
+  EXPECT_THAT(refusal("simulated:delta.3,velocity_samples=2.5"), HasSubstr("from 2 to 64"));
+  VirtualHand hand(HandHabits{}, Random(1));
+  EXPECT_THROW(SimulatedDevice(hand, simulated_settings("simulated:falcon,mass_kg=0").value()),
+               std::invalid_argument);
+}
+
 // What is said before one is opened has to be so once it is.
 TEST(Drivers, KnowWhetherTheirDevicesHaveMotors) {
   VirtualHand hand(HandHabits{}, Random(1));
