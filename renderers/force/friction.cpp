@@ -117,19 +117,28 @@ glm::dvec2 dahl_drag_N(const FrictionSettings& settings, const FrictionSample& s
   return settings.stiffness_N_per_m * state.strain_m;
 }
 
+constexpr std::array<std::string_view, 1> kOfRounded{kSpeed};
+constexpr std::array<std::string_view, 3> kOfBounded{kSpeed, kMass, kDelay};
+constexpr std::array<std::string_view, 4> kOfProxy{kStiffness, kSmoothing, kStaticRatio, kDamping};
+constexpr std::array<std::string_view, 2> kOfDahl{kStiffness, kSmoothing};
+
 constexpr std::array<FrictionLaw, 4> kLaws{{
     {.name = "rounded",
      .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device gives",
+     .parameters = kOfRounded,
      .drag_N = rounded_drag_N},
     {.name = "bounded",
      .meaning = "the same with an implicit step and a slope that the servo loop carries",
+     .parameters = kOfBounded,
      .drag_N = bounded_drag_N},
     {.name = "proxy",
      .meaning = "adhesion of a given stiffness that breaks, with stick-slip for a static ratio "
                 "above 1",
+     .parameters = kOfProxy,
      .drag_N = proxy_drag_N},
     {.name = "dahl",
      .meaning = "adhesion of a given stiffness that creeps, without a kink where sliding begins",
+     .parameters = kOfDahl,
      .drag_N = dahl_drag_N},
 }};
 
@@ -246,6 +255,20 @@ ParameterValues friction_values_of(const ParameterValues& parameters) {
     if (found != parameters.end()) values.insert(*found);
   }
   return values;
+}
+
+ParameterValues without_unused_friction(const ParameterValues& parameters) {
+  const FrictionLaw& law = friction_law_of(parameters);
+  ParameterValues used = parameters;
+  for (const auto& [name, value] : friction_values_of(parameters)) {
+    const bool is_name_of_law = name == kLaw && &law != &kLaws.front();
+    // Version 0.1.0 stored v₀ for every model.
+    if (name == kSpeed || is_name_of_law) continue;
+    if (std::find(law.parameters.begin(), law.parameters.end(), name) == law.parameters.end()) {
+      used.erase(name);
+    }
+  }
+  return used;
 }
 
 Friction::Friction(double coefficient, const ParameterValues& parameters)

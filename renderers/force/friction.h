@@ -46,6 +46,7 @@ struct FrictionState {
 struct FrictionLaw {
   std::string_view name{};
   std::string_view meaning{};
+  std::span<const std::string_view> parameters{};  ///< those that the law uses
   /// The drag [N]: the force on the hand is −drag. Real-time: no allocation, no exceptions.
   glm::dvec2 (*drag_N)(const FrictionSettings&, const FrictionSample&,
                        FrictionState&) noexcept = nullptr;
@@ -128,6 +129,10 @@ void add_friction_parameters(std::vector<Parameter>& parameters);
 
 /// Only the parameters of friction among a model's values.
 ParameterValues friction_values_of(const ParameterValues& parameters);
+
+/// A model's values without those parameters of friction that its law does not use. With the law `rounded` these are the
+/// values that version 0.1.0 had, so that what is stored under them is found again.
+ParameterValues without_unused_friction(const ParameterValues& parameters);
 
 /// The friction of one contact: a law with its constants and its state.
 ///
