@@ -7,9 +7,13 @@
 #include <QtCore/QDir>
 #include <QtCore/QLocale>
 
+#include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/gui/look/words.h"
 #include "app/tasks/study_overview.h"
+#include "protocols/plan/course.h"
 
 namespace asperity {
 
@@ -50,6 +54,23 @@ QString order_of_start(const SessionRow& session) {
   constexpr int kDigits = 12;
   return has_made_up_dates(session) ? QString("%1").arg(session.id, kDigits, 10, QChar('0'))
                                     : QString::fromStdString(session.started_utc);
+}
+
+QString text_of_level(const std::string& factor, double level) {
+  const std::string unit = unit_of_parameter(factor);
+  const std::string number = unit.empty() ? number_text(level) : reading_quantity(level, unit);
+  QString shown = text(number);
+  shown.replace('.', QLocale().decimalPoint());
+  return QString("%1 %2").arg(text(unit.empty() ? factor : words_of_parameter(factor)), shown);
+}
+
+bool is_length_estimated(const Protocol& protocol) {
+  const auto& blocks = protocol.blocks;
+  return has_estimated_trials(protocol) ||
+         std::any_of(blocks.begin(), blocks.end(), [](const auto& named) {
+           const Protocol::Block& block = named.second;
+           return block.until || (block.procedure && block.procedure->catch_trials);
+         });
 }
 
 QString text_of_duration(double duration_s) {

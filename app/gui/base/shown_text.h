@@ -27,6 +27,13 @@ QString order_of_start(const SessionRow& session);
 /// "42 min", "1 h 05 min", "18 s"
 QString text_of_duration(double duration_s);
 
+/// "amplitude 87.5 µm" for the factor `amplitude_m`; without a unit at the end of its name "column 1".
+QString text_of_level(const std::string& factor, double level);
+
+/// Whether sessions with the protocol have different numbers of trials: a track or a practice may end by its responses,
+/// and the number of catch trials is drawn.
+bool is_length_estimated(const Protocol& protocol);
+
 QString text_of_kind(const std::string& kind);
 /// "hand hidden, screen visible"
 QString text_of_vision(Vision vision);

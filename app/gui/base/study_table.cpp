@@ -51,7 +51,9 @@ class WrapDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    constexpr int kPadding = 24;  // both sides, and the margin of a focused cell
+    // Both sides; Qt itself takes the margins of a focused cell into account. With more, a text that
+    // just fits into a line would make its row as high as two.
+    constexpr int kPadding = 16;
     QStyleOptionViewItem inside = option;
     if (option.rect.width() > 2 * kPadding) inside.rect.setWidth(option.rect.width() - kPadding);
     return QStyledItemDelegate::sizeHint(inside, index);

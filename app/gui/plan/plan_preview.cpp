@@ -82,7 +82,10 @@ QString html_line(const QString& what, const QString& words) {
 QString factors_of(const Trial& trial) {
   QStringList factors{};
   for (const auto& [name, level] : trial.factors) {
-    factors.append(PlanPreview::tr("%1: %2").arg(text(name), text(text_of(level))));
+    const auto* const number = std::get_if<double>(&level);
+    factors.append(number != nullptr
+                       ? text_of_level(name, *number)
+                       : PlanPreview::tr("%1: %2").arg(text(name), text(text_of(level))));
   }
   return factors.join(" · ");
 }

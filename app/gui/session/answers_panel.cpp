@@ -58,9 +58,10 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
   if (last.isEmpty()) {
     last_->setText(QString("<b>%1</b>").arg(tr("No response yet").toHtmlEscaped()));
   } else {
-    // The answer is read from afar; what it is, and when it came, from nearby.
+    // The answer is read from afar; what it is, and when it came, from nearby: few words, as the
+    // line has little room on a small screen.
     last_->setText(QString("%1&nbsp; <b><span style='font-size:%2pt'>%3</span></b>&nbsp; %4")
-                       .arg(tr("Last response").toHtmlEscaped())
+                       .arg(tr("Last:").toHtmlEscaped())
                        .arg(static_cast<int>(TextSize::heading))
                        .arg(last.toHtmlEscaped(), when.toHtmlEscaped()));
   }

@@ -219,9 +219,12 @@ void SessionHeader::show_progress(const SessionSnapshot& snapshot) {
   const QString all =
       s.trials_are_estimated ? tr("about %1").arg(s.trials) : QString::number(s.trials);
   const bool is_refresher = s.purpose == AttemptPurpose::refresher;
-  set_if_new(*trial_, is_refresher  ? tr("repeated practice, trial %1").arg(s.trial)
-                      : s.trial > 0 ? tr("trial %1 of %2").arg(s.trial).arg(all)
-                                    : tr("trials: %1").arg(all));
+  // The trial that the feedback is about is stored, and the snapshot has the next one.
+  const int trial =
+      s.phase == SessionPhase::feedback && s.last_done > 0 && !is_refresher ? s.last_done : s.trial;
+  set_if_new(*trial_, is_refresher ? tr("repeated practice, trial %1").arg(s.trial)
+                      : trial > 0  ? tr("trial %1 of %2").arg(trial).arg(all)
+                                   : tr("trials: %1").arg(all));
 }
 
 void SessionHeader::show_preparation(std::optional<double> fraction) {

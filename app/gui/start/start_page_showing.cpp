@@ -86,7 +86,8 @@ void StartPage::show_protocol() {
       tr("%1 · version %2 · SHA-256 %3")
           .arg(text_of_kind(protocol->kind), QString::fromStdString(protocol->version),
                QString::fromStdString(short_hash(now.sha256)));
-  const QString trials = cost.trials == 1 ? tr("1 trial") : tr("%n trials", nullptr, cost.trials);
+  QString trials = cost.trials == 1 ? tr("1 trial") : tr("%n trials", nullptr, cost.trials);
+  if (is_length_estimated(*protocol)) trials = tr("about %1").arg(trials);
   const QString tail =
       tr("%1, about %2 · %3 · %4")
           .arg(trials, text_of_duration(cost.total_s), text_of_vision(protocol->vision),

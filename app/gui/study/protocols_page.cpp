@@ -36,9 +36,10 @@ QString overview_facts(const ProtocolOverview& overview) {
   QStringList facts{text_of_kind(protocol.kind),
                     ProtocolsPage::tr("version %1").arg(text(protocol.version))};
   if (overview.is_valid()) {
+    const QString trials = counted(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
+                                   ProtocolsPage::tr("%1 trials"));
     facts << QStringList{
-        counted(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
-                ProtocolsPage::tr("%1 trials")),
+        is_length_estimated(protocol) ? ProtocolsPage::tr("about %1").arg(trials) : trials,
         counted(overview.blocks, ProtocolsPage::tr("1 block"), ProtocolsPage::tr("%1 blocks")),
         ProtocolsPage::tr("about %1").arg(text_of_duration(overview.check.cost.total_s))};
   }

@@ -29,6 +29,7 @@ constexpr int kConditionWidth = 144;
 constexpr int kAfterContactColumn = 7;
 constexpr int kAfterCueColumn = 8;
 constexpr int kBeganColumn = 9;
+constexpr int kTrackColumn = 10;
 constexpr int kRoomForAll = 1480;  // of the table
 
 double since_start_s(const SessionDetail& detail, std::int64_t time_ns) {
@@ -72,17 +73,29 @@ QString text_of_remarks(const PlannedTrialRow& planned, const AttemptRow& attemp
   return remarks.join("; ");
 }
 
-/// "column 1, texture metal": the levels of the trial's factors, as they are stored.
+/// "column 1, texture metal", "amplitude 87.5 µm": the levels of the trial's factors.
 QString text_of_condition(const PlannedTrialRow& planned) {
   QStringList levels{};
   const auto factors = nlohmann::ordered_json::parse(planned.factors_json, nullptr, false);
   for (const auto& [name, level] : factors.items()) {
-    const std::string value = level.is_string()   ? level.get<std::string>()
-                              : level.is_number() ? text_of_number(level.get<double>())
-                                                  : level.dump();
-    levels.append(text(name + ' ' + value));
+    levels.append(
+        level.is_number()
+            ? text_of_level(name, level.get<double>())
+            : text(name + ' ' + (level.is_string() ? level.get<std::string>() : level.dump())));
   }
   return levels.join(", ");
+}
+
+/// "2, step 5"
+QStandardItem* track_cell(const PlannedTrialRow& planned) {
+  if (!planned.track || !planned.step) return text_cell(QString("–"), 0);
+  QStandardItem* cell =
+      text_cell(TrialsPage::tr("%1, step %2").arg(*planned.track).arg(*planned.step),
+                1000 * *planned.track + *planned.step);
+  cell->setToolTip(TrialsPage::tr("Track %1 of the procedure, trial %2 of the track")
+                       .arg(*planned.track)
+                       .arg(*planned.step));
+  return cell;
 }
 
 constexpr const char* kHidden = "▒▒▒";
@@ -101,7 +114,7 @@ StudyTable::Row blind_row_of(const SessionDetail& detail, const TrialOverview& t
            hidden_if(attempt && !attempt->responses.empty()), text_cell(QString("–")),
            empty_number_cell(), empty_number_cell(),
            attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
-           hidden_if(attempt && (!attempt->valid || attempt->flagged))}};
+           empty_number_cell(), hidden_if(attempt && (!attempt->valid || attempt->flagged))}};
 }
 
 StudyTable::Row trial_row(const SessionDetail& detail, const TrialOverview& trial) {
@@ -128,7 +141,8 @@ StudyTable::Row trial_row(const SessionDetail& detail, const TrialOverview& tria
        text_cell(text(trial.planned.block)), text_cell(text_of_condition(trial.planned)), outcome,
        text_cell(text(trial.answer())), text_cell(right), seconds_cell(from_contact_s),
        seconds_cell(from_cue_s),
-       attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell()}};
+       attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
+       track_cell(trial.planned)}};
   if (attempt && attempt->excluded) strike_through(row.cells);
   row.cells << remark_cell;
   return row;
@@ -176,6 +190,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {AttemptWords::after_contact(), 152, Align::number},
                             {AttemptWords::after_cue(), 120, Align::number},
                             {tr("Began"), 88, Align::number},
+                            {tr("Track"), 88, Align::text},
                             {tr("Remarks"), 0, Align::text}},
                            tabs_);
   trials_->setObjectName("trials_table");
@@ -311,6 +326,11 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   for (const TrialOverview& trial : detail.trials) {
     rows.push_back(blind ? blind_row_of(detail, trial) : trial_row(detail, trial));
   }
+  trials_->setColumnHidden(kTrackColumn,
+                           blind || std::none_of(detail.trials.begin(), detail.trials.end(),
+                                                 [](const TrialOverview& trial) {
+                                                   return trial.planned.track.has_value();
+                                                 }));
   trials_->fill(rows);
   rows.clear();
   for (std::size_t i = 0; i < detail.events.size(); ++i) {

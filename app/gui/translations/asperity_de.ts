@@ -6923,16 +6923,16 @@
         <translation>%1 s nach dem Signal</translation>
     </message>
     <message>
-        <source>Last response</source>
-        <translation>Zuletzt</translation>
-    </message>
-    <message>
         <source>%1, correct</source>
         <translation>%1, richtig</translation>
     </message>
     <message>
         <source>%1, incorrect</source>
         <translation>%1, falsch</translation>
+    </message>
+    <message>
+        <source>Last:</source>
+        <translation>Letzte:</translation>
     </message>
 </context>
 <context>
@@ -11100,6 +11100,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>%1 The program assigns the group.</source>
         <translation>%1 Das Programm teilt die Gruppe zu.</translation>
     </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::StimuliPage</name>
@@ -11641,6 +11645,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>catch trial</source>
         <translation>Kontrolldurchgang</translation>
+    </message>
+    <message>
+        <source>%1, step %2</source>
+        <translation>%1, Schritt %2</translation>
+    </message>
+    <message>
+        <source>Track %1 of the procedure, trial %2 of the track</source>
+        <translation>Folge (Track) %1 des Verfahrens, Durchgang %2 der Folge</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Folge (Track)</translation>
     </message>
 </context>
 <context>

@@ -469,7 +469,7 @@ TEST_F(DataView, OpensFromTheTrialsWhichMarkWhatIsExcluded) {
       eventually([&] { return text(page, "attempt_standing").contains("Excluded: Interrupted"); }));
   click(page, "attempt_back");
   EXPECT_EQ(window.shown_page(), "trials");
-  ASSERT_TRUE(eventually([&] { return trials.text_at(1, 10) == "excluded: Interrupted"; }));
+  ASSERT_TRUE(eventually([&] { return trials.text_at(1, 11) == "excluded: Interrupted"; }));
   const auto is_struck = [&trials](int row) {
     return trials.model()->index(row, 3).data(Qt::FontRole).value<QFont>().strikeOut();
   };
@@ -491,7 +491,7 @@ TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
   give_reason(page, "It was a test run");
   click(page, "decision_write");
   ASSERT_TRUE(eventually([&] { return child<QLabel>(page, "trials_standing").isVisible(); }));
-  EXPECT_EQ(trials.text_at(2, 10), "excluded: It was a test run");
+  EXPECT_EQ(trials.text_at(2, 11), "excluded: It was a test run");
   EXPECT_EQ(study_->study().session(session_id_).excluded.value().text, "It was a test run");
   EXPECT_EQ(study_->study().session(session_id_).excluded->json, R"({"code":"test_run"})");
   window.show_page("sessions");
@@ -547,7 +547,7 @@ TEST_F(TrialsOfAMatching, ShowEveryAnswerOnASmallScreen) {
   const QRect needed = QFontMetrics(trials.font()).boundingRect(room, Qt::TextWordWrap, answers);
   EXPECT_LE(needed.height() + 8, cell.height()) << cell.width() << " × " << cell.height();
   EXPECT_LE(needed.width(), room.width());
-  const QRect remarks = trials.visualRect(trials.model()->index(0, 10));
+  const QRect remarks = trials.visualRect(trials.model()->index(0, 11));
   EXPECT_GE(remarks.width(), 160);
   EXPECT_LE(remarks.right(), trials.viewport()->width());
   const auto header = [&trials](int column, int role) {

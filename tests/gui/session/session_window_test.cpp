@@ -464,6 +464,8 @@ TEST(SessionWindow, MarksTheTrialThatComesInEveryPhaseBetweenTrials) {
   session.set_phase(SessionPhase::feedback);
   window->refresh();
   EXPECT_EQ(child<QLabel>(*window, "now").text(), "Trial 16: feedback");
+  EXPECT_TRUE(child<QLabel>(*window, "trial").text().startsWith("trial 16 of "))
+      << "the trial that the feedback is about";
 }
 
 TEST(SessionWindow, MarksNoTrialWhereNoneComes) {
@@ -524,10 +526,20 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
 TEST(SessionWindow, SaysFromWhenTheTimeOfAnAnswerCounts) {
   FilledMonitor session{};
   session.answer_up_to(16);
+  AttemptSummary attempt{};
+  attempt.trial = 17;
+  attempt.attempt = 1;
+  attempt.outcome = AttemptOutcome::answered;
+  attempt.answers = {"B, incorrect"};
+  attempt.from_cue_s = 11.3;
+  session.monitor.add_attempt(attempt);
   const auto window = session.window();
-  const auto& last = child<QLabel>(*window, "last_answer");
-  EXPECT_TRUE(last.text().endsWith("3.5 s after the cue")) << last.text().toStdString();
-  EXPECT_LE(last.sizeHint().width(), last.width()) << "nothing of it is cut off";
+  for (const QSize size : {QSize(1366, 768), QSize(1280, 720)}) {
+    window->resize(size);
+    const auto& last = child<QLabel>(*window, "last_answer");
+    EXPECT_TRUE(last.text().endsWith("11.3 s after the cue")) << last.text().toStdString();
+    EXPECT_LE(last.sizeHint().width(), last.width()) << "nothing of it is cut off";
+  }
 }
 
 TEST(SessionWindow, CallsAnEmergencyStopByItsNameInThePlan) {

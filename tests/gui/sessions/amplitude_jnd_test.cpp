@@ -6,6 +6,7 @@
 #include <set>
 
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QLabel>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/study_table.h"
@@ -102,6 +103,12 @@ TEST_F(AmplitudeJndInWindows, PresentsPracticeTracksAndCatchTrials) {
   make_study();
   add_amplitude_jnd();
   open();
+  window->show_page("protocols");
+  click_row(*window, "protocols_table", "small");
+  ASSERT_TRUE(until([&] { return !find<QLabel>(*window, "protocol_facts").text().isEmpty(); }));
+  // The number of catch trials is drawn.
+  EXPECT_TRUE(find<QLabel>(*window, "protocol_facts").text().contains("about 7 trials"))
+      << find<QLabel>(*window, "protocol_facts").text().toStdString();
   start("small");
   int answers = 0;
   std::set<int> trials_with_feedback{};
@@ -170,7 +177,16 @@ TEST_F(AmplitudeJndInWindows, PresentsPracticeTracksAndCatchTrials) {
   click(experimenter(), "see_trials");
   auto& trials = find<StudyTable>(*window, "trials_table");
   ASSERT_TRUE(until([&] { return trials.shown_rows() == answers; }));
+  EXPECT_TRUE(trials.text_at(0, 3).startsWith("amplitude ")) << trials.text_at(0, 3).toStdString();
+  EXPECT_TRUE(trials.text_at(0, 3).endsWith(" µm")) << trials.text_at(0, 3).toStdString();
+  constexpr int kTrackColumn = 10;
+  EXPECT_FALSE(trials.isColumnHidden(kTrackColumn));
+  EXPECT_TRUE(trials.text_at(kPracticeTrials, kTrackColumn).endsWith(", step 1"));
   take_pictures(*window, "trials");
+  for (int row = 0; row < trials.shown_rows(); ++row) {
+    EXPECT_LT(trials.rowHeight(row), 2 * QFontMetrics(trials.font()).height())
+        << "one line in every row";
+  }
 }
 
 }  // namespace

@@ -522,7 +522,7 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
   EXPECT_EQ(trials.text_at(0, 3), "column 1, texture stone");
   EXPECT_EQ(trials.text_at(7, 3), "column 1, texture metal") << "of what is to come too";
   EXPECT_EQ(trials.text_at(0, 4), "answered");
-  EXPECT_EQ(trials.text_at(4, 10), "flagged: speed outside its band for 62 % of the contact");
+  EXPECT_EQ(trials.text_at(4, 11), "flagged: speed outside its band for 62 % of the contact");
   EXPECT_EQ(trials.text_at(7, 4), "pending");
   child<StudyTable>(window_, "trials_table").selectRow(4);
   EXPECT_EQ(child<QLabel>(window_, "trials_selected").text(),
@@ -532,8 +532,8 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
   EXPECT_TRUE(column(events, 1).contains("note"));
   window_.resize(1280, 720);
   QTest::qWait(100);  // rows follow the columns
-  for (const int shown : {3, 10}) expect_whole(trials, shown);
-  EXPECT_GE(trials.columnWidth(10), 160) << "remarks are sentences";
+  for (const int shown : {3, 11}) expect_whole(trials, shown);
+  EXPECT_GE(trials.columnWidth(11), 160) << "remarks are sentences";
   take_screenshot(window_, "study-trials");
   click("trials_back");
   EXPECT_EQ(window_.shown_page(), "sessions");
