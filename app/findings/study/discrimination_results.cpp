@@ -40,14 +40,14 @@ void add_geometric(const char* quantity, const std::string& key, const std::vect
   const bool are_positive =
       std::all_of(numbers.begin(), numbers.end(), [](double number) { return number > 0.0; });
   if (!are_positive) return;
-  constexpr double kConfidence = 0.95;
-  const GeometricMean mean = geometric_mean(numbers, kConfidence);
+  constexpr double kConfidenceOfMeans = 0.95;
+  const GeometricMean mean = geometric_mean(numbers, kConfidenceOfMeans);
   Basis basis{.n = mean.n,
               .method =
                   "geometric mean over the participants with such a threshold; t interval on "
                   "the log scale",
               .interval = mean.interval};
-  if (mean.interval) basis.confidence = kConfidence;
+  if (mean.interval) basis.confidence = kConfidenceOfMeans;
   list.number(quantity, key, mean.mean, basis);
 }
 
