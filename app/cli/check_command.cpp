@@ -19,8 +19,7 @@
 #include "app/cli/terminal.h"
 #include "app/device_bench/compared_device.h"
 #include "app/session/rig/clock.h"
-#include "app/tasks/arrangement_warnings.h"
-#include "app/tasks/force_warnings.h"
+#include "app/session/study_friction.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/texture_warnings.h"
 #include "app/words/shell_word.h"
@@ -29,7 +28,9 @@
 #include "protocols/file/protocol_problems.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
+#include "protocols/plan/plan.h"
 #include "renderers/built_in_models.h"
+#include "renderers/force/friction.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
@@ -134,6 +135,33 @@ void say_in_order(const std::vector<Diagnostic>& problems,
   say_warnings_before(nullptr);
 }
 
+/// That a study begun with a version without the laws of friction keeps the law of its sessions; nullopt where each
+/// stimulus states a law, or has none.
+std::optional<Diagnostic> note_on_friction(const Protocol& protocol, const std::string& file_name,
+                                           const std::filesystem::path& study,
+                                           const ModelRegistry& models) {
+  const std::optional<SessionRow> first = session_with_earlier_friction(study, models);
+  if (!first) return {};
+  for (const Trial& trial : possible_trials(protocol)) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const ForceModel* const model = models.find(planned.stimulus.model);
+      if (model == nullptr || states_friction_law(planned.stimulus.parameters)) continue;
+      const ParameterValues of_new = friction_of_new_studies(model->declaration);
+      if (of_new.empty()) continue;
+      const std::string kept(
+          friction_law_of(complete_values(model->declaration, planned.stimulus.parameters)).name);
+      return JsonDocument(protocol.source, file_name)
+          .at_key("/stimuli",
+                  "stimuli that state no friction_law have the law \"" + kept +
+                      "\" in this study, as in its first session (" + first->participant +
+                      ", session " + std::to_string(first->session) + ", version " +
+                      first->program_version + "); in a new study they have the law \"" +
+                      std::string(friction_law_of(of_new).name) + "\"");
+    }
+  }
+  return {};
+}
+
 /// The problems of a rehearsal, and what of the study's files and stimuli may not be meant.
 void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
                        const ModelRegistry& models, std::vector<Diagnostic>& warnings) {
@@ -148,6 +176,9 @@ void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
           "could not be determined: " +
           std::string(error.what()));
     }
+  }
+  if (auto note = note_on_friction(*check.protocol, check.file, study, models)) {
+    warnings.push_back(std::move(*note));
   }
   StimulusBuilder builder(models, study);
   RehearsedStimuli rehearsed = rehearse_with_warnings(*check.protocol, check.file, builder);

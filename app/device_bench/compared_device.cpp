@@ -158,7 +158,8 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
     const WhichDevice& which = device.wanted.which;
     warn_of(friction_warnings(
         protocol, models,
-        {.latency_s = device.latency_s, .velocity = velocity_window_of(which.name, which.model)}));
+        {.latency_s = device.latency_s, .velocity = velocity_window_of(which.name, which.model)},
+        unstated_friction_of(study, models)));
   };
   const std::string of_itself = "the force and the rate of " + name;
   if (is_simulated) comparison.compared = "compared with " + of_itself;

@@ -97,7 +97,9 @@ std::string recipe_of(const BodyDescription& body, BodyRole role, const std::str
 }  // namespace
 
 StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder)
-    : models_(models), study_folder_(std::move(study_folder)) {}
+    : models_(models),
+      study_folder_(std::move(study_folder)),
+      friction_(unstated_friction_of(study_folder_, models_)) {}
 
 LoadedHeightField StimulusBuilder::height_field(const std::string& study_path) {
   const std::lock_guard lock(fields_mutex_);
@@ -170,7 +172,7 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
                                                 const PreparedStimulus& stimulus,
                                                 const ParameterValues& given) {
   const RendererInputs& inputs = stimulus.inputs;
-  ParameterValues values{};
+  ParameterValues values = values_of(friction_, model);
   if (inputs.height_field && model.suggested_by) {
     // A suggestion takes the spectrum of the whole sample; every attempt asks for the same few.
     const std::string key = model.declaration.id + ' ' + content_of(stimulus, kHeightFieldRole) +
@@ -182,10 +184,14 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
       found = suggestions_.emplace(key, model.suggested_by(*inputs.height_field, inputs.material))
                   .first;
     }
-    values = found->second;
+    for (const auto& [name, value] : found->second) values[name] = value;
   }
   for (const auto& [name, value] : given) values[name] = value;
   return complete_values(model.declaration, values);
+}
+
+ParameterValues StimulusBuilder::default_parameters(const ForceModel& model) const {
+  return complete_values(model.declaration, values_of(friction_, model));
 }
 
 PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {

@@ -135,10 +135,12 @@ constexpr std::array<FrictionLaw, 4> kLaws{{
      .meaning = "adhesion of a given stiffness that breaks, with stick-slip for a static ratio "
                 "above 1",
      .parameters = kOfProxy,
+     .remembers = true,
      .drag_N = proxy_drag_N},
     {.name = "dahl",
      .meaning = "adhesion of a given stiffness that creeps, without a kink where sliding begins",
      .parameters = kOfDahl,
+     .remembers = true,
      .drag_N = dahl_drag_N},
 }};
 
@@ -156,11 +158,13 @@ Parameter law_parameter() {
                       .unit = "1",
                       .choices = {},
                       .default_value = std::string("rounded"),
-                      .meaning = "Law of the friction"};
+                      .meaning =
+                          "Law of the friction. A stimulus that states none has dahl in a "
+                          "study that began with version 0.2.0 or later, and rounded in "
+                          "an earlier one"};
   for (const FrictionLaw& law : kLaws) {
     parameter.choices.emplace_back(law.name);
-    parameter.meaning += (parameter.choices.size() == 1 ? ": " : "; ") + std::string(law.name) +
-                         ": " + std::string(law.meaning);
+    parameter.meaning += "; " + std::string(law.name) + ": " + std::string(law.meaning);
   }
   return parameter;
 }
@@ -190,7 +194,8 @@ const FrictionLaw& friction_law(std::string_view name) {
 }
 
 const FrictionLaw& friction_law_of(const ParameterValues& parameters) {
-  return parameters.contains(kLaw) ? friction_law(choice_of(parameters, kLaw)) : kLaws.front();
+  return states_friction_law(parameters) ? friction_law(choice_of(parameters, kLaw))
+                                         : kLaws.front();
 }
 
 FrictionSettings friction_settings(double coefficient, const ParameterValues& parameters) {
@@ -244,6 +249,17 @@ void add_friction_parameters(std::vector<Parameter>& parameters) {
                               "Law bounded: moving mass of device and hand"));
   parameters.push_back(number(kDelay, "s", 0.0, 0.05, defaults.delay_s,
                               "Law bounded: age of the velocity, latency and lag of its estimate"));
+}
+
+ParameterValues friction_of_new_studies(const ModelDeclaration& model) {
+  const bool has_laws = std::any_of(model.parameters.begin(), model.parameters.end(),
+                                    [](const Parameter& one) { return one.name == kLaw; });
+  if (!has_laws) return {};
+  return {{kLaw, std::string("dahl")}};
+}
+
+bool states_friction_law(const ParameterValues& parameters) noexcept {
+  return parameters.contains(kLaw);
 }
 
 ParameterValues friction_values_of(const ParameterValues& parameters) {

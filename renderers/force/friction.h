@@ -47,6 +47,7 @@ struct FrictionLaw {
   std::string_view name{};
   std::string_view meaning{};
   std::span<const std::string_view> parameters{};  ///< those that the law uses
+  bool remembers = false;                          ///< whether the drag depends on earlier samples
   /// The drag [N]: the force on the hand is −drag. Real-time: no allocation, no exceptions.
   glm::dvec2 (*drag_N)(const FrictionSettings&, const FrictionSample&,
                        FrictionState&) noexcept = nullptr;
@@ -126,6 +127,14 @@ Parameter friction_speed_parameter();
 
 /// Adds the parameters of friction to those of a point model: v₀, the law and the laws' further parameters.
 void add_friction_parameters(std::vector<Parameter>& parameters);
+
+/// The values of the parameters of friction that a study takes where its protocol states none: the law `dahl`. The
+/// declared defaults are those of inputs that state none, which include all that versions without the laws stored: the law
+/// `rounded`. A study that such a version began keeps them (StimulusBuilder). Empty for a model without the parameter.
+ParameterValues friction_of_new_studies(const ModelDeclaration& model);
+
+/// Whether a model's values state a law; those that versions without the laws stored do not.
+bool states_friction_law(const ParameterValues& parameters) noexcept;
 
 /// Only the parameters of friction among a model's values.
 ParameterValues friction_values_of(const ParameterValues& parameters);

@@ -14,6 +14,7 @@
 
 #include "analysis/spectrum.h"
 #include "device/refusal.h"
+#include "renderers/force/friction.h"
 #include "renderers/offline/along_path.h"
 #include "renderers/offline/bracketed_root.h"
 #include "renderers/offline/constant_height.h"
@@ -89,6 +90,12 @@ double height_of(const ForceModel& model, ForceRenderer& renderer, Strokes& stro
       " N; change the stiffness of the material or the parameters of the model");
 }
 
+// Friction of the laws without a memory is constant on a plate, and constants are not part of the texture force. That of
+// the others builds up on the way, which is the same with texture and without.
+bool is_constant_at_constant_speed(const ParameterValues& parameters) {
+  return !friction_law_of(parameters).remembers;
+}
+
 void check(const TextureForcePath& path) {
   require_positive("TextureForcePath::speed_m_per_s", path.speed_m_per_s);
   require_positive("TextureForcePath::rate_Hz", path.rate_Hz);
@@ -122,7 +129,11 @@ double texture_force_rms_N(const ForceModel& model, const RendererInputs& inputs
   Strokes strokes(path, textured.patch);
   const auto renderer = make_renderer(model, textured);
   const double height_m = height_of(model, *renderer, strokes, textured, path);
-  const auto plate = make_renderer(model, without_texture(model.declaration, textured));
+  RendererInputs untextured = without_texture(model.declaration, textured);
+  if (!is_constant_at_constant_speed(textured.parameters)) {
+    untextured.material.friction = textured.material.friction;
+  }
+  const auto plate = make_renderer(model, untextured);
   const std::vector<glm::dvec3> with_N = strokes.forces_N(*renderer, height_m);
   const std::vector<glm::dvec3> without_N = strokes.forces_N(*plate, height_m);
 

@@ -30,7 +30,8 @@ struct TextureForcePath {
 ///   RMS² = RMS²_band(D_x) + RMS²_band(D_y) + RMS²_band(D_z)
 ///
 /// F is the force of the stimulus, F₀ that of the same model without texture and friction (`without_texture`) along the
-/// same path. The friction in F is constant except for the effect of the texture on it. Equal RMS is not equal
+/// same path. The friction in F is constant except for the effect of the texture on it; a law of friction that remembers
+/// the contact (FrictionLaw::remembers) builds up first, so with such a law F₀ has the friction too. Equal RMS is not equal
 /// perceived intensity.
 ///
 /// Errors: std::invalid_argument for an invalid path, inputs that the model rejects, and a mean normal force that no

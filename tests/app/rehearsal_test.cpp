@@ -478,7 +478,8 @@ TEST_F(DeviceRehearsalTest, AddsTheContactDampingToTheStiffnessOfTwoBodies) {
 
 /// The small study's stroke with another force.
 std::string pressed_with(const std::string& force, const std::string& parameters) {
-  return replaced(one_stimulus("sinusoid", parameters), R"("speed_m_per_s": {)",
+  return replaced(one_stimulus("sinusoid", parameters + R"(, "friction_law": "rounded")"),
+                  R"("speed_m_per_s": {)",
                   R"("normal_force_N": {)" + force + R"(}, "speed_m_per_s": {)");
 }
 
@@ -508,6 +509,13 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsTooSteepADamperAndNamesTheSpeed
   EXPECT_FALSE(one(
       pressed_with(R"("maximum": 2.5)", R"("amplitude_m": 1e-5, "friction_speed_m_per_s": 0.005)"),
       of_50_grams(), "friction_damping"));
+}
+
+TEST_F(DeviceRehearsalTest, DoesNotWarnOfFrictionWithTheLawOfNewStudies) {
+  const DeviceProfile late = with_item(of_50_grams(), "latency_s", 0.1);
+  EXPECT_FALSE(one(one_stimulus("sinusoid", R"("amplitude_m": 1e-5)"), late, "friction_damping"));
+  EXPECT_TRUE(one(one_stimulus("sinusoid", R"("amplitude_m": 1e-5, "friction_law": "rounded")"),
+                  late, "friction_damping"));
 }
 
 TEST_F(DeviceRehearsalTest, TakesTheDelayOfTheVelocityIntoAccount) {
@@ -632,9 +640,12 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfWhatWasNotMeasured) {
 TEST_F(DeviceRehearsalTest, ComparesStimuliWithWhatItSaysAndNothingElse) {
   for (const DeviceQuantity& quantity : device_quantities()) {
     if (!quantity.trait) continue;
-    // A mass may be too light as well.
+    // A mass may be too light as well. Mass and latency are compared with the friction that is a damper.
+    const std::string rubbing =
+        one_stimulus("sinusoid", R"("amplitude_m": 0.0005, "wavelength_m": 0.002, )"
+                                 R"("force_direction": "local_normal", "friction_law": "rounded")");
     const auto is_warned_of = [&](double value) {
-      return !warnings(grating_protocol(), with_item(ideal(), quantity.name, value)).empty();
+      return !warnings(rubbing, with_item(ideal(), quantity.name, value)).empty();
     };
     EXPECT_EQ(is_warned_of(1e3) || is_warned_of(1e-3), !not_compared({*quantity.trait}).empty())
         << quantity.name;

@@ -20,6 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const fs::path kFixtures = fs::path(ASPERITY_SOURCE_DIR) / "tests/earlier_studies";
 
@@ -198,6 +199,22 @@ class InterruptedSession : public EarlierStudy {
       }
     }
   }
+  /// What is presented after the resume has the friction of before: the law of versions without `friction_law`.
+  void expect_friction_of_first_session() const {
+    const Study stored = Study::open(study(), Access::read_only);
+    int resumed = 0;
+    for (const auto& [model, parameters] : stored.words().parameters) {
+      EXPECT_THAT(parameters, Not(HasSubstr("dahl"))) << model;
+      if (parameters.find(R"("friction_law":"rounded")") != std::string::npos) ++resumed;
+    }
+    EXPECT_GT(resumed, 0);
+    const Outcome checked =
+        run(invocation({"check", protocol("selection.json"), "--study", study()}));
+    EXPECT_THAT(checked.err,
+                HasSubstr("have the law \"rounded\" in this study, as in its first session"));
+    EXPECT_THAT(checked.err,
+                HasSubstr("version 0.1.0); in a new study they have the law \"dahl\""));
+  }
   /// Resuming adds rows and changes none.
   void expect_unchanged_rows() const {
     if (!program_to_store().empty()) return;
@@ -225,6 +242,7 @@ TEST_F(InterruptedSession, OfAKilledSimulationResumesToTheSameNumbers) {
   expect_unchanged_rows();
   expect_everything_holds();
   expect_numbers("resumed_simulation.tsv", answers_of("virtual"));
+  expect_friction_of_first_session();
 }
 
 TEST_F(InterruptedSession, OfKilledWindowsResumesInTheSameOrder) {

@@ -19,6 +19,7 @@
 #include "renderers/force/adjacent_patches.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/offline/along_path.h"
+#include "renderers/offline/force_matching.h"
 #include "renderers/offline/friction_damper.h"
 #include "renderers/offline/sampled_loop.h"
 #include "tests/renderers/surfaces.h"
@@ -155,10 +156,10 @@ TEST(BoundedFriction, IsTheForceAtTheEndOfAnImplicitStep) {
 }
 
 TEST(ProxyFriction, LosesTheAreaOfItsLoopInACycle) {
-  constexpr double kStiffness_N_per_m = 1000.0;
+  constexpr double kContact_N_per_m = 1000.0;
   constexpr double kAmplitude_m = 2e-3;
   constexpr double kNormal_N = 2.0;
-  Friction friction(kMu, prompt("proxy", kStiffness_N_per_m));
+  Friction friction(kMu, prompt("proxy", kContact_N_per_m));
   constexpr int kSteps = 40'000;  // of a triangular motion
   double work_J = 0.0;
   double last_m = 0.0;
@@ -174,7 +175,7 @@ TEST(ProxyFriction, LosesTheAreaOfItsLoopInACycle) {
     last_m = x_m;
     last_N = drag_N;
   }
-  const double strain_m = kMu * kNormal_N / kStiffness_N_per_m;
+  const double strain_m = kMu * kNormal_N / kContact_N_per_m;
   EXPECT_NEAR(work_J, 4.0 * kMu * kNormal_N * (kAmplitude_m - strain_m), 1e-6 * work_J);
 }
 
@@ -193,11 +194,11 @@ TEST(ProxyFriction, DoesNotCreepUnderAForceBelowStaticFriction) {
 double stick_slip_period_s(double rate_Hz) {
   constexpr double kMass_kg = 0.1;
   constexpr double kSpring_N_per_m = 400.0;
-  constexpr double kStiffness_N_per_m = 1000.0;
+  constexpr double kContact_N_per_m = 1000.0;
   constexpr double kPull_m_per_s = 0.9e-3;
   constexpr double kNormal_N = 1.0;
-  const double critical_N_s_per_m = 2.0 * std::sqrt(kStiffness_N_per_m * kMass_kg);
-  Friction friction(kMu, prompt("proxy", kStiffness_N_per_m, 4.0 / 3.0, critical_N_s_per_m));
+  const double critical_N_s_per_m = 2.0 * std::sqrt(kContact_N_per_m * kMass_kg);
+  Friction friction(kMu, prompt("proxy", kContact_N_per_m, 4.0 / 3.0, critical_N_s_per_m));
   const double period_s = 1.0 / rate_Hz;
   const int substeps = static_cast<int>(20'000.0 / rate_Hz);
   const double step_s = period_s / substeps;
@@ -251,8 +252,8 @@ Energies energies(Friction& friction, std::span<const glm::dvec2> path_m, double
 
 // b > k_f·T/2 [Colgate 1997]: a zigzag at half the sampling rate is the worst of all paths.
 TEST(SpringFriction, IsPassiveOnADeviceWithTheDampingOfItsStiffness) {
-  constexpr double kStiffness_N_per_m = 1000.0;
-  constexpr double kNeeded_N_s_per_m = 0.5 * kStiffness_N_per_m * kTick_s;
+  constexpr double kContact_N_per_m = 1000.0;
+  constexpr double kNeeded_N_s_per_m = 0.5 * kContact_N_per_m * kTick_s;
   for (const std::string law : {"proxy", "dahl"}) {
     Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
@@ -264,14 +265,14 @@ TEST(SpringFriction, IsPassiveOnADeviceWithTheDampingOfItsStiffness) {
         path_m[i] = {drift_m * static_cast<double>(i) + sign * size_m * (1.0 + random.normal()),
                      size_m * random.normal()};
       }
-      Friction friction(kMu, prompt(law, kStiffness_N_per_m));
+      Friction friction(kMu, prompt(law, kContact_N_per_m));
       const Energies sums = energies(friction, path_m);
       EXPECT_LE(sums.returned_J, kNeeded_N_s_per_m * sums.damped_J_per_N_s_per_m + 1e-15) << law;
     }
   }
   std::vector<glm::dvec2> zigzag_m{{0.0, 0.0}};
   for (int i = 0; i < 1000; ++i) zigzag_m.push_back({i % 2 == 0 ? 1e-5 : -1e-5, 0.0});
-  Friction friction(kMu, prompt("proxy", kStiffness_N_per_m));
+  Friction friction(kMu, prompt("proxy", kContact_N_per_m));
   const Energies sums = energies(friction, zigzag_m);
   EXPECT_NEAR(sums.returned_J / sums.damped_J_per_N_s_per_m, kNeeded_N_s_per_m,
               2e-3 * kNeeded_N_s_per_m);
@@ -314,11 +315,11 @@ glm::dvec2 relaxed_m(glm::dvec2 strain_m, const glm::dvec2& way_m, double slidin
 }
 
 TEST(DahlFriction, SolvesItsDifferentialEquationExactlyInStepsOfAnyLength) {
-  constexpr double kStiffness_N_per_m = 700.0;
+  constexpr double kContact_N_per_m = 700.0;
   const std::array<glm::dvec2, 6> kCorners_m{
       {{0.0, 0.0}, {4e-4, 0.0}, {-3e-4, 2e-4}, {-2.5e-4, -9e-4}, {3e-3, -9e-4}, {3e-3, 1e-4}}};
   for (const int steps : {1, 3, 50}) {
-    Friction friction(kMu, prompt("dahl", kStiffness_N_per_m));
+    Friction friction(kMu, prompt("dahl", kContact_N_per_m));
     glm::dvec2 drag_N = friction.drag_N(at(kCorners_m[0]));
     glm::dvec2 strain_m{0.0};
     for (std::size_t i = 1; i < kCorners_m.size(); ++i) {
@@ -327,15 +328,15 @@ TEST(DahlFriction, SolvesItsDifferentialEquationExactlyInStepsOfAnyLength) {
         drag_N = friction.drag_N(
             at(kCorners_m[i - 1] + static_cast<double>(step) / steps * way_m, 1.0, 1e-3 / steps));
       }
-      strain_m = relaxed_m(strain_m, way_m, kMu / kStiffness_N_per_m);
-      EXPECT_LT(glm::length(drag_N - kStiffness_N_per_m * strain_m), 1e-10) << steps << ' ' << i;
+      strain_m = relaxed_m(strain_m, way_m, kMu / kContact_N_per_m);
+      EXPECT_LT(glm::length(drag_N - kContact_N_per_m * strain_m), 1e-10) << steps << ' ' << i;
     }
   }
 }
 
 TEST(DahlFriction, HasABoundedSlope) {
-  constexpr double kStiffness_N_per_m = 700.0;
-  Friction friction(kMu, prompt("dahl", kStiffness_N_per_m));
+  constexpr double kContact_N_per_m = 700.0;
+  Friction friction(kMu, prompt("dahl", kContact_N_per_m));
   double last_N = friction.drag_N(at({0.0, 0.0})).x;
   double last_m = 0.0;
   double steepest_N_per_m = 0.0;
@@ -346,8 +347,8 @@ TEST(DahlFriction, HasABoundedSlope) {
     last_N = drag_N;
     last_m = x_m;
   }
-  EXPECT_LE(steepest_N_per_m, 2.0 * kStiffness_N_per_m);
-  EXPECT_GT(steepest_N_per_m, 1.95 * kStiffness_N_per_m) << "at a reversal";
+  EXPECT_LE(steepest_N_per_m, 2.0 * kContact_N_per_m);
+  EXPECT_GT(steepest_N_per_m, 1.95 * kContact_N_per_m) << "at a reversal";
 }
 
 TEST(SpringFriction, SmoothsThePositionByTwoLowPasses) {
@@ -416,6 +417,15 @@ TEST(FrictionOfModels, EndsWithTheContactAndStartsOverWithTheNextOne) {
       EXPECT_GT(largest_N, 0.1) << model.declaration.id << ' ' << law.name;
       EXPECT_LT(largest_N, 0.201) << model.declaration.id << ' ' << law.name;
     }
+  }
+}
+
+// The drag of a law that remembers builds up on the prescribed path; that is no texture.
+TEST(FrictionOfModels, IsNoTextureForceOfAPlate) {
+  for (const FrictionLaw& law : friction_laws()) {
+    const RendererInputs plate{
+        .parameters = {{"friction_law", std::string(law.name)}, {"amplitude_m", 0.0}}};
+    EXPECT_LT(texture_force_rms_N(sinusoid_model(), plate), 1e-12) << law.name;
   }
 }
 

@@ -29,12 +29,14 @@ double two_digits_down(double value) {
 }
 
 std::optional<FrictionDamper> damper_of(const StimulusDescription& stimulus,
-                                        const Exploration& exploration,
-                                        const ModelRegistry& models) {
+                                        const Exploration& exploration, const ModelRegistry& models,
+                                        UnstatedFriction friction) {
   const ForceModel* const model = models.find(stimulus.model);
   if (model == nullptr) return {};
   const double aimed_N = habits_for(exploration, stimulus.patch).normal_force_N;
-  return friction_damper_of(*model, stimulus, exploration.normal_force_N.maximum.value_or(aimed_N));
+  StimulusDescription stated = stimulus;
+  stated.parameters.merge(values_of(friction, *model));
+  return friction_damper_of(*model, stated, exploration.normal_force_N.maximum.value_or(aimed_N));
 }
 
 /// The values from which the device's limit was computed.
@@ -68,14 +70,16 @@ Phrase remedy_for(const FrictionDamper& asked, double steepest_N_s_per_m) {
 
 std::vector<RehearsalWarning> friction_warnings(const Protocol& protocol,
                                                 const ModelRegistry& models,
-                                                const DampedResponse& device) {
+                                                const DampedResponse& device,
+                                                UnstatedFriction friction) {
   const double period_s = 1.0 / protocol.rate_Hz;
   const double steepest_N_s_per_m = steepest_damper_N_s_per_m(device, period_s);
   std::vector<RehearsalWarning> warnings{};
   std::set<std::tuple<std::string, double, double>> seen{};
   for (const Trial& trial : possible_trials(protocol)) {
     for (const PlannedPresentation& planned : trial.presentations) {
-      const auto asked = damper_of(planned.stimulus, exploration_of(protocol, trial), models);
+      const auto asked =
+          damper_of(planned.stimulus, exploration_of(protocol, trial), models, friction);
       if (!asked || asked->damper_N_s_per_m() <= (1.0 + kJustMet) * steepest_N_s_per_m) continue;
       if (!seen.emplace(planned.stimulus.name, asked->force_N, asked->damper_N_s_per_m()).second) {
         continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/session/rehearsal/rehearsal_warning.h"
+#include "app/session/study_friction.h"
 #include "protocols/design/protocol.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/friction_damper.h"
@@ -16,9 +17,11 @@ namespace asperity {
 ///
 /// The normal force is the greatest that the instructed exploration accepts, or else its target. The warning names v₀
 /// and a normal force with which the loop would not vibrate, v₀ as far as the model accepts it, and the mass that is
-/// assumed where it is unknown. Bodies behind a virtual coupling are not compared.
+/// assumed where it is unknown. Bodies behind a virtual coupling are not compared. `friction` is the law of stimuli that
+/// state none.
 std::vector<RehearsalWarning> friction_warnings(const Protocol& protocol,
                                                 const ModelRegistry& models,
-                                                const DampedResponse& device);
+                                                const DampedResponse& device,
+                                                UnstatedFriction friction);
 
 }  // namespace asperity

@@ -66,7 +66,9 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
   std::vector<RehearsalWarning> warnings{};
   add(limit_warnings(protocol, profile), warnings);
   add(level_warnings(protocol, profile, builder.models()), warnings);
-  add(friction_warnings(protocol, builder.models(), damped_response_of(profile)), warnings);
+  add(friction_warnings(protocol, builder.models(), damped_response_of(profile),
+                        builder.unstated_friction()),
+      warnings);
   StimulusRehearsal rehearsal(protocol, profile, builder);
   std::set<std::string> seen{};
   const std::vector<Trial> trials = possible_trials(protocol);

@@ -56,7 +56,7 @@ Sample plate_with(const std::string& height_field, const Protocol& protocol,
   const ForceModel* model = builder.models().find("height_map");
   if (model == nullptr) throw std::logic_error("there is no model height_map");
   Sample sample{.model = model};
-  sample.inputs.parameters = complete_values(model->declaration, {});
+  sample.inputs.parameters = builder.default_parameters(*model);
   sample.inputs.material = protocol.material;
   sample.inputs.patch = protocol.patch;
   const std::optional<double> cutoff_m = protocol.observer.gaussian_wavelength_m;
