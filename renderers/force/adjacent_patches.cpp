@@ -64,15 +64,29 @@ void require_place(std::span<const AdjacentPatch> patches, std::size_t index,
   }
 }
 
-/// Of the flat surface: those of the first patch, whose law is that of all of them as a rule; the law `rounded` has the
-/// default speed, whatever the patches have.
+/// Of the flat surface. They must not depend on the order of the patches: the order decides which of the participant's
+/// responses is correct, and the flat surface would feel different with it.
 ParameterValues parameters_of_friction(std::span<const AdjacentPatch> patches) {
+  std::vector<Parameter> declared{};
+  add_friction_parameters(declared);
+  ParameterValues shared{};
+  for (const Parameter& parameter : declared) {
+    const auto value_of = [&parameter](const AdjacentPatch& patch) {
+      const ParameterValues& values = patch.inputs.parameters;
+      const auto found = values.find(parameter.name);
+      return found == values.end() ? parameter.default_value : found->second;
+    };
+    const bool is_shared = std::all_of(
+        patches.begin(), patches.end(),
+        [&](const AdjacentPatch& patch) { return value_of(patch) == value_of(patches.front()); });
+    shared[parameter.name] =
+        is_shared && !patches.empty() ? value_of(patches.front()) : parameter.default_value;
+  }
   const Parameter speed = friction_speed_parameter();
-  ParameterValues values{};
-  if (!patches.empty()) values = friction_values_of(patches.front().inputs.parameters);
-  if (&friction_law_of(values) == &friction_law("rounded")) values.clear();
-  values[speed.name] = speed.default_value;
-  return values;
+  // Stored recordings were made with the default speed.
+  if (&friction_law_of(shared) == &friction_law("rounded"))
+    shared[speed.name] = speed.default_value;
+  return shared;
 }
 
 }  // namespace
@@ -108,6 +122,7 @@ AdjacentPatches::AdjacentPatches(std::span<const AdjacentPatch> patches,
 
 void AdjacentPatches::reset(const ProbeState&) noexcept {
   entered_ = 0;
+  flat_has_weight_ = true;
   flat_.reset();
 }
 
@@ -132,10 +147,16 @@ RenderedTick AdjacentPatches::tick(const ProbeState& probe, double dt_s) noexcep
     weight = weight_of(patches_[i], probe.position_m);
     if (weight > 0.0) entered = i + 1;
   }
+  // A contact is handed over while the surface that receives it still has no weight, so that the force has no step.
+  const bool flat_has_weight = entered == 0 || weight < 1.0;
+  if (flat_has_weight && !flat_has_weight_) {
+    if (const Friction* const friction = patches_[entered_ - 1].renderer->friction()) {
+      flat_.friction().continue_contact_of(*friction);
+    }
+  }
   if (entered != 0 && entered != entered_) {
     ForceRenderer& renderer = *patches_[entered - 1].renderer;
     renderer.reset(probe);
-    // The contact of the last tick, in which the hand was still on the flat surface alone.
     if (Friction* const friction = renderer.friction()) {
       friction->continue_contact_of(flat_.friction());
     }
@@ -159,6 +180,7 @@ RenderedTick AdjacentPatches::tick(const ProbeState& probe, double dt_s) noexcep
                           (1.0 - weight) * blend.penetration_m;
   }
   entered_ = entered;
+  flat_has_weight_ = flat_has_weight;
   if (blend.penetration_m > 0.0) blend.wrench.force_N += wall_N;
   blend.part = static_cast<std::uint32_t>(entered);
   return blend;

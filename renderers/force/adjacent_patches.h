@@ -29,14 +29,19 @@ RendererInputs without_border(RendererInputs inputs);
 
 /// Renders the surfaces of patches that lie side by side on a flat surface.
 ///
-/// Model: F = g(p)·[Σᵢ wᵢ(p)·Fᵢ + (1 − Σᵢ wᵢ(p))·F₀], the penetration in the same way without g. Fᵢ is the force of patch i without
-/// a border, F₀ that of a flat surface of `material` with the default friction speed and otherwise the friction of the
-/// first patch (SurfaceContact), and g the border of the workspace. The weight wᵢ is 1 inside patch i, at a distance of at least `blend_m` from its sides, and
-/// decreases to 0 at the sides as a smoothstep; it stays 1 at a side on the border of the workspace, and beyond. The patches must
-/// not overlap, so that at most one weight is above 0.
+/// Model: F = g(p)·[Σᵢ wᵢ(p)·Fᵢ + (1 − Σᵢ wᵢ(p))·F₀], the penetration in the same way without g. Fᵢ is the force of
+/// patch i without a border, F₀ that of a flat surface of `material`, and g the border of the workspace. Of each friction
+/// parameter the flat surface has the value that all patches share, otherwise the default, so that it does not depend on
+/// the order of the patches; with the law `rounded` it has the default friction speed. The weight wᵢ is 1 inside patch i,
+/// at a distance of at least `blend_m` from its sides, and decreases to 0 at the sides as a smoothstep; it stays 1 at a
+/// side on the border of the workspace, and beyond. The patches must not overlap, so that at most one weight is above 0.
 ///
-/// Every patch has a separate renderer. It is reset when the probe enters the patch, where its friction continues that of
-/// the flat surface, and called while its weight is above 0. RenderedTick::part is the number of that patch, from 1, and 0 elsewhere.
+/// Every patch has a separate renderer. It is reset when the probe enters the patch, and called while its weight is above
+/// 0. RenderedTick::part is the number of that patch, from 1, and 0 elsewhere.
+///
+/// Friction of one law continues from one surface to the next: the patch takes over the contact of the flat surface where
+/// the probe enters the patch, and the flat surface that of the patch where the weight of the patch falls below 1. A
+/// contact between surfaces of different laws starts over.
 ///
 /// Step: while the probe crosses a side with speed v, the blend changes the force by at most 1.5·|Fᵢ − F₀|·v·T/blend_m
 /// in a tick of T: 7 mN for |Fᵢ − F₀| = 50 mN, v = 0.2 m/s, T = 1 ms and blend_m = 2 mm.
@@ -73,6 +78,7 @@ class AdjacentPatches final : public ForceRenderer {
   SurfaceContact flat_;
   double blend_m_ = 0.0;
   std::size_t entered_ = 0;  ///< the number of the patch that was called in the last tick; 0: none
+  bool flat_has_weight_ = true;  ///< in the last tick
 };
 
 }  // namespace asperity

@@ -452,6 +452,80 @@ TEST(FrictionOfModels, ContinuesAcrossAdjacentSurfaces) {
   EXPECT_NEAR(least_N, 0.2, 1e-3);
 }
 
+// The force [N] of a probe that slides along y at this place, without a texture, once its friction is steady.
+double drag_along_y_N(ForceRenderer& renderer, double x_m, double speed_m_per_s,
+                      double duration_s) {
+  ProbeState probe{.position_m = {x_m, 0.0, -0.002}, .velocity_m_per_s = {0.0, speed_m_per_s, 0.0}};
+  renderer.reset(probe);
+  double drag_N = 0.0;
+  for (double t_s = 0.0; t_s < duration_s; t_s += kTick_s) {
+    probe.position_m.y = speed_m_per_s * t_s;
+    drag_N = -renderer.tick(probe, kTick_s).wrench.force_N.y;
+  }
+  return drag_N;
+}
+
+// With surfaces in random positions, a gap that follows the first surface would be a cue to the correct response.
+TEST(FrictionOfModels, BetweenAdjacentSurfacesDoesNotDependOnTheirOrder) {
+  const ModelRegistry models = built_in_models();
+  const ForceModel* const model = models.find("sinusoid");
+  const SurfacePatch workspace{.extent_m = {0.1, 0.1}, .edge_width_m = 0.005};
+  const auto patch = [&](double x_m, const ParameterValues& friction) {
+    ParameterValues parameters = friction;
+    parameters["amplitude_m"] = 0.0;
+    AdjacentPatch one{model, {.parameters = complete_values(model->declaration, parameters)}};
+    one.inputs.patch = workspace;
+    one.inputs.patch.centre_m.x = x_m;
+    one.inputs.patch.extent_m.x = 0.047;
+    return one;
+  };
+  const auto drag_in_gap_N = [&](const ParameterValues& left, const ParameterValues& right) {
+    const std::vector<AdjacentPatch> patches{patch(-0.0265, left), patch(0.0265, right)};
+    AdjacentPatches surfaces(patches, workspace, patches.front().inputs.material, 0.002);
+    return drag_along_y_N(surfaces, 0.0, 0.02, 0.05);
+  };
+  using Values = ParameterValues;
+  const std::string law = "friction_law";
+  const std::string stiffness = "friction_stiffness_N_per_m";
+  const Values soft{{law, std::string("dahl")}, {stiffness, 100.0}};
+  const Values stiff{{law, std::string("dahl")}, {stiffness, 1000.0}};
+  const Values usual{{law, std::string("dahl")}};
+  const Values proxy{{law, std::string("proxy")}};
+  const Values rounded{};
+  for (const auto& [a, b] : {std::pair(soft, stiff), std::pair(usual, proxy),
+                             std::pair(proxy, rounded), std::pair(stiff, rounded)}) {
+    EXPECT_EQ(drag_in_gap_N(a, b), drag_in_gap_N(b, a));
+  }
+  EXPECT_EQ(drag_in_gap_N(soft, stiff), drag_in_gap_N(usual, usual)) << "the default";
+  EXPECT_EQ(drag_in_gap_N(usual, proxy), drag_in_gap_N(rounded, rounded)) << "the default law";
+  EXPECT_GT(drag_in_gap_N(stiff, stiff), 1.5 * drag_in_gap_N(soft, soft)) << "where it is shared";
+}
+
+// On the crest of a texture above the plane the flat surface has no contact of its own to continue.
+TEST(FrictionOfModels, ContinuesFromAPatchToTheFlatSurface) {
+  const ModelRegistry models = built_in_models();
+  const ForceModel* const model = models.find("sinusoid");
+  const SurfacePatch workspace{.extent_m = {0.1, 0.1}, .edge_width_m = 0.005};
+  RendererInputs inputs{.parameters = {{"friction_law", std::string("dahl")},
+                                       {"friction_stiffness_N_per_m", 10.0},
+                                       {"amplitude_m", 1e-3},
+                                       {"wavelength_m", 0.02}},
+                        .patch = workspace};
+  inputs.parameters = complete_values(model->declaration, inputs.parameters);
+  inputs.patch.extent_m = {0.06, 0.06};
+  AdjacentPatches surfaces(std::vector<AdjacentPatch>{{model, inputs}}, workspace, inputs.material,
+                           0.002);
+  ProbeState probe{.position_m = {0.005, -0.015, 0.0005}};  // a quarter of the wave: the crest
+  surfaces.reset(probe);
+  double least_N = 1.0;
+  for (; probe.position_m.y < 0.032; probe.position_m.y += 5e-5) {
+    probe.position_m.z = probe.position_m.y < 0.027 ? 0.0005 : -0.001;
+    const double drag_N = -surfaces.tick(probe, kTick_s).wrench.force_N.y;
+    if (probe.position_m.y > 0.027) least_N = std::min(least_N, drag_N);
+  }
+  EXPECT_GT(least_N, 0.09) << "0.1 N is the greatest drag of the flat surface";
+}
+
 TEST(FrictionOfModels, IsADamperNearRestOnlyWithTheRoundedLaw) {
   const ModelRegistry models = built_in_models();
   StimulusDescription stimulus{.model = "sinusoid"};
