@@ -3,11 +3,13 @@
 #include "renderers/built_in_models.h"
 
 #include "renderers/models/bump_map.h"
+#include "renderers/models/filtered_noise.h"
 #include "renderers/models/height_map.h"
 #include "renderers/models/lateral_gradient.h"
 #include "renderers/models/normal_map.h"
 #include "renderers/models/periodic.h"
 #include "renderers/models/sinusoid.h"
+#include "renderers/models/solid_noise.h"
 #include "renderers/models/stochastic.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 
@@ -23,6 +25,8 @@ ModelRegistry built_in_models() {
   registry.add(bump_map_model());
   registry.add(normal_map_model());
   registry.add(periodic_model());
+  registry.add(solid_noise_model());
+  registry.add(filtered_noise_model());
   return registry;
 }
 

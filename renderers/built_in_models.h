@@ -6,7 +6,8 @@
 
 namespace asperity {
 
-/// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient, bump_map, normal_map and periodic.
+/// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient, bump_map, normal_map, periodic,
+/// solid_noise and filtered_noise.
 ModelRegistry built_in_models();
 
 }  // namespace asperity

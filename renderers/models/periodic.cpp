@@ -40,8 +40,8 @@ std::vector<Term> terms_of(const ParameterValues& values) {
     const Term term{.index = wave,
                     .waves_x = number_of(values, name_of("waves_x_", wave)),
                     .waves_y = number_of(values, name_of("waves_y_", wave)),
-                    .cosine_m = number_of(values, name_of("cosine_", wave, "_m")),
-                    .sine_m = number_of(values, name_of("sine_", wave, "_m"))};
+                    .cosine_m = number_of(values, name_of("cosine_amplitude_", wave, "_m")),
+                    .sine_m = number_of(values, name_of("sine_amplitude_", wave, "_m"))};
     if (term.cosine_m != 0.0 || term.sine_m != 0.0) terms.push_back(term);
   }
   return terms;
@@ -86,8 +86,8 @@ class Periodic final : public ForceRenderer {
       throw std::invalid_argument("periodic: " + conflict->message);
     }
     const double scale = number_of(inputs.parameters, "height_scale");
-    const double turn_x = 2.0 * std::numbers::pi / number_of(inputs.parameters, "length_x_m");
-    const double turn_y = 2.0 * std::numbers::pi / number_of(inputs.parameters, "length_y_m");
+    const double turn_x = 2.0 * std::numbers::pi / number_of(inputs.parameters, "period_x_m");
+    const double turn_y = 2.0 * std::numbers::pi / number_of(inputs.parameters, "period_y_m");
     for (const Term& term : terms_of(inputs.parameters)) {
       waves_[count_++] = {.x_rad_per_m = term.waves_x * turn_x,
                           .y_rad_per_m = term.waves_y * turn_y,
@@ -162,8 +162,8 @@ TextureBand band_of_waves(const RendererInputs& inputs) {
   for (const Term& term : terms_of(inputs.parameters)) {
     band.per_m = std::max(
         band.per_m, inputs.patch.motion_scale *
-                        std::hypot(term.waves_x / number_of(inputs.parameters, "length_x_m"),
-                                   term.waves_y / number_of(inputs.parameters, "length_y_m")));
+                        std::hypot(term.waves_x / number_of(inputs.parameters, "period_x_m"),
+                                   term.waves_y / number_of(inputs.parameters, "period_y_m")));
   }
   return band;
 }
@@ -177,7 +177,7 @@ std::vector<Parameter> parameters_of_waves() {
                                      .choices = {},
                                      .default_value = 1.0,
                                      .meaning = "Factor applied to all waves"}};
-  for (const char* const name : {"length_x_m", "length_y_m"}) {
+  for (const char* const name : {"period_x_m", "period_y_m"}) {
     parameters.push_back({.name = name,
                           .kind = ParameterKind::number,
                           .unit = "m",
@@ -196,7 +196,7 @@ std::vector<Parameter> parameters_of_waves() {
                           .maximum = 8.0,
                           .choices = {},
                           .default_value = static_cast<double>(wave),
-                          .meaning = "Periods" + which + " in length_x_m"});
+                          .meaning = "Periods" + which + " in period_x_m"});
     parameters.push_back({.name = name_of("waves_y_", wave),
                           .kind = ParameterKind::integer,
                           .unit = "1",
@@ -205,11 +205,11 @@ std::vector<Parameter> parameters_of_waves() {
                           .choices = {},
                           .default_value = 0.0,
                           .meaning = "Periods" + which +
-                                     " in length_y_m; with a negative number "
+                                     " in period_y_m; with a negative number "
                                      "the crests are turned the other way"});
     for (const bool is_cosine : {true, false}) {
       parameters.push_back(
-          {.name = name_of(is_cosine ? "cosine_" : "sine_", wave, "_m"),
+          {.name = name_of(is_cosine ? "cosine_amplitude_" : "sine_amplitude_", wave, "_m"),
            .kind = ParameterKind::number,
            .unit = "m",
            .minimum = -0.005,
@@ -251,15 +251,15 @@ ForceModel periodic_model() {
           .suggested_by =
               [](const HeightField& field, const Material& material) {
                 const ParameterValues wave = sinusoid_model().suggested_by(field, material);
-                ParameterValues suggested{{"sine_1_m", wave.at("amplitude_m")}};
+                ParameterValues suggested{{"sine_amplitude_1_m", wave.at("amplitude_m")}};
                 const auto length = wave.find("wavelength_m");
-                if (length != wave.end()) suggested["length_x_m"] = length->second;
+                if (length != wave.end()) suggested["period_x_m"] = length->second;
                 return suggested;
               },
           .conservative_with = ParameterValues{{"force_direction", std::string("gradient")}},
           .band = band_of_waves,
           .band_formula =
-              "v*max over the waves of sqrt((waves_x_i/length_x_m)^2 + (waves_y_i/length_y_m)^2)"};
+              "v*max over the waves of sqrt((waves_x_i/period_x_m)^2 + (waves_y_i/period_y_m)^2)"};
 }
 
 }  // namespace asperity

@@ -13,8 +13,8 @@ namespace asperity {
 ///   F_n     = k·w                           k the Material's stiffness [N/m]
 ///   F       = F_n·n' − D                D the drag of the friction (force/friction.h)
 ///
-/// m_i = `waves_x_i` (0 to 8), n_i = `waves_y_i` (−8 to 8), a_i = `cosine_i_m`, b_i = `sine_i_m`, L_x = `length_x_m`, L_y =
-/// `length_y_m`, s = `height_scale`; x and y are 0 at the patch's centre, and h has mean 0. A term with a_i = b_i = 0 is
+/// m_i = `waves_x_i` (0 to 8), n_i = `waves_y_i` (−8 to 8), a_i = `cosine_amplitude_i_m`, b_i = `sine_amplitude_i_m`, L_x = `period_x_m`, L_y =
+/// `period_y_m`, s = `height_scale`; x and y are 0 at the patch's centre, and h has mean 0. A term with a_i = b_i = 0 is
 /// left out.
 ///
 /// `force_direction`, as for `sinusoid`: `fixed` (default) n' = n; `local_normal` n' = (−∂h/∂x, −∂h/∂y, 1)/√(1 + |∇h|²);

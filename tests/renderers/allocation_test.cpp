@@ -45,6 +45,8 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
        {{},
         {{"force_direction", std::string("local_normal")}},
         {{"force_direction", std::string("gradient")}}}},
+      {"solid_noise", {{}, {{"octaves", 6.0}}}},
+      {"filtered_noise", {{}, {{"peak_wavelength_m", 1e-3}}}},
       {"pd_gradient",
        {{},
         {{"coupling", std::string("none")}},

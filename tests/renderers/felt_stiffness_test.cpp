@@ -101,10 +101,10 @@ TEST(FeltStiffness, OfTheGradientOfAWaveIsThatOfItsTroughs) {
                   sinusoid_model(),
                   {{"amplitude_m", 1e-4}, {"wavelength_m", 1e-3}, {"force_direction", gradient}}),
               trough_N_per_m, 0.005 * trough_N_per_m);
-  EXPECT_NEAR(
-      largest_N_per_m(periodic_model(),
-                      {{"sine_1_m", 1e-4}, {"length_x_m", 1e-3}, {"force_direction", gradient}}),
-      trough_N_per_m, 0.005 * trough_N_per_m);
+  EXPECT_NEAR(largest_N_per_m(periodic_model(), {{"sine_amplitude_1_m", 1e-4},
+                                                 {"period_x_m", 1e-3},
+                                                 {"force_direction", gradient}}),
+              trough_N_per_m, 0.005 * trough_N_per_m);
 }
 
 TEST(FeltStiffness, OfForceAlongTheSurfaceIsItsGainTimesTheBendAtAnyForce) {

@@ -116,7 +116,7 @@ TEST(SolvedAmplitude, MakesTheOtherLawsEquallyStrong) {
       {"bump_map", {{"face", std::string("crest")}}},
       {"normal_map", {{"law", std::string("physical")}}},
       {"normal_map", {{"bits", 4.0}}},
-      {"periodic", {{"force_direction", std::string("gradient")}, {"cosine_2_m", 2e-5}}}};
+      {"periodic", {{"force_direction", std::string("gradient")}, {"cosine_amplitude_2_m", 2e-5}}}};
   for (const auto& [id, parameters] : laws) {
     RendererInputs inputs = matched_stimulus();
     inputs.parameters = parameters;

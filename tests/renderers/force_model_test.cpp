@@ -25,7 +25,7 @@ RendererInputs any_inputs() {
   return inputs;
 }
 
-TEST(ModelRegistry, KnowsTheEightBuiltInModels) {
+TEST(ModelRegistry, KnowsTheTenBuiltInModels) {
   const ModelRegistry registry = built_in_models();
   RendererInputs inputs = any_inputs();
   inputs.surface = std::make_shared<const TexturedMesh>(
@@ -33,11 +33,11 @@ TEST(ModelRegistry, KnowsTheEightBuiltInModels) {
   inputs.tool =
       std::make_shared<const TexturedMesh>(body_mesh(SphereShape{.diameter_m = 0.004}, nullptr));
   for (const char* id : {"height_map", "sinusoid", "stochastic", "lateral_gradient", "pd_gradient",
-                         "bump_map", "normal_map", "periodic"}) {
+                         "bump_map", "normal_map", "periodic", "solid_noise", "filtered_noise"}) {
     ASSERT_NE(registry.find(id), nullptr) << id;
     EXPECT_NE(registry.make(id, inputs), nullptr);
   }
-  EXPECT_EQ(registry.models().size(), 8U);
+  EXPECT_EQ(registry.models().size(), 10U);
   EXPECT_EQ(registry.find("no_such_model"), nullptr);
 }
 

@@ -36,10 +36,21 @@ std::unique_ptr<ForceRenderer> periodic_with(const ParameterValues& parameters) 
 
 /// Two waves that are not along an axis, one that is, and periods of 2 and 3 mm.
 ParameterValues oblique_waves() {
-  return {{"length_x_m", 0.002}, {"length_y_m", 0.003}, {"waves_x_1", 1.0},   {"waves_y_1", 2.0},
-          {"cosine_1_m", 3e-5},  {"sine_1_m", -5e-5},   {"waves_x_2", 1.0},   {"waves_y_2", -2.0},
-          {"cosine_2_m", 4e-5},  {"sine_2_m", 2e-5},    {"waves_x_3", 0.0},   {"waves_y_3", 3.0},
-          {"cosine_3_m", 0.0},   {"sine_3_m", 6e-5},    {"height_scale", 1.5}};
+  return {{"period_x_m", 0.002},
+          {"period_y_m", 0.003},
+          {"waves_x_1", 1.0},
+          {"waves_y_1", 2.0},
+          {"cosine_amplitude_1_m", 3e-5},
+          {"sine_amplitude_1_m", -5e-5},
+          {"waves_x_2", 1.0},
+          {"waves_y_2", -2.0},
+          {"cosine_amplitude_2_m", 4e-5},
+          {"sine_amplitude_2_m", 2e-5},
+          {"waves_x_3", 0.0},
+          {"waves_y_3", 3.0},
+          {"cosine_amplitude_3_m", 0.0},
+          {"sine_amplitude_3_m", 6e-5},
+          {"height_scale", 1.5}};
 }
 
 double height_m(ForceRenderer& renderer, double x_m, double y_m) {
@@ -50,8 +61,8 @@ double height_m(ForceRenderer& renderer, double x_m, double y_m) {
 TEST(Periodic, IsTheSinusoidWithOneTerm) {
   for (const char* const direction : {"fixed", "local_normal", "gradient"}) {
     for (const double motion_scale : {1.0, 0.7}) {
-      RendererInputs one = wave_inputs({{"sine_1_m", 2e-4},
-                                        {"length_x_m", 0.0015},
+      RendererInputs one = wave_inputs({{"sine_amplitude_1_m", 2e-4},
+                                        {"period_x_m", 0.0015},
                                         {"force_direction", std::string(direction)}});
       RendererInputs other = wave_inputs({{"amplitude_m", 2e-4},
                                           {"wavelength_m", 0.0015},
@@ -122,7 +133,8 @@ TEST(Periodic, OvershootsASquareGratingAsGibbsSays) {
   for (int wave = 1; wave <= 4; ++wave) {
     const double order = 2.0 * wave - 1.0;
     values["waves_x_" + std::to_string(wave)] = order;
-    values["sine_" + std::to_string(wave) + "_m"] = 4.0 * kHalfStep_m / (std::numbers::pi * order);
+    values["sine_amplitude_" + std::to_string(wave) + "_m"] =
+        4.0 * kHalfStep_m / (std::numbers::pi * order);
   }
   const auto square = periodic_with(values);
   double highest_m = 0.0;
@@ -164,16 +176,16 @@ TEST(Periodic, IsNotFeltAboveItsWaves) {
 TEST(Periodic, TakesOneWaveFromASample) {
   const ParameterValues suggested =
       periodic_model().suggested_by(*grating({.rows = 320}), Material{});
-  EXPECT_NEAR(number_of(suggested, "sine_1_m"), 0.0002, 1e-8);
-  EXPECT_NEAR(number_of(suggested, "length_x_m"), 0.004, 0.1 * 0.004);
-  EXPECT_EQ(periodic_model().suggested_by(*level(0.0F), Material{}).count("length_x_m"), 0U);
+  EXPECT_NEAR(number_of(suggested, "sine_amplitude_1_m"), 0.0002, 1e-8);
+  EXPECT_NEAR(number_of(suggested, "period_x_m"), 0.004, 0.1 * 0.004);
+  EXPECT_EQ(periodic_model().suggested_by(*level(0.0F), Material{}).count("period_x_m"), 0U);
 }
 
 TEST(Periodic, RefusesAWaveThatIsGivenTwice) {
   const auto refusal = [](const ParameterValues& values) {
     return refusal_of<std::invalid_argument>([&] { periodic_with(values); });
   };
-  EXPECT_THAT(refusal({{"waves_x_2", 1.0}, {"sine_2_m", 1e-5}}),
+  EXPECT_THAT(refusal({{"waves_x_2", 1.0}, {"sine_amplitude_2_m", 1e-5}}),
               testing::HasSubstr("The terms 1 and 2 are the same wave"));
   EXPECT_THAT(refusal({{"waves_x_1", 0.0}, {"waves_y_1", -1.0}}),
               testing::HasSubstr("waves_x_1 is 0 and waves_y_1 is -1"));
@@ -181,8 +193,9 @@ TEST(Periodic, RefusesAWaveThatIsGivenTwice) {
   // Without an amplitude there is no wave.
   EXPECT_EQ(refusal({{"waves_x_2", 1.0}}), "");
   EXPECT_EQ(refusal({{"waves_x_1", 0.0}, {"waves_y_1", 1.0}}), "");
-  const std::optional<ParameterConflict> conflict = periodic_model().declaration.conflict_among(
-      complete_values(periodic_model().declaration, {{"waves_x_3", 1.0}, {"cosine_3_m", 1e-5}}));
+  const std::optional<ParameterConflict> conflict =
+      periodic_model().declaration.conflict_among(complete_values(
+          periodic_model().declaration, {{"waves_x_3", 1.0}, {"cosine_amplitude_3_m", 1e-5}}));
   ASSERT_TRUE(conflict);
   EXPECT_THAT(conflict->parameters, testing::ElementsAre("waves_y_3", "waves_x_3"));
 }

@@ -1,0 +1,220 @@
+// Implements coloured noise along the path of the hand.
+
+#include "renderers/models/filtered_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <stdexcept>
+
+#include "analysis/random.h"
+#include "renderers/force/path_clock.h"
+#include "renderers/force/servo_low_pass.h"
+#include "renderers/force/surface_contact.h"
+
+namespace asperity {
+namespace {
+
+/// y_j = a₁·y_{j−1} + a₂·y_{j−2} + gain·ξ_j.
+struct Recursion {
+  double a1 = 0.0;
+  double a2 = 0.0;
+  double gain = 0.0;  ///< σ/G
+  double sd_N = 0.0;  ///< σ
+};
+
+Recursion recursion_of(const ParameterValues& parameters) {
+  const double r = number_of(parameters, "pole_radius");
+  const double peak_m = number_of(parameters, "peak_wavelength_m");
+  const double length_m = number_of(parameters, "noise_length_m");
+  Recursion filter{.a1 = r};
+  if (peak_m > 0.0) {
+    if (peak_m < 2.0 * length_m) {
+      throw std::invalid_argument(
+          "peak_wavelength_m must be at least twice noise_length_m, or 0 for a low-pass");
+    }
+    filter.a1 = 2.0 * r * std::cos(2.0 * std::numbers::pi * length_m / peak_m);
+    filter.a2 = -r * r;
+  }
+  const double power =
+      (1.0 - filter.a2) /
+      ((1.0 + filter.a2) * ((1.0 - filter.a2) * (1.0 - filter.a2) - filter.a1 * filter.a1));
+  filter.sd_N = number_of(parameters, "noise_sd_N");
+  filter.gain = filter.sd_N / std::sqrt(power);
+  return filter;
+}
+
+class FilteredNoise final : public ForceRenderer {
+ public:
+  explicit FilteredNoise(const RendererInputs& inputs)
+      : contact_(inputs.patch, inputs.material, inputs.parameters),
+        noise_(Random(inputs.seed).split("filtered_noise")),
+        filter_(recursion_of(inputs.parameters)),
+        steps_per_m_(inputs.patch.motion_scale / number_of(inputs.parameters, "noise_length_m")),
+        reference_N_(number_of(inputs.parameters, "reference_force_N")),
+        rest_speed_m_per_s_(number_of(inputs.parameters, "friction_speed_m_per_s")),
+        clock_(number_of(inputs.parameters, "device_step_m")) {}
+
+  void reset(const ProbeState& first) noexcept override {
+    contact_.reset();
+    clock_.reset(first.position_m);
+    length_m_ = 0.0;
+    step_ = 0;
+    const double correlation = filter_.a1 / (1.0 - filter_.a2);
+    last_N_ = filter_.sd_N * noise_.split(0).normal();
+    before_N_ = correlation * last_N_ + std::sqrt(1.0 - correlation * correlation) * filter_.sd_N *
+                                            noise_.split("before").normal();
+    next_N_ = node(1);
+    low_pass_.reset(0.0);
+  }
+
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
+    const double noise_N = noise_up_to(clock_.advance(probe.position_m));
+    const PatchPoint point = contact_.locate(probe.position_m);
+    const double penetration_m = -point.height_m;
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
+    const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
+    const glm::dvec3& v = probe.velocity_m_per_s;
+    const double per_speed_N =
+        noise_N * std::min(1.0, normal_N / reference_N_) /
+        std::sqrt(v.x * v.x + v.y * v.y + rest_speed_m_per_s_ * rest_speed_m_per_s_);
+    return contact_.force(point, probe,
+                          {.texture_N = {per_speed_N * v.x, per_speed_N * v.y, normal_N},
+                           .normal_N = normal_N,
+                           .penetration_m = penetration_m},
+                          dt_s);
+  }
+
+  Friction* friction() noexcept override { return &contact_.friction(); }
+
+ private:
+  static constexpr std::uint64_t kMostNodesPerTick = 64;
+
+  /// The noise on the way to this length, in equal steps, below half the servo rate.
+  double noise_up_to(double length_m) noexcept {
+    const auto last = static_cast<std::uint64_t>(length_m * steps_per_m_);
+    if (last > step_ + kMostNodesPerTick) step_ = last - kMostNodesPerTick;
+    const double way_m = (length_m - length_m_) / ServoLowPass::kStepsPerTick;
+    double filtered_N = 0.0;
+    for (int part = 1; part <= ServoLowPass::kStepsPerTick; ++part) {
+      filtered_N = low_pass_.step(noise_at(length_m_ + way_m * part));
+    }
+    length_m_ = length_m;
+    return filtered_N;
+  }
+
+  double noise_at(double length_m) noexcept {
+    const double steps = length_m * steps_per_m_;
+    while (static_cast<double>(step_ + 1) <= steps) {
+      ++step_;
+      before_N_ = last_N_;
+      last_N_ = next_N_;
+      next_N_ = node(step_ + 1);
+    }
+    const double fraction = std::clamp(steps - static_cast<double>(step_), 0.0, 1.0);
+    const double from_N = step_ == 0 ? 0.0 : last_N_;
+    return from_N + fraction * (next_N_ - from_N);
+  }
+
+  /// y_j from the two before it.
+  double node(std::uint64_t j) const noexcept {
+    return filter_.a1 * last_N_ + filter_.a2 * before_N_ + filter_.gain * noise_.split(j).normal();
+  }
+
+  SurfaceContact contact_;
+  Random noise_;
+  Recursion filter_{};
+  double steps_per_m_ = 0.0;
+  double reference_N_ = 0.0;
+  double rest_speed_m_per_s_ = 0.0;
+  PathClock clock_;
+  ServoLowPass low_pass_{};
+  double length_m_ = 0.0;
+  std::uint64_t step_ = 0;  ///< j of `last_N_`
+  double before_N_ = 0.0;   ///< y_{j−1}
+  double last_N_ = 0.0;     ///< y_j
+  double next_N_ = 0.0;     ///< y_{j+1}
+};
+
+TextureBand band_of_path_noise(const RendererInputs& inputs) {
+  return {.per_m =
+              0.5 * inputs.patch.motion_scale / number_of(inputs.parameters, "noise_length_m")};
+}
+
+}  // namespace
+
+ForceModel filtered_noise_model() {
+  ModelDeclaration declaration{
+      .id = "filtered_noise",
+      .version = "1",
+      .summary = "A flat plate with filtered noise along the direction of motion",
+      .source = "Fritz, Barner (1996), Stochastic models for haptic texture",
+      .needs_height_field = false,
+      .amplitude_parameter = "noise_sd_N",
+      .replay_tolerance_N = 1e-9,
+      .parameters = {}};
+  declaration.parameters = {
+      {.name = "noise_sd_N",
+       .kind = ParameterKind::number,
+       .unit = "N",
+       .minimum = 0.0,
+       .maximum = 5.0,
+       .choices = {},
+       .default_value = 0.05,
+       .meaning = "Standard deviation sigma of the filtered noise"},
+      {.name = "noise_length_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 5e-5,
+       .maximum = 0.01,
+       .choices = {},
+       .default_value = 1e-4,
+       .meaning = "Length of path after which the noise takes a new value"},
+      {.name = "pole_radius",
+       .kind = ParameterKind::number,
+       .unit = "1",
+       .minimum = 0.0,
+       .maximum = 0.999,
+       .choices = {},
+       .default_value = 0.8,
+       .meaning = "Radius r of the poles of the filter; 0: white noise"},
+      {.name = "peak_wavelength_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 0.0,
+       .maximum = 0.1,
+       .choices = {},
+       .default_value = 0.0,
+       .meaning = "Wavelength of the resonance of two poles; 0: one pole, a low-pass"},
+      {.name = "reference_force_N",
+       .kind = ParameterKind::number,
+       .unit = "N",
+       .minimum = 0.01,
+       .maximum = 10.0,
+       .choices = {},
+       .default_value = 0.5,
+       .meaning = "Normal force below which the texture force decreases in proportion"},
+      {.name = "device_step_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 0.0,
+       .maximum = 1e-3,
+       .choices = {},
+       .default_value = 0.0,
+       .meaning = "Position step of the device; motion of up to two steps, and of up to 20 um, "
+                  "does not lengthen the path"}};
+  add_friction_parameters(declaration.parameters);
+  return {.declaration = std::move(declaration),
+          .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+            return std::make_unique<FilteredNoise>(inputs);
+          },
+          .suggested_by =
+              [](const HeightField& field, const Material& material) {
+                return ParameterValues{{"noise_sd_N", material.stiffness_N_per_m * field.rms_m()}};
+              },
+          .band = band_of_path_noise,
+          .band_formula = "v/(2*noise_length_m)"};
+}
+
+}  // namespace asperity
