@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "protocols/procedures/procedure.h"
+
 namespace asperity {
 
 std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protocol::Block& block) {
@@ -38,6 +40,12 @@ const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& bl
     if (question.judgement) return &question;
   }
   return nullptr;
+}
+
+bool chooses_levels_from_answers(const Protocol::Block& block) {
+  if (!block.procedure || block.procedure->tracks.empty()) return false;
+  const ProcedureSettings& first = block.procedure->tracks.front();
+  return procedure_of(first).target(first).has_value();
 }
 
 }  // namespace asperity

@@ -19,6 +19,9 @@ std::set<std::string> factors_set_by(const Protocol::Block& block, const Protoco
 /// Whether the levels of a factor are values of a parameter that a block varies (`Block::vary`), which states them.
 bool is_varied(const Protocol& protocol, const std::string& factor);
 
+/// Whether a procedure chooses the levels of a block from the answers; not constant stimuli.
+bool chooses_levels_from_answers(const Protocol::Block& block);
+
 /// The question whose answers a procedure and a psychometric function are made of: the first one with a judgement. Null
 /// if there is none.
 const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept;

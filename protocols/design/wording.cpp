@@ -86,4 +86,12 @@ std::string unknown_name(std::string_view what, const std::string& name,
                              : "; declared: " + one_of(declared));
 }
 
+std::string listed_words(const std::vector<std::string>& words) {
+  std::string text{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  }
+  return text;
+}
+
 }  // namespace asperity

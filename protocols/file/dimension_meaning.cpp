@@ -27,6 +27,22 @@ std::string levels_at(const Dimension& dimension, const std::string& pointer) {
   return pointer + "/vary/" + std::string(key_of(dimension.measure));
 }
 
+/// A sentence goes on after it.
+std::string without_stop(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+/// "; as "levels_percent" the limits are -100 and 9900"; empty where levels are values themselves.
+std::string limits_as_levels(const Dimension& dimension, const Parameter& declared) {
+  if (!is_relative(dimension.measure) || declared.kind == ParameterKind::choice) return {};
+  const double least = dimension.level_of(declared.minimum);
+  const double greatest = dimension.level_of(declared.maximum);
+  if (!std::isfinite(least) || !std::isfinite(greatest)) return {};
+  return "; as " + in_quotes(key_of(dimension.measure)) + " the limits are " + digits(least) +
+         " and " + digits(greatest);
+}
+
 }  // namespace
 
 void Meaning::check_dimension(const Block& block, const std::string& pointer) {
@@ -168,7 +184,7 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
       const auto complaint = complaint_about(*declared, value);
       if (complaint) {
         report(at, "the level " + digits(level) + " is a value of " + digits(value) + ": " +
-                       *complaint);
+                       without_stop(*complaint) + limits_as_levels(dimension, *declared));
       }
     };
     if (dimension

@@ -42,7 +42,9 @@ void Meaning::check_flow() {
           std::pair("break_every_contact_minutes", has_breaks_by_contact)}) {
       if (!is_stated || run->pause) continue;
       report(pointer,
-             std::string(key) + " needs a \"pause\" that states the duration of the break");
+             std::string(key) +
+                 " needs a \"pause\" that states the duration of the break, such as \"pause\": "
+                 "{\"minimum_s\": 60, \"text\": \"Please rest your hand.\"}");
     }
     if (run->pause && run->break_every_trials == 0 && !has_breaks_by_contact &&
         run->for_each.empty()) {

@@ -43,6 +43,40 @@ std::string place_of_setting(const std::string& setting, const nlohmann::json& s
   return place + '/' + (has_member ? key : first);
 }
 
+/// "transformed_up_down" or "weighted_up_down": the methods that have a key.
+std::string methods_with(std::string_view key) {
+  std::vector<std::string> methods{};
+  for (const MethodKeys& each : keys_of_methods()) {
+    if (std::find(each.keys.begin(), each.keys.end(), key) != each.keys.end()) {
+      methods.emplace_back(each.method);
+    }
+  }
+  return one_of(methods);
+}
+
+std::string listed_keys(const std::vector<std::string_view>& keys) {
+  std::vector<std::string> quoted{};
+  for (const std::string_view key : keys) quoted.push_back(in_quotes(key));
+  return listed_words(quoted);
+}
+
+/// "100 or more", "-60 or less": the levels that are at least as far from the standard as every level of the block.
+std::string easy_levels(const Dimension& dimension, bool is_performance) {
+  const double standard = *dimension.standard;
+  const std::vector<double> values = dimension.values();
+  const std::vector<double> levels = dimension.levels();
+  const double below = standard - values.front();
+  const double above = values.back() - standard;
+  const std::string more = digits(levels.back()) + " or more";
+  const std::string less = digits(levels.front()) + " or less";
+  if (is_performance) return above > 0.0 ? more : less;
+  const double farthest = std::max(below, above);
+  return digits(dimension.level_of(standard + farthest)) + " or more" +
+         (standard - farthest > 0.0 || !needs_positive_standard(dimension.measure)
+              ? ", or " + digits(dimension.level_of(standard - farthest)) + " or less"
+              : "");
+}
+
 }  // namespace
 
 void Meaning::check_procedure(const Block& block, const std::string& pointer) {
@@ -79,9 +113,11 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
           return std::find(each.keys.begin(), each.keys.end(), key) != each.keys.end();
         });
     if (is_of_some && std::find(own.begin(), own.end(), key) == own.end()) {
-      report_key(pointer_to(place, key), "the method " + in_quotes(method) +
-                                             " has no such key; remove it, or use a method "
-                                             "that has it");
+      report_key(pointer_to(place, key),
+                 "the method " + in_quotes(method) + " has no key " + in_quotes(key) +
+                     ", which belongs to " + methods_with(key) +
+                     ". Remove it, or use that method; the keys of this one are " +
+                     listed_keys(own));
     }
   }
   for (const auto& [name, at] : texts_of(block.exploration, pointer + "/exploration")) {
@@ -139,7 +175,7 @@ void Meaning::check_catch_trials(const Block& block, const std::string& pointer)
            "a catch trial must be easy: state a level that is at least as far from the standard as "
            "the farthest level of the block" +
                std::string(is_performance ? ", on the same side" : "") + "; " + digits(level) +
-               " is not");
+               " is not. Use " + easy_levels(*block.vary, is_performance));
     return;
   }
   if (is_performance) return;

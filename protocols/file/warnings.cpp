@@ -12,11 +12,13 @@
 #include <utility>
 #include <variant>
 
+#include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/procedures/procedure.h"
 
 namespace asperity {
 
@@ -41,8 +43,12 @@ class Warnings final {
       warn_of_strokes(exploration, pointer);
     }
     warn_of_words();
+    warn_of_instructions();
     warn_of_comparison();
-    for (const auto& [name, block] : protocol_.blocks) warn_of_trained_levels(block);
+    for (const auto& [name, block] : protocol_.blocks) {
+      warn_of_trained_levels(block);
+      warn_of_target(block);
+    }
     return std::move(found_);
   }
 
@@ -174,6 +180,36 @@ class Warnings final {
     }
   }
 
+  /// Warns where participants are shown no text: `instructions` alone are not displayed.
+  void warn_of_instructions() {
+    const bool has_screen = std::any_of(
+        protocol_.flow.begin(), protocol_.flow.end(),
+        [](const Protocol::Step& step) { return std::holds_alternative<Protocol::Screen>(step); });
+    if (protocol_.instructions.empty() || has_screen) return;
+    warn("/instructions",
+         "participants read the screens of the flow, and there is none: add {\"screen\": …} with "
+         "these instructions before the first block");
+  }
+
+  /// Warns about staircases that do not approach the point that is estimated.
+  void warn_of_target(const Protocol::Block& block) {
+    const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+    if (judged == nullptr || judged->judgement != DiscriminationJudgement::comparison ||
+        !block.procedure || block.procedure->tracks.empty() ||
+        !problems_of(block.procedure->tracks.front()).empty() ||
+        !chooses_levels_from_answers(block)) {
+      return;
+    }
+    const ProcedureSettings& first = block.procedure->tracks.front();
+    const double target = *procedure_of(first).target(first);
+    if (std::abs(target - 0.5) < 0.01) return;
+    warn(pointer_to("/blocks", block.name) + "/procedure/method",
+         "the levels approach " + digits(std::round(1000.0 * target) / 10.0) +
+             " %, but the point of subjective equality lies at 50 %: state a rule with equal "
+             "numbers of responses and steps in both directions (\"down\": 1, \"up\": 1), or "
+             "constant stimuli");
+  }
+
   /// Warns about feedback at levels at which thresholds are measured.
   void warn_of_trained_levels(const Protocol::Block& practice) {
     if (practice.phase == Phase::main || practice.feedback == Protocol::Block::Feedback::none ||
@@ -188,17 +224,20 @@ class Warnings final {
       }
       const std::vector<double> measured = block.vary->values();
       const std::vector<double> levels = practice.vary->levels();
+      std::vector<std::string> both{};
       for (std::size_t i = 0; i < trained.size(); ++i) {
         // Levels of a grid are sums of steps, and need not be equal to the digits in a file.
         const bool is_measured = std::any_of(measured.begin(), measured.end(), [&](double value) {
           return std::abs(value - trained[i]) <= 1e-9 * std::abs(trained[i]);
         });
-        if (!is_measured) continue;
-        return warn(pointer_to("/blocks", practice.name) + "/vary",
-                    "participants practise with feedback at the level " + digits(levels[i]) +
-                        ", which the block " + in_quotes(name) +
-                        " measures; practise at levels between or beyond those that are measured");
+        if (is_measured) both.push_back(digits(levels[i]));
       }
+      if (both.empty()) continue;
+      const std::string at = both.size() == 1 ? "the level " + both.front() + ", which"
+                                              : "the levels " + listed_words(both) + ", which";
+      return warn(pointer_to("/blocks", practice.name) + "/vary",
+                  "participants practise with feedback at " + at + " the block " + in_quotes(name) +
+                      " measures; practise at levels between or beyond those that are measured");
     }
   }
 
@@ -214,8 +253,8 @@ class Warnings final {
     warn(pointer_to("/blocks", block->first) + "/presented",
          "the alternatives differ in " + in_quotes(*parameter) +
              " alone: the analysis of a selection tests how often each level is chosen, not "
-             "whether levels can be discriminated; for a threshold, export the responses and fit "
-             "them with analyze --table FILE --as psyfit");
+             "whether levels can be discriminated; for a threshold, use a block of the kind "
+             "\"discrimination\"");
   }
 
   const Protocol& protocol_;

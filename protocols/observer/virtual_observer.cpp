@@ -123,20 +123,28 @@ std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> f
   return best;
 }
 
-double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
+double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::MagnitudeOf what) {
   using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
-  switch (declaration_.magnitude_of) {
+  switch (what) {
     case MagnitudeOf::lateral_force:
-      return perceived(felt).roughness;
+      return felt.roughness;
     case MagnitudeOf::normal_force:
-      return perceived(felt).size;
+      return felt.size;
     case MagnitudeOf::held_tool: {
       const double threshold_m_per_s2 = kHeldTool.acceleration_m_per_s2() / std::numbers::sqrt2;
-      return std::log(std::hypot(felt.shaking_m_per_s2, threshold_m_per_s2)) +
-             declaration_.feature_noise * random_.normal();
+      return std::log(std::hypot(felt.shaking_m_per_s2, threshold_m_per_s2));
     }
   }
   throw std::logic_error("the source of the magnitude is unknown");
+}
+
+double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
+  using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
+  if (declaration_.magnitude_of != MagnitudeOf::held_tool) {
+    return judged_magnitude(perceived(felt), declaration_.magnitude_of);
+  }
+  return judged_magnitude(felt, declaration_.magnitude_of) +
+         declaration_.feature_noise * random_.normal();
 }
 
 std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,

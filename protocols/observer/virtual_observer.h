@@ -27,6 +27,9 @@ struct NumberHabit {
 /// A random habit, from participants who use a scale up to ten to those who use one up to a thousand.
 NumberHabit number_habit_of(Random person);
 
+/// The natural logarithm of the magnitude that an observer judges of a surface, without noise.
+double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::MagnitudeOf what);
+
 /// Judges from the ForceFeatures of the felt surfaces and of the expectations only: names and models are unknown to it,
 /// and positions only as the order of presentation.
 ///

@@ -284,12 +284,18 @@ Plan make_plan(const Protocol& protocol, const Allocation& allocation) {
 }
 
 bool has_estimated_trials(const Protocol& protocol) {
-  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [](const auto& each) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&protocol](const auto& each) {
     const auto& procedure = each.second.procedure;
-    return procedure && std::any_of(procedure->tracks.begin(), procedure->tracks.end(),
-                                    [](const ProcedureSettings& settings) {
-                                      return !procedure_of(settings).has_fixed_length(settings);
-                                    });
+    if (!procedure) return false;
+    if (std::any_of(procedure->tracks.begin(), procedure->tracks.end(),
+                    [](const ProcedureSettings& settings) {
+                      return !procedure_of(settings).has_fixed_length(settings);
+                    })) {
+      return true;
+    }
+    // The trials after the last complete group of `every` contain a catch trial or not.
+    const double trials = expected_trials_of_run(protocol, each.second);
+    return procedure->catch_trials && trials != std::round(trials);
   });
 }
 

@@ -75,7 +75,8 @@ class Course final {
 /// The expected number of trials of a session, for the same observer as `example_plan`; exact where no track ends by
 /// its reversals or at a bound, and the planned number of a practice to a criterion.
 int expected_trials(const Protocol& protocol);
-/// Whether this number is an estimate.
+/// Whether this number is an estimate: of tracks without a fixed length, and of catch trials where the last group of
+/// trials is incomplete.
 bool has_estimated_trials(const Protocol& protocol);
 
 /// The course of a session whose answers come from an observer with a threshold in the middle of the levels: for

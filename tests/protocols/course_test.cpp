@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric_function.h"
+#include "protocols/file/plan_warnings.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/warnings.h"
 #include "protocols/plan/block_design.h"
@@ -324,7 +325,8 @@ TEST(CatchTrials, AreRefusedWhereTheyAreNotEasy) {
               ElementsAre(HasSubstr("/blocks/tracks/procedure/catch_trials/level: a catch trial "
                                     "must be easy")));
   level = -200;
-  EXPECT_THAT(problems_with(file), testing::Contains(HasSubstr("on the same side; -200 is not")));
+  EXPECT_THAT(problems_with(file),
+              testing::Contains(HasSubstr("on the same side; -200 is not. Use 100 or more")));
   level = 100;
   EXPECT_TRUE(problems_with(file).empty());
   level = 1e12;
@@ -383,6 +385,9 @@ TEST(ExpectedTrials, AreExactWhereTracksEndByTheirNumberOfTrials) {
   EXPECT_EQ(expected_trials(fixed), 26);
   EXPECT_FALSE(has_estimated_trials(fixed));
   EXPECT_EQ(expected_trials(protocol_of(with_catch_trials(4))), 34);
+  EXPECT_FALSE(has_estimated_trials(protocol_of(with_catch_trials(4))));
+  EXPECT_TRUE(has_estimated_trials(protocol_of(with_catch_trials(6))))
+      << "24 trials of tracks, in groups of 5 with a catch trial";
   file["blocks"]["tracks"]["procedure"]["stop"]["trials"] = 60;
   file["blocks"]["tracks"]["procedure"]["stop"]["reversals"] = 4;
   const Protocol estimated = protocol_of(file);
@@ -419,6 +424,61 @@ TEST(TrainedLevels, AreWarnedOfWhereAMainBlockMeasuresThem) {
   EXPECT_THAT(training_warnings_of(file), ElementsAre(HasSubstr("the level 1.3,")));
   practice["feedback"] = "none";
   EXPECT_TRUE(training_warnings_of(file).empty());
+}
+
+TEST(StaircaseTargets, AreWarnedOfWhereTheyAreNotThePointOfEquality) {
+  json file = staircases();
+  json& block = file["blocks"]["tracks"];
+  block["question"] = {{"name", "rougher"}, {"prompt", "Rougher?"}, {"judgement", "comparison"}};
+  block["vary"]["levels_percent"] = {{"lowest", -90}, {"highest", 90}, {"step", 10}};
+  EXPECT_THAT(training_warnings_of(file),
+              ElementsAre(HasSubstr("/blocks/tracks/procedure/method: the levels approach 70.7 %, "
+                                    "but the point of subjective equality lies at 50 %")));
+  block["procedure"]["down"] = 1;
+  EXPECT_TRUE(training_warnings_of(file).empty());
+}
+
+TEST(Instructions, AreWarnedOfWhereNoScreenShowsThem) {
+  json file = staircases();
+  file["instructions"] = "Stroke both surfaces.";
+  EXPECT_TRUE(training_warnings_of(file).empty());
+  file["flow"] = {{{"run", "tracks"}}, {{"run", "after"}}};
+  EXPECT_THAT(training_warnings_of(file),
+              ElementsAre(HasSubstr("/instructions: participants read the screens of the flow")));
+}
+
+std::vector<std::string> plan_warnings_of(const json& file) {
+  const Protocol protocol = protocol_of(file);
+  std::vector<std::string> warnings{};
+  for (const Diagnostic& warning :
+       warnings_about_plan(protocol, "file.json", example_plan(protocol, {1, 0}))) {
+    warnings.push_back(warning.pointer + ": " + warning.message);
+  }
+  return warnings;
+}
+
+TEST(PlanWarnings, AreAboutBreaksThatNeverCome) {
+  json file = staircases();
+  EXPECT_TRUE(plan_warnings_of(file).empty());
+  file["flow"][1]["break_every_trials"] = 24;
+  EXPECT_THAT(plan_warnings_of(file),
+              ElementsAre(HasSubstr("/flow/1/break_every_trials: a run of the block \"tracks\" has "
+                                    "24 trials, so that there is no break after 24")));
+  file["flow"][1]["break_every_trials"] = 23;
+  EXPECT_TRUE(plan_warnings_of(file).empty());
+  file["flow"][1]["break_every_contact_minutes"] = 60;
+  EXPECT_THAT(plan_warnings_of(file),
+              ElementsAre(HasSubstr("/flow/1/break_every_contact_minutes: a run of the block "
+                                    "\"tracks\" takes about ")));
+}
+
+TEST(PlanWarnings, AreAboutMorePracticeAtAResumeThanThereIs) {
+  json file = staircases();
+  file["resume"] = {{"practice_trials", 2}};
+  EXPECT_TRUE(plan_warnings_of(file).empty());
+  file["resume"] = {{"practice_trials", 3}};
+  EXPECT_THAT(plan_warnings_of(file),
+              ElementsAre(HasSubstr("/resume/practice_trials: a practice has at most 2 trials")));
 }
 
 TEST(Resume, CanOnlyRepeatPracticeThatThereIs) {
@@ -596,7 +656,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlantedFault{R"({"procedure": {"tracks": [{"start": 15}]}})", "/procedure/tracks/0/start",
                      "use the nearest level"},
         PlantedFault{R"({"procedure": {"tracks": null}})", "/procedure", "no start is stated"},
-        PlantedFault{R"({"procedure": {"target": 0.75}})", "/procedure/target", "has no such key"},
+        PlantedFault{R"({"procedure": {"target": 0.75}})", "/procedure/target", "has no key"},
         PlantedFault{R"({"vary": {"levels_percent": [10, 20]}})", "/vary/levels_percent",
                      "state the levels as a grid"},
         PlantedFault{R"({"vary": {"levels_percent": {"lowest": 50, "highest": 40}}})",

@@ -1,0 +1,100 @@
+#include "protocols/file/plan_warnings.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <variant>
+
+#include "analysis/number_text.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
+#include "protocols/file/json_document.h"
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+
+namespace {
+
+struct RunSize {
+  int trials = 0;
+  double contact_s = 0.0;
+};
+
+/// The largest run of every block.
+std::map<std::string, RunSize, std::less<>> largest_runs(const Protocol& protocol,
+                                                         const Plan& example) {
+  std::map<int, RunSize> runs{};  // by ordinal
+  std::map<int, std::string> blocks{};
+  for (const PlanStep& step : example.steps) {
+    const auto* const of_trial = std::get_if<TrialStep>(&step);
+    if (of_trial == nullptr) continue;
+    const Trial& trial = example.trials[of_trial->trial];
+    RunSize& run = runs[trial.block_ordinal];
+    ++run.trials;
+    run.contact_s += cost_of(protocol, example, step).contact_s;
+    blocks[trial.block_ordinal] = trial.block;
+  }
+  std::map<std::string, RunSize, std::less<>> largest{};
+  for (const auto& [ordinal, run] : runs) {
+    RunSize& known = largest[blocks[ordinal]];
+    known.trials = std::max(known.trials, run.trials);
+    known.contact_s = std::max(known.contact_s, run.contact_s);
+  }
+  return largest;
+}
+
+/// Whether the number of trials depends on the responses, so that a break may come in some sessions.
+bool has_estimated_length(const Protocol::Block& block) {
+  return block.procedure &&
+         std::any_of(block.procedure->tracks.begin(), block.procedure->tracks.end(),
+                     [](const ProcedureSettings& settings) {
+                       return !procedure_of(settings).has_fixed_length(settings);
+                     });
+}
+
+}  // namespace
+
+std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std::string& file_name,
+                                            const Plan& example) {
+  const JsonDocument document(protocol.source, file_name);
+  const auto largest = largest_runs(protocol, example);
+  std::vector<Diagnostic> warnings{};
+  for (std::size_t i = 0; i < protocol.flow.size(); ++i) {
+    const auto* const run = std::get_if<Protocol::Run>(&protocol.flow[i]);
+    if (run == nullptr || !largest.contains(run->block)) continue;
+    if (has_estimated_length(protocol.blocks.at(run->block))) continue;
+    const RunSize& size = largest.at(run->block);
+    const std::string place = pointer_to("/flow", i);
+    const std::string of_block = "a run of the block " + in_quotes(run->block);
+    if (run->break_every_trials >= size.trials) {
+      warnings.push_back(document.at(
+          place + "/break_every_trials",
+          of_block + " has " + std::to_string(size.trials) +
+              (size.trials == 1 ? " trial" : " trials") + ", so that there is no break after " +
+              std::to_string(run->break_every_trials) + "; state a smaller number, or remove it"));
+    }
+    if (run->break_every_contact_s >= size.contact_s && run->break_every_contact_s > 0.0) {
+      warnings.push_back(document.at(place + "/break_every_contact_minutes",
+                                     of_block + " takes about " + fixed(size.contact_s / 60.0, 1) +
+                                         " min of contact, so that there is no break after " +
+                                         number_text(run->break_every_contact_s / 60.0) +
+                                         " min; state a smaller number, or remove it"));
+    }
+  }
+  int practised = 0;
+  for (const auto& [name, size] : largest) {
+    if (protocol.blocks.at(name).phase == Phase::practice) {
+      practised = std::max(practised, size.trials);
+    }
+  }
+  if (practised > 0 && protocol.resume.practice_trials > practised) {
+    warnings.push_back(document.at("/resume/practice_trials",
+                                   "a practice has at most " + std::to_string(practised) +
+                                       (practised == 1 ? " trial" : " trials") +
+                                       ", so that no more can be repeated at a resume; state " +
+                                       std::to_string(practised) + " or fewer"));
+  }
+  return warnings;
+}
+
+}  // namespace asperity
