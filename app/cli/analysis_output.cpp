@@ -10,6 +10,7 @@
 #include "app/cli/terminal.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/study_tests.h"
 #include "app/words/text_parts.h"
 
@@ -134,6 +135,7 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
     text += paragraph("  ", question.answer.english());
   }
   for (const NamedTable& table : outcome.tables) {
+    if (table.name == kTracks) continue;  // of hundreds of lines; with --json and in trials.tsv
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
     text += aligned(in_words(reading_table(table)));

@@ -21,6 +21,7 @@
 #include "app/session/rig/clock.h"
 #include "app/session/study_friction.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/stimulus_warnings.h"
 #include "app/tasks/texture_warnings.h"
 #include "app/words/shell_word.h"
 #include "device/drivers.h"
@@ -188,10 +189,7 @@ void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
   }
   for (Diagnostic& warning : rehearsed.warnings) warnings.push_back(std::move(warning));
   if (!check.diagnostics.empty()) return;
-  for (Diagnostic& warning : warnings_about_arrangements(*check.protocol, check.file, builder)) {
-    warnings.push_back(std::move(warning));
-  }
-  for (Diagnostic& warning : warnings_about_forces(*check.protocol, check.file, builder)) {
+  for (Diagnostic& warning : warnings_about_stimuli(*check.protocol, check.file, builder)) {
     warnings.push_back(std::move(warning));
   }
 }
@@ -244,6 +242,12 @@ void add_check(CLI::App& program, Job& job) {
         std::vector<Diagnostic> warnings = check.warnings;
         if (options->study && check.protocol && check.diagnostics.empty()) {
           warnings_of_study(check, *options->study, models, warnings);
+        } else if (check.protocol && check.diagnostics.empty()) {
+          StimulusBuilder without_files(models, {});
+          for (Diagnostic& warning :
+               warnings_about_stimuli(*check.protocol, check.file, without_files)) {
+            warnings.push_back(std::move(warning));
+          }
         }
         DeviceComparison comparison{};
         if (options->device && check.protocol && check.diagnostics.empty()) {

@@ -80,7 +80,7 @@ void add_simulate(CLI::App& program, Job& job) {
                         : others.first + " to " + others.last + " are added") +
             ". To resume a simulation instead, add --resume");
       };
-      options->inputs.doubted = [](const Diagnostic& doubt) { say(warning_text(doubt)); };
+      options->inputs.warned = [](const Diagnostic& warning) { say(warning_text(warning)); };
       SimulationResult result{};
       {
         Progress progress("simulating");

@@ -200,6 +200,10 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
   return prepared;
 }
 
+bool StimulusBuilder::can_make(const StimulusDescription& description) const {
+  return !study_folder_.empty() || assets_of(description).empty();
+}
+
 PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& description) {
   PreparedStimulus prepared = without_parameters(description);
   prepared.inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);

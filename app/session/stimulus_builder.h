@@ -69,6 +69,9 @@ class StimulusBuilder final {
   /// An empty folder: without a study (`can_make`).
   StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder);
 
+  /// Whether the files of a stimulus are available: without a study only a stimulus that names none.
+  bool can_make(const StimulusDescription& description) const;
+
   /// `study` stores the solutions; it belongs to the calling thread.
   PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
   /// The same stimulus with its force unchanged.

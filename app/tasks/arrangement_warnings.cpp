@@ -86,6 +86,7 @@ std::vector<Diagnostic> warnings_about_arrangements(const Protocol& protocol,
                  exploration.name + "\" requests strokes of " + in_millimetres(*stroke_m) +
                  "; request shorter strokes, or use a wider surface");
       }
+      if (!builder.can_make(planned.stimulus)) continue;
       const PreparedStimulus stimulus = builder.unmatched(planned.stimulus);
       const TextureWaves waves = texture_waves(*stimulus.model, stimulus.inputs, builder.models());
       const double step_N =

@@ -19,7 +19,7 @@ namespace asperity {
 /// or at whose sides the force changes by more than 20 mN in a tick (AdjacentPatches, at the greatest speed of the
 /// exploration), and for every block whose visits end after more strokes than the contact time permits.
 ///
-/// The files have been checked before.
+/// Textures are compared where their files are available (StimulusBuilder::can_make), and have been checked before.
 std::vector<Diagnostic> warnings_about_arrangements(const Protocol& protocol,
                                                     const std::string& file_name,
                                                     StimulusBuilder& builder);

@@ -62,7 +62,7 @@ std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
     if (!requested_N) continue;
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
-      if (stimulus.surface || stimulus.tool) continue;
+      if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) continue;
       if (!compared.insert(stimulus.name + '\n' + exploration.name).second) continue;
       const std::string where = planned.stimulus_template + '\n' + exploration.name;
       if (reported.contains(where)) continue;

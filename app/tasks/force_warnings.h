@@ -16,7 +16,8 @@ namespace asperity {
 /// instruction cannot be followed and the texture is no longer felt.
 ///
 /// The force is that on a probe at rest, at the centre and on a circle around it, for depths up to that of the force limit
-/// and at least 2 cm. Bodies are not compared. The files have been checked before.
+/// and at least 2 cm. Bodies are not compared, nor
+/// stimuli whose files are not available (StimulusBuilder::can_make). The files have been checked before.
 std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
                                               const std::string& file_name,
                                               StimulusBuilder& builder);

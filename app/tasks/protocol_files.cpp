@@ -26,6 +26,7 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/json_document.h"
+#include "protocols/file/plan_warnings.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/file/warnings.h"
@@ -516,6 +517,9 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   }
   const Plan example = example_plan(*check.protocol, {1, 0});
   check.cost = cost_of(*check.protocol, example);
+  for (Diagnostic& warning : warnings_about_plan(*check.protocol, check.file, example)) {
+    check.warnings.push_back(std::move(warning));
+  }
   for (const auto& [name, block] : check.protocol->blocks) {
     if (block.phase != Phase::main) continue;
     if (std::string design = design_of(*check.protocol, block, example); !design.empty()) {

@@ -171,7 +171,8 @@ void require_late_reason(const Sitting& sitting) {
                          .with(complaint_about(*sitting.late)));
 }
 
-/// A person begins a session only when the last one is finished and the protocol plans another.
+/// A participant begins a session only when the last one is finished and the protocol plans another.
+/// A pilot session can be repeated at will.
 void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol& protocol) {
   const std::optional<ParticipantRow> known = study.participant(inputs.participant);
   if (known && known->withdrawn) {

@@ -16,6 +16,7 @@
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
+#include "app/tasks/stimulus_warnings.h"
 #include "app/words/phrase.h"
 #include "protocols/plan/groups.h"
 
@@ -284,9 +285,14 @@ void Simulation::prepare(Study& study) {
   study.mark_crashed_sessions();
   batch_ = choose_batch(there, inputs_);
   check_sessions(study);
-  for (std::size_t i = 0; i < protocols_.size() && inputs_.doubted; ++i) {
-    const auto warning = warning_about_version(protocols_[i], inputs_.protocols[i].string(), study);
-    if (warning) inputs_.doubted(*warning);
+  for (std::size_t i = 0; i < protocols_.size() && inputs_.warned; ++i) {
+    const std::string file = inputs_.protocols[i].string();
+    if (const auto warning = warning_about_version(protocols_[i], file, study)) {
+      inputs_.warned(*warning);
+    }
+    for (const Diagnostic& warning : warnings_about_stimuli(protocols_[i], file, builder_)) {
+      inputs_.warned(warning);
+    }
   }
   if (there.begun == batch_ && !is_half_added(study, there)) return;
   if (there.begun != batch_ && there.of_seed > 0 && inputs_.noticed) {

@@ -36,9 +36,9 @@ struct SimulationInputs {
   bool resume = false;
   /// Called before participants are added to others with the same seed; may be empty.
   std::function<void(const SameSeed&)> noticed{};
-  /// Called for each protocol of which the study has sessions with another text of the same version,
-  /// before participants are added; may be empty.
-  std::function<void(const Diagnostic&)> doubted{};
+  /// Called before participants are added for each warning about a protocol: sessions with another text of the same
+  /// version (`warning_about_version`), and stimuli (`warnings_about_stimuli`); may be empty.
+  std::function<void(const Diagnostic&)> warned{};
 };
 
 /// Of the sessions that were begun or resumed in this run.

@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "app/session/attempt_measures.h"
-#include "app/session/rig/recorder.h"
-#include "app/session/rig/rig.h"
+#include "app/session/respondents/felt_surface.h"
 #include "protocols/kinds/experiment_kind.h"
-#include "renderers/offline/recorded_force.h"
 
 namespace asperity {
 
@@ -18,32 +16,6 @@ namespace {
 
 constexpr double kReading_s = 2.0;
 constexpr double kChoosing_s = 0.5;  // which surface to feel next
-constexpr double kExpectationContact_s = 4.0;
-constexpr std::uint64_t kExpectationPresentation = 1;
-
-ForceFeatures felt_once(const ForceModel& model, const RendererInputs& inputs,
-                        const Protocol& protocol, const HandHabits& habits, const Random& random) {
-  RigSettings settings{};
-  settings.servo.rate_Hz = protocol.rate_Hz;
-  settings.limits.force_N = protocol.force_limit_N;
-  SteppedRig rig(settings, 0);
-  Recorder recorder;
-  rig.prepare_attempt(habits, random.split("hand"));
-  recorder.begin(nullptr, protocol.rate_Hz, rig.records());
-  rig.pass(0.1, recorder);
-  RendererInputs seeded = inputs;
-  seeded.seed = random.split("renderer").bits();
-  rig.loop().present({kExpectationPresentation, model.make(seeded)});
-  recorder.watch(kExpectationPresentation);
-  rig.hand().stroke();
-  const double limit_s = 4.0 * kExpectationContact_s;
-  for (double passed_s = 0.0;
-       recorder.live().contact_s < kExpectationContact_s && passed_s < limit_s; passed_s += 0.1) {
-    rig.pass(0.1, recorder);
-  }
-  const Recorder::Attempt attempt = recorder.finish(rig.records());
-  return recorded_force_features({attempt.records, kExpectationPresentation, protocol.rate_Hz});
-}
 
 /// A sample of a texture whose heights are known: a plate that has these heights.
 struct Sample {
@@ -91,8 +63,8 @@ Expectations true_surfaces(const Protocol& protocol, const Exploration& explorat
     const Sample sample = stimulus == on_bodies.end()
                               ? plate_with(*texture.true_height_field, protocol, builder)
                               : bodies_of(stimulus->second, builder);
-    expectations[name] = felt_once(*sample.model, sample.inputs, protocol, habits,
-                                   random.split("expectation").split(name));
+    expectations[name] = felt_surface(*sample.model, sample.inputs, protocol, habits,
+                                      random.split("expectation").split(name));
   }
   return expectations;
 }

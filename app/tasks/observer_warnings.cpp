@@ -1,0 +1,145 @@
+#include "app/tasks/observer_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "analysis/number_text.h"
+#include "app/session/attempt_measures.h"
+#include "app/session/respondents/felt_surface.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
+#include "protocols/file/json_document.h"
+#include "protocols/kinds/experiment_kind.h"
+#include "protocols/observer/virtual_observer.h"
+#include "protocols/plan/plan.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLeastChange = 0.02;  // of the natural logarithm
+constexpr int kStrokes = 3;            // with other random numbers, as in other presentations
+
+/// The presentations with the smallest and the largest value of the varied parameter.
+struct Extremes {
+  std::optional<double> least{};
+  std::optional<double> greatest{};
+  PlannedPresentation of_least{};
+  PlannedPresentation of_greatest{};
+
+  void add(double value, const PlannedPresentation& planned) {
+    if (!least || value < *least) {
+      least = value;
+      of_least = planned;
+    }
+    if (!greatest || value > *greatest) {
+      greatest = value;
+      of_greatest = planned;
+    }
+  }
+};
+
+/// Over the trials with the same levels of the other factors as the first one.
+Extremes extremes_of(const std::vector<Trial>& trials, const Protocol::Block& block) {
+  const Dimension& varied = *block.vary;
+  Extremes found{};
+  std::optional<std::map<std::string, Level, std::less<>>> others{};
+  for (const Trial& trial : trials) {
+    const auto level = trial.factors.find(varied.factor);
+    if (trial.block != block.name || trial.catch_trial || level == trial.factors.end()) continue;
+    const auto* const value = std::get_if<double>(&level->second);
+    if (value == nullptr) continue;
+    auto own = trial.factors;
+    own.erase(varied.factor);
+    if (!others) others = own;
+    if (own != *others) continue;
+    for (const PlannedPresentation& planned : trial.presentations) {
+      if (planned.role == varied.role) found.add(*value, planned);
+      if (planned.role == varied.standard_role && varied.standard) {
+        found.add(*varied.standard, planned);
+      }
+    }
+  }
+  return found;
+}
+
+std::string judged_force(ObserverDeclaration::MagnitudeOf what) {
+  switch (what) {
+    case ObserverDeclaration::MagnitudeOf::lateral_force:
+      return "the variation of the lateral force";
+    case ObserverDeclaration::MagnitudeOf::normal_force:
+      return "the variation of the normal force";
+    case ObserverDeclaration::MagnitudeOf::held_tool:
+      return "the vibration of a held tool";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
+                                                const std::string& file_name,
+                                                StimulusBuilder& builder) {
+  std::vector<Diagnostic> warnings{};
+  const ObserverDeclaration& observer = protocol.observer;
+  const auto is_compared = [](const auto& named) {
+    const Protocol::Block& block = named.second;
+    return block.phase == Phase::main && block.vary && kind_of(block).has_judgement;
+  };
+  if (observer.deaf || std::none_of(protocol.blocks.begin(), protocol.blocks.end(), is_compared)) {
+    return warnings;
+  }
+  const JsonDocument document(protocol.source, file_name);
+  const std::vector<Trial> trials = possible_trials(protocol);
+  for (const auto& named : protocol.blocks) {
+    if (!is_compared(named)) continue;
+    const Protocol::Block& block = named.second;
+    const auto first = std::find_if(trials.begin(), trials.end(), [&block](const Trial& trial) {
+      return trial.block == block.name;
+    });
+    const Extremes extremes = extremes_of(trials, block);
+    if (first == trials.end() || !extremes.least || *extremes.least == *extremes.greatest) continue;
+    const auto magnitude_of = [&](const PlannedPresentation& planned) -> std::optional<double> {
+      if (!builder.can_make(planned.stimulus)) return {};
+      PreparedStimulus stimulus = builder.unmatched(planned.stimulus);
+      stimulus.inputs.patch = planned.patch;
+      const HandHabits habits = habits_for(exploration_of(protocol, *first), planned.patch);
+      double sum = 0.0;
+      for (int seed = 1; seed <= kStrokes; ++seed) {
+        sum += judged_magnitude(felt_surface(*stimulus.model, stimulus.inputs, protocol, habits,
+                                             Random(static_cast<std::uint64_t>(seed))),
+                                observer.magnitude_of);
+      }
+      return sum / kStrokes;
+    };
+    const std::optional<double> least = magnitude_of(extremes.of_least);
+    const std::optional<double> greatest = magnitude_of(extremes.of_greatest);
+    if (!least || !greatest) continue;
+    const double change = *greatest - *least;
+    const std::string place = pointer_to("/blocks", block.name) + "/vary/parameter";
+    const std::string judged = judged_force(observer.magnitude_of);
+    const std::string parameter = in_quotes(block.vary->parameter);
+    if (std::abs(change) < kLeastChange) {
+      warnings.push_back(document.at(
+          place, "the virtual observer judges " + judged + ", which does not change with " +
+                     parameter +
+                     ": simulated responses are guesses. State another \"magnitude_of\" under "
+                     "\"observer\", or a surface on which this force depends on the parameter "
+                     "(its friction and its force_direction determine the lateral force)"));
+    } else if ((change < 0.0) != observer.magnitude_decreases) {
+      warnings.push_back(document.at(
+          place, "the virtual observer judges " + judged + ", which " +
+                     (change < 0.0 ? "decreases" : "increases") + " by a factor of " +
+                     fixed(std::exp(std::abs(change)), 2) + " where " + parameter +
+                     " increases from its smallest to its largest value: simulated responses are "
+                     "systematically incorrect. State \"effect\": \"" +
+                     (change < 0.0 ? "decreases" : "increases") + "\" under \"observer\""));
+    }
+  }
+  return warnings;
+}
+
+}  // namespace asperity

@@ -1,0 +1,27 @@
+// Compares the virtual observer of a protocol with the parameter that its discriminations vary.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/stimulus_builder.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/diagnostic.h"
+
+namespace asperity {
+
+/// A warning for every main block of a discrimination in which the magnitude that the virtual observer judges does not
+/// change with the varied parameter, so that simulated responses are guesses, or changes in the direction opposite to
+/// the declared effect, so that they are systematically incorrect.
+///
+/// The magnitude is the mean of three simulated strokes (felt_surface), the same on the surfaces with the smallest and the
+/// largest value of the parameter, in one combination of the other factors. A change of less than 2 % counts as none.
+///
+/// Stimuli whose files are not available are not compared (StimulusBuilder::can_make), nor an observer that ignores the
+/// surfaces.
+std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
+                                                const std::string& file_name,
+                                                StimulusBuilder& builder);
+
+}  // namespace asperity

@@ -1,0 +1,20 @@
+// Lists all warnings about the stimuli of a protocol and about how they are presented.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/stimulus_builder.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/diagnostic.h"
+
+namespace asperity {
+
+/// `warnings_about_arrangements`, `warnings_about_forces` and `warnings_about_observer`. Without a study those that need no
+/// file (StimulusBuilder::can_make). Errors: as StimulusBuilder; none where the files have been checked before.
+std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
+                                               const std::string& file_name,
+                                               StimulusBuilder& builder);
+
+}  // namespace asperity
