@@ -181,6 +181,14 @@ std::string reading_bounded(double value, int decimals) {
   return text;
 }
 
+std::string stated_quantity(double value, const std::string& unit) {
+  const Prefix prefix = prefix_of(value, unit);
+  // Twelve digits: 50 µm is not 50.00000000000001 µm.
+  const std::string digits = with_digits(value / prefix.factor, std::chars_format::general, 12);
+  const std::string whole_unit = unit == "1" ? std::string() : prefix.text + unit;
+  return with_minus(digits) + (whole_unit.empty() ? "" : ' ' + whole_unit);
+}
+
 std::string reading_points(double difference) { return reading_signed(100.0 * difference, 1); }
 
 std::string reading_quantity(double value, const std::string& unit) {

@@ -33,6 +33,9 @@ std::string reading_bounded(double value, int decimals = 2);
 /// A difference of proportions in percentage points, one decimal: "−16.7".
 std::string reading_points(double difference);
 
+/// A number that somebody has stated, with all of its digits and a suitable SI prefix of its unit: "102.5 µm".
+std::string stated_quantity(double value, const std::string& unit);
+
 /// Three digits and the unit with a suitable SI prefix: "31 µs", "50 mm/s", "0.8 N". A value of
 /// unit "1" or without a unit has none.
 std::string reading_quantity(double value, const std::string& unit);

@@ -1043,11 +1043,11 @@ TEST(Discrimination, IsDescribedInTheReportAndInAPaper) {
     const std::string paper = analysis.task_for_paper(protocol);
     EXPECT_THAT(paper, HasSubstr("(two-interval forced choice, 2IFC)"));
     EXPECT_THAT(paper,
-                HasSubstr("differed from it by 2 % to 100 % in 50 levels. Levels were chosen by a procedure (3-down"));
-    EXPECT_THAT(paper,
-                HasSubstr("In catch trials the comparison differed from the standard by 150 %; no "
-                          "threshold was estimated from them."));
-    EXPECT_THAT(paper, HasSubstr("guess rate fixed at 50 % and a lapse rate between 0 and 6 %"));
+                HasSubstr("could differ from it by 2 % to 100 % in 50 levels. The choice of the "
+                          "comparison was correct. A 3-down/1-up staircase [Levitt 1971]"));
+    const std::string fit = analysis.fit_for_paper(protocol);
+    EXPECT_THAT(fit, HasSubstr("guess rate fixed at 50 % and a lapse rate between 0 and 6 %"));
+    EXPECT_THAT(fit, HasSubstr("with 500 simulated observers"));
     EXPECT_THAT(paper, Not(HasSubstr("subjective equality")));
     return;
   }

@@ -27,18 +27,23 @@ using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
-/// The paragraph under "Methods" or "Results"; empty where there is none.
+/// The paragraphs under "Methods" or "Results", joined by blanks; empty where there are none.
 std::string paragraph(const Report& report, const std::string& heading) {
+  std::string paragraphs{};
   for (const ReportSection& section : report.chapters.at(1).sections) {
     if (section.heading != "Text for a paper") continue;
-    for (std::size_t i = 0; i + 1 < section.parts.size(); ++i) {
-      const auto* text = std::get_if<ReportText>(&section.parts[i]);
-      if (text != nullptr && text->text == heading) {
-        return std::get<ReportText>(section.parts[i + 1]).text;
+    bool is_below = false;
+    for (const ReportPart& part : section.parts) {
+      const auto* const text = std::get_if<ReportText>(&part);
+      if (text == nullptr) break;
+      if (text->tone == ReportText::Tone::lead) {
+        is_below = text->text == heading;
+      } else if (is_below) {
+        paragraphs += (paragraphs.empty() ? "" : " ") + text->text;
       }
     }
   }
-  return {};
+  return paragraphs;
 }
 
 /// The texts of the section "Results".
@@ -323,12 +328,114 @@ TEST(PaperText, NamesFactorsLevelsAndTheTask) {
       HasSubstr(" The factor was file (fine, medium and coarse). In each trial, three "
                 "stimuli were presented, one for each level of file, and each was to "
                 "be assigned to one of an equal number of pictures. The question was “Which "
-                "picture belongs to which tool?” A session was planned with 2 "
+                "picture belongs to which tool?” Participants could not return to a "
+                "surface within a trial. A session was planned with 2 "
                 "experimental trials. Trials were presented in "));
   EXPECT_THAT(methods, HasSubstr(" 12 repetitions"));
   EXPECT_THAT(methods, HasSubstr("; attempts outside these limits were "));
   EXPECT_THAT(methods, HasSubstr(" An attempt at a trial was invalid if more than "));
   EXPECT_THAT(methods, Not(HasSubstr("texture")));
+}
+
+std::string library_text(const std::string& name) {
+  for (const auto& each : library_protocols()) {
+    if (each.name == name) return std::string(each.text);
+  }
+  return {};
+}
+
+/// The methods of a study of one participant with two discriminations of a library protocol, changed by `patch`.
+std::string methods_of_discrimination(const std::string& name, const nlohmann::json& patch = {}) {
+  auto source = nlohmann::ordered_json::parse(library_text(name));
+  if (!patch.is_null()) source.merge_patch(patch);
+  MadeUpStudy made;
+  made.add_person("p1", "F");
+  MadeUpTrial trial{};
+  trial.block = "comparisons";
+  trial.surfaces = {surface_of("standard", "sinusoid", ""),
+                    surface_of("comparison", "sinusoid", "")};
+  trial.options = {"standard", "comparison"};
+  trial.right = {"comparison"};
+  trial.answers = {"comparison"};
+  made.add_session("p1", made.add_protocol(name, "discrimination", source.dump()), {trial, trial});
+  return paragraph(study_report(made.study(), {}), "Methods");
+}
+
+TEST(PaperText, StatesHowAStaircaseChoseTheLevels) {
+  const std::string methods = methods_of_discrimination("amplitude_jnd");
+  EXPECT_THAT(
+      methods,
+      HasSubstr("A 3-down/1-up staircase (Levitt, 1971) with a target of 79.4 % correct "
+                "responses chose the amplitude of the comparison from the responses, in "
+                "two randomly interleaved tracks. The tracks began at 50 % and 34 %, and "
+                "levels remained between 2 % and 100 %. Steps were 16 % of the standard up "
+                "to the first reversal, 8 % up to the second and 4 % thereafter. Each track "
+                "ended after 40 trials. One in every 20 trials, at a random place, was a "
+                "catch trial, in which the comparison differed from the standard by 150 %; "
+                "no threshold was estimated from catch trials. "));
+  EXPECT_THAT(methods, Not(HasSubstr("random order, the positions of the surfaces balanced over "
+                                     "the trials, with a break")));
+  EXPECT_THAT(methods, HasSubstr(" The slope of the function was limited to 1 to 8. "));
+}
+
+TEST(PaperText, StatesTheStepsOfAWeightedStaircase) {
+  EXPECT_THAT(methods_of_discrimination("spacing_jnd"),
+              HasSubstr("A weighted up-down staircase (Kaernbach, 1991) with a target of 75.0 % "
+                        "correct responses chose the wavelength of the comparison from the "
+                        "responses. It began at 30 %, and levels remained between 1 % and 60 %. "
+                        "Steps downwards were 6 % of the standard up to the first reversal, 4 % up "
+                        "to the second and 2 % thereafter, and those upwards were 3 times as "
+                        "large. The staircase ended after 60 trials."));
+}
+
+TEST(PaperText, StatesEveryRuleThatEndsATrack) {
+  const std::string methods = methods_of_discrimination(
+      "spacing_jnd",
+      {{"blocks",
+        {{"comparisons",
+          {{"procedure",
+            {{"stop", {{"trials", 60}, {"reversals", 8}, {"clipped_moves", 3}}}}}}}}}});
+  EXPECT_THAT(
+      methods,
+      HasSubstr("The staircase ended after 8 reversals, or when an end of the range of levels had "
+                "limited 3 steps in succession, or at the latest after 60 trials."));
+}
+
+// Constant stimuli are a procedure of the protocol, but no levels depend on responses.
+TEST(PaperText, StatesConstantStimuliWithoutTheIntervalsOfStaircases) {
+  const std::string methods = methods_of_discrimination(
+      "spacing_jnd", {{"blocks",
+                       {{"comparisons",
+                         {{"vary", {{"levels_percent", nullptr}, {"levels_ratio", {1.0125, 1.3}}}},
+                          {"procedure",
+                           {{"method", "constant_stimuli"},
+                            {"repetitions", 20},
+                            {"target", nullptr},
+                            {"steps_down", nullptr},
+                            {"start", nullptr},
+                            {"stop", nullptr}}}}}}}});
+  EXPECT_THAT(methods, HasSubstr("had ratios to it of 1.0125 and 1.3. The choice of the comparison "
+                                 "was correct. The levels were presented by the method of constant "
+                                 "stimuli, each 20 times."));
+  EXPECT_THAT(methods, Not(HasSubstr("simulated observers")));
+  EXPECT_THAT(methods, HasSubstr("single participants are by the delta method."));
+  EXPECT_THAT(methods, HasSubstr("Trials were presented in random order"));
+}
+
+TEST(PaperText, StatesPracticeExposureAndFeedback) {
+  const std::string methods = methods_of_discrimination("amplitude_jnd");
+  EXPECT_THAT(methods, HasSubstr(" was drawn between 0.8 s and 1.2 s. A visit ended after 3 "
+                                 "strokes. Participants could not return to a surface within a "
+                                 "trial. The place on the texture was drawn for each "
+                                 "presentation."));
+  EXPECT_THAT(
+      methods,
+      HasSubstr(" Practice trials were presented in random order within each repetition, the "
+                "positions of the surfaces balanced over the trials, until 5 of the last 6 "
+                "trials were correct, at most 12 trials, with feedback on whether each "
+                "response was correct. In these, the amplitude of the comparison differed "
+                "from that of the standard by 45 % and 75 %. No feedback was given in the "
+                "experimental trials."));
 }
 
 /// The library's protocol has ratings and a recognition, here with a rating of confidence.

@@ -183,7 +183,8 @@ TEST(RatedPairs, StateHowManyEqualRatingsWereLeftOut) {
   EXPECT_THAT(sentence->text,
               testing::StartsWith("In an exploratory test, the ratings of stone and wood "
                                   "on the scale “hard” were not significantly different: "));
-  EXPECT_THAT(sentence->text, HasSubstr("N = 5 (two with equal ratings left out), p = .062"));
+  EXPECT_THAT(sentence->text,
+              HasSubstr("N = 5 (two with a difference of zero left out), p = .062"));
 }
 
 TEST(DeclaredFamily, IsThatOfTheKindWhoseTestsItNames) {

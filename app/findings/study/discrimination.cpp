@@ -41,6 +41,13 @@ std::string with_task(const std::string& what, const std::string& task) {
   return task.empty() ? what : what + " (" + task + ')';
 }
 
+/// The signed-rank test drops participants whose two values are equal. `compared`: those with both.
+void drop_ties(std::size_t compared, const std::string& about, const FoundNumbers& found,
+               StudyTests& tests) {
+  const double tested = found.value("wilcoxon.n", about).value_or(static_cast<double>(compared));
+  tests.drop_ties(compared - std::min(compared, static_cast<std::size_t>(tested)));
+}
+
 void test_order(const GatheredAnswers& gathered, const DiscriminationResults& results,
                 StudyTests& tests, AnalysisOutcome& outcome) {
   ScoreRows scores(gathered);
@@ -62,7 +69,9 @@ void test_order(const GatheredAnswers& gathered, const DiscriminationResults& re
   const std::vector<Finding> findings =
       scores_compared(analysis, std::move(scores), {kFirst, kSecond});
   keep_tests(findings, outcome);
-  tests.add("order", results.name, FoundNumbers(findings), kWilcoxonP, both(kFirst, kSecond));
+  const FoundNumbers found(findings);
+  tests.add("order", results.name, found, kWilcoxonP, both(kFirst, kSecond));
+  drop_ties(with_both, both(kFirst, kSecond), found, tests);
 }
 
 /// The participants' numbers of one threshold by condition, as scores.
@@ -121,6 +130,9 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
                            "Participants without an estimate of the %1 in every condition are "
                            "left out of the test of the conditions")
                         .with(shown));
+    if (results.conditions.size() == 2) {
+      drop_ties(scores.complete, both(results.conditions[0], results.conditions[1]), found, tests);
+    }
   }
 }
 
@@ -148,8 +160,9 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
     const std::vector<Finding> findings = scores_compared(
         "equality:" + results.conditions[condition], std::move(scores), {"pse", "standard"});
     keep_tests(findings, outcome);
-    tests.add("point_of_subjective_equality", about, FoundNumbers(findings), kWilcoxonP,
-              both("pse", "standard"));
+    const FoundNumbers tested(findings);
+    tests.add("point_of_subjective_equality", about, tested, kWilcoxonP, both("pse", "standard"));
+    drop_ties(estimated, both("pse", "standard"), tested, tests);
   }
 }
 

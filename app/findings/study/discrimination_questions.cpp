@@ -1,6 +1,8 @@
 #include "app/findings/study/discrimination_questions.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -8,9 +10,11 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -258,6 +262,75 @@ std::set<std::string> conditions_of_detections(const std::vector<Finding>& findi
   return conditions;
 }
 
+/// " No JND was estimated for one of 6 participants (responses do not depend on the level as expected)."
+std::string missing_sentences(const std::vector<Finding>& findings, const std::string& quantity,
+                              const std::string& measure) {
+  struct Missing {
+    std::size_t participants = 0;
+    std::size_t of = 0;
+    std::map<std::string, std::size_t> reasons{};
+  };
+  std::map<std::string, Missing> conditions{};
+  for (const Finding& finding : findings) {
+    if (finding.analysis != kThresholds || finding.quantity != quantity) continue;
+    const std::size_t bar = finding.key.find('|');
+    Missing& missing = conditions[bar == std::string::npos ? "all" : finding.key.substr(bar + 1)];
+    ++missing.of;
+    if (finding.value) continue;
+    ++missing.participants;
+    ++missing.reasons[words_of_cell("status", finding.word).english()];
+  }
+  std::string text{};
+  for (const auto& [condition, missing] : conditions) {
+    if (missing.participants == 0) continue;
+    std::string reasons{};
+    for (const auto& [reason, count] : missing.reasons) {
+      reasons += (reasons.empty() ? "" : "; ") +
+                 (missing.reasons.size() == 1 ? reason : count_in_words(count) + ": " + reason);
+    }
+    text += " No " + measure + " was estimated for " +
+            (missing.of == 1 ? "the only participant"
+                             : count_in_words(missing.participants) + " of " +
+                                   reading_count(missing.of) + " participants") +
+            (condition == "all" ? "" : " in the condition " + condition) + " (" + reasons + ").";
+  }
+  return text;
+}
+
+/// " Of 24 responses in catch trials, 23 were correct (75 % to 100 % for single participants)."
+std::string catch_trials_sentence(const AnalysisOutcome& outcome) {
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name != kCatchTrials) continue;
+    const auto right = column_of(table.table, "right");
+    const auto of = column_of(table.table, "of");
+    const auto share = column_of(table.table, "share");
+    if (!right || !of || !share || table.table.rows.empty()) return {};
+    double correct = 0.0;
+    double all = 0.0;
+    double least = 1.0;
+    double most = 0.0;
+    for (const std::vector<Cell>& row : table.table.rows) {
+      correct += number_of(row[*right]).value_or(0.0);
+      all += number_of(row[*of]).value_or(0.0);
+      least = std::min(least, number_of(row[*share]).value_or(least));
+      most = std::max(most, number_of(row[*share]).value_or(most));
+    }
+    const auto whole = [](double number) {
+      return reading_count(static_cast<std::size_t>(number));
+    };
+    if (correct == all && all > 1.0) {
+      return " All " + whole(all) + " responses in catch trials were correct.";
+    }
+    return " Of " + whole(all) + (all == 1.0 ? " response" : " responses") + " in catch trials, " +
+           whole(correct) + (correct == 1.0 ? " was correct" : " were correct") +
+           (least == most ? ""
+                          : " (" + reading_percent(least) + " to " + reading_percent(most) +
+                                " for single participants)") +
+           '.';
+  }
+  return {};
+}
+
 }  // namespace
 
 void ask_discrimination(const DiscriminationResults& results, const StudyTests& tests,
@@ -276,23 +349,43 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   const std::set<std::string> detections = conditions_of_detections(outcome.findings);
   std::string text{};
   const FoundNumbers found(means);
-  for (const Finding* const jnd : found.all("geomean.jnd")) {
-    std::vector<std::string> parts{};
-    if (const Finding* const pse = found.find("mean.pse", jnd->key)) {
-      parts.push_back(mean_of_paper("PSE", *pse));
+  std::vector<std::string> conditions{};
+  for (const char* const quantity : {"mean.pse", "geomean.jnd"}) {
+    for (const Finding* const mean : found.all(quantity)) {
+      if (std::find(conditions.begin(), conditions.end(), mean->key) == conditions.end()) {
+        conditions.push_back(mean->key);
+      }
     }
-    const Finding* const weber = found.find("geomean.weber", jnd->key);
-    const bool is_detection = detections.contains(jnd->key);
-    parts.push_back(mean_of_paper(
-        is_detection ? "detection threshold (geometric mean)" : "JND (geometric mean)", *jnd));
-    if (weber != nullptr) parts.push_back(mean_of_paper("Weber fraction (geometric mean)", *weber));
-    text += text.empty() ? "Mean thresholds were: " : "; ";
-    if (jnd->key != "all") text += jnd->key + ", ";
-    for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
-    text += ", N = " + reading_count(jnd->n);
   }
-  if (text.empty()) return {};
-  return {.text = text + '.'};
+  for (const std::string& condition : conditions) {
+    std::vector<const Finding*> shown{};
+    std::vector<std::string> parts{};
+    const auto add = [&](const char* quantity, const char* measure) {
+      const Finding* const mean = found.find(quantity, condition);
+      if (mean == nullptr) return;
+      shown.push_back(mean);
+      parts.push_back(mean_of_paper(measure, *mean));
+    };
+    add("mean.pse", "PSE");
+    add("geomean.jnd", detections.contains(condition) ? "detection threshold" : "JND");
+    add("geomean.weber", "Weber fraction");
+    const bool is_same_n = std::all_of(shown.begin(), shown.end(), [&shown](const Finding* mean) {
+      return mean->n == shown.front()->n;
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!is_same_n) parts[i] += " for " + reading_count(shown[i]->n) + " participants";
+    }
+    text += text.empty() ? "Mean thresholds were: " : "; ";
+    if (condition != "all") text += condition + ", ";
+    text += comma_separated(parts);
+    if (is_same_n) text += ", N = " + reading_count(shown.front()->n);
+  }
+  if (!text.empty()) text += '.';
+  text += missing_sentences(outcome.findings, "pse", "PSE") +
+          missing_sentences(outcome.findings, "jnd", detections.empty() ? "JND" : "threshold") +
+          catch_trials_sentence(outcome);
+  if (text.starts_with(' ')) text.erase(0, 1);
+  return {.text = text};
 }
 
 }  // namespace asperity

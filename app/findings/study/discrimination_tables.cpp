@@ -350,7 +350,6 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
     add_psychometric_rows(gathered, results, psychometric.table);
     add_order_rows(gathered, results, order.table);
   }
-  drop_empty_columns(means.table, 2);
   drop_empty_columns(thresholds.table, 2);
   drop_empty_columns(psychometric.table, 2);
   drop_empty_columns(order.table, 1);

@@ -296,7 +296,7 @@ void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& 
                 "wilcoxon.exact.p.two", key);
       const double tested = found.value("wilcoxon.n", key).value_or(0.0);
       const double complete = found.value("n.complete", scale.name).value_or(tested);
-      tests.leave_out(static_cast<std::size_t>(complete - tested), {});
+      tests.drop_ties(static_cast<std::size_t>(complete - tested));
     }
   }
 }

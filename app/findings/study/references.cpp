@@ -34,12 +34,18 @@ constexpr std::array kReferences{
     Reference{"Holm 1979", "Holm, 1979",
               "Holm, S. (1979). A simple sequentially rejective multiple test procedure. "
               "Scandinavian Journal of Statistics, 6(2), 65–70."},
+    Reference{"Kaernbach 1991", "Kaernbach, 1991",
+              "Kaernbach, C. (1991). Simple adaptive testing with the weighted up-down method. "
+              "Perception & Psychophysics, 49(3), 227–229."},
     Reference{"Kendall 1939", "Kendall & Babington Smith, 1939",
               "Kendall, M. G., & Babington Smith, B. (1939). The problem of m rankings. The Annals "
               "of Mathematical Statistics, 10(3), 275–287."},
     Reference{"Laird 1982", "Laird & Ware, 1982",
               "Laird, N. M., & Ware, J. H. (1982). Random-effects models for longitudinal data. "
               "Biometrics, 38(4), 963–974."},
+    Reference{"Levitt 1971", "Levitt, 1971",
+              "Levitt, H. (1971). Transformed up-down methods in psychoacoustics. The Journal of "
+              "the Acoustical Society of America, 49(2B), 467–477."},
     Reference{"McCullagh 1980", "McCullagh, 1980",
               "McCullagh, P. (1980). Regression models for ordinal data. Journal of the Royal "
               "Statistical Society: Series B, 42(2), 109–142."},

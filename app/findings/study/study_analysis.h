@@ -37,8 +37,12 @@ struct StudyAnalysis {
 
   /// The task in a sentence of a report: "Task: in each trial, …"
   std::string (*task)(const Protocol& protocol) = nullptr;
-  /// The end of the sentence "In each trial, two stimuli were presented" of a text for a paper.
+  /// The end of the sentence "In each trial, two stimuli were presented" of a text for a paper. It cites publications by
+  /// their keys in brackets: "[Levitt 1971]" (Reference::key).
   std::string (*task_for_paper)(const Protocol& protocol) = nullptr;
+  /// The model that is fitted to the responses and its intervals, in sentences of a text for a paper; null where the
+  /// methods of the tests state all.
+  std::string (*fit_for_paper)(const Protocol& protocol) = nullptr;
   /// How responses were transformed before the analysis, as a sentence of a text for a paper; or empty.
   std::string_view transformation{};
 

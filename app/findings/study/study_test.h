@@ -26,6 +26,8 @@ struct StudyTest {
   /// Participants who responded and do not contribute, because they have nothing that can be
   /// exchanged.
   std::size_t left_out = 0;
+  std::size_t ties =
+      0;  ///< participants whose two values are equal, which a signed-rank test drops
   Phrase why_left_out{};  ///< a sentence without its end
   std::optional<double> p{};
   FindingName source{};  ///< the finding that has its p

@@ -104,7 +104,7 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
       {"effect_high", of_effect([](const Effect& e) { return e.high; })},
       {"n", static_cast<std::int64_t>(test.n)},
       {"unit", test.unit},
-      {"left_out", static_cast<std::int64_t>(test.left_out)},
+      {"left_out", static_cast<std::int64_t>(test.left_out + test.ties)},
       {"p", cell_of(test.p)},
       {"p_holm", cell_of(test.adjusted)},
       {"p_smallest", cell_of(test.unattainable_p())},

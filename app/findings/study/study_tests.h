@@ -39,6 +39,8 @@ class StudyTests final {
   /// Sets the number of participants left out of the test that was added last. `why`: a sentence without its end, which
   /// the number follows in the note below the table; may be empty.
   void leave_out(std::size_t participants, const Phrase& why);
+  /// Of the last test: participants that it drops because their two values are equal.
+  void drop_ties(std::size_t participants) { tests_.back().ties = participants; }
   /// Sets the proportion expected under guessing for the same test.
   void state_chance(double chance);
   /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares

@@ -60,10 +60,12 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
 std::string size_text(const StudyTest& test) {
   const std::string n = reading_count(test.n);
   if (test.unit == kUnitOfParticipants) {
-    if (test.left_out == 0) return "N = " + n;
-    const bool drops_ties = test.made_by->code == "wilcoxon";
-    return "N = " + n + " (" + count_in_words(test.left_out) +
-           (drops_ties ? " with equal ratings left out)" : " left out)");
+    std::vector<std::string> without{};
+    if (test.left_out > 0) without.push_back(count_in_words(test.left_out) + " left out");
+    if (test.ties > 0) {
+      without.push_back(count_in_words(test.ties) + " with a difference of zero left out");
+    }
+    return "N = " + n + (without.empty() ? "" : " (" + listed(without) + ')');
   }
   return "n = " + words_of_cell("n", n + '|' + test.unit).english();
 }

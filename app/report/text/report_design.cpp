@@ -7,6 +7,7 @@
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/task_words.h"
 #include "app/report/text/report_arrangement.h"
+#include "app/report/text/report_order.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -32,59 +33,6 @@ std::string factors_text(const Protocol& protocol) {
   return text + '.';
 }
 
-std::string order_text(const Protocol::Block& block) {
-  std::string text{};
-  switch (block.order) {
-    case Protocol::Block::Order::fixed:
-      text = "in fixed order";
-      break;
-    case Protocol::Block::Order::shuffle:
-      text = "in random order";
-      break;
-    case Protocol::Block::Order::shuffle_within_repetition:
-      text = "in random order within each repetition";
-      break;
-  }
-  if (!block.drawn.empty()) {
-    text += ", " + listed(block.drawn) + " drawn at random in each trial";
-  }
-  if (block.all_pairs) {
-    text += ", all pairs of the levels of " + block.all_pairs->factor;
-    if (block.all_pairs->in_both_orders) return text + " in both orders";
-  }
-  if (block.presented.size() < 2) return text;
-  switch (block.positions) {
-    case Protocol::Block::Positions::as_listed:
-      return text + ", the surfaces of a trial always in the same positions";
-    case Protocol::Block::Positions::shuffle:
-      return text + ", the surfaces of a trial in random positions";
-    case Protocol::Block::Positions::balanced:
-      return text + ", the positions of the surfaces balanced over the trials";
-  }
-  return text;
-}
-
-/// ", until 2 of the last 3 trials are correct, at most 6 trials"
-std::string until_text(const Protocol::Criterion& until) {
-  const std::string number = std::to_string(until.correct);
-  return ", until " +
-         (until.correct == until.of_last
-              ? (until.correct == 1 ? "a trial is" : "the last " + number + " trials are")
-              : number + " of the last " + std::to_string(until.of_last) + " trials are") +
-         " correct, at most " + std::to_string(until.maximum_trials) +
-         (until.maximum_trials == 1 ? " trial" : " trials");
-}
-
-/// " The criterion was not met in either session."; empty where it was met in all.
-std::string unmet_text(const std::string& block, const ReportFacts& facts) {
-  const auto unmet = static_cast<std::size_t>(std::count_if(
-      facts.sessions.begin(), facts.sessions.end(),
-      [&](const ReportedSession& one) { return one.unmet_criteria.contains(block); }));
-  if (unmet == 0) return {};
-  return " The criterion was not met " +
-         SessionShare{.whole = unmet, .all = facts.sessions.size()}.text_after_not() + '.';
-}
-
 /// The task of every kind of the protocol's blocks, the kind named where there are several.
 std::string tasks_text(const Protocol& protocol) {
   const std::vector<const ExperimentKind*> kinds = kinds_of(protocol);
@@ -107,18 +55,9 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     if (run == nullptr) continue;
     const Protocol::Block& block = protocol.blocks.at(run->block);
     std::string text = "Block " + quoted(block.name) + " (" + text_of(block.phase) + "): ";
-    text += order_of_run(block, *run);
+    text += order_of_run(block, *run, Tense::present);
     if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
-    switch (block.feedback) {
-      case Protocol::Block::Feedback::none:
-        break;
-      case Protocol::Block::Feedback::correctness:
-        text += ", with feedback on whether each response was correct";
-        break;
-      case Protocol::Block::Feedback::correct_answer:
-        text += ", with the correct response shown after each response";
-        break;
-    }
+    text += feedback_text(block);
     const auto& questions = block.questions;
     text += questions.size() == 1 ? ". Question: " : ". Questions: ";
     for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -298,7 +237,8 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   text +=
       "According to the protocol, or by default where it does not state a value, the stiffness "
       "was " +
-      stiffness_text(facts.stiffness_N_per_m, protocol) + " and forces were limited to " +
+      stiffness_text(facts.stiffness_N_per_m, protocol) + ", the coefficient of friction was " +
+      friction_text(facts.friction, protocol) + ", and forces were limited to " +
       reading_quantity(protocol.force_limit_N, "N") + '.';
   if (facts.has_equal_force) {
     text +=
@@ -350,55 +290,6 @@ std::string factor_text(const std::string& name, const Factor& factor) {
                          : text_of(level));
   }
   return (factor.unit.empty() ? name : words_of_parameter(name)) + " (" + listed(levels) + ')';
-}
-
-std::string planned_trials_text(const ReportFacts& facts) {
-  std::set<int> main_trials{};
-  std::set<int> planned{};
-  for (const ReportedSession& session : facts.sessions) {
-    main_trials.insert(session.main_trials);
-    planned.insert(session.planned_trials);
-  }
-  const auto range = [](const std::set<int>& counts) {
-    return *counts.begin() == *counts.rbegin()
-               ? std::to_string(*counts.begin())
-               : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
-  };
-  if (planned.empty()) return {};
-  std::string text = "A session was planned with " + range(main_trials) + " experimental " +
-                     (main_trials == std::set<int>{1} ? "trial" : "trials");
-  if (planned != main_trials) {
-    text += ", and with " + range(planned) + " in total including " +
-            listed({facts.other_planned.begin(), facts.other_planned.end()});
-  }
-  return text + '.';
-}
-
-/// ", with a break of at least 120 s after every 5 min of contact"
-std::string breaks_text(const Protocol::Run& run) {
-  std::vector<std::string> after{};
-  if (run.break_every_trials > 0) {
-    after.push_back("after every " + std::to_string(run.break_every_trials) +
-                    (run.break_every_trials == 1 ? " trial" : " trials"));
-  }
-  if (run.break_every_contact_s > 0.0) {
-    after.push_back("after every " + reading_quantity(run.break_every_contact_s, "s") +
-                    " of contact");
-  }
-  if (after.empty()) return {};
-  return ", with a break of at least " + reading_quantity(run.pause->minimum_s, "s") + ' ' +
-         listed(after);
-}
-
-std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run) {
-  std::string text = order_text(block);
-  if (block.until) {
-    text += until_text(*block.until);
-  } else if (block.repetitions > 1) {
-    text += ", " + std::to_string(block.repetitions) + " repetitions";
-  }
-  if (!run.for_each.empty()) text += ", once for each level of " + run.for_each;
-  return text + breaks_text(run);
 }
 
 std::string after_failure(const Exploration& exploration) {

@@ -7,11 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/records/session_timeline.h"
+#include "app/study_files/parameter_json.h"
 #include "app/tasks/study_overview.h"
 #include "app/words/coded_phrases.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
+#include "renderers/force/friction.h"
 
 namespace asperity {
 
@@ -127,6 +129,13 @@ void add_textures_of_bodies(const std::string& stimulus, ReportFacts& facts) {
   }
 }
 
+void count_parameters(const PresentationRow& surface, ReportFacts& facts) {
+  for (const auto& [name, value] :
+       without_unused_friction(parameter_values_in(surface.parameters_json))) {
+    facts.parameters[surface.model][name].insert(value);
+  }
+}
+
 void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, ReportFacts& facts) {
   const AnalysisUse use = use_in_analyses(planned, attempt);
   count_use(attempt, planned, use, facts);
@@ -153,6 +162,8 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
     facts.surfaces.insert(attempt.presentations.size());
     for (const PresentationRow& surface : attempt.presentations) {
       if (surface.stiffness_N_per_m) facts.stiffness_N_per_m.insert(*surface.stiffness_N_per_m);
+      if (surface.friction) facts.friction.insert(*surface.friction);
+      if (use == AnalysisUse::counted) count_parameters(surface, facts);
     }
   }
   for (const ResponseRow& response : attempt.responses) {

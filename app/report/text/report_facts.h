@@ -117,6 +117,10 @@ struct ReportFacts {
   std::set<std::string> body_textures{};   ///< textures of the presented bodies
   bool has_equal_force = false;            ///< the texture force of a presentation was matched
   std::set<double> stiffness_N_per_m{};    ///< of the surfaces presented, where it is stored
+  std::set<double> friction{};             ///< the same: the coefficient
+  /// Of the surfaces in counted attempts: model → parameter → the values as rendered, without those of friction laws that
+  /// were not used
+  std::map<std::string, std::map<std::string, std::set<ParameterValue>>> parameters{};
   std::set<std::size_t> surfaces{};  ///< the numbers of surfaces presented in answered attempts
   std::set<std::string> answer_sources{};  ///< "keyboard"
 

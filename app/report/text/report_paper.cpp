@@ -141,18 +141,21 @@ std::string methods_text(std::span<const TestSentence> printed, Sources& sources
 }
 
 /// The statistics of one kind of responses.
-std::string paper_statistics(const AnalysisOutcome& outcome, std::span<const TestSentence> printed,
-                             Sources& sources) {
-  std::vector<std::string> sentences{correction_text(outcome, sources)};
+std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& outcome,
+                             std::span<const TestSentence> printed, Sources& sources) {
+  std::vector<std::string> sentences{};
+  const StudyAnalysis* const analysis = find_analysis(outcome.kind);
+  if (analysis != nullptr && analysis->fit_for_paper != nullptr && facts.file.protocol) {
+    sentences.push_back(with_citations(analysis->fit_for_paper(*facts.file.protocol), sources));
+  }
+  sentences.push_back(correction_text(outcome, sources));
   const auto is_any = [&printed](const auto& is_so) {
     return std::any_of(printed.begin(), printed.end(), is_so);
   };
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
     sentences.emplace_back("The significance level was .05.");
   }
-  if (const StudyAnalysis* const analysis = find_analysis(outcome.kind)) {
-    sentences.emplace_back(analysis->transformation);
-  }
+  if (analysis != nullptr) sentences.emplace_back(analysis->transformation);
   if (estimate_sentence(outcome).has_mean_interval ||
       is_any([](const TestSentence& each) { return each.has_mean_interval; })) {
     sentences.emplace_back(
@@ -196,6 +199,18 @@ std::string cited(const std::string& key, Sources& sources) {
   return " (" + std::string(reference(key).cited) + ')';
 }
 
+std::string with_citations(std::string text, Sources& sources) {
+  for (const Reference& each : references()) {
+    const std::string mark = " [" + std::string(each.key) + ']';
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {
+      const std::string shown = cited(std::string(each.key), sources);
+      text.replace(at, mark.size(), shown);
+      at += shown.size();
+    }
+  }
+  return text;
+}
+
 std::string with_sentences(const std::vector<std::string>& sentences) {
   std::string text{};
   for (const std::string& sentence : sentences) {
@@ -209,29 +224,36 @@ ReportSection paper_section(const ReportFacts& facts,
                             const StudyMetadata& metadata) {
   ReportSection section{"Text for a paper", {}};
   Sources sources{};
-  const auto add = [&section](const std::string& heading, const std::string& text) {
-    if (text.empty()) return;
-    section.parts.emplace_back(ReportText{heading, ReportText::Tone::lead});
-    section.parts.emplace_back(ReportText{text});
+  const auto add = [&section](const std::string& heading,
+                              const std::vector<std::string>& paragraphs) {
+    bool has_heading = false;
+    for (const std::string& text : paragraphs) {
+      if (text.empty()) continue;
+      if (!has_heading) section.parts.emplace_back(ReportText{heading, ReportText::Tone::lead});
+      has_heading = true;
+      section.parts.emplace_back(ReportText{text});
+    }
   };
   const auto of_kind = [&outcomes](const AnalysisOutcome& outcome) {
     return outcomes.size() > 1 ? " (" + name_of_kind(outcome.kind) + ")" : std::string();
   };
   std::vector<std::string> methods = paper_procedure(facts, metadata, sources);
-  if (outcomes.empty()) methods.push_back(withheld_text(facts));
-  if (!outcomes.empty() && facts.attempts > 0) methods.push_back(analysed_text(facts));
+  std::vector<std::string> analysis{};
+  if (outcomes.empty()) analysis.push_back(withheld_text(facts));
+  if (!outcomes.empty() && facts.attempts > 0) analysis.push_back(analysed_text(facts));
   if (outcomes.size() == 1) {
-    methods.push_back(
-        paper_statistics(*outcomes.front(), printed_sentences(*outcomes.front()), sources));
+    analysis.push_back(
+        paper_statistics(facts, *outcomes.front(), printed_sentences(*outcomes.front()), sources));
   }
-  add("Methods", with_sentences(methods));
+  methods.push_back(with_sentences(analysis));
+  add("Methods", methods);
   for (const AnalysisOutcome* const outcome : outcomes) {
     if (outcomes.size() == 1) break;
     add("Statistics" + of_kind(*outcome),
-        paper_statistics(*outcome, printed_sentences(*outcome), sources));
+        {paper_statistics(facts, *outcome, printed_sentences(*outcome), sources)});
   }
   for (const AnalysisOutcome* const outcome : outcomes) {
-    add("Results" + of_kind(*outcome), results_paragraph(*outcome, printed_sentences(*outcome)));
+    add("Results" + of_kind(*outcome), {results_paragraph(*outcome, printed_sentences(*outcome))});
   }
   if (!sources.empty()) {
     ReportList entries{};

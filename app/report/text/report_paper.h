@@ -14,11 +14,14 @@ namespace asperity {
 using Sources = std::set<std::string>;
 /// " (Holm, 1979)"; adds the key to the sources.
 std::string cited(const std::string& key, Sources& sources);
+/// The text with every " [Holm 1979]" replaced by " (Holm, 1979)"; adds the keys to the sources.
+std::string with_citations(std::string text, Sources& sources);
 
 /// Separated by blanks, without empty ones.
 std::string with_sentences(const std::vector<std::string>& sentences);
 
-/// Participants, apparatus, conditions and procedure, each sentence derived from stored data.
+/// The paragraphs on participants and apparatus, on the task, and on the procedure, each sentence derived from stored
+/// data.
 std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMetadata& metadata,
                                          Sources& sources);
 

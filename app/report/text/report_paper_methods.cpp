@@ -12,6 +12,7 @@
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/task_words.h"
 #include "app/report/text/report_paper.h"
+#include "app/report/text/report_paper_trials.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -137,9 +138,13 @@ std::string paper_apparatus(const ReportFacts& facts) {
   if (!devices.empty()) text += "; device: " + devices;
   text += '.';
   if (facts.file.protocol) {
-    text += " The stiffness was " + stiffness_text(facts.stiffness_N_per_m, *facts.file.protocol) +
-            ", and forces were limited to " +
-            reading_quantity(facts.file.protocol->force_limit_N, "N") + '.';
+    const Protocol& protocol = *facts.file.protocol;
+    text += " The stiffness was " + stiffness_text(facts.stiffness_N_per_m, protocol) +
+            ", the coefficient of friction was " + friction_text(facts.friction, protocol) +
+            ", and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
+  }
+  if (const std::string parameters = paper_parameters(facts); !parameters.empty()) {
+    text += ' ' + parameters;
   }
   if (facts.group != AnswerGroup::virtual_participants) {
     if (const std::string unfelt = unfelt_force_text(facts); !unfelt.empty()) text += ' ' + unfelt;
@@ -275,55 +280,6 @@ std::string paper_questions(const Protocol& protocol) {
          (can_abstain ? " “Cannot tell” was also a response option." : "");
 }
 
-std::string paper_order(const ReportFacts& facts, Sources& sources) {
-  const Protocol& protocol = *facts.file.protocol;
-  std::string text = planned_trials_text(facts);
-  // Every order with its blocks, as they are run.
-  std::vector<std::pair<std::string, std::vector<std::string>>> orders{};
-  std::size_t runs = 0;
-  for (const Protocol::Step& step : protocol.flow) {
-    const auto* run = std::get_if<Protocol::Run>(&step);
-    if (run == nullptr) continue;
-    const Protocol::Block& block = protocol.blocks.at(run->block);
-    if (block.phase != Phase::main) continue;
-    ++runs;
-    const std::string order = order_of_run(block, *run);
-    auto known = std::find_if(orders.begin(), orders.end(),
-                              [&order](const auto& each) { return each.first == order; });
-    if (known == orders.end()) known = orders.insert(known, {order, {}});
-    const std::string name = quoted(run->block);
-    if (std::find(known->second.begin(), known->second.end(), name) == known->second.end()) {
-      known->second.push_back(name);
-    }
-  }
-  for (const auto& [order, blocks] : orders) {
-    text += (text.empty() ? "" : " ") +
-            (runs == 1 ? "Trials were"
-             : orders.size() == 1
-                 ? "In each block, trials were"
-                 : std::string(blocks.size() == 1 ? "In the block " : "In the blocks ") +
-                       listed(blocks) + ", trials were") +
-            " presented " + order + '.';
-  }
-  switch (protocol.counterbalance) {
-    case Protocol::Counterbalance::none:
-      break;
-    case Protocol::Counterbalance::latin:
-      text += " The order of the levels was counterbalanced by a Latin square.";
-      break;
-    case Protocol::Counterbalance::williams:
-      text += " The order of the levels was counterbalanced by a Williams square" +
-              cited("Williams 1949", sources) + '.';
-      break;
-  }
-  for (const auto& [name, exploration] : protocol.explorations) {
-    text += (protocol.explorations.size() == 1 ? " Each" : " Exploration “" + name + "”: each") +
-            std::string(" stimulus was to be explored ") + instructed_exploration(exploration) +
-            "; " + after_failure(exploration) + '.';
-  }
-  return text;
-}
-
 /// When the program counts an attempt as invalid, regardless of later decisions.
 std::string invalid_attempts(const Protocol& protocol) {
   const auto more_than = [](int count, const std::string& one, const std::string& several) {
@@ -344,25 +300,26 @@ std::string invalid_attempts(const Protocol& protocol) {
 
 std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMetadata& metadata,
                                          Sources& sources) {
-  std::vector<std::string> methods{paper_participants(facts, metadata), paper_apparatus(facts),
-                                   paper_environment(facts)};
-  if (facts.file.protocol) {
-    if (facts.sources.size() > 1) {
-      methods.push_back(
-          facts.are_translations
-              ? "The protocol was run in " + count_in_words(facts.sources.size()) +
-                    " versions that differ in language and texts only."
-              : "The protocol has " + count_in_words(facts.sources.size()) +
-                    " files of this version; the description below is from the first.");
-    }
-    methods.push_back(factors_sentence(*facts.file.protocol));
-    methods.push_back(paper_task(facts));
-    methods.push_back(paper_accompanying_scales(*facts.file.protocol));
-    methods.push_back(paper_questions(*facts.file.protocol));
-    methods.push_back(paper_order(facts, sources));
-    methods.push_back(invalid_attempts(*facts.file.protocol));
+  std::vector<std::string> paragraphs{with_sentences(
+      {paper_participants(facts, metadata), paper_apparatus(facts), paper_environment(facts)})};
+  if (!facts.file.protocol) return paragraphs;
+  const Protocol& protocol = *facts.file.protocol;
+  std::vector<std::string> task{};
+  if (facts.sources.size() > 1) {
+    task.push_back(facts.are_translations
+                       ? "The protocol was run in " + count_in_words(facts.sources.size()) +
+                             " versions that differ in language and texts only."
+                       : "The protocol has " + count_in_words(facts.sources.size()) +
+                             " files of this version; the description below is from the first.");
   }
-  return methods;
+  task.push_back(factors_sentence(protocol));
+  task.push_back(with_citations(paper_task(facts), sources));
+  task.push_back(paper_accompanying_scales(protocol));
+  task.push_back(paper_questions(protocol));
+  task.push_back(paper_arrangement(protocol));
+  paragraphs.push_back(with_sentences(task));
+  paragraphs.push_back(with_sentences({paper_order(facts, sources), invalid_attempts(protocol)}));
+  return paragraphs;
 }
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/study_tests.h"
@@ -437,6 +438,8 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
   add_figures_of(nullptr);
   for (const NamedTable& named : outcome.tables) {
     add_figures_of(&named);
+    // Every trial is in the exports (trials.tsv), and drawn in figures.
+    if (named.name == kTracks) continue;
     // Numbers that a figure shows in its cells are not repeated.
     const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&named](const Figure& one) {
       return one.table == named.name && !one.cells.empty();

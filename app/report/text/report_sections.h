@@ -75,11 +75,6 @@ std::string unfelt_force_text(const ReportFacts& facts);
 std::string recorded_noise_text(const ReportFacts& facts);
 /// "speed (slow and fast)", "spacing (500 µm and 1 mm)": a factor by its name without the unit, with its levels.
 std::string factor_text(const std::string& name, const Factor& factor);
-/// "A session was planned with 42 experimental trials, and with 54 in total including anchors and
-/// practice."; empty where no session has a plan.
-std::string planned_trials_text(const ReportFacts& facts);
-/// "in random order within each repetition, 3 repetitions, once for each level of speed"
-std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run);
 /// "attempts outside these limits were flagged and included": the consequence that the protocol
 /// specifies.
 std::string after_failure(const Exploration& exploration);

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_questions.h"
+#include "app/findings/study/discrimination_tracks.h"
+#include "app/findings/study/level_words.h"
 #include "app/findings/study/task_words.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -50,75 +51,8 @@ bool is_performance(const Block& block) {
   return asked != nullptr && asked->judgement == DiscriminationJudgement::performance;
 }
 
-std::string unit_of(const Block& block) {
-  return block.vary->unit.empty() ? unit_of_parameter(block.vary->parameter) : block.vary->unit;
-}
-
-std::string level_text(const Block& block, double level) {
-  constexpr int kDigits = 2;
-  switch (block.vary->measure) {
-    case LevelMeasure::value:
-    case LevelMeasure::difference:
-      return reading_quantity(level, unit_of(block));
-    case LevelMeasure::percent:
-      return reading_quantity(level, "") + " %";
-    case LevelMeasure::ratio:
-      return reading_signed(level, kDigits);
-    case LevelMeasure::decibels:
-      return reading_quantity(level, "") + " dB";
-  }
-  return {};
-}
-
-/// "differs from it by 5 %", after the varied quantity of the comparison. `standard`: "it"; `of_several`: the values are
-/// several.
-std::string differing_by(const Block& block, const std::string& values, const std::string& standard,
-                         bool of_several) {
-  const auto has = [of_several](const std::string& one) {
-    return of_several ? "has " + one + 's' : "has a " + one;
-  };
-  switch (block.vary->measure) {
-    case LevelMeasure::value:
-      return has("value") + " of " + values;
-    case LevelMeasure::difference:
-    case LevelMeasure::percent:
-      return "differs from " + standard + " by " + values;
-    case LevelMeasure::ratio:
-      return has("ratio") + " to " + standard + " of " + values;
-    case LevelMeasure::decibels:
-      return has("level") + " re the standard of " + values;
-  }
-  return {};
-}
-
-/// "differs from it by 5 %, 10 % and 20 %".
-std::string levels_text(const Block& block) {
-  constexpr std::size_t kMostListed = 12;
-  const std::vector<double> levels = block.vary->levels();
-  std::vector<std::string> texts{};
-  for (const double level : levels) texts.push_back(level_text(block, level));
-  const std::string values = texts.size() > kMostListed
-                                 ? texts.front() + " to " + texts.back() + " in " +
-                                       std::to_string(texts.size()) + " levels"
-                                 : listed(texts);
-  return differing_by(block, values, "it", true);
-}
-
-/// "differs from the standard by 150 %"; empty without catch trials.
-std::string catch_level_text(const Block& block) {
-  if (!block.procedure || !block.procedure->catch_trials) return {};
-  return differing_by(block, level_text(block, block.procedure->catch_trials->level),
-                      "the standard", false);
-}
-
 std::string apart_from_catch_trials(const Block& block) {
   return catch_level_text(block).empty() ? "" : ", apart from catch trials";
-}
-
-/// In the past tense of a paper.
-std::string in_past(std::string text) {
-  text.replace(0, text.find(' '), text.starts_with("differs") ? "differed" : "had");
-  return text;
 }
 
 std::string task_of_arrangement(const Arrangement& arrangement) {
@@ -158,8 +92,8 @@ std::string task_of_block(const Block& block) {
   if (asked != nullptr) text += ": " + quoted(asked->prompt);
   if (asked == nullptr || !asked->prompt.ends_with('?')) text += '.';
   text += " The " + words_of_parameter(block.vary->parameter) + " of the standard is " +
-          reading_quantity(*block.vary->standard, unit_of(block)) + "; that of the comparison " +
-          levels_text(block) + ". ";
+          reading_quantity(*block.vary->standard, unit_of_varied(block)) +
+          "; that of the comparison " + levels_text(block, "it") + ". ";
   if (block.procedure) {
     text += "Choice of the level: " + procedure_text(block) + ". ";
     if (const std::string easy = catch_level_text(block); !easy.empty()) {
@@ -186,32 +120,6 @@ std::string task_of_discrimination(const Protocol& protocol) {
              : text;
 }
 
-std::string paper_catch_trials(const Block& block) {
-  const std::string easy = catch_level_text(block);
-  if (easy.empty()) return {};
-  return "In catch trials the comparison " + in_past(easy) +
-         "; no threshold was estimated from them. ";
-}
-
-std::string paper_thresholds(const Block& block) {
-  if (!is_performance(block)) {
-    return "No response was correct or incorrect" + apart_from_catch_trials(block) +
-           ". For each participant and condition, a cumulative "
-           "normal function was fitted to the choices by maximum likelihood, with lapse rates "
-           "fixed at 2 % in both directions. The point of subjective equality (PSE) is the value "
-           "at which both responses are equally frequent, the just-noticeable difference (JND) "
-           "half the distance between the values at 25 % and 75 %.";
-  }
-  const std::string fit =
-      "The choice of the comparison was correct. For each participant and condition, a Weibull "
-      "function of the difference from the standard was fitted to the correct responses by maximum "
-      "likelihood, with the guess rate fixed at 50 % and a lapse rate between 0 and 6 %. The ";
-  return fit +
-         (*block.vary->standard == 0.0 ? "detection threshold is the value"
-                                       : "just-noticeable difference (JND) is the difference") +
-         " at 75 % correct responses.";
-}
-
 std::string paper_task_of_discrimination(const Protocol& protocol) {
   const std::vector<const Block*> blocks = discrimination_blocks(protocol);
   std::string text =
@@ -224,12 +132,71 @@ std::string paper_task_of_discrimination(const Protocol& protocol) {
                                      paper_task_of_arrangement(block->arrangement)
                                : std::string()) +
         " The " + words_of_parameter(block->vary->parameter) + " of the standard was " +
-        reading_quantity(*block->vary->standard, unit_of(*block)) + "; that of the comparison " +
-        in_past(levels_text(*block)) + ". " +
-        (block->procedure ? "Levels were chosen by a procedure (" + procedure_text(*block) + "). "
-                          : "") +
-        paper_catch_trials(*block) + paper_thresholds(*block);
+        reading_quantity(*block->vary->standard, unit_of_varied(*block)) +
+        "; that of the comparison " +
+        (chooses_levels_from_answers(*block) ? as_possible(levels_text(*block, "it"))
+                                             : in_past(levels_text(*block, "it"))) +
+        ". " +
+        (is_performance(*block)
+             ? std::string("The choice of the comparison was correct. ")
+             : "No response was correct or incorrect" + apart_from_catch_trials(*block) + ". ") +
+        procedure_sentences(*block);
     if (text.find(details) == std::string::npos) text += details;
+  }
+  return text;
+}
+
+/// How the intervals of single participants are made, and how the slope is limited where a procedure chose the levels.
+std::string interval_sentence(const Block& block) {
+  if (!chooses_levels_from_answers(block)) {
+    return is_performance(block)
+               ? " Confidence intervals (CI) of single participants are by the delta method."
+               : " Confidence intervals (CI) of single participants are by the delta method, for "
+                 "the JND on the logarithmic scale.";
+  }
+  return (is_performance(block) ? " The slope of the function was limited to " +
+                                      reading_number(kSlopesOfProcedures.least) + " to " +
+                                      reading_number(kSlopesOfProcedures.greatest) + '.'
+                                : std::string()) +
+         " Confidence intervals (CI) of single participants are likelihood-ratio intervals whose "
+         "critical value was found by running the procedure again with " +
+         std::to_string(kRepetitionsOfProcedures) + " simulated observers.";
+}
+
+std::string mean_sentence(const Block& block) {
+  return is_performance(block)
+             ? " Means over participants are geometric, with CIs based on Student's t on the "
+               "logarithmic scale."
+             : " Mean PSEs are arithmetic and mean JNDs geometric, with CIs based on Student's t, "
+               "of JNDs on the logarithmic scale.";
+}
+
+std::string fit_of_block(const Block& block) {
+  if (!is_performance(block)) {
+    return "For each participant and condition, a cumulative normal function was fitted to the "
+           "choices by maximum likelihood, with lapse rates fixed at 2 % in both directions. The "
+           "point of subjective equality (PSE) is the value at which both responses are equally "
+           "frequent, the just-noticeable difference (JND) half the distance between the values at "
+           "25 % and 75 %.";
+  }
+  const std::string fit =
+      "For each participant and condition, a Weibull function of the difference from the standard "
+      "was fitted to the correct responses by maximum likelihood, with the guess rate fixed at "
+      "50 % and a lapse rate between 0 and 6 %. The ";
+  return fit +
+         (*block.vary->standard == 0.0 ? "detection threshold is the value"
+                                       : "just-noticeable difference (JND) is the difference") +
+         " at 75 % correct responses.";
+}
+
+std::string paper_fit_of_discrimination(const Protocol& protocol) {
+  std::string text{};
+  for (const Block* const block : discrimination_blocks(protocol)) {
+    for (const std::string& sentence :
+         {fit_of_block(*block), interval_sentence(*block), mean_sentence(*block)}) {
+      if (text.find(sentence) != std::string::npos) continue;
+      text += (text.empty() || sentence.starts_with(' ') ? "" : " ") + sentence;
+    }
   }
   return text;
 }
@@ -242,6 +209,7 @@ const StudyAnalysis& discrimination_analysis() {
                                        .claims = kDiscriminationClaims,
                                        .task = task_of_discrimination,
                                        .task_for_paper = paper_task_of_discrimination,
+                                       .fit_for_paper = paper_fit_of_discrimination,
                                        .analyze = analyze_discrimination,
                                        .estimates = thresholds_sentence};
   return kAnalysis;

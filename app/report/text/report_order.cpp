@@ -1,0 +1,146 @@
+#include "app/report/text/report_order.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
+#include "app/report/text/report_sections.h"
+#include "app/words/text_parts.h"
+#include "protocols/design/block_factors.h"
+
+namespace asperity {
+
+namespace {
+
+/// "in random order"; empty where a procedure chooses the level of every trial from the responses.
+std::string order_of_levels(const Protocol::Block& block) {
+  if (chooses_levels_from_answers(block)) return {};
+  switch (block.order) {
+    case Protocol::Block::Order::fixed:
+      return "in fixed order";
+    case Protocol::Block::Order::shuffle:
+      return "in random order";
+    case Protocol::Block::Order::shuffle_within_repetition:
+      return "in random order within each repetition";
+  }
+  return {};
+}
+
+/// "the positions of the surfaces balanced over the trials"
+std::string positions_text(const Protocol::Block& block) {
+  switch (block.positions) {
+    case Protocol::Block::Positions::as_listed:
+      return "the surfaces of a trial always in the same positions";
+    case Protocol::Block::Positions::shuffle:
+      return "the surfaces of a trial in random positions";
+    case Protocol::Block::Positions::balanced:
+      return "the positions of the surfaces balanced over the trials";
+  }
+  return {};
+}
+
+std::string order_text(const Protocol::Block& block) {
+  std::vector<std::string> parts{order_of_levels(block)};
+  if (!block.drawn.empty()) parts.push_back(listed(block.drawn) + " drawn at random in each trial");
+  if (block.all_pairs) {
+    parts.push_back("all pairs of the levels of " + block.all_pairs->factor +
+                    (block.all_pairs->in_both_orders ? " in both orders" : ""));
+  }
+  const bool has_both_orders = block.all_pairs && block.all_pairs->in_both_orders;
+  if (block.presented.size() >= 2 && !has_both_orders) parts.push_back(positions_text(block));
+  std::erase(parts, std::string());
+  if (order_of_levels(block).empty() && !parts.empty()) parts.front().insert(0, "with ");
+  return comma_separated(parts);
+}
+
+/// ", until 2 of the last 3 trials are correct, at most 6 trials"
+std::string until_text(const Protocol::Criterion& until, Tense tense) {
+  const bool is_past = tense == Tense::past;
+  const std::string number = std::to_string(until.correct);
+  const std::string are = is_past ? "were" : "are";
+  return ", until " +
+         (until.correct == until.of_last
+              ? (until.correct == 1 ? "a trial " + std::string(is_past ? "was" : "is")
+                                    : "the last " + number + " trials " + are)
+              : number + " of the last " + std::to_string(until.of_last) + " trials " + are) +
+         " correct, at most " + std::to_string(until.maximum_trials) +
+         (until.maximum_trials == 1 ? " trial" : " trials");
+}
+
+/// ", with a break of at least 120 s after every 5 min of contact"
+std::string breaks_text(const Protocol::Run& run) {
+  std::vector<std::string> after{};
+  if (run.break_every_trials > 0) {
+    after.push_back("after every " + std::to_string(run.break_every_trials) +
+                    (run.break_every_trials == 1 ? " trial" : " trials"));
+  }
+  if (run.break_every_contact_s > 0.0) {
+    after.push_back("after every " + number_text(run.break_every_contact_s / 60.0) +
+                    " min of contact");
+  }
+  if (after.empty()) return {};
+  return ", with a break of at least " + reading_quantity(run.pause->minimum_s, "s") + ' ' +
+         listed(after);
+}
+
+}  // namespace
+
+std::string planned_trials_text(const ReportFacts& facts) {
+  std::set<int> main_trials{};
+  std::set<int> planned{};
+  for (const ReportedSession& session : facts.sessions) {
+    main_trials.insert(session.main_trials);
+    planned.insert(session.planned_trials);
+  }
+  const auto range = [](const std::set<int>& counts) {
+    return *counts.begin() == *counts.rbegin()
+               ? std::to_string(*counts.begin())
+               : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
+  };
+  if (planned.empty()) return {};
+  std::string text = "A session was planned with " + range(main_trials) + " experimental " +
+                     (main_trials == std::set<int>{1} ? "trial" : "trials");
+  if (planned != main_trials) {
+    text += ", and with " + range(planned) + " in total including " +
+            listed({facts.other_planned.begin(), facts.other_planned.end()});
+  }
+  return text + '.';
+}
+
+std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run, Tense tense) {
+  std::string text = order_text(block);
+  if (block.until) {
+    text += until_text(*block.until, tense);
+  } else if (block.repetitions > 1) {
+    text += ", " + std::to_string(block.repetitions) + " repetitions";
+  }
+  if (!run.for_each.empty()) text += ", once for each level of " + run.for_each;
+  text += breaks_text(run);
+  return text.starts_with(", ") ? text.substr(2) : text;
+}
+
+/// " The criterion was not met in either session."; empty where it was met in all.
+std::string unmet_text(const std::string& block, const ReportFacts& facts) {
+  const auto unmet = static_cast<std::size_t>(std::count_if(
+      facts.sessions.begin(), facts.sessions.end(),
+      [&](const ReportedSession& one) { return one.unmet_criteria.contains(block); }));
+  if (unmet == 0) return {};
+  return " The criterion was not met " +
+         SessionShare{.whole = unmet, .all = facts.sessions.size()}.text_after_not() + '.';
+}
+
+std::string feedback_text(const Protocol::Block& block) {
+  switch (block.feedback) {
+    case Protocol::Block::Feedback::none:
+      return {};
+    case Protocol::Block::Feedback::correctness:
+      return ", with feedback on whether each response was correct";
+    case Protocol::Block::Feedback::correct_answer:
+      return ", with the correct response shown after each response";
+  }
+  return {};
+}
+
+}  // namespace asperity
