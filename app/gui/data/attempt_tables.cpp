@@ -9,6 +9,8 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
+#include "app/study_files/parameter_json.h"
+#include "renderers/force/friction.h"
 
 namespace asperity {
 
@@ -240,8 +242,9 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
     add({number_cell(surface.position), text_cell(text(surface.role)),
          text_cell(text(surface.texture)),
          text_cell(tr("%1 %2").arg(text(surface.model), text(surface.model_version))),
-         text_cell(words_of_object(surface.parameters_json)), decimal_cell(surface.contact_s, 2),
-         decimal_cell(surface.achieved_texture_force_N, 4)});
+         text_cell(words_of_object(
+             json_text_of(without_unused_friction(parameter_values_in(surface.parameters_json))))),
+         decimal_cell(surface.contact_s, 2), decimal_cell(surface.achieved_texture_force_N, 4)});
   }
   surfaces_->fill(rows);
   rows.clear();

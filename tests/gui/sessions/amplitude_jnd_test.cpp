@@ -181,7 +181,11 @@ TEST_F(AmplitudeJndInWindows, PresentsPracticeTracksAndCatchTrials) {
   EXPECT_TRUE(trials.text_at(0, 3).endsWith(" µm")) << trials.text_at(0, 3).toStdString();
   constexpr int kTrackColumn = 10;
   EXPECT_FALSE(trials.isColumnHidden(kTrackColumn));
-  EXPECT_TRUE(trials.text_at(kPracticeTrials, kTrackColumn).endsWith(", step 1"));
+  int first_steps = 0;  // the first trial of the tracks may be a catch trial, without a track
+  for (int row = 0; row < trials.shown_rows(); ++row) {
+    if (trials.text_at(row, kTrackColumn).endsWith(", step 1")) ++first_steps;
+  }
+  EXPECT_GT(first_steps, 0);
   take_pictures(*window, "trials");
   for (int row = 0; row < trials.shown_rows(); ++row) {
     EXPECT_LT(trials.rowHeight(row), 2 * QFontMetrics(trials.font()).height())
