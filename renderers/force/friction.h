@@ -33,7 +33,7 @@ struct FrictionSample {
   double dt_s = 0.0;      ///< T, since the previous sample, positive
 };
 
-/// What a law remembers of a contact. The initial state is that of no contact.
+/// The state of a law in a contact. The initial state is that of no contact.
 struct FrictionState {
   bool in_contact = false;
   bool slides = false;        ///< `proxy`: at the level of sliding
@@ -99,7 +99,9 @@ struct FrictionLaw {
 ///
 /// The steps of a device's sensor are steps of the force of up to 2σ·Δ; s is the position after two low-passes of the time
 /// constant τ_s each (gain 1 − exp(−T/τ_s) per tick), which cost the delay 2τ_s in this condition. τ_s = 0: s is the
-/// position. Both laws store at most ½σz² and return no more: their work on a closed path is never positive.
+/// position. Both laws store at most ½σz² and return no more to the path s, on which their work on a closed path is never positive.
+/// The smoothed s lags behind the hand: with τ_s > 0 a fast reversal returns energy to the hand, which the damping above
+/// has to dissipate.
 ///
 /// At rest `rounded` and `bounded` exert no force; `proxy` and `dahl` hold a hand on a slope up to μ·N, as friction does.
 ///

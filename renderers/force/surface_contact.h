@@ -41,7 +41,7 @@ struct ContactForce {
 ///
 /// The law `rounded` is D = μ·N·v_t/√(v_t² + v₀²): 99 % of μN at 7 v₀ and zero at rest, so that a hand on a slope is not
 /// held. Near rest it is a damper of μN/v₀, on which the loop vibrates if it is too steep (offline/sampled_loop.h). Other
-/// laws remember the contact: a model calls `force` in every tick of a contact and `no_contact` in every other one.
+/// laws have a state: a model calls `force` in every tick of a contact and `no_contact` in every other one.
 /// Extent and border are measured in the device's coordinates, independent of `motion_scale`.
 ///
 /// Errors: the constructor throws std::invalid_argument, naming the field, for an extent, motion scale or stiffness

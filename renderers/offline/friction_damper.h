@@ -11,7 +11,7 @@
 namespace asperity {
 
 /// The friction of a stimulus near rest: friction of the law `rounded`, F_f = −μ·F_n·v/√(v² + v₀²), is a damper of
-/// B = μ·F_n/v₀ where v is small, where its slope is greatest. The other laws (force/friction.h) are no such damper:
+/// B = μ·F_n/v₀ where v is small, where its slope is greatest. The other laws (force/friction.h) are not such a damper:
 /// `bounded` keeps its slope below what the loop carries, `proxy` and `dahl` are springs near rest.
 ///
 /// Bodies behind a virtual coupling have none: the tool's friction is integrated implicitly, and the device feels the

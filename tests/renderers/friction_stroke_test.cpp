@@ -83,7 +83,8 @@ StrokeVibration vibration_of(const std::string& law, const std::string& device,
        .rate_Hz = setting.rate_Hz});
 }
 
-// physics-review E1: 0.19 N at each reversal on simulated:falcon with the defaults, and nothing on the ideal device.
+// The table of docs/models.md: 0.19 N at each reversal on simulated:falcon with these values, and nothing on the ideal
+// device.
 TEST(FrictionStroke, ShowsTheBurstsOfTheRoundedLaw) {
   const StrokeVibration falcon = vibration_of("rounded", "simulated:falcon", {});
   EXPECT_NEAR(falcon.burst_N, 0.19, 0.02);
