@@ -150,7 +150,7 @@ DriverRegistry built_in_drivers() {
 }
 
 std::optional<VelocityWindow> velocity_window_of(std::string_view driver, std::string_view model) {
-  if (!model_stood_for(model).empty()) return velocity_window_stood_for(model);
+  if (const auto simulated = settings_of_model(model)) return simulated->sensor.velocity;
   const DriverRegistry drivers = built_in_drivers();
   const Driver* const found = drivers.find(driver);
   return found == nullptr ? std::nullopt : found->velocity;

@@ -15,6 +15,17 @@
 namespace asperity {
 namespace {
 
+constexpr std::string_view kSimulated = "simulated";
+
+// Between a model and the properties that were given to it, in the model of a capability.
+constexpr std::string_view kWith = " with ";
+
+// The model of the simulated device that stands for no other.
+std::string plain_model() {
+  VirtualHand hand(HandHabits{}, Random(0));
+  return SimulatedDevice(hand, {}).capability().model;
+}
+
 struct Model {
   std::string name{};
   DeviceCapability capability{};
@@ -121,14 +132,20 @@ constexpr std::array kProperties{
              [](SimulatedDeviceSettings& to, double value) { to.sensor.position_noise_m = value; }},
     Property{"velocity_samples", std::nullopt, set_velocity_samples}};
 
-const Property& property_of(std::string_view name) {
+std::string names_of_properties() {
   std::string names{};
   for (const Property& property : kProperties) {
-    if (property.name == name) return property;
     names += (names.empty() ? "" : ", ") + std::string(property.name);
   }
+  return names;
+}
+
+std::size_t property_of(std::string_view name) {
+  for (std::size_t i = 0; i < kProperties.size(); ++i) {
+    if (kProperties[i].name == name) return i;
+  }
   throw std::runtime_error("the simulated device has no property \"" + std::string(name) +
-                           "\"; it has: " + names);
+                           "\"; it has: " + names_of_properties());
 }
 
 double number_in(std::string_view text, const Property& property) {
@@ -140,19 +157,69 @@ double number_in(std::string_view text, const Property& property) {
                            std::string(text) + "\"; it must be a number");
 }
 
-// "KEY=VALUE,KEY=VALUE": replaces properties, and states so in the remarks.
+std::string shortest_text(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+using GivenProperties = std::array<std::optional<double>, kProperties.size()>;
+
+// "KEY=VALUE,KEY=VALUE"
+GivenProperties given_properties(std::string_view list) {
+  GivenProperties given{};
+  std::string_view last{};
+  for (bool has_more = true; has_more;) {
+    const std::size_t comma = list.find(',');
+    const std::string_view one = list.substr(0, comma);
+    has_more = comma != std::string_view::npos;
+    if (has_more) list.remove_prefix(comma + 1);
+    if (one.empty()) {
+      throw std::runtime_error(
+          "a comma after " +
+          (last.empty() ? std::string("the model") : '"' + std::string(last) + '"') +
+          " of the simulated device has no property after it; remove the comma, or add one of: " +
+          names_of_properties());
+    }
+    last = one;
+    const std::size_t equals = one.find('=');
+    const std::size_t which = property_of(one.substr(0, equals));
+    const Property& property = kProperties[which];
+    if (given[which]) {
+      throw std::runtime_error(std::string(property.name) +
+                               " of the simulated device is given twice; give it once");
+    }
+    given[which] = number_in(
+        equals == std::string_view::npos ? std::string_view() : one.substr(equals + 1), property);
+  }
+  return given;
+}
+
+// In the order of the properties and with the shortest digits, so that one device has one text.
+std::string properties_text(const GivenProperties& given) {
+  std::string text{};
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i]) continue;
+    text += (text.empty() ? "" : ",") + std::string(kProperties[i].name) + '=' +
+            shortest_text(*given[i]);
+  }
+  return text;
+}
+
+// Replaces properties, and states so in the model and the remarks.
 void take_properties(std::string_view list, SimulatedDeviceSettings& settings) {
+  const GivenProperties given = given_properties(list);
   DeviceCapability& real = settings.stands_for.value();
-  real.remarks += (real.remarks.empty() ? "" : " ") + std::string("Given for this simulation: ") +
-                  std::string(list) + ".";
-  do {
-    const std::string_view one = list.substr(0, list.find(','));
-    list.remove_prefix(std::min(one.size() + 1, list.size()));
-    const std::size_t equals = std::min(one.find('='), one.size());
-    const Property& property = property_of(one.substr(0, equals));
-    property.set(settings, number_in(one.substr(std::min(equals + 1, one.size())), property));
-    if (property.trait) std::erase(real.not_known, *property.trait);
-  } while (!list.empty());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i]) continue;
+    kProperties[i].set(settings, *given[i]);
+    if (kProperties[i].trait) std::erase(real.not_known, *kProperties[i].trait);
+  }
+  const std::string text = properties_text(given);
+  real.model += std::string(kWith) + text;
+  real.remarks +=
+      (real.remarks.empty() ? "" : " ") + std::string("Given for this simulation: ") + text + ".";
+  VirtualHand hand(HandHabits{}, Random(0));
+  (void)SimulatedDevice(hand, settings);  // refuses values that are out of range
 }
 
 SimulatedDeviceSettings as_named_model(std::string_view name, SimulatedDeviceSettings settings) {
@@ -195,32 +262,48 @@ SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings 
 }
 
 std::string_view model_stood_for(std::string_view in_place_of) noexcept {
-  return in_place_of.starts_with(kInPlaceOf) ? in_place_of.substr(kInPlaceOf.size())
-                                             : std::string_view();
+  if (!in_place_of.starts_with(kInPlaceOf)) return {};
+  in_place_of.remove_prefix(kInPlaceOf.size());
+  return in_place_of.substr(0, in_place_of.find(kWith));
 }
 
-std::vector<DeviceTrait> not_known_of(std::string_view in_place_of) {
-  const std::string_view label = model_stood_for(in_place_of);
-  if (label.empty()) return {};
-  for (const Model& model : models()) {
-    if (model.capability.model == label) return missing_of(model);
-  }
-  return {};
+std::string_view properties_given_in(const DeviceCapability& device) noexcept {
+  const std::string_view model = device.model;
+  const std::size_t with = model.find(kWith);
+  if (device.name != kSimulated || with == std::string_view::npos) return {};
+  return model.substr(with + kWith.size());
 }
 
-std::optional<VelocityWindow> velocity_window_stood_for(std::string_view in_place_of) {
-  const std::string_view label = model_stood_for(in_place_of);
-  if (label.empty()) return {};
-  for (const Model& model : models()) {
-    if (model.capability.model == label) return model.velocity;
+std::optional<SimulatedDeviceSettings> settings_of_model(std::string_view model) {
+  const std::size_t with = model.find(kWith);
+  const std::string properties(
+      with == std::string_view::npos ? "" : ',' + std::string(model.substr(with + kWith.size())));
+  std::string name(kIdealModel);
+  if (const std::string_view label = model_stood_for(model); !label.empty()) {
+    const std::vector<Model> all = models();
+    const auto found = std::find_if(all.begin(), all.end(), [label](const Model& one) {
+      return one.capability.model == label;
+    });
+    if (found == all.end()) return {};
+    name = found->name;
+  } else if (model.substr(0, with) != plain_model()) {
+    return {};
   }
-  return {};
+  try {
+    return as_model(name + properties, {});
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+std::vector<DeviceTrait> not_known_of(std::string_view model) {
+  const auto settings = settings_of_model(model);
+  return settings ? settings->stands_for->not_known : std::vector<DeviceTrait>{};
 }
 
 std::optional<SimulatedDeviceSettings> simulated_settings(std::string_view device) {
-  constexpr std::string_view kName = "simulated";
-  if (!device.starts_with(kName)) return std::nullopt;
-  const std::string_view rest = device.substr(kName.size());
+  if (!device.starts_with(kSimulated)) return std::nullopt;
+  const std::string_view rest = device.substr(kSimulated.size());
   if (rest.empty()) return SimulatedDeviceSettings{};
   if (rest.front() != ':') return std::nullopt;
   return as_model(rest.substr(1), {});

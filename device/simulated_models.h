@@ -30,23 +30,33 @@ std::vector<std::string> simulated_models();
 /// hand: "falcon,mass_kg=0.2,damping_N_s_per_m=1,friction_N=0.3". They are mass_kg, damping_N_s_per_m (along the
 /// surface), normal_damping_N_s_per_m (across it) and stiffness_N_per_m of the hand's hold, which include the arm's;
 /// friction_N; latency_s, position_step_m, position_noise_m; and velocity_samples, the readings in the driver's estimate
-/// (VelocityWindow), 0 for the exact velocity. The remarks of the capability list them, so that a session stores them,
-/// and they no longer count as unknown. The model "ideal" has no properties of a real device.
+/// (VelocityWindow), 0 for the exact velocity. The capability's model and remarks list them, so that a session and a
+/// profile store them and devices with different properties are different devices; they no longer count as unknown. The
+/// model "ideal" has no properties of a real device.
 ///
-/// Errors: std::runtime_error naming the models or properties, for one that is not there, and for a value that is not a
-/// number; a value that is out of range is refused by the constructor of SimulatedDevice.
+/// Errors: std::runtime_error naming the models or properties, for one that does not exist, is given twice, is missing
+/// after a comma or is not a number; std::invalid_argument for a value that is out of range.
 SimulatedDeviceSettings as_model(std::string_view model, SimulatedDeviceSettings settings);
 
-/// "delta.3" of "in place of delta.3"; empty of a model that stands for no other. A part of what it is given.
+/// "delta.3" of "in place of delta.3" and of "in place of delta.3 with mass_kg=0.2"; empty for a model that stands for no
+/// other. A part of its argument.
 std::string_view model_stood_for(std::string_view in_place_of) noexcept;
-/// What is not known of the device that a simulated one of this model stands for, "in place of delta.3"; nothing of a
-/// model that is none of these.
-std::vector<DeviceTrait> not_known_of(std::string_view in_place_of);
 
-/// How the driver of that device estimates velocity; nothing of a model that is none of these.
-std::optional<VelocityWindow> velocity_window_stood_for(std::string_view in_place_of);
+/// "mass_kg=0.2,friction_N=0.3", the properties that were given to a simulated device; empty without any and for other
+/// devices. A part of the argument.
+std::string_view properties_given_in(const DeviceCapability& device) noexcept;
+std::string_view properties_given_in(DeviceCapability&&) = delete;
 
-/// The settings for what `--device` names, "simulated", "simulated:MODEL" or "simulated:MODEL,PROPERTY=VALUE,…"; nothing for other devices.
+/// The settings of a simulated device by the model in its capability, "in place of delta.3 with mass_kg=0.2"; nothing for
+/// the model of another device.
+std::optional<SimulatedDeviceSettings> settings_of_model(std::string_view model);
+
+/// The traits that are unknown of the device that a simulated one of this model stands for; none for the model of another
+/// device.
+std::vector<DeviceTrait> not_known_of(std::string_view model);
+
+/// The settings for what `--device` names, "simulated", "simulated:MODEL" or "simulated:MODEL,PROPERTY=VALUE,…"; nothing
+/// for other devices.
 /// Errors: as `as_model`.
 std::optional<SimulatedDeviceSettings> simulated_settings(std::string_view device);
 

@@ -18,6 +18,7 @@
 #include "app/cli/driver_options.h"
 #include "app/cli/terminal.h"
 #include "app/device_bench/compared_device.h"
+#include "app/device_bench/device_choice.h"
 #include "app/session/rig/clock.h"
 #include "app/session/study_friction.h"
 #include "app/tasks/protocol_files.h"
@@ -210,9 +211,11 @@ void add_check(CLI::App& program, Job& job) {
   command->add_option("FILE", options->files, "Protocol files")->required();
   command->add_option("--study", options->study,
                       "Folder of the study: also check the files that the protocols name");
-  command->add_option("--device", options->device,
-                      "Compare with this device: a name listed by asperity devices, "
-                      "simulated:MODEL or replay:FILE; NAME:SERIAL if several are attached");
+  command->add_option(
+      "--device", options->device,
+      "Compare with this device: a name listed by asperity devices, "
+      "simulated:MODEL[,PROPERTY=VALUE…] or replay:FILE; NAME:SERIAL if several are "
+      "attached");
   add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {
@@ -222,6 +225,7 @@ void add_check(CLI::App& program, Job& job) {
                                  "; --study takes the folder of a study, which contains the files "
                                  "that the protocols name");
       }
+      if (options->device) require_device("--device", *options->device);
       const ModelRegistry models = built_in_models();
       nlohmann::ordered_json json{{"format", "asperity.check/1"},
                                   {"protocols", nlohmann::ordered_json::array()}};

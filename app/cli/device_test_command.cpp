@@ -24,6 +24,7 @@
 #include "app/cli/number_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/device_bench/device_choice.h"
 #include "app/device_bench/measure_device.h"
 #include "app/profiles/device_kind.h"
 #include "app/profiles/profile_verdict.h"
@@ -155,7 +156,8 @@ void add_device_test(CLI::App& program, Job& job) {
   command
       ->add_option(
           "NAME", options->device,
-          "Device: simulated, simulated:MODEL, falcon, …; NAME:SERIAL if several are attached")
+          "Device: simulated, simulated:MODEL[,PROPERTY=VALUE…], falcon, …; NAME:SERIAL if several "
+          "are attached")
       ->required();
   command->add_option("--study", options->order.study,
                       "Store the profile in this study, for its sessions");
@@ -176,6 +178,7 @@ void add_device_test(CLI::App& program, Job& job) {
   command->callback([options, rate, &job] {
     const bool has_rate = rate->count() > 0;
     job = [options, has_rate]() -> int {
+      require_device("NAME", options->device);
       MeasureOrder& order = options->order;
       // Before a minute of measuring is lost for a folder that is no study.
       std::optional<MeasuringLock> measuring{};

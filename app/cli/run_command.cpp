@@ -16,6 +16,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
+#include "app/device_bench/device_choice.h"
 #include "app/session/respondents/terminal_respondent.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
@@ -105,6 +106,7 @@ void add_run(CLI::App& program, Job& job) {
       if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
         throw PhrasedError(*complaint);
       }
+      require_device("--device", inputs.device);
       inputs.seed = options->seed ? *options->seed : seed_of_this_machine();
       inputs.pacing =
           inputs.is_virtual && !options->realtime ? RunPacing::stepped : RunPacing::real_time;

@@ -2,6 +2,7 @@
 
 #include "app/device_bench/compared_device.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <functional>
@@ -33,6 +34,20 @@ std::string in_quotation_marks(const std::string& word) { return '"' + word + '"
 DeviceCapability simulated_capability(const SimulatedDeviceSettings& settings) {
   VirtualHand hand(HandHabits{}, Random(0));
   return SimulatedDevice(hand, settings).capability();
+}
+
+/// The properties of a simulated device: those of its virtual hand where it stands for no device in which they are
+/// unknown.
+DampedResponse response_of(const SimulatedDeviceSettings& settings,
+                           const DeviceCapability& capability) {
+  const auto is_known = [&capability](DeviceTrait trait) {
+    return std::find(capability.not_known.begin(), capability.not_known.end(), trait) ==
+           capability.not_known.end();
+  };
+  DampedResponse response{.latency_s = settings.sensor.latency_s,
+                          .velocity = settings.sensor.velocity};
+  if (is_known(DeviceTrait::moving_mass)) response.moving_mass_kg = settings.hand.mass_kg;
+  return response;
 }
 
 using Warn = std::function<void(const std::string& sentence)>;
@@ -99,7 +114,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
     // Its model tells one profile from another.
     sought.wanted.which = {capability.name, capability.model, capability.serial};
     sought.not_known = capability.not_known;
-    sought.latency_s = settings->sensor.latency_s;
+    sought.response = response_of(*settings, capability);
     return sought;
   }
   const std::size_t colon = device.find(':');
@@ -113,6 +128,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
     return sought;
   }
   sought.wanted.has_motors = driver->has_motors;
+  sought.response.velocity = driver->velocity;
   if (driver->id == kReplay) {
     try {
       DriverOptions with_reader = options;
@@ -155,11 +171,8 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
   // What needs no measurement.
   const auto warn_of_friction = [&] {
     if (!device.wanted.has_motors) return;
-    const WhichDevice& which = device.wanted.which;
-    warn_of(friction_warnings(
-        protocol, models,
-        {.latency_s = device.latency_s, .velocity = velocity_window_of(which.name, which.model)},
-        unstated_friction_of(study, models)));
+    warn_of(
+        friction_warnings(protocol, models, device.response, unstated_friction_of(study, models)));
   };
   const std::string of_itself = "the force and the rate of " + name;
   if (is_simulated) comparison.compared = "compared with " + of_itself;

@@ -11,6 +11,7 @@
 #include "app/session/rehearsal/rehearsed_device.h"
 #include "device/drivers.h"
 #include "protocols/file/diagnostic.h"
+#include "renderers/offline/friction_damper.h"
 
 namespace asperity {
 
@@ -24,10 +25,12 @@ struct SoughtDevice {
   std::string refusal{};
   /// Of a simulated device that stands for a real one: DeviceCapability::not_known.
   std::vector<DeviceTrait> not_known{};
-  double latency_s = 0.0;  ///< of a simulated one; 0 of others, whose profile has it
+  /// What is known without a measurement: of a simulated device its properties, of others the driver's estimate of
+  /// velocity.
+  DampedResponse response{};
 };
 /// Looks for what --device names. A driver may open what it finds for a moment, to ask its name; nothing moves.
-/// Errors: std::runtime_error for a "simulated:MODEL" that there is not; a driver that there is not is an absence.
+/// Errors: as simulated_settings; a driver that does not exist is an absence.
 SoughtDevice sought_device(const std::string& device, const DriverOptions& options,
                            const DriverRegistry& drivers);
 

@@ -2,7 +2,10 @@
 
 #include "app/device_bench/device_choice.h"
 
+#include <stdexcept>
+
 #include "app/words/shell_word.h"
+#include "device/drivers.h"
 #include "device/simulated_models.h"
 
 namespace asperity {
@@ -58,6 +61,22 @@ std::string as_command_options(const DriverOptions& options) {
   add("--library", options.library.string());
   add("--service", options.service);
   return words;
+}
+
+void require_device(const std::string& option, const std::string& device) {
+  const auto refuse = [&](const std::string& reason) {
+    throw std::runtime_error(option + ' ' + device + ": " + reason);
+  };
+  try {
+    if (simulated_settings(device)) return;
+  } catch (const std::exception& error) {
+    refuse(error.what());
+  }
+  const DriverRegistry drivers = built_in_drivers();
+  if (drivers.find(device.substr(0, device.find(':'))) != nullptr) return;
+  std::string names{};
+  for (const Driver& driver : drivers.drivers()) names += (names.empty() ? "" : ", ") + driver.id;
+  refuse("there is no such device; this program has: " + names);
 }
 
 WhichDevice which_device(const std::string& device) {

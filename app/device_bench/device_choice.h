@@ -33,6 +33,11 @@ std::vector<DeviceChoice> devices_without_hardware();
 /// The options of a driver, as a command takes them: " --library FILE"; empty without options.
 std::string as_command_options(const DriverOptions& options);
 
+/// Checks what --device names, without opening it.
+/// Errors: std::runtime_error with a sentence that begins with `option` and names what is wrong: no such driver, model or
+/// property, or a value that a simulated device does not take.
+void require_device(const std::string& option, const std::string& device);
+
 /// Whose profile belongs to what `device` names, as far as the name says.
 /// Errors: as kind_of_device.
 WhichDevice which_device(const std::string& device);

@@ -22,7 +22,6 @@
 #include "app/study_files/parameter_json.h"
 #include "app/tasks/level_problems.h"
 #include "app/tasks/new_study.h"
-#include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/json_document.h"
@@ -420,14 +419,6 @@ RehearsedStimuli rehearse_with_warnings(const Protocol& protocol, const std::str
 
 namespace {
 
-void require_driver(const std::string& device) {
-  const DriverRegistry drivers = built_in_drivers();
-  if (drivers.find(device.substr(0, device.find(':'))) != nullptr) return;
-  std::string names{};
-  for (const Driver& driver : drivers.drivers()) names += (names.empty() ? "" : ", ") + driver.id;
-  throw std::runtime_error("there is no device \"" + device + "\"; this program has: " + names);
-}
-
 /// For a protocol with other problems: the problems of files that are named in valid places.
 void add_problems_of_files(const ProtocolReading& reading, const std::filesystem::path& study,
                            const ModelRegistry& models, ProtocolCheck& check) {
@@ -497,22 +488,16 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
     check.diagnostics.push_back(std::move(problem));
   }
   sort_by_line(check.diagnostics);
+  // A real device is not opened: it may be on another machine.
   if (device) {
-    try {
-      const std::optional<SimulatedDeviceSettings> settings = simulated_settings(*device);
-      if (settings) {
-        VirtualHand hand(HandHabits{}, Random(0));
-        const SimulatedDevice simulated(hand, *settings);
-        for (const Phrase& complaint :
-             complaints_about_device(*check.protocol, simulated.capability())) {
-          whole_file(complaint.english() +
-                     "; choose another device, or relax the requirement in the protocol");
-        }
-      } else {
-        require_driver(*device);  // the device is not opened: it may be on another machine
+    if (const std::optional<SimulatedDeviceSettings> settings = simulated_settings(*device)) {
+      VirtualHand hand(HandHabits{}, Random(0));
+      const SimulatedDevice simulated(hand, *settings);
+      for (const Phrase& complaint :
+           complaints_about_device(*check.protocol, simulated.capability())) {
+        whole_file(complaint.english() +
+                   "; choose another device, or relax the requirement in the protocol");
       }
-    } catch (const std::exception& error) {
-      whole_file(error.what());
     }
   }
   const Plan example = example_plan(*check.protocol, {1, 0});

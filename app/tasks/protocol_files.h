@@ -68,7 +68,8 @@ struct ProtocolCheck {
 };
 
 /// Never throws because of the file's content. With a study, the files that the protocol names are
-/// looked up and the height fields read; with a device, its capability is compared.
+/// looked up and the height fields read; with a simulated device, its capability is compared.
+/// Errors: those of `simulated_settings` for the name of the device, which are no problems of the protocol.
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device);

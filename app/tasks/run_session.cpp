@@ -215,11 +215,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
     throw PhrasedError(*complaint);
   }
-  if (inputs.is_virtual && kind_of_device(inputs.device) != DeviceKind::simulated) {
-    throw std::runtime_error(
-        "a virtual participant cannot hold the device \"" + inputs.device +
-        "\"; leave out --device, or use simulated or one of its models, such as simulated:falcon");
-  }
+  if (inputs.is_virtual) require_virtual_hand_on(inputs.device);
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol =
       load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());

@@ -186,6 +186,31 @@ TEST_F(ComparedDevice, IsComparedWithFrictionBeforeItWasMeasured) {
   EXPECT_THAT(warnings(compared("mouse")), Each(Not(buzz)));
 }
 
+// 2m/T = 100 N s/m at 50 g without a delay, 2 · 0.01 kg/1 ms = 20 at 10 g.
+TEST_F(ComparedDevice, IsComparedWithFrictionByThePropertiesThatItWasGiven) {
+  use_rounded_friction();
+  const auto buzz = HasSubstr("acts as a damper of 20.0 N s/m at 1.00 N");
+  EXPECT_THAT(warnings(compared("simulated:falcon,mass_kg=0.2")), Each(Not(buzz)));
+  EXPECT_THAT(
+      warnings(compared("simulated:falcon,mass_kg=0.06")),
+      Contains(AllOf(buzz, HasSubstr("This holds for a moving mass of 60.0 g and a velocity "
+                                     "delayed by 4.50 ms"))));
+  EXPECT_THAT(warnings(compared("simulated:falcon,velocity_samples=0")), Each(Not(buzz)));
+  EXPECT_THAT(warnings(compared("simulated:ideal,mass_kg=0.009")), Contains(buzz));
+  EXPECT_THAT(warnings(compared("simulated:ideal,velocity_samples=8,latency_s=0.001")),
+              Contains(buzz));
+}
+
+TEST_F(ComparedDevice, HasTheProfileOfTheSamePropertiesOnly) {
+  const std::string falcon = "in place of Novint Falcon";
+  keep(good(falcon));
+  EXPECT_THAT(warnings(compared("simulated:falcon,mass_kg=0.2")),
+              Contains(HasSubstr("no profile of \"simulated:falcon,mass_kg=0.2\"")));
+  keep(good(falcon + " with mass_kg=0.2"));
+  EXPECT_THAT(warnings(compared("simulated:falcon,mass_kg=0.20")),
+              Each(Not(HasSubstr("no profile"))));
+}
+
 // Measured, its own mass counts, and the lag of the velocity that its driver estimates.
 TEST_F(ComparedDevice, IsComparedWithFrictionByItsOwnMassAndItsDriversVelocity) {
   use_rounded_friction();

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "device/drivers.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -53,11 +55,29 @@ TEST(DeviceChoices, KnowTheirKindByTheirName) {
   EXPECT_THROW(kind_of_device("simulated:gamma.3"), std::runtime_error);
 }
 
+TEST(DeviceChoices, AreRefusedAsTheOptionThatNamesThem) {
+  const auto refusal = [](const char* device) {
+    return refusal_of([device] { require_device("--device", device); });
+  };
+  for (const char* device : {"simulated", "simulated:falcon,mass_kg=0.2", "falcon:A7", "mouse"}) {
+    EXPECT_EQ(refusal(device), "") << device;
+  }
+  EXPECT_THAT(refusal("phantom"), testing::HasSubstr("--device phantom: there is no such device; "
+                                                     "this program has: simulated"));
+  EXPECT_THAT(refusal("simulated:falcon,mass=1"),
+              testing::HasSubstr("--device simulated:falcon,mass=1: the simulated device has no "
+                                 "property \"mass\""));
+  EXPECT_THAT(refusal("simulated:falcon,mass_kg=-1"),
+              testing::HasSubstr("--device simulated:falcon,mass_kg=-1: mass_kg"));
+}
+
 TEST(DeviceChoices, HaveTheProfilesOfTheirOwn) {
   EXPECT_EQ(which_device("falcon:A7").name, "falcon");
   EXPECT_EQ(which_device("falcon:A7").serial, "A7");
   EXPECT_EQ(which_device("simulated:falcon").model, "in place of Novint Falcon");
   EXPECT_EQ(which_device("simulated:falcon").serial, "");
+  EXPECT_EQ(which_device("simulated:falcon,mass_kg=0.2").model,
+            "in place of Novint Falcon with mass_kg=0.2");
 }
 
 }  // namespace

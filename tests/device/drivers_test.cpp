@@ -139,9 +139,34 @@ TEST(SimulatedModels, TakeThePropertiesOfARealArm) {
   VirtualHand hand(HandHabits{}, Random(1));
   const auto device =
       built_in_drivers().open("simulated:falcon,mass_kg=0.2", {.hand = &hand})->capability();
-  EXPECT_EQ(device.model, "in place of Novint Falcon");
+  EXPECT_EQ(device.model, "in place of Novint Falcon with mass_kg=0.2");
   EXPECT_THAT(device.remarks, HasSubstr("Given for this simulation: mass_kg=0.2."));
   EXPECT_FALSE(simulated_settings("simulated:delta.3,velocity_samples=0")->sensor.velocity);
+}
+
+// A profile and a session name a device by its model only.
+TEST(SimulatedModels, AreFoundWithTheirPropertiesByTheModelOfTheirCapability) {
+  const auto capability = [](const std::string& device) {
+    VirtualHand hand(HandHabits{}, Random(1));
+    return SimulatedDevice(hand, simulated_settings(device).value()).capability();
+  };
+  const DeviceCapability falcon = capability("simulated:falcon");
+  const DeviceCapability given = capability("simulated:falcon,velocity_samples=0,mass_kg=0.20");
+  EXPECT_NE(given.model, falcon.model) << "a profile of one is none of the other";
+  EXPECT_EQ(given.model, capability("simulated:falcon,mass_kg=0.2,velocity_samples=0").model);
+  EXPECT_EQ(properties_given_in(given), "mass_kg=0.2,velocity_samples=0");
+  EXPECT_EQ(properties_given_in(falcon), "");
+  EXPECT_EQ(model_stood_for(given.model), "Novint Falcon");
+  EXPECT_EQ(not_known_of(given.model), given.not_known);
+  EXPECT_EQ(not_known_of(given.model).size() + 1, falcon.not_known.size());
+  EXPECT_TRUE(velocity_window_of("simulated", falcon.model));
+  EXPECT_FALSE(velocity_window_of("simulated", given.model));
+  EXPECT_EQ(settings_of_model(given.model)->hand.mass_kg, 0.2);
+  const DeviceCapability ideal = capability("simulated:ideal,velocity_samples=5");
+  EXPECT_EQ(velocity_window_of("simulated", ideal.model)->samples, 5);
+  EXPECT_FALSE(velocity_window_of("simulated", capability("simulated").model));
+  EXPECT_FALSE(settings_of_model("Novint Falcon")) << "the real one";
+  EXPECT_FALSE(settings_of_model("in place of Novint Falcon with colour=1"));
 }
 
 TEST(SimulatedModels, IncludeTheIdealOneWithPropertiesOfAnArm) {
@@ -151,7 +176,7 @@ TEST(SimulatedModels, IncludeTheIdealOneWithPropertiesOfAnArm) {
   VirtualHand hand(HandHabits{}, Random(1));
   const DeviceCapability ideal = SimulatedDevice(hand, {}).capability();
   const DeviceCapability capability = SimulatedDevice(hand, arm).capability();
-  EXPECT_EQ(capability.model, ideal.model);
+  EXPECT_EQ(capability.model, ideal.model + " with mass_kg=0.2");
   EXPECT_EQ(capability.maximum_rate_Hz, ideal.maximum_rate_Hz);
   EXPECT_TRUE(capability.not_known.empty());
 }
@@ -164,11 +189,16 @@ TEST(SimulatedModels, RefusePropertiesThatTheyDoNotHave) {
               HasSubstr("has no property \"colour\"; it has"));
   EXPECT_THAT(refusal("simulated:falcon,mass_kg"), HasSubstr("must be a number"));
   EXPECT_THAT(refusal("simulated:falcon,mass_kg=heavy"), HasSubstr("is \"heavy\"; it must be"));
-  EXPECT_THAT(refusal("simulated:falcon,"), HasSubstr("has no property"));
+  EXPECT_THAT(refusal("simulated:falcon,"),
+              HasSubstr("a comma after the model of the simulated device has no property after it; "
+                        "remove the comma, or add one of: mass_kg"));
+  EXPECT_THAT(refusal("simulated:falcon,mass_kg=0.2,"), HasSubstr("a comma after \"mass_kg=0.2\""));
+  EXPECT_THAT(refusal("simulated:falcon,,mass_kg=0.2"), HasSubstr("a comma after the model"));
+  EXPECT_THAT(refusal("simulated:falcon,mass_kg=0.2,mass_kg=0.3"),
+              HasSubstr("mass_kg of the simulated device is given twice; give it once"));
   EXPECT_THAT(refusal("simulated:delta.3,velocity_samples=2.5"), HasSubstr("from 2 to 64"));
-  VirtualHand hand(HandHabits{}, Random(1));
-  EXPECT_THROW(SimulatedDevice(hand, simulated_settings("simulated:falcon,mass_kg=0").value()),
-               std::invalid_argument);
+  EXPECT_THAT(refusal("simulated:falcon,mass_kg=0"), HasSubstr("mass_kg"));
+  EXPECT_THAT(refusal("simulated:falcon,latency_s=1"), HasSubstr("latency_s"));
 }
 
 // What is said before one is opened has to be so once it is.

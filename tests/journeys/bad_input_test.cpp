@@ -534,6 +534,23 @@ TEST(BadDevice, IsRefusedWithThoseThatThereAre) {
                  {"phantom", "falcon, delta.3"});
 }
 
+TEST(BadDevice, IsAProblemOfTheOptionAndNotOfTheProtocol) {
+  const SmallStudy small(1);
+  const std::string device = "simulated:falcon,mass_kg=heavy";
+  const std::vector<std::string> words{"asperity: --device " + device,
+                                       "mass_kg of the simulated device is \"heavy\""};
+  expect_refused(small.place(), {"check", small.selection(), "--device", device}, words);
+  expect_refused(small.place(),
+                 {"run", small.selection(), "--study", small.study(), "--participant", "p1",
+                  "--virtual", "--device", device},
+                 words);
+  expect_refused(small.place(), {"device-test", device},
+                 {"asperity: NAME " + device, "mass_kg of the simulated device is \"heavy\""});
+  const Outcome checked =
+      asperity({"check", small.selection(), "--device", "simulated:falcon,mass_kg=0.2,"});
+  EXPECT_EQ(checked.err.find("selection.json"), std::string::npos) << checked.err;
+}
+
 TEST(WrongUsage, EndsWithTwo) {
   const SmallStudy small(1);
   const std::vector<std::vector<std::string>> wrong{
