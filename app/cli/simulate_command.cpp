@@ -15,6 +15,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
+#include "app/device_bench/device_choice.h"
 #include "app/study_files/study_condition.h"
 #include "app/tasks/simulation.h"
 #include "renderers/built_in_models.h"
@@ -41,6 +42,11 @@ void add_simulate(CLI::App& program, Job& job) {
       ->add_option("--participants", options->inputs.participants, "Number of participants to add")
       ->required()
       ->check(number_within(1, 9999));
+  command
+      ->add_option("--device", options->inputs.device,
+                   "Simulated device that the virtual hands hold: simulated, "
+                   "simulated:MODEL[,PROPERTY=VALUE…]")
+      ->capture_default_str();
   command->add_option("--seed", options->inputs.seed, "Seed; the same seed gives the same results")
       ->required();
   command
@@ -60,6 +66,7 @@ void add_simulate(CLI::App& program, Job& job) {
   command->add_flag("--json", options->json, "Print the totals as JSON");
   command->callback([options, &job] {
     job = [options] {
+      require_device("--device", options->inputs.device);
       const InterruptWatch interrupt;
       const ModelRegistry models = built_in_models();
       const std::filesystem::path& folder = options->inputs.study;

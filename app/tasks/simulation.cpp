@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/profiles/device_kind.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
@@ -398,7 +399,7 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
   sitting.record = inputs_.recordings == Recordings::all ||
                    (inputs_.recordings == Recordings::first && number == batch_.first);
   const StudyLock lock(study.folder(), Study::session_lock_name(person.label));
-  SteppedRig rig(rig_settings_for(protocol, {}), calendar_index);
+  SteppedRig rig(rig_settings_for(protocol, {}, inputs_.device), calendar_index);
   if (unfinished) {
     rig.move_clock_to(std::max(rig.clock().now_ns(), last_time_ns(study, *unfinished)));
     sitting.unfinished = std::move(unfinished);
@@ -423,6 +424,7 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
 SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
                           const std::stop_token& stop, const std::function<void(double)>& progress,
                           const std::function<void(const AttemptDone&)>& done) {
+  require_virtual_hand_on(inputs.device);
   return Simulation(inputs, models, stop, progress, done).run();
 }
 

@@ -31,6 +31,7 @@ struct SimulationInputs {
   std::uint64_t seed = 1;
   int jobs = 1;
   Recordings recordings = Recordings::first;
+  std::string device = "simulated";  ///< or one of its models, as in RunInputs::device
   /// Resume the interrupted simulation of the same seed and number of participants, or begin it in
   /// a study that has no virtual participants yet. Otherwise such a simulation is rejected.
   bool resume = false;
@@ -58,7 +59,7 @@ struct SimulationResult {
 ///
 /// `progress` and `done` may be empty. Both are called from the jobs' threads.
 ///
-/// Errors: ProtocolError, ResultsError, std::runtime_error (a session that was stopped by a fault;
+/// Errors: ProtocolError, ResultsError, std::runtime_error (a device that is not simulated; a session that was stopped by a fault;
 /// nothing to resume; an interrupted simulation of the same seed, number of participants and
 /// protocols, without `resume`).
 SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,

@@ -37,6 +37,22 @@ TEST(Simulate, ExportsTheSameBytesForTheSameSeed) {
   EXPECT_TRUE(tables_of(small, "two_jobs", 7, {"--jobs", "2"}) == first);
 }
 
+TEST(Simulate, HasTheDeviceThatItIsGiven) {
+  const SmallStudy small(1);
+  const fs::path study = small.place() / "arm";
+  copy_stimuli(small, study);
+  std::vector<std::string> arguments = simulate_arguments(small, study, 1, 7);
+  arguments.insert(arguments.end(), {"--device", "simulated:falcon,mass_kg=0.2"});
+  ASSERT_EQ(asperity(arguments).status, 0);
+  for (const SessionRow& row : Study::open(study, Access::read_only).sessions()) {
+    EXPECT_EQ(row.device, "simulated in place of Novint Falcon with mass_kg=0.2");
+  }
+  arguments.back() = "falcon";
+  const Outcome real = asperity(arguments);
+  EXPECT_EQ(real.status, 1);
+  EXPECT_THAT(real.err, testing::HasSubstr("a virtual participant cannot hold the device"));
+}
+
 TEST(Simulate, AnswersOtherwiseForAnotherSeed) {
   const SmallStudy small(kRepetitions);
   const Tsv one = tsv(tables_of(small, "one", 7).at("responses.tsv"));
