@@ -47,6 +47,7 @@ DampedResponse response_of(const SimulatedDeviceSettings& settings,
   DampedResponse response{.latency_s = settings.sensor.latency_s,
                           .velocity = settings.sensor.velocity};
   if (is_known(DeviceTrait::moving_mass)) response.moving_mass_kg = settings.hand.mass_kg;
+  if (is_known(DeviceTrait::damping)) response.damping_N_s_per_m = settings.hand.damping_N_s_per_m;
   return response;
 }
 
@@ -169,17 +170,25 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
     }
   };
   // What needs no measurement.
+  FrictionRehearsal friction{};
+  if (device.wanted.has_motors) {
+    friction =
+        rehearse_friction(protocol, models, device.response, unstated_friction_of(study, models));
+  }
   const auto warn_of_friction = [&] {
-    if (!device.wanted.has_motors) return;
-    warn_of(
-        friction_warnings(protocol, models, device.response, unstated_friction_of(study, models)));
+    warn_of(friction.warnings);
+    warn_of(friction.not_compared);
   };
+  std::string except_friction = "except for friction, ";
+  if (!friction.not_compared.empty()) {
+    except_friction = friction.has_compared ? "except for the friction of some stimuli, " : "";
+  }
   const std::string of_itself = "the force and the rate of " + name;
   if (is_simulated) comparison.compared = "compared with " + of_itself;
   tell_unknown(device, warn);
   if (!study) {
     if (device.wanted.has_motors) {
-      warn("except for friction, no stimulus was compared with " + name +
+      warn(except_friction + "no stimulus was compared with " + name +
            ": the profile of a device is stored in a study; name that study with --study DIR");
     }
     warn_of_friction();
@@ -200,10 +209,12 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
             (is_simulated ? ", and with " + of_itself
                           : "; a session compares the force and the rate when it opens the device");
         tell_gaps(*found.profile, protocol, now_utc, warn);
+        warn_of(rehearse_friction(protocol, models, damped_response_of(*found.profile),
+                                  unstated_friction_of(study, models))
+                    .not_compared);
       } else if (device.wanted.has_motors) {
-        warn("the study has no profile of " + words_for(device) +
-             ": except for friction, no stimulus and no limit of the protocol was compared with "
-             "it; measure it with " +
+        warn("the study has no profile of " + words_for(device) + ": " + except_friction +
+             "no stimulus and no limit of the protocol was compared with it; measure it with " +
              command_to_measure(device.wanted, *study));
       }
       comparison.profile = std::move(found.profile);

@@ -11,7 +11,7 @@
 #include "app/session/rehearsal/rehearsed_device.h"
 #include "device/drivers.h"
 #include "protocols/file/diagnostic.h"
-#include "renderers/offline/friction_damper.h"
+#include "renderers/offline/friction_near_rest.h"
 
 namespace asperity {
 

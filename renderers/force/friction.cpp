@@ -117,6 +117,39 @@ glm::dvec2 dahl_drag_N(const FrictionSettings& settings, const FrictionSample& s
   return settings.stiffness_N_per_m * state.strain_m;
 }
 
+FrictionNearRest rounded_near_rest(const FrictionSettings& settings, double normal_N,
+                                   double) noexcept {
+  return {.damper_N_s_per_m = settings.coefficient * normal_N / settings.speed_m_per_s};
+}
+
+FrictionNearRest bounded_near_rest(const FrictionSettings& settings, double normal_N,
+                                   double period_s) noexcept {
+  const double slope_N_s_per_m = std::min(settings.coefficient * normal_N / settings.speed_m_per_s,
+                                          greatest_friction_slope_N_s_per_m(settings, period_s));
+  // D = B·v' with v' = v − (T/m̂)·D.
+  return {.damper_N_s_per_m =
+              slope_N_s_per_m / (1.0 + slope_N_s_per_m * period_s / settings.mass_kg)};
+}
+
+// Two low-passes with the weights g·(1 − g)^k on readings kT old: their mean age is 2T·(1 − g)/g.
+double lag_of_smoothing_s(const FrictionSettings& settings, double period_s) noexcept {
+  return settings.smoothing_s > 0.0 ? 2.0 * period_s / std::expm1(period_s / settings.smoothing_s)
+                                    : 0.0;
+}
+
+FrictionNearRest dahl_near_rest(const FrictionSettings& settings, double,
+                                double period_s) noexcept {
+  return {.stiffness_N_per_m = settings.stiffness_N_per_m,
+          .lag_s = lag_of_smoothing_s(settings, period_s)};
+}
+
+FrictionNearRest proxy_near_rest(const FrictionSettings& settings, double normal_N,
+                                 double period_s) noexcept {
+  FrictionNearRest near_rest = dahl_near_rest(settings, normal_N, period_s);
+  near_rest.contact_damper_N_s_per_m = settings.damping_N_s_per_m;
+  return near_rest;
+}
+
 constexpr std::array<std::string_view, 1> kOfRounded{kSpeed};
 constexpr std::array<std::string_view, 3> kOfBounded{kSpeed, kMass, kDelay};
 constexpr std::array<std::string_view, 4> kOfProxy{kStiffness, kSmoothing, kStaticRatio, kDamping};
@@ -126,22 +159,26 @@ constexpr std::array<FrictionLaw, 4> kLaws{{
     {.name = "rounded",
      .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device gives",
      .parameters = kOfRounded,
-     .drag_N = rounded_drag_N},
+     .drag_N = rounded_drag_N,
+     .near_rest = rounded_near_rest},
     {.name = "bounded",
      .meaning = "the same with an implicit step and a slope that the servo loop carries",
      .parameters = kOfBounded,
-     .drag_N = bounded_drag_N},
+     .drag_N = bounded_drag_N,
+     .near_rest = bounded_near_rest},
     {.name = "proxy",
      .meaning = "adhesion of a given stiffness that breaks, with stick-slip for a static ratio "
                 "above 1",
      .parameters = kOfProxy,
      .remembers = true,
-     .drag_N = proxy_drag_N},
+     .drag_N = proxy_drag_N,
+     .near_rest = proxy_near_rest},
     {.name = "dahl",
      .meaning = "adhesion of a given stiffness that creeps, without a kink where sliding begins",
      .parameters = kOfDahl,
      .remembers = true,
-     .drag_N = dahl_drag_N},
+     .drag_N = dahl_drag_N,
+     .near_rest = dahl_near_rest},
 }};
 
 std::string names_of_laws() {

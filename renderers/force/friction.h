@@ -42,6 +42,14 @@ struct FrictionState {
   glm::dvec2 strain_m{0.0};   ///< z, of the contact
 };
 
+/// A law near rest as a linear element of the loop: its drag is at most that of D = B·v + σ·s + b_s·ṡ.
+struct FrictionNearRest {
+  double damper_N_s_per_m = 0.0;          ///< B, on the velocity that the device gives
+  double stiffness_N_per_m = 0.0;         ///< σ, on the smoothed position s
+  double contact_damper_N_s_per_m = 0.0;  ///< b_s, on the differences of s
+  double lag_s = 0.0;  ///< of s: what the low-passes add to the latency of the device
+};
+
 /// One law of friction by name.
 struct FrictionLaw {
   std::string_view name{};
@@ -51,6 +59,10 @@ struct FrictionLaw {
   /// The drag [N]: the force on the hand is −drag. Real-time: no allocation, no exceptions.
   glm::dvec2 (*drag_N)(const FrictionSettings&, const FrictionSample&,
                        FrictionState&) noexcept = nullptr;
+  /// The law near rest, under the normal force N [N], in a loop of period T [s]. From it follows what the law requires of a
+  /// device (offline/friction_near_rest.h).
+  FrictionNearRest (*near_rest)(const FrictionSettings&, double normal_N,
+                                double period_s) noexcept = nullptr;
 };
 
 /// The laws of friction, in the order in which they are listed to users.
@@ -93,15 +105,26 @@ struct FrictionLaw {
 /// decreased). Its slope is bounded by 2σ, without the kink that `proxy` has where sliding begins.
 ///
 /// Position instead of velocity: `proxy` and `dahl` depend on the way and not on the speed, so that they do not amplify
-/// the delay and the steps of an estimated velocity. A spring σ at a sampled device needs the damping [Colgate 1997]
+/// the delay and the steps of an estimated velocity. The steps of a device's sensor are steps of the force of up to 2σ·Δ; s
+/// is the position after two low-passes of the time constant τ_s each (gain 1 − exp(−T/τ_s) per tick). τ_s = 0: s is the
+/// position. Both laws store at most ½σz² and return no more to the path s, on which their work on a closed path is never
+/// positive.
 ///
-///   b > σ·(T/2 + latency + 2τ_s)
+/// What they require of a device: the damping b of device and hand with which the loop is passive near rest,
 ///
-/// The steps of a device's sensor are steps of the force of up to 2σ·Δ; s is the position after two low-passes of the time
-/// constant τ_s each (gain 1 − exp(−T/τ_s) per tick), which cost the delay 2τ_s in this condition. τ_s = 0: s is the
-/// position. Both laws store at most ½σz² and return no more to the path s, on which their work on a closed path is never positive.
-/// The smoothed s lags behind the hand: with τ_s > 0 a fast reversal returns energy to the hand, which the damping above
-/// has to dissipate.
+///   b > σ·(T/2 + latency + ℓ) + b_s,      ℓ = 2T/(exp(T/τ_s) − 1) < 2τ_s
+///
+/// where ℓ is the mean age that the low-passes give to the position. In time: the force belongs to a path that is τ old,
+/// and T/2 more in the mean while it is held. It differs from that of the present path by at most L·∫|v| over this time,
+/// with L the slope of D along the path, so that a device gains no more than L·(T/2 + τ)·∫v² dt and b ≥ L·(T/2 + τ)
+/// dissipates it. (In frequency: delayed_damping_N_s_per_m in offline/sampled_loop.h.) For `proxy` L = σ in every motion:
+/// the condition is sufficient. For `dahl` L = σ about z = 0 and up to 2σ where a contact is released that was strained up
+/// to z_ss. A vibration over the way p about a strained z relaxes it by the fraction 2p/z_ss in each cycle, until z is 0:
+/// vibration is not sustained with the condition, though a release from z_ss may ring for some cycles without twice this
+/// damping. Below the condition a hand at rest vibrates; the amplitude is limited by μN with `proxy` and less with `dahl`.
+///
+/// `rounded` and `bounded` are dampers on a delayed velocity, which no device renders passively; a mass m does not vibrate
+/// on them while B < 2m/T·sin(π/(2(2τ/T + 1))) (steepest_damper_N_s_per_m).
 ///
 /// At rest `rounded` and `bounded` exert no force; `proxy` and `dahl` hold a hand on a slope up to μ·N, as friction does.
 ///

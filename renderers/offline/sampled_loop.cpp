@@ -13,6 +13,12 @@ double passive_damping_N_s_per_m(double stiffness_N_per_m, double damper_N_s_per
   return 0.5 * stiffness_N_per_m * period_s + std::abs(damper_N_s_per_m);
 }
 
+double delayed_damping_N_s_per_m(double stiffness_N_per_m, double damper_N_s_per_m, double lag_s,
+                                 double period_s) noexcept {
+  return passive_damping_N_s_per_m(stiffness_N_per_m, damper_N_s_per_m, period_s) +
+         stiffness_N_per_m * lag_s;
+}
+
 double equivalent_spring_N_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
                                  double period_s) noexcept {
   return 2.0 * passive_damping_N_s_per_m(stiffness_N_per_m, damper_N_s_per_m, period_s) / period_s;

@@ -29,6 +29,17 @@ namespace asperity {
 double passive_damping_N_s_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
                                  double period_s) noexcept;
 
+/// The same for a force from positions that are `lag_s` (a) old in the mean:
+///
+///   b > K·(T/2 + a) + |B|
+///
+/// A pure delay a multiplies H by e^(−jωa). The spring then contributes T·K·sin(nx)/(2 sin x) with x = ωT/2 and n = 1 +
+/// 2a/T, at most nTK/2 = K·(T/2 + a), which it has at ω = 0; the damper still contributes at most |B|. A low-pass whose
+/// weights h_k ≥ 0 on positions of the age a_k have the sum 1 contributes Σ h_k·K·(T/2 + a_k) at most: only its mean age
+/// counts.
+double delayed_damping_N_s_per_m(double stiffness_N_per_m, double damper_N_s_per_m, double lag_s,
+                                 double period_s) noexcept;
+
 /// The spring [N/m] that requires as much damping of a device as a spring and a damper together: K + 2|B|/T.
 double equivalent_spring_N_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
                                  double period_s) noexcept;

@@ -201,6 +201,33 @@ TEST_F(ComparedDevice, IsComparedWithFrictionByThePropertiesThatItWasGiven) {
               Contains(buzz));
 }
 
+// A spring of 5000 N/m with the latency of a Falcon and the low-passes: 5000 · (0.5 + 1 + 4.07) ms = 27.8 N s/m.
+TEST_F(ComparedDevice, IsSaidNotToBeComparedWithAdhesionWhereItsDampingIsUnknown) {
+  for (auto& [name, stimulus] : protocol.stimuli) {
+    stimulus.parameters["friction_law"].value = std::string("proxy");
+    stimulus.parameters["friction_stiffness_N_per_m"].value = 5000.0;
+  }
+  const auto unknown = HasSubstr(
+      "The friction of \"rendered\" was not compared with the device: near rest it acts as a "
+      "spring "
+      "that at 1000 Hz requires a damping of 27.8 N s/m, and the damping of the device is "
+      "unknown.");
+  EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(unknown));
+  EXPECT_THAT(warnings(compared("simulated:falcon")), Each(Not(HasSubstr("except for friction"))));
+  const auto vibrates = HasSubstr(
+      "whose force is delayed by 5.07 ms, which at 1000 Hz requires a damping of 27.8 N s/m; the "
+      "device has 1.00 N s/m along the surface");
+  const DeviceComparison given = compared("simulated:falcon,damping_N_s_per_m=1");
+  EXPECT_THAT(warnings(given), Contains(vibrates));
+  EXPECT_THAT(warnings(given), Each(Not(unknown)));
+  EXPECT_THAT(warnings(given), Contains(HasSubstr("except for friction")));
+  EXPECT_THAT(warnings(compared("simulated:falcon,damping_N_s_per_m=28")), Each(Not(vibrates)));
+  EXPECT_THAT(warnings(compared("mouse")), Each(Not(unknown)));
+  // Measured without a damping.
+  keep(good("in place of Novint Falcon"));
+  EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(HasSubstr("was not compared")));
+}
+
 TEST_F(ComparedDevice, HasTheProfileOfTheSamePropertiesOnly) {
   const std::string falcon = "in place of Novint Falcon";
   keep(good(falcon));
@@ -358,6 +385,31 @@ TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPointsWithRoundedFri
   EXPECT_EQ(warned_on("simulated:falcon", true), of_points);
   EXPECT_EQ(warned_on("simulated:delta.3", true), of_points);
   EXPECT_EQ(warned_on("simulated:falcon", false), std::set<std::string>{});
+}
+
+// The comparison of amplitude_jnd has 50 levels in its main block and two in practice; the standard has the same friction.
+TEST(LibraryProtocols, WarnOfTheFrictionOfAllLevelsOnce) {
+  const ModelRegistry models = built_in_models();
+  const auto library =
+      std::find_if(library_protocols().begin(), library_protocols().end(),
+                   [](const LibraryProtocol& one) { return one.name == "amplitude_jnd"; });
+  ASSERT_NE(library, library_protocols().end());
+  Protocol protocol = read_small_protocol(models, std::string(library->text));
+  for (auto& [name, stimulus] : protocol.stimuli) {
+    stimulus.parameters["friction_law"].value = std::string("rounded");
+  }
+  const DeviceComparison comparison =
+      compare_with(sought_device("simulated:falcon", {}, built_in_drivers()), protocol,
+                   "library.json", std::nullopt, kNow, models);
+  std::vector<std::string> of_friction{};
+  for (const Diagnostic& warning : comparison.warnings) {
+    if (warning.message.find("Near rest, the friction of") != std::string::npos) {
+      of_friction.push_back(warning.message);
+    }
+  }
+  ASSERT_EQ(of_friction.size(), 1U);
+  EXPECT_THAT(of_friction.front(), HasSubstr("The same applies to"));
+  EXPECT_THAT(of_friction.front(), HasSubstr("levels of amplitude_m ("));
 }
 
 TEST(FailedItem, IsOneOnTheUsualLimitsOfTheProtocolsRate) {

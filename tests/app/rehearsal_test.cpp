@@ -511,6 +511,52 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsTooSteepADamperAndNamesTheSpeed
       of_50_grams(), "friction_damping"));
 }
 
+// 120 N/m · (T/2 + 20 ms + 2T/(e^0.4 − 1)) = 2.95 N s/m.
+TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsASpringWithMoreDelayThanTheDampingAllows) {
+  const std::string protocol = one_stimulus("sinusoid", R"("amplitude_m": 1e-5)");
+  const DeviceProfile late = with_item(of_50_grams(), "latency_s", 0.02);
+  const auto damped = [&](double along_N_s_per_m) {
+    DeviceProfile device = with_item(late, "damping_N_s_per_m", 2.0);
+    device.items.back().by_axis = {along_N_s_per_m + 1.0, along_N_s_per_m, 2.0};
+    return device;
+  };
+  const auto found = one(protocol, damped(2.9), "friction_stiffness");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, 120.0 * (0.0205 + 2e-3 / std::expm1(0.4)), 1e-9);
+  EXPECT_EQ(found->device, 2.9);
+  const std::string text = found->text.english();
+  for (const char* const part :
+       {"acts as a spring of 120 N/m whose force is delayed by 24.1 ms",
+        "at 1000 Hz requires a damping of 2.95 N s/m; the device has 2.90 N s/m along the surface",
+        "Set friction_stiffness_N_per_m to 110 or less."}) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+  EXPECT_FALSE(one(protocol, damped(3.0), "friction_stiffness"));
+  EXPECT_FALSE(
+      one(one_stimulus("sinusoid", R"("amplitude_m": 1e-5, "friction_stiffness_N_per_m": 110)"),
+          damped(2.9), "friction_stiffness"))
+      << "the remedy";
+  EXPECT_FALSE(one(one_stimulus("sinusoid", R"("amplitude_m": 1e-5, "friction_law": "rounded")"),
+                   damped(0.1), "friction_stiffness"));
+}
+
+// A law that assumes 50 g and 4.5 ms, on 5 g and 4.5 ms: the bound of the law is 3.92/(1 + 0.078), that of the device 1.56.
+TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsBoundedForAHeavierDevice) {
+  const auto rubbing = [](const std::string& more) {
+    return one_stimulus("sinusoid", R"("amplitude_m": 1e-5, "friction_law": "bounded")" + more);
+  };
+  const DeviceProfile light =
+      with_item(with_item(ideal(), "moving_mass_kg", 0.005), "latency_s", 0.0045);
+  const auto found = one(rubbing(""), light, "friction_damping");
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->text.english().find(
+                "Set friction_mass_kg to 0.00500 or less and friction_delay_s to 0.00450 or more."),
+            std::string::npos)
+      << found->text.english();
+  EXPECT_FALSE(one(rubbing(R"(, "friction_mass_kg": 0.005)"), light, "friction_damping"));
+  EXPECT_FALSE(one(rubbing(""), with_item(of_50_grams(), "latency_s", 0.0045), "friction_damping"));
+}
+
 TEST_F(DeviceRehearsalTest, DoesNotWarnOfFrictionWithTheLawOfNewStudies) {
   const DeviceProfile late = with_item(of_50_grams(), "latency_s", 0.1);
   EXPECT_FALSE(one(one_stimulus("sinusoid", R"("amplitude_m": 1e-5)"), late, "friction_damping"));

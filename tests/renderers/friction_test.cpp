@@ -20,7 +20,6 @@
 #include "renderers/models/sinusoid.h"
 #include "renderers/offline/along_path.h"
 #include "renderers/offline/force_matching.h"
-#include "renderers/offline/friction_damper.h"
 #include "renderers/offline/sampled_loop.h"
 #include "tests/renderers/surfaces.h"
 
@@ -524,16 +523,6 @@ TEST(FrictionOfModels, ContinuesFromAPatchToTheFlatSurface) {
     if (probe.position_m.y > 0.027) least_N = std::min(least_N, drag_N);
   }
   EXPECT_GT(least_N, 0.09) << "0.1 N is the greatest drag of the flat surface";
-}
-
-TEST(FrictionOfModels, IsADamperNearRestOnlyWithTheRoundedLaw) {
-  const ModelRegistry models = built_in_models();
-  StimulusDescription stimulus{.model = "sinusoid"};
-  EXPECT_TRUE(friction_damper_of(*models.find("sinusoid"), stimulus, 1.0));
-  for (const std::string law : {"bounded", "proxy", "dahl"}) {
-    stimulus.parameters["friction_law"] = law;
-    EXPECT_FALSE(friction_damper_of(*models.find("sinusoid"), stimulus, 1.0)) << law;
-  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -54,6 +55,32 @@ TEST(SampledLoop, AsksForTheDampingThatTheFrequencyConditionAsksFor) {
         << k << " N/m, " << b << " N s/m";
   }
   EXPECT_DOUBLE_EQ(passive_damping_N_s_per_m(1000.0, 1.0, 1e-3), 1.5) << "the default coupling";
+}
+
+// With a low-pass of the readings, y += g(x − y), and a latency that is no multiple of the period.
+TEST(SampledLoop, AsksForTheDampingOfADelayedSpringAsTheFrequencyConditionDoes) {
+  for (const auto& [k, b, gain, latency_s] : {std::tuple{1000.0, 0.0, 1.0, 0.0},
+                                              {120.0, 0.0, 0.33, 1e-3},
+                                              {5000.0, 0.0, 0.33, 0.7e-3},
+                                              {1000.0, 2.0, 1.0, 1.5e-3},
+                                              {1000.0, 2.0, 0.5, 0.3e-3}}) {
+    double greatest = 0.0;
+    constexpr int kFrequencies = 2000;
+    for (int i = 1; i <= kFrequencies; ++i) {
+      const double angle = std::numbers::pi * i / kFrequencies;
+      const std::complex<double> z = std::polar(1.0, angle);
+      const std::complex<double> smoothed = gain / (1.0 - (1.0 - gain) / z);
+      greatest =
+          std::max(greatest, asked_at(angle, (k + b * (z - 1.0) / (kTick_s * z)) * smoothed *
+                                                 std::polar(1.0, -angle * latency_s / kTick_s)));
+    }
+    const double lag_s = latency_s + kTick_s * (1.0 - gain) / gain;
+    const double asked = delayed_damping_N_s_per_m(k, b, lag_s, kTick_s);
+    EXPECT_GE(asked, greatest * (1.0 - 1e-3)) << k << ' ' << b << ' ' << latency_s;
+    if (b == 0.0) {
+      EXPECT_NEAR(asked, greatest, 1e-3 * greatest) << k << ' ' << latency_s;
+    }
+  }
 }
 
 /// What the coupling's force makes of a device that is moved sinusoidally, on a contact of that stiffness.

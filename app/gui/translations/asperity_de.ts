@@ -5636,6 +5636,42 @@
         <source>The smallest step of %1 in block %2 is %3 µm, which changes the force by %4 mN, but the force noise of the device at this stiffness is %5 mN. Use steps of at least %6 µm, or a device with less position noise.</source>
         <translation>Der kleinste Schritt von %1 im Block %2 beträgt %3 µm und ändert die Kraft um %4 mN, das Kraftrauschen des Geräts bei dieser Steifigkeit beträgt aber %5 mN. Schritte von mindestens %6 µm verwenden oder ein Gerät mit geringerem Positionsrauschen.</translation>
     </message>
+    <message>
+        <source>Set friction_mass_kg to %1 or less and friction_delay_s to %2 or more.</source>
+        <translation>friction_mass_kg auf höchstens %1 und friction_delay_s auf mindestens %2 setzen.</translation>
+    </message>
+    <message>
+        <source>Set friction_stiffness_N_per_m to %1 or less.</source>
+        <translation>friction_stiffness_N_per_m auf höchstens %1 setzen.</translation>
+    </message>
+    <message>
+        <source>Lower friction_damping_N_s_per_m and friction_stiffness_N_per_m, or choose a device with more damping.</source>
+        <translation>friction_damping_N_s_per_m und friction_stiffness_N_per_m verringern oder ein Gerät mit mehr Dämpfung wählen.</translation>
+    </message>
+    <message>
+        <source>Lower friction_smoothing_s and friction_stiffness_N_per_m, choose another friction_law, or choose a device with more damping.</source>
+        <translation>friction_smoothing_s und friction_stiffness_N_per_m verringern, ein anderes friction_law oder ein Gerät mit mehr Dämpfung wählen.</translation>
+    </message>
+    <message>
+        <source>Near rest, the friction of &quot;%1&quot; acts as a spring of %2 N/m whose force is delayed by %3 ms, which at %4 Hz requires a damping of %5 N s/m; the device has %6 N s/m along the surface: vibration is expected where the hand rests or reverses, unless the hand adds the difference. %7</source>
+        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ wie eine Feder von %2 N/m, deren Kraft um %3 ms verzögert ist. Sie erfordert bei %4 Hz eine Dämpfung von %5 N s/m; das Gerät hat entlang der Oberfläche %6 N s/m: Wo die Hand ruht oder umkehrt, sind Vibrationen zu erwarten, sofern die Hand die Differenz nicht ergänzt. %7</translation>
+    </message>
+    <message>
+        <source>The friction of &quot;%1&quot; was not compared with the device: near rest it acts as a spring that at %2 Hz requires a damping of %3 N s/m, and the damping of the device is unknown. Measure the device, or state damping_N_s_per_m of a simulated one.</source>
+        <translation>Die Reibung von „%1“ wurde nicht mit dem Gerät verglichen: Nahe der Ruhe wirkt sie wie eine Feder, die bei %2 Hz eine Dämpfung von %3 N s/m erfordert, und die Dämpfung des Geräts ist unbekannt. Das Gerät messen oder damping_N_s_per_m eines simulierten angeben.</translation>
+    </message>
+    <message>
+        <source>%1 levels of %2 (%3)</source>
+        <translation>%1 Stufen von %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 Such a warning applies to %2; this is the one with the greatest difference.</source>
+        <translation>%1 Eine solche Warnung gilt für %2; diese ist die mit der größten Differenz.</translation>
+    </message>
+    <message>
+        <source>%1 The same applies to %2.</source>
+        <translation>%1 Dasselbe gilt für %2.</translation>
+    </message>
 </context>
 <context>
     <name>RunSession</name>

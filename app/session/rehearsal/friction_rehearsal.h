@@ -1,27 +1,38 @@
-// Compares the friction of stimuli near rest with the stability limit of a device's loop.
+// Compares what the friction of stimuli requires near rest with the properties of a device.
 
 #pragma once
 
 #include <vector>
 
+#include "app/profiles/device_profile.h"
 #include "app/session/rehearsal/rehearsal_warning.h"
 #include "app/session/study_friction.h"
 #include "protocols/design/protocol.h"
 #include "renderers/force/force_model.h"
-#include "renderers/offline/friction_damper.h"
+#include "renderers/offline/friction_near_rest.h"
 
 namespace asperity {
 
-/// A warning "friction_damping" for every stimulus of the plan whose friction near rest is a damper (friction_damper.h)
-/// on which the loop would vibrate, in a loop of the protocol's rate.
-///
-/// The normal force is the greatest that the instructed exploration accepts, or else its target. The warning names v₀
-/// and a normal force with which the loop would not vibrate, v₀ as far as the model accepts it, and the mass that is
-/// assumed where it is unknown. Bodies behind a virtual coupling are not compared. `friction` is the law of stimuli that
-/// state none.
-std::vector<RehearsalWarning> friction_warnings(const Protocol& protocol,
-                                                const ModelRegistry& models,
-                                                const DampedResponse& device,
-                                                UnstatedFriction friction);
+/// The comparison of a plan's friction with a device.
+struct FrictionRehearsal {
+  /// "friction_damping" for every stimulus whose friction near rest is a damper on which the loop would vibrate, and
+  /// "friction_stiffness" for every one whose friction near rest is a spring that requires more damping than the device has
+  /// (friction_near_rest.h), in a loop of the protocol's rate.
+  std::vector<RehearsalWarning> warnings{};
+  /// "friction_not_compared", with the greatest required damping, for every template of stimuli whose friction near rest
+  /// is a spring, if the damping of the device is unknown.
+  std::vector<RehearsalWarning> not_compared{};
+  bool has_compared = false;  ///< the friction of at least one stimulus
+};
+
+/// The normal force is the greatest that the instructed exploration accepts, or else its target. A warning of a damper
+/// names v₀ and a normal force with which the loop would not vibrate, v₀ as far as the model accepts it, or the mass and
+/// the delay that the law has to assume; one of a spring names the greatest stiffness. The mass is assumed where it is
+/// unknown. Bodies behind a virtual coupling are not compared. `friction` is the law of stimuli that state none.
+FrictionRehearsal rehearse_friction(const Protocol& protocol, const ModelRegistry& models,
+                                    const DampedResponse& device, UnstatedFriction friction);
+
+/// Of a measured device: its damping is that along the surface.
+DampedResponse damped_response_of(const DeviceProfile& profile);
 
 }  // namespace asperity

@@ -12,8 +12,8 @@
 #include "app/session/rehearsal/level_rehearsal.h"
 #include "app/session/rehearsal/limit_rehearsal.h"
 #include "app/session/rehearsal/stimulus_rehearsal.h"
+#include "app/session/rehearsal/warned_levels.h"
 #include "app/study_files/parameter_json.h"
-#include "device/drivers.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -40,12 +40,6 @@ std::string rehearsed_key(const StimulusDescription& stimulus) {
   return key;
 }
 
-DampedResponse damped_response_of(const DeviceProfile& profile) {
-  return {.moving_mass_kg = profile.value("moving_mass_kg"),
-          .latency_s = profile.value("latency_s").value_or(0.0),
-          .velocity = velocity_window_of(profile.name, profile.model)};
-}
-
 /// Adds warnings; the same sentence under the same name once.
 void add(std::vector<RehearsalWarning> more, std::vector<RehearsalWarning>& warnings) {
   for (RehearsalWarning& warning : more) {
@@ -66,12 +60,14 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
   std::vector<RehearsalWarning> warnings{};
   add(limit_warnings(protocol, profile), warnings);
   add(level_warnings(protocol, profile, builder.models()), warnings);
-  add(friction_warnings(protocol, builder.models(), damped_response_of(profile),
-                        builder.unstated_friction()),
+  add(rehearse_friction(protocol, builder.models(), damped_response_of(profile),
+                        builder.unstated_friction())
+          .warnings,
       warnings);
   StimulusRehearsal rehearsal(protocol, profile, builder);
   std::set<std::string> seen{};
   const std::vector<Trial> trials = possible_trials(protocol);
+  std::vector<RehearsalWarning> of_stimuli{};
   double done = 0.0;
   for (const Trial& trial : trials) {
     if (course.stop.stop_requested()) break;
@@ -80,9 +76,15 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
     const Exploration& exploration = exploration_of(protocol, trial);
     for (const PlannedPresentation& planned : trial.presentations) {
       const std::string key = rehearsed_key(planned.stimulus) + '\n' + exploration.name;
-      if (seen.insert(key).second) add(rehearsal.compare(planned, exploration), warnings);
+      if (!seen.insert(key).second) continue;
+      std::vector<RehearsalWarning> found = rehearsal.compare(planned, exploration);
+      for (RehearsalWarning& warning : found) {
+        if (!warning.stimulus.empty()) warning.level = level_of(protocol, trial, planned);
+      }
+      add(std::move(found), of_stimuli);
     }
   }
+  add(one_for_alike(std::move(of_stimuli), protocol), warnings);
   return warnings;
 }
 

@@ -37,7 +37,7 @@ struct RehearsalCourse {
 ///   contact              out of contact for no more than 5 % of a stroke (contact_loss.h), at the force and the speed of
 ///                        the instructed exploration, for a mass of moving_mass_kg with damping_N_s_per_m across the
 ///                        surface. Not for two bodies
-///   friction_damping     see friction_rehearsal.h; for two bodies only without a coupling
+///   friction_damping, friction_stiffness   see friction_rehearsal.h; for two bodies only without a coupling
 ///   workspace            the patch is inside the range reached by hand, or else inside the range that the driver reports
 ///
 /// The texture force is `texture_force_rms_N` at the force and the speed of the instructed exploration; for a stimulus
@@ -45,6 +45,8 @@ struct RehearsalCourse {
 /// the force of the stimulus's own model and parameters; a stimulus that is made as strong as another counts with the
 /// amplitude that its sample suggests. A stimulus without texture force is compared with neither friction nor force
 /// resolution. Items that were not measured are not compared.
+///
+/// A warning that several levels of a parameter or several stimuli have in common is one warning (warned_levels.h).
 ///
 /// Two bodies are compared as one relief (bodies_as_relief.h).
 ///

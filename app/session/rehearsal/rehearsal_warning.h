@@ -2,16 +2,24 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/words/phrase.h"
 
 namespace asperity {
 
+/// A level of a varied parameter.
+struct WarnedLevel {
+  std::string stimulus{};  ///< its name without the level
+  std::string parameter{};
+  double value = 0.0;
+};
+
 /// A requirement that a device does not meet.
 struct RehearsalWarning {
   /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness", "coupling",
-  /// "contact", "friction_damping", "workspace", "level_step"; "not_rehearsed" for a stimulus that could not be compared, or whose
+  /// "contact", "friction_damping", "friction_stiffness", "friction_not_compared", "workspace", "level_step"; "not_rehearsed" for a stimulus that could not be compared, or whose
   /// stiffness could not; "limit_" and "unmeasured_" with the name of an item that does not meet the protocol's limit,
   /// or that was not measured.
   std::string id{};
@@ -21,6 +29,7 @@ struct RehearsalWarning {
       0.0;  ///< required; as `device` in SI units: N, m, Hz, N/m, N s/m; of an item its limit
   double device = 0.0;  ///< measured
   Phrase text{};        ///< a sentence with both numbers
+  std::optional<WarnedLevel> level{};  ///< of a stimulus whose parameter is varied
 };
 
 /// A number as warnings show it, with three significant digits and no exponent: "0.300", "8000".
