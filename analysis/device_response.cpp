@@ -167,6 +167,28 @@ std::optional<SweepResponse> sweep_response(const std::vector<ForcedMotion>& leg
                        .offset_N = found(1)};
 }
 
+std::optional<double> unevenness_m(const std::vector<ForcedMotion>& legs) {
+  double squares_m2 = 0.0;
+  std::size_t samples = 0;
+  for (const ForcedMotion& leg : legs) {
+    require_equal(leg);
+    if (leg.time_s.size() < 3) continue;
+    const auto n = static_cast<double>(leg.time_s.size());
+    const double time_s = std::accumulate(leg.time_s.begin(), leg.time_s.end(), 0.0) / n;
+    const double position_m =
+        std::accumulate(leg.position_m.begin(), leg.position_m.end(), 0.0) / n;
+    const double velocity_m_per_s = slope(leg.time_s, leg.position_m);
+    for (std::size_t i = 0; i < leg.time_s.size(); ++i) {
+      const double off_m =
+          leg.position_m[i] - position_m - velocity_m_per_s * (leg.time_s[i] - time_s);
+      squares_m2 += off_m * off_m;
+    }
+    samples += leg.time_s.size();
+  }
+  if (samples == 0) return {};
+  return std::sqrt(squares_m2 / static_cast<double>(samples));
+}
+
 std::optional<Resistance> resistance_of(const SweepResponse& slow, const SweepResponse& fast) {
   const double between_m_per_s = fast.speed_m_per_s - slow.speed_m_per_s;
   if (!(std::abs(between_m_per_s) > 0.0)) return {};

@@ -32,16 +32,23 @@ struct SweepResponse {
 /// Errors: std::invalid_argument for columns of one leg that differ in length.
 std::optional<SweepResponse> sweep_response(const std::vector<ForcedMotion>& legs);
 
+/// How uneven the motion of sweeps is: the standard deviation of the positions from the straight line of each leg, pooled.
+/// A handle that swings on its support while it is swept has forces of inertia, which sweep_response would take for resistance.
+/// Empty without a leg of three samples.
+/// Errors: those of sweep_response.
+std::optional<double> unevenness_m(const std::vector<ForcedMotion>& legs);
+
 /// The resistance to motion, from sweeps at two speeds: H = F_c + b′·v. If positions are read L after the
 /// force, then b′ = b + K·L with the damping b: at speed v the spring K is read at x − v·L, so that it appears to
-/// take K·v·L more.
+/// take K·v·L more. A force that is held for T after its reading acts at x + v·T/2 in the mean: b′ = b + K·(L + T/2).
 struct Resistance {
   double friction_N = 0.0;         ///< F_c, not below 0
   double growth_N_s_per_m = 0.0;   ///< b′
   double stiffness_N_per_m = 0.0;  ///< K, the mean of both sweeps
   double offset_N = 0.0;           ///< c, the mean of both sweeps
+  double held_s = 0.0;             ///< T
   double damping_N_s_per_m(double delay_s) const noexcept {
-    return growth_N_s_per_m - stiffness_N_per_m * delay_s;
+    return growth_N_s_per_m - stiffness_N_per_m * (delay_s + 0.5 * held_s);
   }
 };
 /// Empty for equal speeds.

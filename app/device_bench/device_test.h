@@ -51,7 +51,7 @@ struct DeviceTestOptions {
   WatchTicks watch{};                                 ///< see DeviceBench
 };
 
-/// Measures a device, in about a minute and a half in real time. The device moves by itself: by at most 30 mm, with at
+/// Measures a device, in one and a half to three minutes in real time. The device moves by itself: by at most 30 mm, with at
 /// most `force_N`; the handle must not be held. Every force passes the servo loop and the limiter,
 /// fades in and out, and is switched off when the handle moves too far away.
 ///

@@ -60,7 +60,8 @@ MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
 
 Phrase what_measuring_does(const std::string& device, double force_N) {
   return phrase("DeviceTest",
-                "the handle of %1 will move by itself for a minute and a half, by at most 3 cm, "
+                "the handle of %1 will move by itself for one and a half to three minutes, by at "
+                "most 3 cm, "
                 "with a force of at most %2 N. Let it hang free in the middle of its workspace, "
                 "keep hands and hair away, and make sure that it is not held.")
       .with(device, fixed(force_N, 1));

@@ -41,16 +41,29 @@ TEST(SweepResponse, SeparatesSpringOffsetAndResistance) {
   EXPECT_THROW(sweep_response({uneven}), std::invalid_argument);
 }
 
+// A swing of 0.1 mm about a steady motion has a standard deviation of 0.1/√2 mm.
+TEST(Unevenness, IsTheDeviationFromASteadyMotion) {
+  ForcedMotion swinging = leg(-0.01, 0.5);
+  EXPECT_NEAR(unevenness_m({swinging}).value(), 0.0, 1e-12);
+  for (std::size_t i = 0; i < swinging.position_m.size(); ++i) {
+    swinging.position_m[i] += 1e-4 * std::sin(0.4 * std::numbers::pi * static_cast<double>(i));
+  }
+  EXPECT_NEAR(unevenness_m({leg(0.01, 0.5), swinging}).value(), 1e-4 / 2.0, 1e-6);
+  EXPECT_FALSE(unevenness_m({}));
+}
+
 // H = 0.4 + 5·v: 0.45 N at 10 mm/s, 0.6 N at 40 mm/s. Positions 2 ms late on 100 N/m appear as 0.2 N·s/m.
 TEST(Resistance, IsFrictionAndItsGrowthWithSpeed) {
   const auto slow = sweep_response({leg(0.01, 0.45), leg(-0.01, 0.45)});
   const auto fast = sweep_response({leg(0.04, 0.6), leg(-0.04, 0.6)});
   ASSERT_TRUE(slow && fast);
-  const auto resistance = resistance_of(*slow, *fast);
+  auto resistance = resistance_of(*slow, *fast);
   ASSERT_TRUE(resistance);
   EXPECT_NEAR(resistance->friction_N, 0.4, 1e-12);
   EXPECT_NEAR(resistance->growth_N_s_per_m, 5.0, 1e-9);
   EXPECT_NEAR(resistance->damping_N_s_per_m(0.002), 4.8, 1e-9);
+  resistance->held_s = 0.001;  // half of it is as late
+  EXPECT_NEAR(resistance->damping_N_s_per_m(0.002), 4.75, 1e-9);
   EXPECT_FALSE(resistance_of(*slow, *slow));
 }
 

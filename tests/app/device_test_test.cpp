@@ -227,6 +227,46 @@ SimulatedDeviceSettings imperfect() {
   return settings;
 }
 
+// 0.2 kg with little damping swing for seconds on the springs that pull them and hold them, 300 N/m and 200 or 400.
+TEST(DeviceTest, FindsTheDampingAndTheLatencyOfAHeavyDeviceWithLittleDamping) {
+  for (const char* const sensors :
+       {"", ",latency_s=0.001,position_step_m=3.8e-5,velocity_samples=8"}) {
+    for (const double damping_N_s_per_m : {0.1, 0.5, 1.0}) {
+      const std::string damping = std::to_string(damping_N_s_per_m);
+      const std::string device = "simulated:ideal,mass_kg=0.2,damping_N_s_per_m=" + damping +
+                                 ",normal_damping_N_s_per_m=" + damping + sensors;
+      const SimulatedDeviceSettings settings = simulated_settings(device).value();
+      const DeviceProfile profile = measured(settings);
+      const auto near = [&](const char* name, double wanted, double tolerance) {
+        const DeviceItem& found = item(profile, name);
+        ASSERT_EQ(found.by_axis.size(), 3U) << device << ' ' << found.text.english();
+        for (const double value : found.by_axis) {
+          EXPECT_NEAR(value, wanted, tolerance) << device << ' ' << name;
+        }
+      };
+      near("damping_N_s_per_m", damping_N_s_per_m, settings.sensor.latency_s > 0.0 ? 0.25 : 0.05);
+      near("latency_s", settings.sensor.latency_s, 0.5e-3);
+      near("moving_mass_kg", 0.2, 0.02);
+      near("friction_N", 0.0, 0.02);
+    }
+  }
+}
+
+// 10 kg on 500 N/m and 12 N s/m: 1.7 s until a motion is a third.
+TEST(DeviceTest, DoesNotMeasureWhatDoesNotComeToRest) {
+  const DeviceProfile profile =
+      measured(simulated_settings(
+                   "simulated:ideal,mass_kg=10,damping_N_s_per_m=0.1,normal_damping_N_s_per_m=0.1")
+                   .value());
+  for (const char* const name : {"latency_s", "moving_mass_kg"}) {
+    EXPECT_EQ(item(profile, name).status, DeviceItem::Status::not_measured) << name;
+    EXPECT_THAT(item(profile, name).text.english(),
+                testing::AnyOf(testing::HasSubstr("the handle kept swinging by"),
+                               testing::HasSubstr("did not come to rest within 1.0 s before")))
+        << name;
+  }
+}
+
 TEST(DeviceTest, RecoversFrictionLatencyAndResolutionOfAnImperfectDevice) {
   const DeviceProfile profile = measured(imperfect());
   const auto near = [&](const char* name, double wanted, double tolerance) {

@@ -3450,10 +3450,6 @@
         <translation>Eine Sitzung von %1 läuft. Das Gerät messen, sobald die Sitzung beendet ist.</translation>
     </message>
     <message>
-        <source>the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with a force of at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and make sure that it is not held.</source>
-        <translation>der Griff von %1 wird sich anderthalb Minuten lang von selbst bewegen, um höchstens 3 cm, mit einer Kraft von höchstens %2 N. Den Griff frei in der Mitte seines Arbeitsraums hängen lassen, Hände und Haare fernhalten und sicherstellen, dass er nicht gehalten wird.</translation>
-    </message>
-    <message>
         <source>A device is being measured for this study. Stop the measurement or wait until it has ended, then start the session.</source>
         <translation>Für diese Studie wird gerade ein Gerät gemessen. Die Messung stoppen oder ihr Ende abwarten, dann die Sitzung starten.</translation>
     </message>
@@ -3548,6 +3544,18 @@
     <message>
         <source>No limit applied to the device.</source>
         <translation>Für das Gerät galt kein Grenzwert.</translation>
+    </message>
+    <message>
+        <source>the handle of %1 will move by itself for one and a half to three minutes, by at most 3 cm, with a force of at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and make sure that it is not held.</source>
+        <translation>der Griff von %1 wird sich anderthalb bis drei Minuten lang von selbst bewegen, um höchstens 3 cm, mit einer Kraft von höchstens %2 N. Den Griff frei in der Mitte seines Arbeitsraums hängen lassen, Hände und Haare fernhalten und sicherstellen, dass er nicht gehalten wird.</translation>
+    </message>
+    <message>
+        <source>the handle kept swinging by %1 mm during the sweeps</source>
+        <translation>der Griff schwang während der langsamen Bewegungen um %1 mm</translation>
+    </message>
+    <message>
+        <source>the handle did not come to rest within %1 s before a push</source>
+        <translation>der Griff kam vor einem Stoß innerhalb von %1 s nicht zur Ruhe</translation>
     </message>
 </context>
 <context>
