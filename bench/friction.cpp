@@ -37,7 +37,17 @@ constexpr std::array kSettings{Setting{},
                                Setting{.friction = 0.8},
                                Setting{.stiffness_N_per_m = 3000.0}};
 
-StrokeVibration vibration_of(const FrictionLaw& law, const char* device, const Setting& setting) {
+// Of the hand and the arm along the surface: a firm grip (the simulated devices' own), and down to an arm alone.
+constexpr std::array kDampings_N_s_per_m{5.0, 1.0, 0.3, 0.1};
+
+std::string with_damping(const char* device, double damping_N_s_per_m) {
+  const std::string name(device);
+  return name + (name.find(':') == std::string::npos ? ":ideal" : "") +
+         ",damping_N_s_per_m=" + std::to_string(damping_N_s_per_m);
+}
+
+StrokeVibration vibration_of(const FrictionLaw& law, const std::string& device,
+                             const Setting& setting) {
   return stroke_vibration(
       sinusoid_model(),
       {.parameters = {{"amplitude_m", 1e-6}, {"friction_law", std::string(law.name)}},
@@ -46,39 +56,47 @@ StrokeVibration vibration_of(const FrictionLaw& law, const char* device, const S
        .hand = {.speed_m_per_s = setting.speed_m_per_s, .normal_force_N = setting.force_N}});
 }
 
+void print_header(double damping_N_s_per_m) {
+  std::printf(
+      "force along the surface from 30 Hz: greatest at reversals / RMS in steady parts, mN\n"
+      "damping along the surface %.1f N s/m\n%-10s %4s %5s %6s %6s",
+      damping_N_s_per_m, "law", "mu", "F_n N", "v mm/s", "k N/m");
+  for (const char* device : kDevices) std::printf(" %18s", device);
+  std::printf("\n");
+}
+
 int run(bool as_json) {
   nlohmann::ordered_json document{{"format", "asperity.bench/1"},
                                   {"machine", machine()},
                                   {"commit", ASPERITY_COMMIT},
                                   {"cases", nlohmann::ordered_json::array()}};
-  if (!as_json) {
-    std::printf(
-        "force along the surface from 30 Hz: greatest at reversals / RMS in steady parts, "
-        "mN\n%-10s %4s %5s %6s %6s",
-        "law", "mu", "F_n N", "v mm/s", "k N/m");
-    for (const char* device : kDevices) std::printf(" %18s", device);
-    std::printf("\n");
-  }
-  for (const Setting& setting : kSettings) {
-    for (const FrictionLaw& law : friction_laws()) {
-      const std::string name(law.name);
-      if (!as_json) {
-        std::printf("%-10s %4.1f %5.1f %6.0f %6.0f", name.c_str(), setting.friction,
-                    setting.force_N, 1e3 * setting.speed_m_per_s, setting.stiffness_N_per_m);
+  for (const double damping_N_s_per_m : kDampings_N_s_per_m) {
+    if (!as_json) print_header(damping_N_s_per_m);
+    for (const Setting& setting : kSettings) {
+      for (const FrictionLaw& law : friction_laws()) {
+        const std::string name(law.name);
+        if (!as_json) {
+          std::printf("%-10s %4.1f %5.1f %6.0f %6.0f", name.c_str(), setting.friction,
+                      setting.force_N, 1e3 * setting.speed_m_per_s, setting.stiffness_N_per_m);
+        }
+        for (const char* device : kDevices) {
+          const StrokeVibration found =
+              vibration_of(law, with_damping(device, damping_N_s_per_m), setting);
+          if (!as_json) {
+            std::printf(" %10.2f / %5.2f", 1e3 * found.burst_N, 1e3 * found.steady_rms_N);
+          }
+          document["cases"].push_back({{"name", "friction/" + name + '/' + device},
+                                       {"damping_N_s_per_m", damping_N_s_per_m},
+                                       {"friction", setting.friction},
+                                       {"force_N", setting.force_N},
+                                       {"speed_m_per_s", setting.speed_m_per_s},
+                                       {"stiffness_N_per_m", setting.stiffness_N_per_m},
+                                       {"burst_N", found.burst_N},
+                                       {"steady_rms_N", found.steady_rms_N},
+                                       {"drag_share", found.drag_share}});
+        }
+        if (!as_json) std::printf("\n");
       }
-      for (const char* device : kDevices) {
-        const StrokeVibration found = vibration_of(law, device, setting);
-        if (!as_json) std::printf(" %10.2f / %5.2f", 1e3 * found.burst_N, 1e3 * found.steady_rms_N);
-        document["cases"].push_back({{"name", "friction/" + name + '/' + device},
-                                     {"friction", setting.friction},
-                                     {"force_N", setting.force_N},
-                                     {"speed_m_per_s", setting.speed_m_per_s},
-                                     {"stiffness_N_per_m", setting.stiffness_N_per_m},
-                                     {"burst_N", found.burst_N},
-                                     {"steady_rms_N", found.steady_rms_N},
-                                     {"drag_share", found.drag_share}});
-      }
-      if (!as_json) std::printf("\n");
     }
   }
   if (as_json) std::puts(document.dump(2).c_str());

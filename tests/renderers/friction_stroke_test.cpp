@@ -122,5 +122,37 @@ TEST(FrictionStroke, IsCleanWithDahlAroundTheSettingsOfTheLibrary) {
   }
 }
 
+std::string with_hand_damping(const std::string& device, const std::string& damping_N_s_per_m) {
+  return device + (device.find(':') == std::string::npos ? ":ideal" : "") +
+         ",damping_N_s_per_m=" + damping_N_s_per_m;
+}
+
+// The second table of docs/models.md: dahl requires 0.67 N s/m at most (0.55 without latency).
+TEST(FrictionStroke, IsCleanWithDahlUnderALightHandOfTheRequiredDamping) {
+  for (const StrokeSetting& setting :
+       {StrokeSetting{}, StrokeSetting{.force_N = 0.5}, StrokeSetting{.force_N = 2.0},
+        StrokeSetting{.speed_m_per_s = 0.03}}) {
+    for (const std::string device : kRealDevices) {
+      const StrokeVibration vibration =
+          vibration_of("dahl", with_hand_damping(device, "1"), setting);
+      EXPECT_LE(vibration.burst_N, kGreatestBurst_N) << device << ' ' << setting.speed_m_per_s;
+      EXPECT_LE(vibration.steady_rms_N, kGreatestSteady_N) << device << ' ' << setting.force_N;
+    }
+  }
+}
+
+TEST(FrictionStroke, VibratesWithSpringsUnderAHandOfLessThanTheRequiredDamping) {
+  const StrokeSetting strong{.friction = 0.8, .force_N = 1.0};
+  for (const std::string device : kRealDevices) {
+    for (const std::string law : {"proxy", "dahl"}) {
+      const StrokeVibration vibration = vibration_of(law, with_hand_damping(device, "0.1"), strong);
+      EXPECT_GT(vibration.burst_N, 0.03) << law << ' ' << device;
+      EXPECT_GT(vibration.steady_rms_N, 0.01) << law << ' ' << device;
+    }
+  }
+  // It brakes the hand itself.
+  EXPECT_LE(vibration_of("bounded", with_hand_damping("simulated", "0.1"), strong).burst_N, 0.001);
+}
+
 }  // namespace
 }  // namespace asperity
