@@ -117,6 +117,27 @@ glm::dvec2 dahl_drag_N(const FrictionSettings& settings, const FrictionSample& s
   return settings.stiffness_N_per_m * state.strain_m;
 }
 
+glm::dvec2 lugre_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
+                        FrictionState& state) noexcept {
+  const glm::dvec2 way_m = smoothed_way_m(settings, sample, state);
+  const double kinetic_N = settings.coefficient * sample.normal_N;
+  state.strain_m =
+      shortened(state.strain_m, settings.static_ratio * kinetic_N / settings.stiffness_N_per_m);
+  const double length_m = glm::length(way_m);
+  if (!(length_m > 0.0) || !(kinetic_N > 0.0)) return settings.stiffness_N_per_m * state.strain_m;
+  const double speed_m_per_s = length_m / sample.dt_s;
+  const double part = speed_m_per_s / settings.speed_m_per_s;
+  const double level_N = kinetic_N * (1.0 + (settings.static_ratio - 1.0) * std::exp(-part * part));
+  const double sliding_m = level_N / settings.stiffness_N_per_m;
+  const glm::dvec2 before_m = state.strain_m;
+  const glm::dvec2 towards_m = sliding_m / length_m * way_m;
+  state.strain_m = towards_m + std::exp(-length_m / sliding_m) * (state.strain_m - towards_m);
+  const double damping_N_s_per_m =
+      std::min(settings.damping_N_s_per_m, 4.0 * level_N / speed_m_per_s);
+  return settings.stiffness_N_per_m * state.strain_m +
+         damping_N_s_per_m / sample.dt_s * (state.strain_m - before_m);
+}
+
 FrictionNearRest rounded_near_rest(const FrictionSettings& settings, double normal_N,
                                    double) noexcept {
   return {.damper_N_s_per_m = settings.coefficient * normal_N / settings.speed_m_per_s};
@@ -154,8 +175,10 @@ constexpr std::array<std::string_view, 1> kOfRounded{kSpeed};
 constexpr std::array<std::string_view, 3> kOfBounded{kSpeed, kMass, kDelay};
 constexpr std::array<std::string_view, 4> kOfProxy{kStiffness, kSmoothing, kStaticRatio, kDamping};
 constexpr std::array<std::string_view, 2> kOfDahl{kStiffness, kSmoothing};
+constexpr std::array<std::string_view, 5> kOfLugre{kStiffness, kSmoothing, kStaticRatio, kDamping,
+                                                   kSpeed};
 
-constexpr std::array<FrictionLaw, 4> kLaws{{
+constexpr std::array<FrictionLaw, 5> kLaws{{
     {.name = "rounded",
      .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device gives",
      .parameters = kOfRounded,
@@ -179,6 +202,14 @@ constexpr std::array<FrictionLaw, 4> kLaws{{
      .remembers = true,
      .drag_N = dahl_drag_N,
      .near_rest = dahl_near_rest},
+    {.name = "lugre",
+     .meaning =
+         "the same with a static friction that decreases with speed (Stribeck) and a damping "
+         "of the adhesion",
+     .parameters = kOfLugre,
+     .remembers = true,
+     .drag_N = lugre_drag_N,
+     .near_rest = proxy_near_rest},
 }};
 
 std::string names_of_laws() {
@@ -259,9 +290,11 @@ double greatest_friction_slope_N_s_per_m(const FrictionSettings& settings,
 }
 
 Parameter friction_speed_parameter() {
-  return number(kSpeed, "m/s", 1e-4, 0.1, 0.010,
-                "Speed v0 below which Coulomb friction decreases to zero at rest: "
-                "mu N v / sqrt(v^2 + v0^2)");
+  return number(
+      kSpeed, "m/s", 1e-4, 0.1, 0.010,
+      "Speed v0 below which Coulomb friction decreases to zero at rest: "
+      "mu N v / sqrt(v^2 + v0^2). Law lugre: speed at which static friction has decreased "
+      "to kinetic friction, but for 37 % of the difference");
 }
 
 void add_friction_parameters(std::vector<Parameter>& parameters) {
@@ -270,18 +303,20 @@ void add_friction_parameters(std::vector<Parameter>& parameters) {
   parameters.push_back(law_parameter());
   parameters.push_back(
       number(kStiffness, "N/m", 10.0, 5000.0, defaults.stiffness_N_per_m,
-             "Laws proxy and dahl: stiffness of the contact along the surface before it "
+             "Laws proxy, dahl and lugre: stiffness of the contact along the surface before it "
              "slides"));
   parameters.push_back(
       number(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
-             "Laws proxy and dahl: time constant of each of the two low-passes of the "
+             "Laws proxy, dahl and lugre: time constant of each of the two low-passes of the "
              "position, against the steps of the device; 0: none"));
   parameters.push_back(
       number(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
-             "Law proxy: static over kinetic friction; the friction of the material is "
+             "Laws proxy and lugre: static over kinetic friction; the friction of the material is "
              "the kinetic one"));
-  parameters.push_back(number(kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
-                              "Law proxy: damping along the surface while the contact sticks"));
+  parameters.push_back(
+      number(kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
+             "Law proxy: damping along the surface while the contact sticks; law lugre: "
+             "damping of the adhesion"));
   parameters.push_back(number(kMass, "kg", 0.001, 1.0, defaults.mass_kg,
                               "Law bounded: moving mass of device and hand"));
   parameters.push_back(number(kDelay, "s", 0.0, 0.05, defaults.delay_s,

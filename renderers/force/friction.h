@@ -104,10 +104,21 @@ struct FrictionLaw {
 /// so the result does not depend on the period, and the drag never exceeds μN (z is shortened to z_ss first where N has
 /// decreased). Its slope is bounded by 2σ, without the kink that `proxy` has where sliding begins.
 ///
-/// Position instead of velocity: `proxy` and `dahl` depend on the way and not on the speed, so that they do not amplify
-/// the delay and the steps of an estimated velocity. The steps of a device's sensor are steps of the force of up to 2σ·Δ; s
-/// is the position after two low-passes of the time constant τ_s each (gain 1 − exp(−T/τ_s) per tick). τ_s = 0: s is the
-/// position. Both laws store at most ½σz² and return no more to the path s, on which their work on a closed path is never
+/// **lugre**: `dahl` with a level of sliding that depends on the speed v of the smoothed position, and with a damping σ₁
+/// (FrictionSettings::damping_N_s_per_m) of the adhesion [de Wit 1995]:
+///
+///   ż = v − σ·|v|·z/g(v),   g(v) = μN·(1 + (μ_s/μ − 1)·exp(−(v/v₀)²)),   D = σ·z + σ₁'·ż,   σ₁' = min(σ₁, 4·g(v)/|v|)
+///
+/// z is integrated over a step as that of `dahl`, exactly for a constant v, so that no stiffness is unstable in itself.
+/// Sliding at v it drags at g(v), near rest it is a spring σ with a damper σ₁, and at rest without a displacement there is no
+/// force. With μ_s = μ and σ₁ = 0 it is `dahl`. The spring is passive on the path s, because σzv − d(½σz²)/dt = σ²z²|v|/g ≥ 0
+/// whatever g is. The damper adds σ₁'v²(1 − q) with q = σz·sgn(v)/g, which is negative where the speed has increased; the
+/// sum g|v|q² + σ₁'v²(1 − q) is not negative for any q if σ₁'|v| ≤ 4g [Barabanov 2000].
+///
+/// Position instead of velocity: `proxy`, `dahl` and `lugre` depend on the way and not on an estimated velocity, so that
+/// they do not amplify its delay and its steps. The steps of a device's sensor are steps of the force of up to 2σ·Δ; s is
+/// the position after two low-passes of the time constant τ_s each (gain 1 − exp(−T/τ_s) per tick). τ_s = 0: s is the
+/// position. All of them store at most ½σz² and return no more to the path s, on which their work on a closed path is never
 /// positive.
 ///
 /// What they require of a device: the damping b of device and hand with which the loop is passive near rest,
@@ -121,7 +132,7 @@ struct FrictionLaw {
 /// the condition is sufficient. For `dahl` L = σ about z = 0 and up to 2σ where a contact is released that was strained up
 /// to z_ss. A vibration over the way p about a strained z relaxes it by the fraction 2p/z_ss in each cycle, until z is 0:
 /// vibration is not sustained with the condition, though a release from z_ss may ring for some cycles without twice this
-/// damping. Below the condition a hand at rest vibrates; the amplitude is limited by μN with `proxy` and less with `dahl`.
+/// damping. `lugre` as `dahl`, with b_s = σ₁. Below the condition a hand at rest vibrates; the amplitude is limited by μN with `proxy` and less with `dahl`.
 ///
 /// `rounded` and `bounded` are dampers on a delayed velocity, which no device renders passively; a mass m does not vibrate
 /// on them while B < 2m/T·sin(π/(2(2τ/T + 1))) (steepest_damper_N_s_per_m).
@@ -130,6 +141,8 @@ struct FrictionLaw {
 ///
 /// [Hayward 2000] Hayward, Armstrong: A new computational model of friction applied to haptic rendering.
 /// [Dahl 1968] Dahl: A solid friction model, Aerospace Corporation TOR-0158(3107-18)-1.
+/// [de Wit 1995] Canudas de Wit, Olsson, Åström, Lischinsky: A new model for control of systems with friction.
+/// [Barabanov 2000] Barabanov, Ortega: Necessary and sufficient conditions for passivity of the LuGre friction model.
 /// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
 std::span<const FrictionLaw> friction_laws() noexcept;
 
