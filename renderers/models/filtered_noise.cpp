@@ -4,54 +4,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "analysis/random.h"
 #include "renderers/force/path_clock.h"
-#include "renderers/force/servo_low_pass.h"
+#include "renderers/force/recursive_noise.h"
 #include "renderers/force/surface_contact.h"
 
 namespace asperity {
 namespace {
 
-/// y_j = a₁·y_{j−1} + a₂·y_{j−2} + gain·ξ_j.
-struct Recursion {
-  double a1 = 0.0;
-  double a2 = 0.0;
-  double gain = 0.0;  ///< σ/G
-  double sd_N = 0.0;  ///< σ
-};
-
-Recursion recursion_of(const ParameterValues& parameters) {
+/// a₁ and a₂ of y_j = a₁·y_{j−1} + a₂·y_{j−2} + …
+std::vector<double> recursion_of(const ParameterValues& parameters) {
   const double r = number_of(parameters, "pole_radius");
   const double peak_m = number_of(parameters, "peak_wavelength_m");
   const double length_m = number_of(parameters, "noise_length_m");
-  Recursion filter{.a1 = r};
-  if (peak_m > 0.0) {
-    if (peak_m < 2.0 * length_m) {
-      throw std::invalid_argument(
-          "peak_wavelength_m must be at least twice noise_length_m, or 0 for a low-pass");
-    }
-    filter.a1 = 2.0 * r * std::cos(2.0 * std::numbers::pi * length_m / peak_m);
-    filter.a2 = -r * r;
+  if (peak_m <= 0.0) return {r};
+  if (peak_m < 2.0 * length_m) {
+    throw std::invalid_argument(
+        "peak_wavelength_m must be at least twice noise_length_m, or 0 for a low-pass");
   }
-  const double power =
-      (1.0 - filter.a2) /
-      ((1.0 + filter.a2) * ((1.0 - filter.a2) * (1.0 - filter.a2) - filter.a1 * filter.a1));
-  filter.sd_N = number_of(parameters, "noise_sd_N");
-  filter.gain = filter.sd_N / std::sqrt(power);
-  return filter;
+  return {2.0 * r * std::cos(2.0 * std::numbers::pi * length_m / peak_m), -r * r};
 }
 
 class FilteredNoise final : public ForceRenderer {
  public:
   explicit FilteredNoise(const RendererInputs& inputs)
       : contact_(inputs.patch, inputs.material, inputs.parameters),
-        noise_(Random(inputs.seed).split("filtered_noise")),
-        filter_(recursion_of(inputs.parameters)),
-        steps_per_m_(inputs.patch.motion_scale / number_of(inputs.parameters, "noise_length_m")),
+        noise_N_({.coefficients = recursion_of(inputs.parameters),
+                  .sd = number_of(inputs.parameters, "noise_sd_N"),
+                  .steps_per_m =
+                      inputs.patch.motion_scale / number_of(inputs.parameters, "noise_length_m")},
+                 Random(inputs.seed).split("filtered_noise")),
         reference_N_(number_of(inputs.parameters, "reference_force_N")),
         rest_speed_m_per_s_(number_of(inputs.parameters, "friction_speed_m_per_s")),
         clock_(number_of(inputs.parameters, "device_step_m")) {}
@@ -59,18 +45,11 @@ class FilteredNoise final : public ForceRenderer {
   void reset(const ProbeState& first) noexcept override {
     contact_.reset();
     clock_.reset(first.position_m);
-    length_m_ = 0.0;
-    step_ = 0;
-    const double correlation = filter_.a1 / (1.0 - filter_.a2);
-    last_N_ = filter_.sd_N * noise_.split(0).normal();
-    before_N_ = correlation * last_N_ + std::sqrt(1.0 - correlation * correlation) * filter_.sd_N *
-                                            noise_.split("before").normal();
-    next_N_ = node(1);
-    low_pass_.reset(0.0);
+    noise_N_.reset();
   }
 
   RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
-    const double noise_N = noise_up_to(clock_.advance(probe.position_m));
+    const double noise_N = noise_N_.advance(clock_.advance(probe.position_m));
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
@@ -89,52 +68,11 @@ class FilteredNoise final : public ForceRenderer {
   Friction* friction() noexcept override { return &contact_.friction(); }
 
  private:
-  static constexpr std::uint64_t kMostNodesPerTick = 64;
-
-  /// The noise on the way to this length, in equal steps, below half the servo rate.
-  double noise_up_to(double length_m) noexcept {
-    const auto last = static_cast<std::uint64_t>(length_m * steps_per_m_);
-    if (last > step_ + kMostNodesPerTick) step_ = last - kMostNodesPerTick;
-    const double way_m = (length_m - length_m_) / ServoLowPass::kStepsPerTick;
-    double filtered_N = 0.0;
-    for (int part = 1; part <= ServoLowPass::kStepsPerTick; ++part) {
-      filtered_N = low_pass_.step(noise_at(length_m_ + way_m * part));
-    }
-    length_m_ = length_m;
-    return filtered_N;
-  }
-
-  double noise_at(double length_m) noexcept {
-    const double steps = length_m * steps_per_m_;
-    while (static_cast<double>(step_ + 1) <= steps) {
-      ++step_;
-      before_N_ = last_N_;
-      last_N_ = next_N_;
-      next_N_ = node(step_ + 1);
-    }
-    const double fraction = std::clamp(steps - static_cast<double>(step_), 0.0, 1.0);
-    const double from_N = step_ == 0 ? 0.0 : last_N_;
-    return from_N + fraction * (next_N_ - from_N);
-  }
-
-  /// y_j from the two before it.
-  double node(std::uint64_t j) const noexcept {
-    return filter_.a1 * last_N_ + filter_.a2 * before_N_ + filter_.gain * noise_.split(j).normal();
-  }
-
   SurfaceContact contact_;
-  Random noise_;
-  Recursion filter_{};
-  double steps_per_m_ = 0.0;
+  RecursiveNoise noise_N_;
   double reference_N_ = 0.0;
   double rest_speed_m_per_s_ = 0.0;
   PathClock clock_;
-  ServoLowPass low_pass_{};
-  double length_m_ = 0.0;
-  std::uint64_t step_ = 0;  ///< j of `last_N_`
-  double before_N_ = 0.0;   ///< y_{j−1}
-  double last_N_ = 0.0;     ///< y_j
-  double next_N_ = 0.0;     ///< y_{j+1}
 };
 
 TextureBand band_of_path_noise(const RendererInputs& inputs) {

@@ -13,7 +13,7 @@ namespace asperity {
 ///   y_j = a₁·y_{j−1} + a₂·y_{j−2} + (σ/G)·ξ_j            at the lengths ℓ = j·λ_n of the path (PathClock); y_0 and y_{−1} drawn
 ///   F   = F_n·n + s·H(y(ℓ))·t̂ − D                        t̂ = v_t/√(|v_t|² + v₀²), s = min(1, F_n/F_ref)
 ///
-/// y(ℓ) is linear between the y_j, H the ServoLowPass, D the drag of the friction (force/friction.h); σ = `noise_sd_N`,
+/// y(ℓ) and its low-pass H: RecursiveNoise. D is the drag of the friction (force/friction.h); σ = `noise_sd_N`,
 /// λ_n = `noise_length_m` on the texture, so it includes `motion_scale`; F_ref = `reference_force_N`, v₀ =
 /// `friction_speed_m_per_s`; ξ_j is the standard normal number that belongs to the seed and to j. λ_n and F_ref are own
 /// choices; no source gives them.
