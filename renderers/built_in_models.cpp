@@ -2,6 +2,7 @@
 
 #include "renderers/built_in_models.h"
 
+#include "renderers/models/auto_regressive.h"
 #include "renderers/models/bump_map.h"
 #include "renderers/models/filtered_noise.h"
 #include "renderers/models/height_map.h"
@@ -27,6 +28,7 @@ ModelRegistry built_in_models() {
   registry.add(periodic_model());
   registry.add(solid_noise_model());
   registry.add(filtered_noise_model());
+  registry.add(auto_regressive_model());
   return registry;
 }
 

@@ -7,7 +7,7 @@
 namespace asperity {
 
 /// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient, bump_map, normal_map, periodic,
-/// solid_noise and filtered_noise.
+/// solid_noise, filtered_noise and auto_regressive.
 ModelRegistry built_in_models();
 
 }  // namespace asperity

@@ -48,6 +48,7 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
         {{"force_direction", std::string("gradient")}}}},
       {"solid_noise", {{}, {{"octaves", 6.0}}}},
       {"filtered_noise", {{}, {{"peak_wavelength_m", 1e-3}}}},
+      {"auto_regressive", {{}, {{"coefficient_3", 0.1}}}},
       {"pd_gradient",
        {{},
         {{"coupling", std::string("none")}},

@@ -102,6 +102,7 @@ TEST(ModelDeclarations, GiveTheBandAtASpeed) {
   EXPECT_NEAR(band("periodic", {{"sine_amplitude_2_m", 1e-5}}), 60.0, 1e-9);  // two waves in 2 mm
   EXPECT_NEAR(band("solid_noise", {}), 480.0, 1e-9);  // eight half waves in 1 mm
   EXPECT_NEAR(band("filtered_noise", {}), 300.0, 1e-9);
+  EXPECT_NEAR(band("auto_regressive", {}), 300.0, 1e-9);
   EXPECT_NEAR(band("pd_gradient", {}), 300.0, 1e-9);
   const ForceModel& sinusoid = *registry.find("sinusoid");
   RendererInputs scaled = declared_inputs(sinusoid, {{"wavelength_m", 0.0015}});
@@ -141,11 +142,16 @@ TEST(ModelDeclarations, HaveABandForEveryModelAndItsFormulaInTermsOfItsParameter
   }
 }
 
+/// Texture of the path passes a low-pass that belongs to the rate, and is the same in third octaves (the models' own tests).
+bool is_low_passed(const ForceModel& model) {
+  const std::string& id = model.declaration.id;
+  return id == "filtered_noise" || id == "auto_regressive";
+}
+
 // What no noise drawn in every tick passes, and no filter whose coefficients belong to one rate.
 TEST(ModelDeclarations, GiveTheSameForceAtTwiceTheBandAndFaster) {
   for (const ForceModel& model : point_models()) {
-    // Noise on the path passes a low-pass that belongs to the rate, and is the same in third octaves (FilteredNoise).
-    if (model.declaration.id == "filtered_noise") continue;
+    if (is_low_passed(model)) continue;
     const RendererInputs inputs = declared_inputs(model, {});
     ASSERT_LE(2.0 * band_Hz(model, inputs, 0.04), 1000.0) << model.declaration.id;
     const auto felt = [&](double rate_Hz) {
