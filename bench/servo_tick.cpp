@@ -22,6 +22,8 @@
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/friction.h"
+#include "renderers/models/recorded.h"
+#include "renderers/recordings/relief_recording.h"
 #include "renderers/servo/servo_loop.h"
 #include "renderers/servo/servo_thread.h"
 
@@ -96,6 +98,9 @@ std::shared_ptr<const HeightField> rough_field() {
 RendererInputs stimulus(const std::shared_ptr<const HeightField>& field) {
   RendererInputs inputs;
   inputs.height_field = field;
+  static const auto kRecording =
+      std::make_shared<const std::string>(tsv_of(recording_of_relief(*field)));
+  inputs.assets = {{kRecordingRole, kRecording}};
   inputs.seed = 1;
   return inputs;
 }

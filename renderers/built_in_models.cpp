@@ -9,6 +9,7 @@
 #include "renderers/models/lateral_gradient.h"
 #include "renderers/models/normal_map.h"
 #include "renderers/models/periodic.h"
+#include "renderers/models/recorded.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/models/solid_noise.h"
 #include "renderers/models/stochastic.h"
@@ -29,6 +30,7 @@ ModelRegistry built_in_models() {
   registry.add(solid_noise_model());
   registry.add(filtered_noise_model());
   registry.add(auto_regressive_model());
+  registry.add(recorded_model());
   return registry;
 }
 

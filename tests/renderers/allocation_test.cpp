@@ -49,6 +49,7 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
       {"solid_noise", {{}, {{"octaves", 6.0}}}},
       {"filtered_noise", {{}, {{"peak_wavelength_m", 1e-3}}}},
       {"auto_regressive", {{}, {{"coefficient_3", 0.1}}}},
+      {"recorded", {{}, {{"axis_of_spectrum", std::string("temporal")}}}},
       {"pd_gradient",
        {{},
         {{"coupling", std::string("none")}},
@@ -82,6 +83,7 @@ std::unique_ptr<ForceRenderer> renderer_for(const Case& each) {
     inputs.surface = kPlate;
   } else {
     inputs.height_field = grating();
+    inputs.assets = files_of_models();
   }
   return make_renderer(*each.model, inputs);
 }

@@ -29,6 +29,7 @@ Session felt(const ForceModel& model, HapticDevice& device, double duration_s) {
   ServoLoop loop(device, ring, {});
   RendererInputs inputs;
   inputs.height_field = grating();
+  inputs.assets = files_of_models();
   inputs.seed = 2;
   loop.present({.id = 1, .renderer = make_renderer(model, inputs)});
   for (std::int64_t i = 1; i <= ticks; ++i) {

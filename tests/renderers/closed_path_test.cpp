@@ -28,6 +28,7 @@ RendererInputs on_waves(const ForceModel& model, const ParameterValues& values) 
   inputs.patch.tiling = Tiling::repeat;
   inputs.material = {.stiffness_N_per_m = 1000.0, .friction = 0.0};
   inputs.height_field = grating(kWaves);
+  inputs.assets = files_of_models();
   inputs.seed = 3;
   if (model.declaration.needs_bodies) {
     inputs.tool = shared(shifted(bare(ball(0.5e-3, 40, 40)), {0.0, 0.0, 0.5e-3}));

@@ -29,6 +29,7 @@ RendererInputs matched_stimulus() {
   RendererInputs inputs;
   inputs.patch = wide_patch();
   inputs.height_field = grating();
+  inputs.assets = files_of_models();
   inputs.seed = 11;
   return inputs;
 }

@@ -22,10 +22,11 @@ RendererInputs any_inputs() {
   RendererInputs inputs;
   inputs.patch = wide_patch();
   inputs.height_field = grating();
+  inputs.assets = files_of_models();
   return inputs;
 }
 
-TEST(ModelRegistry, KnowsTheElevenBuiltInModels) {
+TEST(ModelRegistry, KnowsTheTwelveBuiltInModels) {
   const ModelRegistry registry = built_in_models();
   RendererInputs inputs = any_inputs();
   inputs.surface = std::make_shared<const TexturedMesh>(
@@ -34,11 +35,11 @@ TEST(ModelRegistry, KnowsTheElevenBuiltInModels) {
       std::make_shared<const TexturedMesh>(body_mesh(SphereShape{.diameter_m = 0.004}, nullptr));
   for (const char* id :
        {"height_map", "sinusoid", "stochastic", "lateral_gradient", "pd_gradient", "bump_map",
-        "normal_map", "periodic", "solid_noise", "filtered_noise", "auto_regressive"}) {
+        "normal_map", "periodic", "solid_noise", "filtered_noise", "auto_regressive", "recorded"}) {
     ASSERT_NE(registry.find(id), nullptr) << id;
     EXPECT_NE(registry.make(id, inputs), nullptr);
   }
-  EXPECT_EQ(registry.models().size(), 11U);
+  EXPECT_EQ(registry.models().size(), 12U);
   EXPECT_EQ(registry.find("no_such_model"), nullptr);
 }
 

@@ -371,6 +371,7 @@ TEST(FrictionOfModels, GivesTheSameBytesForTheSamePath) {
       RendererInputs inputs{.parameters = {{"friction_law", std::string(law.name)}},
                             .patch = wide_patch(),
                             .height_field = grating(),
+                            .assets = files_of_models(),
                             .seed = 3};
       const auto one = make_renderer(model, inputs);
       const auto other = make_renderer(model, inputs);
@@ -392,6 +393,7 @@ TEST(FrictionOfModels, EndsWithTheContactAndStartsOverWithTheNextOne) {
       RendererInputs inputs{.parameters = {{"friction_law", std::string(law.name)}},
                             .patch = wide_patch(),
                             .height_field = grating(),
+                            .assets = files_of_models(),
                             .seed = 3};
       if (model.declaration.amplitude_parameter) {
         inputs.parameters[*model.declaration.amplitude_parameter] = 0.0;

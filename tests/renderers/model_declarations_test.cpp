@@ -24,6 +24,7 @@ RendererInputs declared_inputs(const ForceModel& model, const ParameterValues& v
   inputs.patch = wide_patch();
   inputs.material.friction = 0.0;
   inputs.height_field = grating();
+  inputs.assets = files_of_models();
   inputs.parameters = values;
   inputs.seed = 11;
   if (model.declaration.needs_bodies) {
@@ -103,6 +104,7 @@ TEST(ModelDeclarations, GiveTheBandAtASpeed) {
   EXPECT_NEAR(band("solid_noise", {}), 480.0, 1e-9);  // eight half waves in 1 mm
   EXPECT_NEAR(band("filtered_noise", {}), 300.0, 1e-9);
   EXPECT_NEAR(band("auto_regressive", {}), 300.0, 1e-9);
+  EXPECT_NEAR(band("recorded", {}), 15.0, 4.0);  // waves of 4 mm, in lines of 62.5/m
   EXPECT_NEAR(band("pd_gradient", {}), 300.0, 1e-9);
   const ForceModel& sinusoid = *registry.find("sinusoid");
   RendererInputs scaled = declared_inputs(sinusoid, {{"wavelength_m", 0.0015}});
@@ -145,7 +147,7 @@ TEST(ModelDeclarations, HaveABandForEveryModelAndItsFormulaInTermsOfItsParameter
 /// Texture of the path passes a low-pass that belongs to the rate, and is the same in third octaves (the models' own tests).
 bool is_low_passed(const ForceModel& model) {
   const std::string& id = model.declaration.id;
-  return id == "filtered_noise" || id == "auto_regressive";
+  return id == "filtered_noise" || id == "auto_regressive" || id == "recorded";
 }
 
 // What no noise drawn in every tick passes, and no filter whose coefficients belong to one rate.

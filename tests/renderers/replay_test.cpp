@@ -22,6 +22,7 @@ RendererInputs replayed_stimulus() {
   RendererInputs inputs;
   inputs.patch = wide_patch();
   inputs.height_field = grating();
+  inputs.assets = files_of_models();
   inputs.surface = std::make_shared<const TexturedMesh>(
       body_mesh(PlateShape{{0.08, 0.02, 0.01}}, grating({.pitch_m = 0.0002}).get()));
   inputs.tool = std::make_shared<const TexturedMesh>(

@@ -4,13 +4,17 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "device/probe_state.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
+#include "renderers/models/recorded.h"
+#include "renderers/recordings/relief_recording.h"
 
 namespace asperity {
 
@@ -46,6 +50,13 @@ inline std::shared_ptr<const HeightField> grating(const Grating& wave = {}) {
 inline std::shared_ptr<const HeightField> level(float height_m) {
   return std::make_shared<const HeightField>(HeightField::Grid{16, 16, 0.001},
                                              std::vector<float>(256, height_m));
+}
+
+/// The files of the models that need one: a recording of the grating.
+inline std::map<std::string, std::shared_ptr<const std::string>, std::less<>> files_of_models() {
+  static const auto kRecording =
+      std::make_shared<const std::string>(tsv_of(recording_of_relief(*grating())));
+  return {{kRecordingRole, kRecording}};
 }
 
 /// The built-in models that touch a plane with a point: what compares models with each other
