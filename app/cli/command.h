@@ -33,6 +33,7 @@ void add_simulate(CLI::App& program, Job& job);
 void add_sweep(CLI::App& program, Job& job);
 void add_synth(CLI::App& program, Job& job);
 void add_texture(CLI::App& program, Job& job);
+void add_texture_recording(CLI::App& program, Job& job);
 void add_verify(CLI::App& program, Job& job);
 void add_withdraw(CLI::App& program, Job& job);
 
