@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,7 @@
 #include "app/records/recorded_strokes.h"
 #include "app/study_files/height_field_files.h"
 #include "renderers/built_in_models.h"
+#include "renderers/models/auto_regressive.h"
 #include "renderers/recordings/recorded_spectra.h"
 #include "renderers/recordings/relief_recording.h"
 #include "renderers/recordings/texture_recording.h"
@@ -35,6 +37,7 @@ struct TextureRecordingOptions {
   std::optional<std::string> relief{};
   std::vector<std::string> wavs{};
   std::optional<std::string> study{};
+  std::optional<std::string> table{};
   std::optional<std::string> attempt{};
   int surface = 1;
   std::string component = "motion";
@@ -100,16 +103,30 @@ TextureRecording recording_of_study(const TextureRecordingOptions& options) {
 }
 
 TextureRecording recording_asked_for(const TextureRecordingOptions& options) {
-  const int sources =
-      (options.relief ? 1 : 0) + (options.wavs.empty() ? 0 : 1) + (options.study ? 1 : 0);
+  const int sources = (options.relief ? 1 : 0) + (options.wavs.empty() ? 0 : 1) +
+                      (options.study ? 1 : 0) + (options.table ? 1 : 0);
   if (sources != 1) {
-    throw WrongUsage("give one of --relief, --wav and --study, from which the recording is made");
+    throw WrongUsage(
+        "give one of --relief, --wav, --study and --table, from which the recording is made");
   }
   if (!options.wavs.empty()) return recording_of_wavs(options);
   if (options.study) return recording_of_study(options);
+  if (options.table) {
+    return texture_recording_in(read_file(*options.table, kTableFile), *options.table);
+  }
   ReliefStrokes strokes{.normal_N = options.normal_N, .rate_Hz = options.rate_Hz};
   if (!options.speeds_m_per_s.empty()) strokes.speeds_m_per_s = options.speeds_m_per_s;
   return recording_of_relief(*load_height_field(*options.relief).field, strokes);
+}
+
+/// The parameters of the model auto_regressive with the statistics of the recording, as a protocol states them.
+std::string parameters_of_friction(const TextureRecording& recording) {
+  std::string text{};
+  for (const auto& [name, value] : autoregression_of_recording(recording)) {
+    text +=
+        (text.empty() ? "" : ", ") + ('"' + name + "\": ") + number_text(std::get<double>(value));
+  }
+  return "auto_regressive: \"parameters\": {" + text + "}";
 }
 
 /// The mean over the strokes of the median of force over normal force: the friction, of a force along the motion.
@@ -134,7 +151,9 @@ void add_texture_recording(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "texture-recording",
       "Write the forces of strokes over a texture, for the force model recorded: from a relief, "
-      "from WAV files or from a study.");
+      "from WAV files or from a study. Prints the parameters of the force model auto_regressive "
+      "with "
+      "the same statistics.");
   command->add_option("--relief", options->relief,
                       "A height field, FILE.png: the forces of a point that slides over it without "
                       "friction");
@@ -143,6 +162,8 @@ void add_texture_recording(CLI::App& program, Job& job) {
                       "bits or 32-bit floating point. Repeat it for each speed");
   command->add_option("--study", options->study,
                       "A study, whose recorded strokes on a surface are taken");
+  command->add_option("--table", options->table,
+                      "A table of strokes (TSV), which is checked and written again");
   command->add_option("--attempt", options->attempt,
                       "With --study: row number in the exported attempts.tsv, or "
                       "PARTICIPANT/SESSION/TRIAL/ATTEMPT");
@@ -188,6 +209,7 @@ void add_texture_recording(CLI::App& program, Job& job) {
                 << fixed(speeds.front() * 1e3, 1) << " to " << fixed(speeds.back() * 1e3, 1)
                 << " mm/s, median force over normal force " << fixed(friction_of(recording), 3)
                 << '\n';
+      if (options->component == "motion") std::cout << parameters_of_friction(recording) << '\n';
       if (speeds.size() < 2) {
         say("asperity: warning: " + options->out.string() +
             ": all strokes have nearly the same speed, which the force model recorded refuses "

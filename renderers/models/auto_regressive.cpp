@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -151,6 +152,39 @@ std::vector<Parameter> parameters_of_friction() {
 
 }  // namespace
 
+namespace {
+
+// The ratio of force to normal force, 0 where there is none, less its least-squares line over the path.
+std::vector<double> ratio_without_trend(const RecordedStroke& stroke) {
+  std::vector<double> ratio(stroke.force_N.size(), 0.0);
+  double count = 0.0;
+  double mean = 0.0;
+  double middle_m = 0.0;
+  for (std::size_t i = 0; i < ratio.size(); ++i) {
+    if (!(stroke.normal_N[i] > 0.0)) continue;
+    ratio[i] = stroke.force_N[i] / stroke.normal_N[i];
+    mean += ratio[i];
+    middle_m += stroke.path_m[i];
+    count += 1.0;
+  }
+  mean /= count;
+  middle_m /= count;
+  double product = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < ratio.size(); ++i) {
+    if (!(stroke.normal_N[i] > 0.0)) continue;
+    product += (stroke.path_m[i] - middle_m) * (ratio[i] - mean);
+    square += (stroke.path_m[i] - middle_m) * (stroke.path_m[i] - middle_m);
+  }
+  for (std::size_t i = 0; i < ratio.size(); ++i) {
+    if (!(stroke.normal_N[i] > 0.0)) continue;
+    ratio[i] -= mean + (square > 0.0 ? product / square * (stroke.path_m[i] - middle_m) : 0.0);
+  }
+  return ratio;
+}
+
+}  // namespace
+
 ParameterValues autoregression_of_profiles(std::span<const std::vector<double>> segments,
                                            double step_m) {
   constexpr std::size_t kOrder = 2;
@@ -202,6 +236,40 @@ ParameterValues autoregression_of_relief(const HeightField& field) {
       segments[line].push_back((height_m - before_m) / step_m);
       before_m = height_m;
     }
+  }
+  return autoregression_of_profiles(segments, step_m);
+}
+
+ParameterValues autoregression_of_recording(const TextureRecording& recording) {
+  require_strokes(recording, "the recorded texture");
+  double step_m = kStep_m;
+  for (const RecordedStroke& stroke : recording.strokes) {
+    step_m = std::max(step_m, (stroke.path_m.back() - stroke.path_m.front()) /
+                                  static_cast<double>(stroke.path_m.size() - 1));
+  }
+  std::vector<std::vector<double>> segments{};
+  for (const RecordedStroke& stroke : recording.strokes) {
+    const std::vector<double> ratio = ratio_without_trend(stroke);
+    segments.emplace_back();
+    double sum = 0.0;
+    int count = 0;
+    std::int64_t step = 0;
+    for (std::size_t i = 0; i < ratio.size(); ++i) {
+      if (!(stroke.normal_N[i] > 0.0)) continue;
+      // The middle of the steps of a stroke with one sample in each, so that rounding moves none.
+      const auto its_step = static_cast<std::int64_t>(
+          std::floor((stroke.path_m[i] - stroke.path_m.front()) / step_m + 0.25));
+      if (count > 0 && its_step != step) {
+        segments.back().push_back(sum / count);
+        if (its_step > step + 1) segments.emplace_back();
+        sum = 0.0;
+        count = 0;
+      }
+      step = its_step;
+      sum += ratio[i];
+      ++count;
+    }
+    if (count > 0) segments.back().push_back(sum / count);
   }
   return autoregression_of_profiles(segments, step_m);
 }

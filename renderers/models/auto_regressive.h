@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderers/force/force_model.h"
+#include "renderers/recordings/texture_recording.h"
 
 namespace asperity {
 
@@ -54,5 +55,10 @@ ParameterValues autoregression_of_profiles(std::span<const std::vector<double>> 
 /// without friction. It is the slope: the differences of heights that are `step_m` apart, divided by it. `step_m`
 /// is λ_n = 0.1 mm, or the pitch of a coarser field.
 ParameterValues autoregression_of_relief(const HeightField& field);
+
+/// The same for a recorded force along the motion: the ratio of each sample's force to its normal force, less a trend in each
+/// stroke, as means over steps of the path. A step is λ_n = 0.1 mm, or that of the samples of the fastest stroke where it is longer. Samples
+/// without a normal force are left out; a step without a sample ends a segment.
+ParameterValues autoregression_of_recording(const TextureRecording& recording);
 
 }  // namespace asperity

@@ -53,6 +53,8 @@ TEST(TextureRecording, OfAReliefIsPlayedWithItsSlopes) {
       asperity({"texture-recording", "--relief", place / "wave.png", "--out", place / "wave.tsv"});
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_THAT(made.out, HasSubstr("9 strokes at 3 speeds, 30.0 to 120.0 mm/s"));
+  EXPECT_THAT(made.out, HasSubstr("auto_regressive: \"parameters\": {\"coefficient_1\": 1."));
+  EXPECT_THAT(made.out, HasSubstr("\"friction_sd\": 0.22"));
   EXPECT_NEAR(played_rms_N(place.path(), place / "wave.tsv"), 0.22, 0.03);
   // Nothing is overwritten.
   EXPECT_EQ(
@@ -100,11 +102,30 @@ TEST(TextureRecording, OfWavFilesIsPlayedWithTheForceOfTheirFullScale) {
                                           HasSubstr("convert the file")));
 }
 
+TEST(TextureRecording, OfATableIsTheSameTable) {
+  const TemporaryFolder place{};
+  write_text(place / "slow.wav", wav_of_a_wave(30.0, 1));
+  ASSERT_EQ(asperity({"texture-recording", "--wav", place / "slow.wav", "--speed-m-per-s", "0.03",
+                      "--full-scale-n", "0.4", "--out", place / "felt.tsv"})
+                .status,
+            0);
+  const Outcome again =
+      asperity({"texture-recording", "--table", place / "felt.tsv", "--out", place / "again.tsv"});
+  EXPECT_EQ(again.status, 0);
+  EXPECT_THAT(again.err, HasSubstr("all strokes have nearly the same speed"));
+  EXPECT_EQ(text_of(place / "felt.tsv"), text_of(place / "again.tsv"));
+  write_text(place / "other.tsv", "a\tb\n");
+  const Outcome refused = asperity({"texture-recording", "--table", place / "other.tsv", "--out",
+                                    place / "again.tsv", "--force"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("other.tsv:1: the column stroke is missing"));
+}
+
 TEST(TextureRecording, NeedsOneSourceWithItsOptions) {
   const TemporaryFolder place{};
   const Outcome without = asperity({"texture-recording", "--out", place / "x.tsv"});
   EXPECT_EQ(without.status, 2);
-  EXPECT_THAT(without.err, HasSubstr("--relief, --wav and --study"));
+  EXPECT_THAT(without.err, HasSubstr("--relief, --wav, --study and --table"));
   const Outcome speeds = asperity({"texture-recording", "--wav", "a.wav", "--wav", "b.wav",
                                    "--speed-m-per-s", "0.03", "--out", place / "x.tsv"});
   EXPECT_EQ(speeds.status, 2);

@@ -1,5 +1,7 @@
 // Friction that varies along the path: its variance and spectrum, its limits, the hand at rest, and the values for a relief.
 
+#include "renderers/models/auto_regressive.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,7 +14,6 @@
 
 #include "analysis/random.h"
 #include "analysis/spectrum.h"
-#include "renderers/models/auto_regressive.h"
 #include "renderers/offline/along_path.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/support/refusal.h"
@@ -243,6 +244,37 @@ TEST(AutoRegressive, RecoversItsOwnCoefficientsFromAProfile) {
   const double tolerance = 3.0 / std::sqrt(40'000.0) + 0.002;  // and the poles moved by 0.1 %
   EXPECT_NEAR(number_of(values, "coefficient_1"), kProcessA1, tolerance);
   EXPECT_NEAR(number_of(values, "coefficient_2"), kProcessA2, tolerance);
+  EXPECT_NEAR(number_of(values, "friction_sd"),
+              0.01 * std::sqrt((1.0 - kProcessA2) / (1.0 + kProcessA2) /
+                               ((1.0 - kProcessA2) * (1.0 - kProcessA2) - kProcessA1 * kProcessA1)),
+              0.002);
+}
+
+// A drag of 0.3 times a normal force that varies, with the process on it, at two speeds and with a trend.
+TEST(AutoRegressive, RecoversItsCoefficientsFromARecordedForce) {
+  TextureRecording recording{};
+  Random random(6);
+  for (const double speed_m_per_s : {0.05, 0.1}) {
+    const int per_node = speed_m_per_s < 0.1 ? 2 : 1;
+    RecordedStroke stroke{};
+    std::vector<double> m{0.0, 0.0};
+    for (int i = 0; i < 30'000 * per_node; ++i) {
+      if (i % per_node == 0) {
+        m.push_back(kProcessA1 * m.back() + kProcessA2 * m[m.size() - 2] + 0.01 * random.normal());
+      }
+      const double path_m = i * kNodeLength_m / per_node;
+      stroke.time_s.push_back(path_m / speed_m_per_s);
+      stroke.path_m.push_back(path_m);
+      stroke.normal_N.push_back(1.0 + 0.5 * std::sin(0.003 * i));
+      stroke.force_N.push_back(stroke.normal_N.back() * (0.3 + 0.05 * path_m + m.back()));
+    }
+    recording.strokes.push_back(stroke);
+  }
+  const ParameterValues values = autoregression_of_recording(recording);
+  const double tolerance = 3.0 / std::sqrt(60'000.0) + 0.002;  // and the poles moved by 0.1 %
+  EXPECT_NEAR(number_of(values, "coefficient_1"), kProcessA1, tolerance);
+  EXPECT_NEAR(number_of(values, "coefficient_2"), kProcessA2, tolerance);
+  EXPECT_NEAR(number_of(values, "noise_length_m"), kNodeLength_m, 1e-12);
   EXPECT_NEAR(number_of(values, "friction_sd"),
               0.01 * std::sqrt((1.0 - kProcessA2) / (1.0 + kProcessA2) /
                                ((1.0 - kProcessA2) * (1.0 - kProcessA2) - kProcessA1 * kProcessA1)),
