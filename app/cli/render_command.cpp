@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "analysis/number_text.h"
+#include "app/cli/asset_option.h"
 #include "app/cli/body_option.h"
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
@@ -48,18 +49,6 @@ void add_height_field(RendererInputs& inputs, const ForceModel& model, const Bod
   ParameterValues suggested = model.suggested_by(*inputs.height_field, inputs.material);
   for (const auto& [name, value] : inputs.parameters) suggested[name] = value;
   inputs.parameters = std::move(suggested);
-}
-
-void add_asset(RendererInputs& inputs, const ModelDeclaration& model, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) throw WrongUsage("--asset " + text + ": write ROLE=FILE");
-  const std::string role = text.substr(0, equals);
-  if (std::none_of(model.assets.begin(), model.assets.end(),
-                   [&role](const AssetDeclaration& asset) { return asset.role == role; })) {
-    throw WrongUsage("--asset " + text + ": the force model " + model.id + " needs no asset \"" +
-                     role + "\"; asperity models lists those that it needs");
-  }
-  inputs.assets[role] = std::make_shared<const std::string>(read_file(text.substr(equals + 1)));
 }
 
 void require_material(const Material& material) {

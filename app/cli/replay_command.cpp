@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/asset_option.h"
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
@@ -51,6 +52,7 @@ void add_replay(CLI::App& program, Job& job) {
     int surface = 1;
     std::optional<std::string> model{};
     std::vector<std::string> parameters{};
+    std::vector<std::string> assets{};
     std::filesystem::path out{};
     bool force = false;
   };
@@ -68,6 +70,8 @@ void add_replay(CLI::App& program, Job& job) {
                       "Another force model on the same texture, of the same kind as the recorded "
                       "one: with two bodies or with a point");
   command->add_option("--param", options->parameters, "Parameter of the other model, NAME=VALUE");
+  command->add_option("--asset", options->assets,
+                      "File that the other model needs, ROLE=FILE; see: asperity models");
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &job] {
@@ -105,8 +109,12 @@ void add_replay(CLI::App& program, Job& job) {
              parameters_from(options->parameters, model->declaration.parameters, *options->model)) {
           inputs.parameters[name] = value;
         }
-      } else if (!options->parameters.empty()) {
-        throw WrongUsage("--param needs --model; add it, or leave out --param");
+        for (const std::string& text : options->assets) {
+          add_asset(inputs, model->declaration, text);
+        }
+      } else if (!options->parameters.empty() || !options->assets.empty()) {
+        const std::string option = options->parameters.empty() ? "--asset" : "--param";
+        throw WrongUsage(option + " needs --model; add it, or leave out " + option);
       }
       const ReplayedSurface replayed = replay_surface(recorded, options->surface, *model, inputs);
       std::vector<RenderedTick> forces{};

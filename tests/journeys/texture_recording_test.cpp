@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "results_schema/table.h"
 #include "tests/journeys/program.h"
@@ -119,6 +120,39 @@ TEST(TextureRecording, OfATableIsTheSameTable) {
                                     place / "again.tsv", "--force"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.err, HasSubstr("other.tsv:1: the column stroke is missing"));
+}
+
+// What the virtual hand felt is a recorded texture, and another model plays it under the same hand.
+TEST(TextureRecording, OfAStudyIsThatOfItsHand) {
+  const SmallStudy small{};
+  nlohmann::ordered_json protocol = nlohmann::ordered_json::parse(text_of(small.selection()));
+  protocol["explorations"]["short"] = {{"minimum_contact_s", 3.0}, {"maximum_contact_s", 6.0}};
+  write_text(small.selection(), protocol.dump());
+  ASSERT_EQ(asperity({"simulate", small.selection(), "--study", small.study(), "--participants",
+                      "1", "--seed", "3", "--recordings", "all"})
+                .status,
+            0);
+  const fs::path table = small.place() / "hand.tsv";
+  const Outcome made =
+      asperity({"texture-recording", "--study", small.study(), "--attempt", "1", "--out", table});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("median force over normal force 0."));
+  const std::vector<std::string> replay{"replay",    small.study(),
+                                        "--attempt", "1",
+                                        "--model",   "recorded",
+                                        "--param",   "single_speed=accepted",
+                                        "--out",     small.place() / "forces.tsv"};
+  const Outcome without = asperity(replay);
+  EXPECT_EQ(without.status, 1);
+  EXPECT_THAT(without.err, HasSubstr("needs the asset \"recording\""));
+  std::vector<std::string> with_table = replay;
+  with_table.insert(with_table.end(), {"--asset", "recording=" + table.string()});
+  const Outcome replayed = asperity(with_table);
+  EXPECT_EQ(replayed.status, 0) << replayed.err;
+  const Outcome none = asperity({"texture-recording", "--study", small.study(), "--attempt", "1",
+                                 "--surface", "9", "--out", small.place() / "none.tsv"});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.err, HasSubstr("has no stroke of 0.25 s"));
 }
 
 TEST(TextureRecording, NeedsOneSourceWithItsOptions) {

@@ -1,0 +1,31 @@
+// An option that takes a file of a force model by its role.
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "app/cli/command.h"
+#include "renderers/force/force_model.h"
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+
+/// Adds the file of ROLE=FILE to the inputs of a model. Errors: WrongUsage for another form and for a role that the model does not
+/// declare; ResultsError for a file that cannot be read.
+inline void add_asset(RendererInputs& inputs, const ModelDeclaration& model,
+                      const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) throw WrongUsage("--asset " + text + ": write ROLE=FILE");
+  const std::string role = text.substr(0, equals);
+  if (std::none_of(model.assets.begin(), model.assets.end(),
+                   [&role](const AssetDeclaration& asset) { return asset.role == role; })) {
+    throw WrongUsage("--asset " + text + ": the force model " + model.id + " needs no asset \"" +
+                     role + "\"; asperity models lists those that it needs");
+  }
+  inputs.assets[role] = std::make_shared<const std::string>(read_file(text.substr(equals + 1)));
+}
+
+}  // namespace asperity
