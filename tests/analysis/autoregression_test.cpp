@@ -115,6 +115,19 @@ TEST(StationaryPredictors, HaveTheVarianceOfOrderTwoInClosedForm) {
   EXPECT_EQ(predictors->error_variance[0], 1.0);
 }
 
+// The process with the innovation variance of its predictor has the variance 1: to 2 % over 10⁶ samples.
+TEST(StationaryPredictors, HaveTheVarianceOfASimulatedProcess) {
+  for (const std::vector<double>& a :
+       {std::vector<double>{1.4562, -0.81}, std::vector<double>{0.5, -0.3, 0.2, -0.4}}) {
+    const auto predictors = stationary_predictors(a);
+    ASSERT_TRUE(predictors);
+    double sum_of_squares = 0.0;
+    const std::vector<double> values = simulated_process(a, 1'000'000, 9);
+    for (const double value : values) sum_of_squares += value * value;
+    EXPECT_NEAR(sum_of_squares / 1e6 * predictors->error_variance.back(), 1.0, 0.02);
+  }
+}
+
 // Coefficients from given roots: with one outside the unit circle, or on it, the process is not stationary.
 TEST(StationaryPredictors, ExistExactlyForRootsInsideTheUnitCircle) {
   const auto with_roots = [](const std::vector<std::complex<double>>& roots) {
