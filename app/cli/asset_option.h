@@ -13,8 +13,8 @@
 
 namespace asperity {
 
-/// Adds the file of ROLE=FILE to the inputs of a model. Errors: WrongUsage for another form and for a role that the model does not
-/// declare; ResultsError for a file that cannot be read.
+/// Adds the file of ROLE=FILE to the inputs of a model. Errors: WrongUsage for another form and for a role that the
+/// model does not declare; ResultsError for a file that cannot be read.
 inline void add_asset(RendererInputs& inputs, const ModelDeclaration& model,
                       const std::string& text) {
   const std::size_t equals = text.find('=');

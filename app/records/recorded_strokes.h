@@ -22,8 +22,8 @@ struct RecordedHand {
 };
 
 /// The force that was sent to the device while the hand stroked a surface: its component against the motion, or the
-/// normal one. A stroke is 0.25 s of uninterrupted contact at full gain in one direction, within 30°, at 20 mm/s and faster; the
-/// rest is left out. Several of them follow each other in a long stroke, each with its own mean speed.
+/// normal one. A stroke is 0.25 s of uninterrupted contact at full gain in one direction, within 30°, at 20 mm/s and
+/// faster; the rest is left out. Several of them follow each other in a long stroke, each with its own mean speed.
 TextureRecording strokes_of_hand(const RecordedHand& hand);
 
 }  // namespace asperity

@@ -18,9 +18,9 @@ namespace asperity {
 ///   y(ℓ)                                             linear between the y_j; y(0) = 0
 ///
 /// ξ_j is the standard normal number that belongs to the seed and to j. g is chosen so that the y_j have the standard
-/// deviation `sd`: g² = sd²·σ²_p with σ²_p the error variance of the predictor of order p (stationary_predictors). From ℓ =
-/// 1/`steps_per_m` on the y_j are stationary, because y_0 … y_{1−p} are drawn with their joint distribution; y(0) = 0 instead of y_0, so
-/// that a hand that touches down feels no texture before it moves.
+/// deviation `sd`: g² = sd²·σ²_p with σ²_p the error variance of the predictor of order p (stationary_predictors). From
+/// ℓ = 1/`steps_per_m` on the y_j are stationary, because y_0 … y_{1−p} are drawn with their joint distribution; y(0) =
+/// 0 instead of y_0, so that a hand that touches down feels no texture before it moves.
 ///
 /// Interpolation multiplies the spectrum by sinc⁴(f/(v·`steps_per_m`)), −1.8 dB at a quarter of the nodes' rate. What is
 /// above 0.4 of the servo rate is filtered out (ServoLowPass). A path that grows by more than 64 nodes in a tick skips

@@ -15,10 +15,10 @@ namespace asperity {
 ///   F    = F_n·n + F_t·t̂ − D                              `axis = motion`;  t̂ = v_t/√(|v_t|² + v₀²)
 ///   F    = max(0, F_n + F_t)·n − D                        `axis = normal`
 ///
-/// `axis_of_spectrum = spatial` (default): the lines are waves per metre and u is the length of the path (PathClock), on the texture, so
-/// it includes `motion_scale`. A wave of 1 mm is v/1 mm in hertz at every speed. `temporal`: the lines are in hertz and u
-/// is the time for which the hand has moved; this is the interpolation of the source, in which a speed between two
-/// recorded ones moves energy between lines and not the frequency of a wave.
+/// `axis_of_spectrum = spatial` (default): the lines are waves per metre and u is the length of the path (PathClock),
+/// on the texture, so it includes `motion_scale`. A wave of 1 mm is v/1 mm in hertz at every speed. `temporal`: the
+/// lines are in hertz and u is the time for which the hand has moved; this is the interpolation of the source, in which
+/// a speed between two recorded ones moves energy between lines and not the frequency of a wave.
 ///
 /// Logarithms of amplitudes are linear in log v between two recorded speeds, and held beyond them. The vibration is
 /// computed in advance for 8 speeds between each pair, one period 1/Δ of the sum each, and mixed linearly between two of
@@ -32,8 +32,9 @@ namespace asperity {
 /// Artefacts: the phases of the recording are lost, so that a sharp ridge becomes noise of its spectrum; the vibration
 /// repeats after the shortest recorded stroke; two strokes over a place differ.
 ///
-/// The asset `recording` is a table of strokes (texture_recording.h). Errors: std::invalid_argument for a table that cannot be read, and
-/// for one with a single speed unless `single_speed` is `accepted`: it does not show how the texture changes with the speed.
+/// The asset `recording` is a table of strokes (texture_recording.h). Errors: std::invalid_argument for a table that
+/// cannot be read, and for one with a single speed unless `single_speed` is `accepted`: it does not show how the
+/// texture changes with the speed.
 ///
 /// [Vasudevan 2006] Vasudevan, Manivannan: Recordable haptic textures.
 ForceModel recorded_model();

@@ -14,13 +14,13 @@ enum class SpectrumAxis { spatial, temporal };
 
 /// One-sided amplitude spectra of a texture at the speeds of its recording.
 ///
-/// Line k = 1 … `lines` is a wave of the frequency k·`spacing`, in 1/m or Hz, with the amplitude A_k, in newtons at a normal
-/// force of 1 N: half of its square is the mean square of the force in the band (k ± ½)·`spacing`, divided by N^2β with
-/// N the mean normal force of the stroke and β the exponent. Each stroke is resampled in equal steps of the path
-/// (or of time) and its trend removed; the mean square of the bands is that of its transform without a window
-/// (Parseval), each line of which is spread evenly over its width. `spacing` is 1/(the shortest stroke), or wider so that there are at
-/// most 4096 lines: the finest resolution that all strokes have. Strokes whose speeds differ by less than 10 % are one speed, with the mean of
-/// their mean squares.
+/// Line k = 1 … `lines` is a wave of the frequency k·`spacing`, in 1/m or Hz, with the amplitude A_k, in newtons at a
+/// normal force of 1 N: half of its square is the mean square of the force in the band (k ± ½)·`spacing`, divided by
+/// N^2β with N the mean normal force of the stroke and β the exponent. Each stroke is resampled in equal steps of the
+/// path (or of time) and its trend removed; the mean square of the bands is that of its transform without a window
+/// (Parseval), each line of which is spread evenly over its width. `spacing` is 1/(the shortest stroke), or wider so
+/// that there are at most 4096 lines: the finest resolution that all strokes have. Strokes whose speeds differ by less
+/// than 10 % are one speed, with the mean of their mean squares.
 ///
 /// A speed covers the bands from half of 1/(its shortest stroke) to 0.45 of its lowest sampling rate, both on the axis.
 ///

@@ -24,8 +24,8 @@ struct ReliefStrokes {
 /// length. F is N times the slope, averaged over d, so that nothing above half the sampling rate f aliases much.
 /// There is no mass and no damping: the speeds differ only in what their sampling resolves.
 ///
-/// Errors: std::invalid_argument for a speed, force or rate that is not positive, and for a field that is too narrow for 64 samples of a
-/// stroke.
+/// Errors: std::invalid_argument for a speed, force or rate that is not positive, and for a field that is too narrow
+/// for 64 samples of a stroke.
 TextureRecording recording_of_relief(const HeightField& field, const ReliefStrokes& strokes = {});
 
 }  // namespace asperity

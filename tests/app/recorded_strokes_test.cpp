@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint64_t kPatch = 2;
 
-/// To and fro over ±30 mm with up to 94 mm/s, with 1 N on a plate with a friction of 0.2 and a vibration of 0.1 N along the normal.
+/// To and fro over ±30 mm with up to 94 mm/s, with 1 N on a plate with a friction of 0.2 and a vibration of 0.1 N along
+/// the normal.
 std::vector<TickRecord> hand_to_and_fro() {
   std::vector<TickRecord> records{};
   for (int i = 0; i < 4000; ++i) {
@@ -35,7 +36,8 @@ std::vector<TickRecord> hand_to_and_fro() {
 TEST(StrokesOfAHand, AreUninterruptedInOneDirectionAndHaveTheForceAgainstTheMotion) {
   const std::vector<TickRecord> records = hand_to_and_fro();
   const TextureRecording recording = strokes_of_hand({.records = records, .presentation = kPatch});
-  // 0.87 s of each half period of 1 s are faster than 20 mm/s: three strokes of 0.25 s in each, in the first and the last half of them one.
+  // 0.87 s of each half period of 1 s are faster than 20 mm/s: three strokes of 0.25 s in each, in the first and the
+  // last half of them one.
   ASSERT_EQ(recording.strokes.size(), 11U);
   for (const RecordedStroke& stroke : recording.strokes) {
     EXPECT_EQ(stroke.time_s.size(), 250U);
