@@ -279,6 +279,8 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   if (block.all_pairs && !known(block.all_pairs->factor)) return;
   const std::size_t rows = row_count(protocol_, block);
   if (rows == 0) return;  // a factor or a dimension without levels, reported there
+  // A procedure determines the number of trials, also one that was refused.
+  const bool has_procedure = document_.root().at("blocks").at(block.name).contains("procedure");
   const std::size_t trials = rows * static_cast<std::size_t>(block.repetitions);
   if (trials > kMaximumTrials) {
     report(
@@ -287,7 +289,8 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
             " trials, too many for a participant; reduce the number of repetitions or of levels");
     return;
   }
-  if (block.until && trials < static_cast<std::size_t>(block.until->maximum_trials)) {
+  if (block.until && !has_procedure &&
+      trials < static_cast<std::size_t>(block.until->maximum_trials)) {
     report(pointer + "/until/maximum_trials",
            "up to " + std::to_string(block.until->maximum_trials) +
                " trials may be needed, but the block has " + std::to_string(trials) + "; with " +
@@ -295,7 +298,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
                std::to_string((static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) /
                               rows));
   }
-  if (block.positions == Block::Positions::balanced && !block.until && !block.procedure &&
+  if (block.positions == Block::Positions::balanced && !block.until && !has_procedure &&
       trials % block.presented.size() != 0) {
     report(pointer + "/positions",
            "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
