@@ -1,0 +1,39 @@
+#include "app/tasks/band_warnings.h"
+
+#include <set>
+
+#include "analysis/number_text.h"
+#include "protocols/file/protocol_reader.h"
+#include "protocols/plan/plan.h"
+
+namespace asperity {
+
+std::vector<Diagnostic> warnings_about_bands(const Protocol& protocol, const std::string& file_name,
+                                             StimulusBuilder& builder) {
+  constexpr double kRounding = 1.0 + 1e-9;
+  std::vector<Diagnostic> warnings{};
+  std::set<std::string> compared{};
+  std::set<std::string> reported{};  // one texture stands for the others of a stimulus
+  for (const Trial& trial : possible_trials(protocol)) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const StimulusDescription& stimulus = planned.stimulus;
+      if (!builder.can_make(stimulus) || !compared.insert(stimulus.name).second) continue;
+      if (reported.contains(planned.stimulus_template)) continue;
+      const PreparedStimulus prepared = builder.unmatched(stimulus);
+      constexpr double kAtRest_m_per_s = 0.0;
+      const double highest_Hz = band_Hz(*prepared.model, prepared.inputs, kAtRest_m_per_s);
+      if (highest_Hz <= kRounding * 0.5 * protocol.rate_Hz) continue;
+      reported.insert(planned.stimulus_template);
+      warnings.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
+      warnings.back().message =
+          "the force of the stimulus \"" + stimulus.name +
+          "\" changes with time at frequencies up to " + number_text(highest_Hz) +
+          " Hz, above half of the servo rate of " + number_text(protocol.rate_Hz) +
+          " Hz: its power would lie at lower frequencies than its parameters state; lower the rate "
+          "of the noise to that of the servo loop, or raise \"rate_Hz\" of the device";
+    }
+  }
+  return warnings;
+}
+
+}  // namespace asperity
