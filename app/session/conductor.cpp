@@ -19,6 +19,8 @@ namespace {
 
 // A device or machine that fails a trial three times is unlikely to succeed the fourth time.
 constexpr int kTechnicalRepeats = 3;
+// Shorter waits for a stimulus are not stored: they are not noticed between two trials.
+constexpr double kNoticeableWait_s = 0.1;
 // Stored for a participant's session that cannot play sound (at a terminal), in the format of
 // Sound::description_json.
 constexpr const char* kNoNoise = R"({"kind":"none","heard":false})";
@@ -29,12 +31,12 @@ Conductor::Conductor(Study& study, const Protocol& protocol, StimulusBuilder& bu
                      Respondent& respondent, ConductorSettings settings)
     : study_(study),
       protocol_(protocol),
-      builder_(builder),
       rig_(rig),
       respondent_(respondent),
       settings_(std::move(settings)),
       requests_(settings_.links.requests == nullptr ? own_requests_ : *settings_.links.requests),
       course_(study, protocol, rig, respondent, requests_, settings_.links),
+      upcoming_(builder, study),
       outside_([this](double duration_s) { course_.wait_outside_trial(duration_s); }),
       unheeding_([this](double duration_s) {
         for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
@@ -74,6 +76,7 @@ SessionEnd Conductor::run(OpenSession session) {
 void Conductor::begin() {
   const std::int64_t began_ns = rig_.clock().now_ns();
   course_.begin(session_.row);
+  upcoming_.begin(session_.row);
   progress_.reset();
   SessionFacts facts = facts_of_session();
   tally_.emplace(protocol_, plan());
@@ -135,6 +138,7 @@ void Conductor::note_guidance() {
 
 SessionEnd Conductor::finish(std::int64_t began_ns) {
   rig_.loop().withdraw();
+  upcoming_.make_ahead({});
   SessionEnd end{};
   if (stopped_) end = *stopped_;
   course_.set_masking(false);
@@ -458,7 +462,7 @@ AttemptRow Conductor::make_attempt(const Trial& trial, AttemptPurpose purpose,
     snapshot.purpose = order.purpose;
   });
   if (purpose == AttemptPurpose::trial) tell_of_repetition(trial);
-  TrialAttempt attempt(course_, builder_, order);
+  TrialAttempt attempt(course_, surfaces_of(trial, order.attempt), order);
   AttemptRow row = attempt.make();
   interruption = attempt.interruption();
   row.id = study_.add_attempt(session_.row.id, row);
@@ -480,6 +484,56 @@ AttemptRow Conductor::make_attempt(const Trial& trial, AttemptPurpose purpose,
                     .outcome = row.outcome});
   }
   return row;
+}
+
+/// Waits for the surfaces of the attempt; those of the attempts that can follow are made meanwhile.
+TrialSurfaces Conductor::surfaces_of(const Trial& trial, int attempt) {
+  const std::int64_t began_ns = course_.now_ns();
+  TrialSurfaces surfaces = upcoming_.take(trial, attempt);
+  const double waited_s = seconds_between(began_ns, course_.now_ns());
+  if (waited_s >= kNoticeableWait_s) {
+    const nlohmann::ordered_json data{
+        {"trial", trial.ordinal}, {"attempt", attempt}, {"waited_s", waited_s}};
+    course_.event("stimulus_wait", "", data.dump());
+  }
+  if (settings_.makes_ahead) make_ahead(trial, attempt);
+  return surfaces;
+}
+
+void Conductor::make_ahead(const Trial& trial, int attempt) {
+  try {
+    std::vector<NextTrial> next = possible_after(trial);
+    const Exploration& exploration = exploration_of(protocol_, trial);
+    if (exploration.on_failure == Exploration::OnFailure::repeat_now &&
+        exploration.maximum_repeats > 0) {
+      next.push_back({.trial = trial, .attempt = attempt + 1});
+    }
+    upcoming_.make_ahead(std::move(next));
+  } catch (const std::exception&) {
+    // Surfaces that are not made ahead are made when they are needed.
+  }
+}
+
+/// The attempts that can follow once this trial is done.
+std::vector<NextTrial> Conductor::possible_after(const Trial& trial) const {
+  const auto as_next = [this](const Trial& next) {
+    return NextTrial{.trial = next, .attempt = tally_->attempts_at(next.ordinal) + 1};
+  };
+  std::vector<NextTrial> next{};
+  const Trial* const awaited = session_.course->awaited();
+  if (awaited != nullptr && awaited->ordinal == trial.ordinal) {
+    for (const Trial& each : session_.course->possible_next()) next.push_back(as_next(each));
+    return next;
+  }
+  const int coming = tally_->coming(step_, block_, trial.ordinal, TrialTally::Again::after_others);
+  const auto following =
+      std::find_if(plan().trials.begin(), plan().trials.end(), [&](const Trial& each) {
+        // The last trial of a block comes again only if it is not done; otherwise the next block begins.
+        return coming == trial.ordinal ? each.ordinal > trial.ordinal && !tally_->is_done(each)
+                                       : each.ordinal == coming;
+      });
+  if (following != plan().trials.end()) next.push_back(as_next(*following));
+  return next;
 }
 
 /// Stores the trials of the plan that the store lacks: those from index `first`.

@@ -16,6 +16,7 @@
 #include "app/session/session_setup.h"
 #include "app/session/stimulus_builder.h"
 #include "app/session/trial_tally.h"
+#include "app/session/upcoming_surfaces.h"
 #include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 
@@ -34,6 +35,8 @@ struct AttemptDone {
 
 struct ConductorSettings {
   bool record = true;  ///< keep the tick records of every attempt
+  /// Make the surfaces of the trials that can follow while a trial is carried out (UpcomingSurfaces).
+  bool makes_ahead = false;
   /// The conditions of this stretch of the session (program, scheduling), stored when it begins.
   std::string conditions_json = "null";
   /// Called after each commit, and only then.
@@ -105,6 +108,9 @@ class Conductor final {
   const Plan& plan() const noexcept { return session_.course->plan(); }
   void store_trials(std::size_t first);
   void extend_plan(const Trial& trial, const AttemptRow& attempt);
+  TrialSurfaces surfaces_of(const Trial& trial, int attempt);
+  void make_ahead(const Trial& trial, int attempt);
+  std::vector<NextTrial> possible_after(const Trial& trial) const;
   AttemptRow make_attempt(const Trial& trial, AttemptPurpose purpose,
                           std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
@@ -134,7 +140,6 @@ class Conductor final {
 
   Study& study_;
   const Protocol& protocol_;
-  StimulusBuilder& builder_;
   Rig& rig_;
   Respondent& respondent_;
   ConductorSettings settings_{};
@@ -142,6 +147,7 @@ class Conductor final {
   SessionRequests& requests_;
   SessionCourse course_;
   OpenSession session_{};  ///< its attempts are in the tally
+  UpcomingSurfaces upcoming_;
   std::optional<TrialTally> tally_{};
   std::optional<SessionProgress> progress_{};
   int segment_ = 0;

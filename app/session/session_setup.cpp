@@ -61,6 +61,13 @@ bool is_stored_plan(const std::vector<PlannedTrialRow>& stored, const Course& co
 
 }  // namespace
 
+Random random_of_attempt(const SessionRow& session, int trial, int attempt) {
+  return Random(std::stoull(session.seed))
+      .split("attempt")
+      .split(static_cast<std::uint64_t>(trial))
+      .split(static_cast<std::uint64_t>(attempt));
+}
+
 PlannedTrialRow planned_row(const Trial& trial) {
   PlannedTrialRow row{};
   row.trial = trial.ordinal;

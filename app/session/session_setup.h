@@ -51,6 +51,9 @@ std::string capability_json(const DeviceCapability& device);
 /// The row of one planned trial.
 PlannedTrialRow planned_row(const Trial& trial);
 
+/// The random stream of an attempt: of its renderers and of a virtual hand.
+Random random_of_attempt(const SessionRow& session, int trial, int attempt);
+
 /// Whether the participant sees or hears how force and speed meet their bands.
 bool guides_participants(const Protocol& protocol);
 

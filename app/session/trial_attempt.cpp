@@ -13,6 +13,7 @@
 #include "app/session/rig/clock.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/session/rig/stroke_count.h"
+#include "app/session/session_setup.h"
 #include "app/session/sound/masking_sound.h"
 #include "app/study_files/parameter_json.h"
 #include "app/words/coded_phrases.h"
@@ -46,14 +47,13 @@ std::optional<std::int64_t> first_contact_ns(const std::vector<PresentationRow>&
 
 }  // namespace
 
-TrialAttempt::TrialAttempt(SessionCourse& course, StimulusBuilder& builder,
-                           const AttemptOrder& order)
+TrialAttempt::TrialAttempt(SessionCourse& course, TrialSurfaces surfaces, const AttemptOrder& order)
     : course_(course),
-      builder_(builder),
       order_(order),
       trial_(order.trial),
       block_(course.protocol().blocks.at(order.trial.block)),
       waiting_([&course](double duration_s) { course.wait(duration_s); }),
+      surfaces_(std::move(surfaces)),
       visits_(order.trial.presentations.size(), course.protocol().rate_Hz,
               judged_force_of(course.rig().capability())) {
   const Layout layout{course.row().mirrored};
@@ -110,14 +110,10 @@ AttemptRow TrialAttempt::make() {
 void TrialAttempt::prepare() {
   const SessionRow& session = course_.row();
   const Protocol& protocol = course_.protocol();
-  random_ = Random(std::stoull(session.seed))
-                .split("attempt")
-                .split(static_cast<std::uint64_t>(trial_.ordinal))
-                .split(static_cast<std::uint64_t>(order_.attempt));
-  surfaces_.emplace(trial_, Layout{session.mirrored}, builder_, course_.study(), random_);
+  random_ = random_of_attempt(session, trial_.ordinal, order_.attempt);
   nlohmann::ordered_json models = nlohmann::ordered_json::array();
   for (const PlannedPresentation& planned : trial_.presentations) {
-    const ModelDeclaration& model = surfaces_->stimulus(models.size()).model->declaration;
+    const ModelDeclaration& model = surfaces_.stimulus(models.size()).model->declaration;
     models.push_back(
         {{"position", planned.position}, {"model", model.id}, {"version", model.version}});
   }
@@ -173,7 +169,7 @@ void TrialAttempt::carry_out() {
   switch (trial_.arrangement.surfaces) {
     case Arrangement::Surfaces::sequential:
       for (int pass = 0; pass < trial_.arrangement.minimum_visits; ++pass) {
-        for (std::size_t i = 0; i < surfaces_->size(); ++i) {
+        for (std::size_t i = 0; i < surfaces_.size(); ++i) {
           if (!felt_.empty()) wait_between_surfaces();
           feel(i);
         }
@@ -313,8 +309,8 @@ void TrialAttempt::feel(std::size_t index) {
   course_.respondent().announce(trial_, planned);
 
   Rig& rig = course_.rig();
-  course_.recorder().watch(surfaces_->id_of(index), all ? surfaces_->size() : 0);
-  rig.loop().present(surfaces_->take(index));
+  course_.recorder().watch(surfaces_.id_of(index), all ? surfaces_.size() : 0);
+  rig.loop().present(surfaces_.take(index));
   rig.hand().stroke();
   course_.set_guiding_tones(exploration_.guidance == Exploration::Guidance::tones);
   if (all) {
@@ -356,9 +352,9 @@ void TrialAttempt::lift_and_take_back(std::size_t index) {
     lifted_ns_ = course_.now_ns();
   }
   rig.loop().withdraw();
-  while (!surfaces_->has(index)) {
+  while (!surfaces_.has(index)) {
     course_.wait_refusing_answers(kSlice_s);
-    surfaces_->put_back(rig.loop().collect());
+    surfaces_.put_back(rig.loop().collect());
   }
   read_visits(course_.recorder().records());
   // Side by side there is no interval that would begin here.
@@ -402,7 +398,7 @@ void TrialAttempt::explore(int position) {
 /// Waits until every patch was visited and felt for long enough and the participant wants to continue, or the contact
 /// has lasted for as long as is permitted for all of them.
 void TrialAttempt::explore_patches() {
-  const auto surfaces = static_cast<double>(surfaces_->size());
+  const auto surfaces = static_cast<double>(surfaces_.size());
   const double longest_s = surfaces * exploration_.maximum_contact_s - kLifting_s;
   double passed_s = 0.0;
   for (;;) {
@@ -438,9 +434,9 @@ double TrialAttempt::wanted_contact_s() const {
 void TrialAttempt::measure(const std::vector<TickRecord>& records) {
   const double rate_Hz = course_.protocol().rate_Hz;
   read_visits(records);
-  for (std::size_t i = 0; i < surfaces_->size(); ++i) {
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const PlannedPresentation& planned = trial_.presentations[i];
-    const PreparedStimulus& prepared = surfaces_->stimulus(i);
+    const PreparedStimulus& prepared = surfaces_.stimulus(i);
     const auto id = static_cast<std::uint64_t>(planned.position);
     PresentationRow presentation{};
     presentation.position = planned.position;
@@ -455,15 +451,15 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.stiffness_N_per_m = prepared.inputs.material.stiffness_N_per_m;
     presentation.friction = prepared.inputs.material.friction;
     presentation.raised_m = planned.patch.centre_m.z - planned.stimulus.patch.centre_m.z;
-    presentation.seed = std::to_string(surfaces_->seed(i));
+    presentation.seed = std::to_string(surfaces_.seed(i));
     presentation.visits = visits_.visits(planned.position);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);
     const EqualForce request = planned.equal_force.value_or(EqualForce{});
     presentation.achieved_texture_force_N = recorded_texture_force_rms_N(
-        *prepared.model, surfaces_->inputs_as_felt(i), {records, id, rate_Hz},
+        *prepared.model, surfaces_.inputs_as_felt(i), {records, id, rate_Hz},
         {request.band_low_Hz, request.band_high_Hz});
-    for (const NamedCount& limit : surfaces_->limits(i)) {
+    for (const NamedCount& limit : surfaces_.limits(i)) {
       presentation.limits.push_back(
           {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
     }
@@ -564,7 +560,7 @@ void TrialAttempt::take_surface_away() {
     // Contains the demands on the presentation that exceeded its limits.
     Presentation collected = rig.loop().collect();
     if (collected.renderer == nullptr) continue;
-    surfaces_->put_back(std::move(collected));
+    surfaces_.put_back(std::move(collected));
     return;
   }
 }

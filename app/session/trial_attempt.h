@@ -31,7 +31,7 @@ struct AttemptOrder {
   bool record = true;  ///< keep the tick records
 };
 
-/// Builds the renderers off the servo thread → lets every surface be felt as the trial arranges them → asks → checks the
+/// Takes the surfaces, whose renderers are made → lets every surface be felt as the trial arranges them → asks → checks the
 /// record (servo quality, visits, compliance, features) → syncs and renames the recording. The row is then
 /// ready to be stored; nothing is in the store before.
 ///
@@ -59,8 +59,8 @@ struct AttemptOrder {
 /// Errors: errors of a renderer, a file or the recording; the recorder then has to be abandoned.
 class TrialAttempt final {
  public:
-  /// All must outlive the attempt.
-  TrialAttempt(SessionCourse& course, StimulusBuilder& builder, const AttemptOrder& order);
+  /// Course and order must outlive the attempt.
+  TrialAttempt(SessionCourse& course, TrialSurfaces surfaces, const AttemptOrder& order);
   ~TrialAttempt();
   TrialAttempt(const TrialAttempt&) = delete;
   TrialAttempt& operator=(const TrialAttempt&) = delete;
@@ -114,7 +114,6 @@ class TrialAttempt final {
   std::string recording_path() const;
 
   SessionCourse& course_;
-  StimulusBuilder& builder_;
   AttemptOrder order_;
   const Trial& trial_;
   const Protocol::Block& block_;
@@ -122,7 +121,7 @@ class TrialAttempt final {
   SurfacePatch patch_{};
   Wait waiting_{};
   Random random_{0};  ///< the stream of the attempt
-  std::optional<TrialSurfaces> surfaces_{};
+  TrialSurfaces surfaces_;
   VisitReader visits_;
   std::size_t records_read_ = 0;  ///< by visits_
   std::int64_t lifted_ns_ = 0;    ///< the last contact before the surfaces were changed

@@ -10,14 +10,14 @@ std::unique_ptr<AdjacentPatches> side_by_side(const Trial& trial, const Layout& 
   return std::make_unique<AdjacentPatches>(surfaces, layout.of(workspace), trial.flat, kBlend_m);
 }
 
-TrialSurfaces::TrialSurfaces(const Trial& trial, const Layout& layout, StimulusBuilder& builder,
-                             Study& study, const Random& random)
+TrialSurfaces::TrialSurfaces(const Trial& trial, const Layout& layout,
+                             const PrepareStimulus& prepare, const Random& random)
     : is_shared_(trial.arrangement.surfaces == Arrangement::Surfaces::side_by_side) {
   std::vector<AdjacentPatch> patches{};
   for (const PlannedPresentation& planned : trial.presentations) {
     const auto position = static_cast<std::uint64_t>(planned.position);
     Surface surface{};
-    surface.stimulus = builder.prepare(planned, study);
+    surface.stimulus = prepare(planned);
     RendererInputs& inputs = surface.stimulus.inputs;
     inputs.seed = random.split("renderer").split(position).bits();
     inputs.patch = layout.of(planned);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,14 +24,17 @@ namespace asperity {
 std::unique_ptr<AdjacentPatches> side_by_side(const Trial& trial, const Layout& layout,
                                               std::span<const AdjacentPatch> surfaces);
 
+/// Prepares the stimulus of a planned presentation.
+using PrepareStimulus = std::function<PreparedStimulus(const PlannedPresentation&)>;
+
 /// Prepares the surfaces of an attempt, hands their presentations to the loop and takes them back. The id of a
 /// presentation is the position of the surface; side by side all surfaces share one, kSideBySide.
 ///
-/// Errors: the constructor throws those of StimulusBuilder and of the force models.
+/// Errors: the constructor throws those of `prepare` and of the force models.
 class TrialSurfaces final {
  public:
   /// `random`: the stream of the attempt, for models that draw random numbers.
-  TrialSurfaces(const Trial& trial, const Layout& layout, StimulusBuilder& builder, Study& study,
+  TrialSurfaces(const Trial& trial, const Layout& layout, const PrepareStimulus& prepare,
                 const Random& random);
 
   std::size_t size() const noexcept { return surfaces_.size(); }

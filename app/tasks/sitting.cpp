@@ -39,10 +39,11 @@ std::string observer_json(const Protocol& protocol) {
   const bool asks_for_numbers = std::any_of(
       kinds.begin(), kinds.end(),
       [](const ExperimentKind* kind) { return std::holds_alternative<NumberForm>(kind->form); });
-  if (asks_for_numbers) {
-    json["magnitude_of"] = text_of(observer.magnitude_of);
-    json["exponent"] = observer.exponent;
-  }
+  const bool judges_magnitudes =
+      std::any_of(kinds.begin(), kinds.end(),
+                  [](const ExperimentKind* kind) { return !kind->has_expectations; });
+  if (judges_magnitudes) json["magnitude_of"] = text_of(observer.magnitude_of);
+  if (asks_for_numbers) json["exponent"] = observer.exponent;
   return json.dump();
 }
 
@@ -142,6 +143,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
   }
   Conductor conductor(study, protocol, builder, rig, *person,
                       {.record = sitting.record,
+                       .makes_ahead = rig.pacing() == "real_time",
                        .conditions_json = conditions_json(program, rig),
                        .done = done,
                        .links = links});

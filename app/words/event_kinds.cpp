@@ -51,6 +51,11 @@ const std::vector<EventKind>& event_kinds() {
                   "`not_given`",
        .hed = "Experiment-control, Instructional",
        .text_is_public = true},
+      {.name = "stimulus_wait",
+       .meaning = "an attempt began later because its stimuli were not made in time; not stored "
+                  "below 0.1 s. Data: `trial`, `attempt`, and `waited_s`",
+       .hed = "Experiment-control",
+       .public_data = {"trial", "attempt", "waited_s"}},
       {.name = "session_completed",
        .meaning = "the session ended as planned. Text: the reason",
        .hed = "Experiment-structure",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -264,6 +265,29 @@ const Run& Course::run_of(int block_ordinal) const {
 
 std::size_t Course::trials_before_last_outcome() const noexcept {
   return trials_before_.value_or(plan_.trials.size());
+}
+
+std::vector<Trial> Course::possible_next() const {
+  const Trial* const trial = awaited();
+  if (trial == nullptr) return {};
+  std::vector<TrialOutcome> outcomes{TrialOutcome{}};
+  if (!trial->catch_trial) {
+    const Dimension& dimension = *tracks_->run().block->vary;
+    const double value = std::get<double>(trial->factors.at(dimension.factor));
+    for (const bool counts_down : {false, true}) {
+      outcomes.insert(outcomes.begin(), {TrialOutcome::Answer{value, counts_down}});
+    }
+  }
+  std::vector<Trial> next{};
+  std::set<std::string> known{};
+  for (const TrialOutcome& outcome : outcomes) {
+    Course after = *this;
+    after.advance(outcome);
+    if (after.plan_.trials.size() == plan_.trials.size()) continue;  // the session ends
+    Trial& following = after.plan_.trials[plan_.trials.size()];
+    if (known.insert(json_of(following)).second) next.push_back(std::move(following));
+  }
+  return next;
 }
 
 void Course::advance(const TrialOutcome& outcome) {

@@ -45,6 +45,9 @@ class Course final {
   std::size_t trials_before_last_outcome() const noexcept;
   /// The step of the flow that runs this block of the session. Errors: std::out_of_range where there is none.
   const Protocol::Run& run_of(int block_ordinal) const;
+  /// The trials that can follow the awaited one, each once: that after an answer that leads to a lower level (the likeliest
+  /// where there are correct answers), after one that does not, and after none. Empty where the plan is complete.
+  std::vector<Trial> possible_next() const;
   /// Continues the plan after the outcome of the awaited trial.
   ///
   /// Errors: std::logic_error when the plan is complete.

@@ -208,6 +208,32 @@ TEST(Course, EndsWithoutAnswersAtTwiceTheTrialsOfItsTracks) {
   EXPECT_EQ(trials, 4U * 2U * 6U);
 }
 
+TEST(Course, KnowsTheTrialsThatCanFollow) {
+  const Protocol protocol = protocol_of(staircases());
+  Course course(protocol, {.seed = 4});
+  std::size_t most = 0;
+  for (int i = 0; course.awaited() != nullptr; ++i) {
+    const std::vector<Trial> possible = course.possible_next();
+    const double value = gain_of(*course.awaited());
+    most = std::max(most, possible.size());
+    Course after_correct = course;
+    after_correct.advance({.answer = TrialOutcome::Answer{value, true}});
+    const std::size_t before = course.plan().trials.size();
+    EXPECT_EQ(json_of(possible.at(0)), json_of(after_correct.plan().trials.at(before)));
+    if (i % 4 == 3) {
+      course.advance({});
+    } else {
+      course.advance({.answer = TrialOutcome::Answer{value, i % 4 != 0}});
+    }
+    const auto is_next = [&](const Trial& each) {
+      return json_of(each) == json_of(course.plan().trials.at(before));
+    };
+    EXPECT_EQ(std::count_if(possible.begin(), possible.end(), is_next), 1) << "after trial " << i;
+  }
+  EXPECT_EQ(most, 3U);
+  EXPECT_TRUE(course.possible_next().empty());
+}
+
 TEST(Course, MovesFromTheDeliveredLevel) {
   const Protocol protocol = protocol_of(staircases());
   Course course(protocol, {.seed = 1});
@@ -681,6 +707,23 @@ TEST(FaultOfAProcedure, WithoutAParameterToVary) {
   std::vector<std::string> found{};
   for (const Diagnostic& problem : reading.problems) found.push_back(problem.message);
   EXPECT_THAT(found, testing::Contains(HasSubstr("add \"vary\"")));
+}
+
+TEST(FaultOfAProcedure, HasNoRemedyForTrialsThatTheProcedureDetermines) {
+  const auto places_of = [](const json& file) {
+    std::vector<std::string> places{};
+    for (const Diagnostic& problem :
+         read_protocol_with_problems(file.dump(1), "file.json", test::example_models()).problems) {
+      places.push_back(problem.pointer);
+    }
+    return places;
+  };
+  json file = staircases();
+  file["blocks"]["tracks"]["until"] = {{"correct", 2}, {"of_last", 2}, {"maximum_trials", 50}};
+  EXPECT_THAT(places_of(file), ElementsAre("/blocks/tracks/until"));
+  json without = staircases();
+  without["blocks"]["tracks"].erase("vary");
+  EXPECT_THAT(places_of(without), testing::Not(testing::Contains("/blocks/tracks/positions")));
 }
 
 TEST(FaultOfAProcedure, IsOneNameForTwoParameters) {
