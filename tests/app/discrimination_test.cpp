@@ -484,9 +484,43 @@ TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
   const std::vector<Finding> means = part_of(two, "mean_thresholds");
   const FoundNumbers found(means);
   EXPECT_LT(*found.value("mean.jnd", "metal"), *found.value("mean.jnd", "wood"));
+  for (const Finding& finding : two.findings) {
+    EXPECT_FALSE(finding.quantity.starts_with("friedman.")) << "a pair has one test";
+  }
   const AnalysisOutcome three = outcome_with({"metal", "stone", "wood"});
   EXPECT_THAT(sentence_about(three, "conditions", "JND"), HasSubstr("Friedman test"));
   EXPECT_THAT(find_analysis("discrimination")->estimates(three).text, HasSubstr("stone, JND "));
+}
+
+// As strings "0.01" comes before "9e-04".
+TEST(Discrimination, NamesConditionsThatAreNumbersByTheirFactor) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+  for (unsigned person = 0; person < 3; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials{};
+    for (const double wavelength_m : {0.01, 0.0009}) {
+      for (MadeUpTrial& trial :
+           trials_of(MadeUpObserver(kPerformer, person).choices(kAbove_m, 40, true))) {
+        json factors = json::parse(trial.factors_json);
+        factors["wavelength_m"] = wavelength_m;
+        factors.erase("texture");
+        trial.factors_json = factors.dump();
+        trials.push_back(std::move(trial));
+      }
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const std::string answer = answer_to(outcome, "conditions");
+  EXPECT_THAT(answer, HasSubstr("wavelength 900 µm: "));
+  EXPECT_LT(answer.find("wavelength 900 µm"), answer.find("wavelength 10 mm"));
+  EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
+              HasSubstr("wavelength 10 mm, JND "));
+  const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
+  EXPECT_NE(FoundNumbers(means).find("mean.jnd", "wavelength_m 9e-04"), nullptr);
 }
 
 TEST(Discrimination, StatesThatNoParticipantHasAllConditions) {

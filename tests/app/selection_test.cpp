@@ -317,5 +317,18 @@ TEST(WordsOfParameters, HaveNoUnit) {
   EXPECT_EQ(words_of_parameter("model"), "model");
 }
 
+TEST(WordsOfConditions, HaveTheUnitsOfTheirNumbers) {
+  EXPECT_EQ(words_of_condition("wood"), "wood");
+  EXPECT_EQ(words_of_condition("wavelength_m 0.0025"), "wavelength 2.5 mm");
+  EXPECT_EQ(words_of_condition("strong, wave_speed_m_per_s 0.1, wavelength_m 0.002525"),
+            "strong, wave speed 100 mm/s, wavelength 2.525 mm");
+  EXPECT_EQ(words_of_condition("amplitude (wavelength_m 0.0025)"), "amplitude (wavelength 2.5 mm)");
+  EXPECT_EQ(words_of_condition("grit 80"), "grit 80");
+  EXPECT_EQ(words_of_condition("in_m of 2"), "in_m of 2");
+  EXPECT_EQ(words_of_cell("about", "wavelength_m 0.001|wavelength_m 0.002").english(),
+            "wavelength 1 mm / wavelength 2 mm");
+  EXPECT_EQ(words_of_cell("condition", "all").english(), "all trials");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -6,7 +6,10 @@
 #include <map>
 #include <string_view>
 
+#include "app/findings/reading_number.h"
 #include "app/findings/study/test_methods.h"
+#include "app/words/text_parts.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -72,7 +75,7 @@ const CellWords& words_of_tests() {
       {"information", phrase("CellWords", "information")},
       {"interaction", phrase("CellWords", "spacing by condition")},
       {"items", phrase("CellWords", "matched items")},
-      {"order", phrase("CellWords", "order of presentation")},
+      {"order", phrase("CellWords", "position of the comparison")},
       {"pairs", phrase("CellWords", "pairs")},
       {"peaks", phrase("CellWords", "peaks")},
       {"point_of_subjective_equality", phrase("CellWords", "point of subjective equality")},
@@ -299,6 +302,29 @@ std::string unit_of_parameter(const std::string& key) {
   return unit == nullptr ? std::string() : std::string(unit->unit);
 }
 
+std::string words_of_condition(const std::string& condition) {
+  std::string words{};
+  std::string key{};  // the word before, and what precedes its name: "(wavelength_m"
+  for (const std::string& part : parts_of(condition, ' ')) {
+    const std::size_t begin = key.find_first_not_of('(');
+    const std::string name = begin == std::string::npos ? std::string() : key.substr(begin);
+    const std::string unit = unit_of_parameter(name);
+    const std::size_t end = part.find_last_of("0123456789.") + 1;
+    const std::optional<double> number = number_in(part.substr(0, end));
+    if (!unit.empty() && number) {
+      words += key.substr(0, begin) + words_of_parameter(name) + ' ' +
+               stated_quantity(*number, unit) + part.substr(end) + ' ';
+      key.clear();
+      continue;
+    }
+    if (!key.empty()) words += key + ' ';
+    key = part;
+  }
+  words += key;
+  if (words.ends_with(' ')) words.pop_back();
+  return words;
+}
+
 Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (const auto known = words_in_any_column().find(text); known != words_in_any_column().end()) {
     return known->second;
@@ -306,6 +332,9 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "measure") return cell_word_in(words_of_measures(), text);
   if (column == "test" || column == "effect") return words_of_test(text);
   if (column == "n") return words_of_count(text);
+  if (column == "condition") {
+    return text == "all" ? phrase("CellWords", "all trials") : Phrase(words_of_condition(text));
+  }
   if (column == "factor") return cell_word_in(words_of_trial_factors(), text);
   if (column == "unit") return cell_word_in(words_of_units(), text);
   if (column == "by") return cell_word_in(words_of_trial_groups(), text);
@@ -322,7 +351,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "of" && text == "loading") return phrase("CellWords", "loading of the scale");
   if (column == "of" && text == "score") return phrase("CellWords", "score of the item");
   if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
-  if (column == "about") return with_strokes(text);
+  if (column == "about") return words_of_condition(with_strokes(text));
   if (column != "family") return text;
   // Names of tests, separated by commas.
   Phrase all{};

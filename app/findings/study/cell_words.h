@@ -13,6 +13,10 @@ namespace asperity {
 /// names from a study, are unchanged.
 Phrase words_of_cell(const std::string& column, const std::string& text);
 
+/// "strong, wavelength 2.5 mm" for the condition "strong, wavelength_m 0.0025": numbers after the name of a parameter or
+/// factor with a unit are written with this unit.
+std::string words_of_condition(const std::string& condition);
+
 /// "amplitude" for the parameter or factor `amplitude_m`: its name as text, without the unit.
 std::string words_of_parameter(const std::string& key);
 /// "m" for the parameter or factor `amplitude_m`; empty for a name without a unit.

@@ -29,11 +29,13 @@ std::vector<Finding> scores_compared(const std::string& analysis, ScoreRows scor
   return analysis_of(analysis.c_str(), "rating", std::move(input));
 }
 
-/// The same findings without the means of the items, which other tables have.
-void keep_tests(const std::vector<Finding>& findings, AnalysisOutcome& outcome) {
-  keep_findings(findings, outcome, [](const Finding& finding) {
-    return finding.quantity.starts_with("wilcoxon.") || finding.quantity.starts_with("friedman.") ||
-           finding.quantity.starts_with("kendall.");
+/// The same findings without the means of the items, which other tables have. Of a pair only the signed-rank test:
+/// one test of a pair is reported, and with two items Friedman's test is equivalent to a sign test.
+void keep_tests(const std::vector<Finding>& findings, bool is_of_pair, AnalysisOutcome& outcome) {
+  keep_findings(findings, outcome, [is_of_pair](const Finding& finding) {
+    return finding.quantity.starts_with("wilcoxon.") ||
+           (!is_of_pair && (finding.quantity.starts_with("friedman.") ||
+                            finding.quantity.starts_with("kendall.")));
   });
 }
 
@@ -68,7 +70,7 @@ void test_order(const GatheredAnswers& gathered, const DiscriminationResults& re
   const std::string analysis = results.name.empty() ? "order_test" : "order_test:" + results.name;
   const std::vector<Finding> findings =
       scores_compared(analysis, std::move(scores), {kFirst, kSecond});
-  keep_tests(findings, outcome);
+  keep_tests(findings, true, outcome);
   const FoundNumbers found(findings);
   tests.add("order", results.name, found, kWilcoxonP, both(kFirst, kSecond));
   drop_ties(with_both, both(kFirst, kSecond), found, tests);
@@ -117,9 +119,10 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
     if (!results.name.empty()) analysis += ':' + results.name;
     const std::vector<Finding> findings =
         scores_compared(analysis, std::move(scores.rows), results.conditions);
-    keep_tests(findings, outcome);
+    const bool is_pair = results.conditions.size() == 2;
+    keep_tests(findings, is_pair, outcome);
     const FoundNumbers found(findings);
-    if (results.conditions.size() == 2) {
+    if (is_pair) {
       tests.add("conditions", about, found, kWilcoxonP,
                 both(results.conditions[0], results.conditions[1]));
     } else {
@@ -130,7 +133,7 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
                            "Participants without an estimate of the %1 in every condition are "
                            "left out of the test of the conditions")
                         .with(shown));
-    if (results.conditions.size() == 2) {
+    if (is_pair) {
       drop_ties(scores.complete, both(results.conditions[0], results.conditions[1]), found, tests);
     }
   }
@@ -159,7 +162,7 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
     }
     const std::vector<Finding> findings = scores_compared(
         "equality:" + results.conditions[condition], std::move(scores), {"pse", "standard"});
-    keep_tests(findings, outcome);
+    keep_tests(findings, true, outcome);
     const FoundNumbers tested(findings);
     tests.add("point_of_subjective_equality", about, tested, kWilcoxonP, both("pse", "standard"));
     drop_ties(estimated, both("pse", "standard"), tested, tests);

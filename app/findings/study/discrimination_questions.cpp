@@ -42,7 +42,8 @@ Phrase mean_thresholds_text(const DiscriminationResults& results, const std::str
       one = phrase("Analysis", "%1, Weber fraction %2").with(one, mean_threshold_text(*part));
     }
     one = phrase("Analysis", "%1, n = %2").with(one, std::to_string(mean->n));
-    if (results.conditions.size() > 1) one = phrase("Analysis", "%1: %2").with(condition, one);
+    if (results.conditions.size() > 1)
+      one = phrase("Analysis", "%1: %2").with(words_of_condition(condition), one);
     all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
   }
   return all;
@@ -129,7 +130,7 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
                  method, kThresholds, nullptr);
     return;
   }
-  const std::string standard = reading_quantity(task.standard(), task.varied.unit);
+  const std::string standard = stated_quantity(task.standard(), task.varied.unit);
   Phrase answer = phrase("Analysis", "Mean point of subjective equality: %1; standard: %2.")
                       .with(means, standard);
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
@@ -292,7 +293,8 @@ std::string missing_sentences(const std::vector<Finding>& findings, const std::s
             (missing.of == 1 ? "the only participant"
                              : count_in_words(missing.participants) + " of " +
                                    reading_count(missing.of) + " participants") +
-            (condition == "all" ? "" : " in the condition " + condition) + " (" + reasons + ").";
+            (condition == "all" ? "" : " in the condition " + words_of_condition(condition)) +
+            " (" + reasons + ").";
   }
   return text;
 }
@@ -376,7 +378,7 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
       if (!is_same_n) parts[i] += " for " + reading_count(shown[i]->n) + " participants";
     }
     text += text.empty() ? "Mean thresholds were: " : "; ";
-    if (condition != "all") text += condition + ", ";
+    if (condition != "all") text += words_of_condition(condition) + ", ";
     text += comma_separated(parts);
     if (is_same_n) text += ", N = " + reading_count(shown.front()->n);
   }

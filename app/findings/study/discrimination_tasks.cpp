@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/findings/study/cell_words.h"
+#include "app/words/text_parts.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -35,7 +36,8 @@ ConditionOfTrial condition_of(const GatheredAnswers& gathered, const GatheredAns
   return condition;
 }
 
-/// Names the conditions of a task by the blocks, if there are several, and the factors that have several levels.
+/// Names the conditions of a task by the blocks, if there are several, and the levels of the factors that have several.
+/// The name of the factor precedes a number, which would have no meaning without it.
 class ConditionNames final {
  public:
   void add(const ConditionOfTrial& condition) {
@@ -46,7 +48,8 @@ class ConditionNames final {
     std::string name = blocks_.size() > 1 ? gathered.word(condition.block) : std::string();
     for (const auto& [factor, level] : condition.levels) {
       if (of_factor_.at(factor).size() < 2) continue;
-      name += (name.empty() ? "" : ", ") + gathered.word(level);
+      const std::string& word = gathered.word(level);
+      name += (name.empty() ? "" : ", ") + (number_in(word) ? factor + ' ' + word : word);
     }
     return name.empty() ? "all" : name;
   }
@@ -56,12 +59,22 @@ class ConditionNames final {
   std::map<std::string, std::set<std::uint32_t>> of_factor_{};
 };
 
-/// The conditions in the order of their levels: numbers ascending, then names.
+/// The conditions by their words: numbers by value and before other words.
 bool is_before(const std::string& one, const std::string& other) {
-  const std::optional<double> first = number_in(one);
-  const std::optional<double> second = number_in(other);
-  if (first.has_value() != second.has_value()) return first.has_value();
-  return first && second && *first != *second ? *first < *second : one < other;
+  const std::vector<std::string> words = parts_of(one, ' ');
+  const std::vector<std::string> others = parts_of(other, ' ');
+  for (std::size_t i = 0; i < std::min(words.size(), others.size()); ++i) {
+    const auto number_of_word = [](std::string word) {
+      if (word.ends_with(',')) word.pop_back();
+      return number_in(word);
+    };
+    const std::optional<double> first = number_of_word(words[i]);
+    const std::optional<double> second = number_of_word(others[i]);
+    if (first.has_value() != second.has_value()) return first.has_value();
+    if (first && *first != *second) return *first < *second;
+    if (!first && words[i] != others[i]) return words[i] < others[i];
+  }
+  return words.size() != others.size() ? words.size() < others.size() : one < other;
 }
 
 DiscriminationStudy study_of(const GatheredAnswers& gathered, const DiscriminationTask& task,

@@ -83,7 +83,7 @@ struct DiscriminationStudy {
   DiscriminationTask task{};
   bool has_levels_of_procedure = false;
   /// The block where several have responses, and combinations of the levels of all other factors that have several and are
-  /// not drawn for every trial: "strong, wood, 2"; "all" without these.
+  /// not drawn for every trial: "strong, wood, wavelength_m 0.0025" (words_of_condition); "all" without these.
   std::vector<std::string> conditions{};
   std::vector<DiscriminationTrial> trials{};
   /// The comparison is chosen less often as the parameter increases, as after the question which surface is smoother: the

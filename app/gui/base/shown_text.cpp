@@ -58,7 +58,7 @@ QString order_of_start(const SessionRow& session) {
 
 QString text_of_level(const std::string& factor, double level) {
   const std::string unit = unit_of_parameter(factor);
-  const std::string number = unit.empty() ? number_text(level) : reading_quantity(level, unit);
+  const std::string number = unit.empty() ? number_text(level) : stated_quantity(level, unit);
   QString shown = text(number);
   shown.replace('.', QLocale().decimalPoint());
   return QString("%1 %2").arg(text(unit.empty() ? factor : words_of_parameter(factor)), shown);

@@ -3136,10 +3136,6 @@
         <translation>Bedingungen</translation>
     </message>
     <message>
-        <source>order of presentation</source>
-        <translation>Reihenfolge der Darbietung</translation>
-    </message>
-    <message>
         <source>point of subjective equality</source>
         <translation>Punkt der subjektiven Gleichheit</translation>
     </message>
@@ -3302,6 +3298,10 @@
     <message>
         <source>the slope is at a limit of the fit</source>
         <translation>die Steigung liegt an einer Grenze der Anpassung</translation>
+    </message>
+    <message>
+        <source>position of the comparison</source>
+        <translation>Position des Vergleichsreizes</translation>
     </message>
 </context>
 <context>
@@ -4396,10 +4396,6 @@
         <translation>Gefüllte Symbole: Treffer (richtige Antworten oder Wahlen des Vergleichsreizes); offene Symbole: andere Antworten. Ringe: Umkehrpunkte, nach denen die Stufe ihre Richtung ändert.</translation>
     </message>
     <message>
-        <source>%1 Names: the run of the block, and the track within it.</source>
-        <translation>%1 Namen: der Durchlauf des Blocks und die Folge (Track) darin.</translation>
-    </message>
-    <message>
         <source>Contact times by condition</source>
         <translation>Kontaktdauern nach Bedingung</translation>
     </message>
@@ -4430,6 +4426,22 @@
     <message>
         <source>threshold, geometric mean with its 95 % CI</source>
         <translation>Schwelle, geometrisches Mittel mit 95-%-KI</translation>
+    </message>
+    <message>
+        <source>track %1</source>
+        <translation>Folge %1</translation>
+    </message>
+    <message>
+        <source>%1, track %2</source>
+        <translation>%1, Folge %2</translation>
+    </message>
+    <message>
+        <source>run %1, track %2</source>
+        <translation>Durchlauf %1, Folge %2</translation>
+    </message>
+    <message>
+        <source>%1, run %2, track %3</source>
+        <translation>%1, Durchlauf %2, Folge %3</translation>
     </message>
 </context>
 <context>
