@@ -86,13 +86,18 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
 /// Power by sample size, a curve per plan; plans without a second size a row each.
 Figure power_figure(const TidyInput& input, const FoundNumbers& found);
 
-/// Proportions correct by level, the fitted function and its threshold. `unit`: of the levels.
+/// Proportions correct by level, the fitted function and its threshold. `unit`: of the levels. `levels`: the range of the
+/// levels that the axis shows; those of the table without it.
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
-                           const std::string& unit);
+                           const std::string& unit,
+                           const std::optional<FigureSpan>& levels = std::nullopt);
 
-/// Of a discrimination: the thresholds by condition, and the psychometric functions of each participant. None without the
-/// tables of thresholds.
+/// Of a discrimination: the thresholds by condition, and the tracks and psychometric functions of each participant. None
+/// without the tables of thresholds.
 std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome);
+
+/// The tracks of each participant, from the table of the trials of a discrimination.
+std::vector<Figure> track_figures(const Table& table);
 
 /// A trial of a track, whose level was chosen from the responses to the trials before it.
 struct TrackTrial {

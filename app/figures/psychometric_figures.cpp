@@ -6,6 +6,7 @@
 #include "analysis/number_text.h"
 #include "analysis/psychometric_fit.h"
 #include "app/figures/figure_kinds.h"
+#include "app/findings/study/cell_words.h"
 
 namespace asperity {
 
@@ -38,7 +39,7 @@ std::optional<PsychometricFunction> function_of(const TidyInput& input, const Fo
 }  // namespace
 
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
-                           const std::string& unit) {
+                           const std::string& unit, const std::optional<FigureSpan>& levels) {
   const double performance = input.options.number("pt");
   Figure figure{
       .name = "psychometric",
@@ -50,56 +51,63 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                   .with(number_text(100.0 * performance), percent_of(found.all("threshold")))};
   const TidyTable& table = input.table();
   const LabelColumn conditions = table.all_labels("condition");
-  const std::vector<double> levels = table.all_numbers("x");
+  const std::vector<double> x = table.all_numbers("x");
   const std::vector<std::uint64_t> trials = table.counts("n");
   const std::vector<std::uint64_t> hits = table.counts("k");
   std::uint64_t most = 0;
   double low = 0.0;
   double high = 0.0;
-  for (std::size_t row = 0; row < levels.size(); ++row) {
+  for (std::size_t row = 0; row < x.size(); ++row) {
     if (trials[row] == 0) continue;
-    low = most == 0 ? levels[row] : std::min(low, levels[row]);
-    high = most == 0 ? levels[row] : std::max(high, levels[row]);
+    low = most == 0 ? x[row] : std::min(low, x[row]);
+    high = most == 0 ? x[row] : std::max(high, x[row]);
     most = std::max(most, trials[row]);
   }
   if (most == 0) {
     figure.instead = phrase("Figures", "No level has trials: there are no proportions correct.");
     return figure;
   }
+  const FigureSpan own{low, high};
+  if (levels) {
+    low = levels->low;
+    high = levels->high;
+  }
   const double room = high > low ? kRoomBesideLevels * (high - low) : 0.5;
   // Levels that are magnitudes do not extend below zero.
   const double from = low >= 0.0 ? std::max(0.0, low - room) : low - room;
   const double to = high + room;
+  const FigureSpan fitted{std::max(from, own.low - room), own.high + room};
 
   std::vector<FigureSeries> thresholds{};
   for (std::size_t i = 0; i < conditions.names.size(); ++i) {
     const std::string& name = conditions.names[i];
-    FigureSeries& series =
-        figure.series.emplace_back(FigureSeries{.name = name, .style = static_cast<int>(i)});
-    for (std::size_t row = 0; row < levels.size(); ++row) {
+    FigureSeries& series = figure.series.emplace_back(
+        FigureSeries{.name = words_of_condition(name), .style = static_cast<int>(i)});
+    for (std::size_t row = 0; row < x.size(); ++row) {
       if (conditions.codes[row] != i || trials[row] == 0) continue;
       const double share = static_cast<double>(hits[row]) / static_cast<double>(trials[row]);
       const double weight = static_cast<double>(trials[row]) / static_cast<double>(most);
       series.points.push_back(
-          {.x = levels[row], .y = share, .size = std::max(0.5, 1.2 * std::sqrt(weight))});
+          {.x = x[row], .y = share, .size = std::max(0.5, 1.2 * std::sqrt(weight))});
     }
     const auto function = function_of(input, found, name);
     if (!function) continue;
     std::vector<FigurePlace>& curve = series.lines.emplace_back();
     for (int step = 0; step <= kStepsOfCurve; ++step) {
-      const double x = std::lerp(from, to, static_cast<double>(step) / kStepsOfCurve);
-      curve.push_back({.x = x, .y = function->value(x)});
+      const double at =
+          std::lerp(fitted.low, fitted.high, static_cast<double>(step) / kStepsOfCurve);
+      curve.push_back({.x = at, .y = function->value(at)});
     }
     const Finding* threshold = found.find("threshold", name);
     if (threshold == nullptr || !threshold->value) continue;
-    const double x = *threshold->value;
-    if (x < from || x > to) continue;
+    const double at = *threshold->value;
+    if (at < from || at > to) continue;
     const FigurePoint mark{
-        .x = x, .y = performance, .x_interval = interval_of(*threshold), .size = 1.3};
+        .x = at, .y = performance, .x_interval = interval_of(*threshold), .size = 1.3};
     thresholds.push_back({.style = static_cast<int>(i),
                           .hollow = true,
                           .points = {mark},
-                          .lines = {{{.x = x, .y = performance}, {.x = x, .y = 0.0}}}});
+                          .lines = {{{.x = at, .y = performance}, {.x = at, .y = 0.0}}}});
   }
   figure.series.insert(figure.series.end(), thresholds.begin(), thresholds.end());
   if (conditions.names.size() == 1) figure.series.front().name = {};

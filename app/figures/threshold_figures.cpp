@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 
+#include "analysis/number_text.h"
+#include "app/figures/drawn_table.h"
 #include "app/figures/figure_kinds.h"
 #include "app/figures/single_participants.h"
-#include "app/findings/reading_table.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_results.h"
@@ -19,50 +19,6 @@
 namespace asperity {
 
 namespace {
-
-/// The unit in which a quantity is drawn, with its value in the stored unit.
-struct DrawnUnit {
-  std::string text{};
-  double size = 1.0;
-};
-
-DrawnUnit drawn_unit(const std::string& unit, double greatest) {
-  if (unit != "m") return {unit, 1.0};
-  if (greatest < 1e-3) return {"µm", 1e-6};
-  return greatest < 1.0 ? DrawnUnit{"mm", 1e-3} : DrawnUnit{unit, 1.0};
-}
-
-const NamedTable* table_named(const AnalysisOutcome& outcome, const char* name) {
-  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [name](const NamedTable& each) { return each.name == name; });
-  return found == outcome.tables.end() ? nullptr : &*found;
-}
-
-/// The cells of a row by the name of their column.
-class RowOfTable final {
- public:
-  RowOfTable(const Table& table, const std::vector<Cell>& row) : table_(table), row_(row) {}
-  Cell cell(const std::string& column) const {
-    const auto at = column_of(table_, column);
-    return at ? row_[*at] : Cell{};
-  }
-  std::string text(const std::string& column) const {
-    const Cell content = cell(column);
-    const auto* const words = std::get_if<std::string>(&content);
-    return words == nullptr ? std::string() : *words;
-  }
-  std::optional<double> number(const std::string& column) const { return number_of(cell(column)); }
-
- private:
-  const Table& table_;
-  const std::vector<Cell>& row_;
-};
-
-std::string file_name(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return text;
-}
 
 /// The responses of one participant, with the conditions of one judgement.
 struct DrawnFunctions {
@@ -75,7 +31,11 @@ struct DrawnFunctions {
   NumberColumn levels{};
   NumberColumn trials{};
   NumberColumn hits{};
-  double greatest = 0.0;  ///< absolute level
+  FigureSpan range{};  ///< of the levels, in the stored unit
+
+  bool has_axis_of(const DrawnFunctions& other) const {
+    return parameter == other.parameter && is_performance == other.is_performance;
+  }
 };
 
 /// By participant, parameter and judgement, in the order of the table.
@@ -98,13 +58,26 @@ std::vector<DrawnFunctions> drawn_functions(const Table& table) {
       known = all.end() - 1;
     }
     const double level = difference ? std::abs(*difference) : row.number("level").value_or(0.0);
+    if (known->levels.empty()) known->range = {level, level};
     known->conditions.add(row.text("condition"));
     known->names.insert(row.text("condition"));
     known->levels.push_back(level);
     known->trials.push_back(row.number("responses"));
     known->hits.push_back(row.number("hits"));
-    known->greatest = std::max(known->greatest, std::abs(level));
+    known->range.low = std::min(known->range.low, level);
+    known->range.high = std::max(known->range.high, level);
   }
+  // Participants are compared by eye: their levels have one axis.
+  std::vector<FigureSpan> ranges{};
+  for (const DrawnFunctions& each : all) {
+    FigureSpan& range = ranges.emplace_back(each.range);
+    for (const DrawnFunctions& other : all) {
+      if (!each.has_axis_of(other)) continue;
+      range.low = std::min(range.low, other.range.low);
+      range.high = std::max(range.high, other.range.high);
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].range = ranges[i];
   return all;
 }
 
@@ -150,20 +123,23 @@ TidyInput input_of_functions(DrawnFunctions& drawn, const DrawnUnit& unit) {
 
 Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
                            const FoundNumbers& thresholds) {
-  const DrawnUnit unit = drawn_unit(drawn.unit, drawn.greatest);
+  const DrawnUnit unit =
+      drawn_unit(drawn.unit, std::max(std::abs(drawn.range.low), std::abs(drawn.range.high)));
   std::vector<Finding> findings{};
   for (const std::string& condition : drawn.names) {
     add_function(functions, thresholds, drawn, condition, unit, findings);
   }
   const TidyInput input = input_of_functions(drawn, unit);
-  Figure figure = psychometric_figure(input, FoundNumbers(findings), unit.text);
+  Figure figure =
+      psychometric_figure(input, FoundNumbers(findings), unit.text,
+                          FigureSpan{drawn.range.low / unit.size, drawn.range.high / unit.size});
   const bool is_repeated =
       std::any_of(drawn.names.begin(), drawn.names.end(), [&](const std::string& condition) {
         return thresholds.find("without", drawn.participant + '|' + condition) != nullptr;
       });
   const std::string parameter = words_of_parameter(drawn.parameter);
-  figure.name =
-      file_name("psychometric_" + drawn.participant + (drawn.is_performance ? "" : "_comparison"));
+  figure.name = figure_file_name("psychometric_" + drawn.participant +
+                                 (drawn.is_performance ? "" : "_comparison"));
   figure.table = kPsychometric;
   figure.title =
       phrase("Figures", "Psychometric functions of participant %1").with(drawn.participant);
@@ -276,121 +252,12 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
     std::vector<double> own = singles[condition];
     for (double& value : own) value /= shown.size;
     behind.push_back({.place = place, .values = std::move(own)});
-    figure.y.places.push_back(words_of_cell("factor", condition));
+    figure.y.places.push_back(words_of_cell("condition", condition));
   }
   figure.series.push_back(singles_in_rows(behind, figure.x, 0));
   figure.series.push_back(std::move(points));
   figure.note = with_note_on_singles(figure.note, figure);
   return figure;
-}
-
-/// A track of a participant, with its trials.
-struct DrawnTrack {
-  std::string condition{};
-  int session = 0;
-  int block_ordinal = 0;
-  int track = 0;
-  std::vector<TrackTrial> trials{};
-
-  bool operator==(const DrawnTrack& other) const {
-    return condition == other.condition && session == other.session &&
-           block_ordinal == other.block_ordinal && track == other.track;
-  }
-};
-
-/// The tracks of one participant.
-struct DrawnTracks {
-  std::string participant{};
-  std::string unit{};
-  double greatest = 0.0;  ///< absolute level
-  std::vector<DrawnTrack> tracks{};
-};
-
-/// By participant, in the order of the table.
-std::vector<DrawnTracks> drawn_tracks(const Table& table) {
-  std::vector<DrawnTracks> all{};
-  for (const std::vector<Cell>& cells : table.rows) {
-    const RowOfTable row(table, cells);
-    const std::string participant = row.text("participant");
-    auto of = std::find_if(all.begin(), all.end(), [&participant](const DrawnTracks& each) {
-      return each.participant == participant;
-    });
-    if (of == all.end()) {
-      all.push_back({.participant = participant, .unit = row.text("unit")});
-      of = all.end() - 1;
-    }
-    const auto whole = [&row](const char* column) {
-      return static_cast<int>(row.number(column).value_or(0.0));
-    };
-    DrawnTrack track{.condition = row.text("condition"),
-                     .session = whole("session"),
-                     .block_ordinal = whole("block_ordinal"),
-                     .track = whole("track")};
-    auto known = std::find(of->tracks.begin(), of->tracks.end(), track);
-    if (known == of->tracks.end()) known = of->tracks.insert(known, std::move(track));
-    const double level = row.number("level").value_or(0.0);
-    of->greatest = std::max(of->greatest, std::abs(level));
-    known->trials.push_back({.step = row.number("step").value_or(0.0),
-                             .level = level,
-                             .is_correct = row.number("hit") == 1.0});
-  }
-  return all;
-}
-
-/// By session and block ordinal: the number of the run of a condition, from 1.
-std::map<std::string, std::map<std::pair<int, int>, int>> numbered_runs(
-    const std::vector<DrawnTrack>& tracks) {
-  std::map<std::string, std::map<std::pair<int, int>, int>> runs{};
-  for (const DrawnTrack& track : tracks) {
-    runs[track.condition][{track.session, track.block_ordinal}] = 0;
-  }
-  for (auto& [condition, own] : runs) {
-    int number = 0;
-    for (auto& run : own) run.second = ++number;
-  }
-  return runs;
-}
-
-/// The tracks of each participant, named by condition and number: "wood, 1", or "wood, 2.1" in the second of several runs.
-std::vector<Figure> figures_of_tracks(const Table& table) {
-  std::vector<Figure> figures{};
-  for (DrawnTracks& drawn : drawn_tracks(table)) {
-    const DrawnUnit unit = drawn_unit(drawn.unit, drawn.greatest);
-    const auto runs = numbered_runs(drawn.tracks);
-    bool has_several_runs = false;
-    std::vector<TrackTrial> trials{};
-    for (DrawnTrack& track : drawn.tracks) {
-      const auto& own_runs = runs.at(track.condition);
-      std::string name = track.condition == "all" ? std::string() : track.condition + ", ";
-      if (own_runs.size() > 1) {
-        has_several_runs = true;
-        name += std::to_string(own_runs.at({track.session, track.block_ordinal})) + '.';
-      }
-      name += std::to_string(track.track);
-      for (TrackTrial& trial : track.trials) {
-        trial.track = name;
-        trial.level /= unit.size;
-      }
-      std::stable_sort(track.trials.begin(), track.trials.end(),
-                       [](const TrackTrial& a, const TrackTrial& b) { return a.step < b.step; });
-      mark_reversals(track.trials);
-      trials.insert(trials.end(), track.trials.begin(), track.trials.end());
-    }
-    Figure figure = tracks_figure(trials, unit.text);
-    figure.name = file_name("tracks_" + drawn.participant);
-    figure.table = kTracks;
-    figure.title = phrase("Figures", "Tracks of participant %1").with(drawn.participant);
-    figure.note = phrase("Figures",
-                         "Filled symbols: hits (correct responses, or choices of the comparison); "
-                         "open symbols: other responses. Rings: reversals, after which the level "
-                         "changes its direction.");
-    if (has_several_runs) {
-      figure.note = phrase("Figures", "%1 Names: the run of the block, and the track within it.")
-                        .with(figure.note);
-    }
-    figures.push_back(std::move(figure));
-  }
-  return figures;
 }
 
 }  // namespace
@@ -413,7 +280,7 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
     }
   }
   if (const NamedTable* const tracks = table_named(outcome, kTracks)) {
-    for (Figure& figure : figures_of_tracks(tracks->table)) figures.push_back(std::move(figure));
+    for (Figure& figure : track_figures(tracks->table)) figures.push_back(std::move(figure));
   }
   const NamedTable* const responses = table_named(outcome, kPsychometric);
   if (responses == nullptr) return figures;

@@ -29,10 +29,12 @@ const Figure& figure_named(const std::vector<Figure>& figures, const std::string
   return *found;
 }
 
-/// Two participants who choose the comparison as often as stated, of 20 trials at each level of two textures.
+/// Two participants who choose the comparison as often as stated, of 20 trials at each level of two textures; the second
+/// one without the last levels that are left out.
 std::vector<Figure> figures_of_discrimination(const std::string& judgement,
                                               const std::vector<double>& values_m,
-                                              const std::vector<int>& hits) {
+                                              const std::vector<int>& hits,
+                                              std::size_t left_out_of_second = 0) {
   nlohmann::json protocol = nlohmann::json::parse(R"({"kind": "discrimination",
     "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-05}}},
     "blocks": {"only": {
@@ -42,10 +44,11 @@ std::vector<Figure> figures_of_discrimination(const std::string& judgement,
   protocol["blocks"]["only"]["question"]["judgement"] = judgement;
   MadeUpStudy made;
   const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
-  for (const char* const label : {"p1", "p2"}) {
+  for (const std::string label : {"p1", "p2"}) {
     std::vector<MadeUpTrial> trials{};
+    const std::size_t levels = values_m.size() - (label == "p2" ? left_out_of_second : 0);
     for (const char* const texture : {"metal", "wood"}) {
-      for (std::size_t level = 0; level < values_m.size(); ++level) {
+      for (std::size_t level = 0; level < levels; ++level) {
         for (int i = 0; i < 20; ++i) {
           MadeUpTrial trial{};
           trial.factors_json =
@@ -88,6 +91,18 @@ TEST(ThresholdFigures, DrawTheFunctionsOfEachParticipantInTheirUnit) {
   ASSERT_EQ(thresholds.y.places.size(), 2U);
   EXPECT_EQ(thresholds.y.places.front().english(), "metal");
   EXPECT_NEAR(thresholds.series.back().points.front().x, 10.0, 2.0);
+}
+
+TEST(ThresholdFigures, HaveTheSameAxisForAllParticipants) {
+  const std::vector<Figure> figures = figures_of_discrimination(
+      "performance", {52.5e-6, 55e-6, 60e-6, 70e-6, 1250e-6}, {10, 12, 15, 18, 20}, 1);
+  const FigureAxis& first = figure_named(figures, "psychometric_p1").x;
+  const FigureAxis& second = figure_named(figures, "psychometric_p2").x;
+  EXPECT_EQ(first.unit, "mm");
+  EXPECT_EQ(second.unit, first.unit);
+  EXPECT_EQ(second.low, first.low);
+  EXPECT_EQ(second.high, first.high);
+  EXPECT_GT(second.high, 1.2);
 }
 
 TEST(ThresholdFigures, DrawThePointOfSubjectiveEqualityNextToTheStandard) {
@@ -184,8 +199,8 @@ TEST(TrackFigures, SeparateTheRunsOfABlock) {
     names.push_back(series.name.english());
     EXPECT_EQ(series.points.size(), 3U);
   }
-  EXPECT_THAT(names, testing::ElementsAre("wood, 1.1", "wood, 2.1", "wood, 3.1"));
-  EXPECT_THAT(figure.note.english(), HasSubstr("the run of the block"));
+  EXPECT_THAT(names, testing::ElementsAre("wood, run 1, track 1", "wood, run 2, track 1",
+                                          "wood, run 3, track 1"));
 }
 
 TEST(TrackFigures, FindReversalsInTheLevels) {
