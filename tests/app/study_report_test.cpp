@@ -460,9 +460,13 @@ class Conditions : public testing::Test {
       attempt.trial = trial.trial;
       attempt.attempt = 1;
       attempt.segment = made_.study().begin_segment(session, ++time_ns);
-      attempt.outcome = AttemptOutcome::skipped;
-      attempt.valid = false;
-      attempt.invalid_reason = "skipped";
+      attempt.outcome = is_answered_ ? AttemptOutcome::answered : AttemptOutcome::skipped;
+      attempt.valid = is_answered_;
+      if (is_answered_) {
+        attempt.responses.push_back({.question = "which", .answer = "grain", .source = "keyboard"});
+      } else {
+        attempt.invalid_reason = "skipped";
+      }
       attempt.onset_ns = attempt.offset_ns = ++time_ns;
       attempt.presentations = presented_;
       for (PresentationRow& surface : attempt.presentations) {
@@ -471,6 +475,9 @@ class Conditions : public testing::Test {
       attempt.compliance = explored_;
       made_.study().add_attempt(session, attempt);
       made_.study().end_segment(session, attempt.segment, ++time_ns, "ended");
+    }
+    if (ends_as_ != SessionState::open) {
+      made_.study().end_session(session, ends_as_, template_.started_utc);
     }
   }
   static EventRow began() { return {.kind = "session_began", .data_json = R"({"segment": 1})"}; }
@@ -510,6 +517,8 @@ class Conditions : public testing::Test {
   SessionRow template_{};
   std::vector<PresentationRow> presented_{surface_of("grain", "height_map", "grain")};
   std::vector<ComplianceRow> explored_{measured("normal_force_N", 1.0, 1.0)};
+  SessionState ends_as_ = SessionState::open;
+  bool is_answered_ = false;
   Report report_{};
   int participants_ = 0;
 };
@@ -599,6 +608,22 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
                         "version of the program used then stored only the first device."));
 }
 
+TEST_F(Conditions, StateThatSessionsWereResumedAndDevicesPooled) {
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(chapter()), AllOf(Not(HasSubstr("interrupted and resumed")),
+                                         Not(HasSubstr("pool the sessions"))));
+  add_session(kMouse, {began(), resumed_on("mouse pointer of a window"),
+                       resumed_on("mouse pointer of a window")});
+  EXPECT_THAT(words_of(section(chapter(), "Sessions and exclusions")),
+              HasSubstr("Session 1 of p2 was interrupted and resumed twice."));
+  EXPECT_THAT(conditions(), Not(HasSubstr("pool the sessions"))) << "nothing was answered";
+  is_answered_ = true;
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(conditions(), Not(HasSubstr("pool the sessions")));
+  add_session(kMouse, {began()});
+  EXPECT_THAT(conditions(), HasSubstr("The analyses pool the sessions on different devices."));
+}
+
 TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
   template_.program_version = "0.1.0";
   template_.program_commit = "5979704d1215";
@@ -667,6 +692,23 @@ TEST_F(Conditions, NameTheFactorsThatAreDrawn) {
   add_session(kFalcon, {began()});
   EXPECT_THAT(words_of(section(chapter(), "Design")),
               HasSubstr("in fixed order, texture drawn at random in each trial"));
+}
+
+TEST_F(Conditions, CountTheTrialsThatResponsesDetermined) {
+  template_.expected_trials = 20;
+  ends_as_ = SessionState::completed;
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(
+      words_of(section(chapter(), "Design")),
+      AllOf(HasSubstr("A completed session had 1 experimental trial."), Not(HasSubstr("planned"))));
+  add_session(kFalcon, {began(), resumed()});
+  EXPECT_THAT(words_of(section(chapter(), "Design")),
+              HasSubstr("The number of trials depended on the responses: a completed session had 1 "
+                        "to 2 experimental trials."));
+  ends_as_ = SessionState::stopped;
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(section(chapter(), "Sessions and exclusions")),
+              HasSubstr("Session 1 of p3 was stopped after 1 of about 20 trials."));
 }
 
 TEST_F(Conditions, CountSessionsThatWereNotCompleted) {

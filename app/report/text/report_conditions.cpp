@@ -86,9 +86,22 @@ std::string vision_text(const ReportFacts& facts) {
               : "");
 }
 
+/// Whether attempts on different devices count in the analyses.
+bool pools_devices(const ReportFacts& facts) {
+  std::set<std::string> devices{};
+  for (const ReportedSession& session : facts.sessions) {
+    if (session.counted_attempts == 0) continue;
+    for (const RecordedStretch& stretch : session.stretches) {
+      if (stretch.device) devices.insert(stretch.device->text);
+    }
+  }
+  return devices.size() > 1;
+}
+
 std::string devices_text(const ReportFacts& facts) {
   const std::string devices = devices_in(facts);
   std::string text = devices.empty() ? "" : "Device: " + devices + '.';
+  if (pools_devices(facts)) text += " The analyses pool the sessions on different devices.";
   const SessionShare unknown = share_of_sessions(
       facts, [](const RecordedStretch& stretch) { return !stretch.device.has_value(); });
   if (unknown.is_any()) {

@@ -72,6 +72,7 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
       text += " A tie is also a response option.";
     }
     text += arrangement_sentences(block);
+    text += presented_trials_text(block, facts);
     text += unmet_text(run->block, facts);
     list.items.push_back(text);
   }

@@ -193,11 +193,13 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   session.row = row;
   session.is_running = overview.is_running;
   session.planned_trials = overview.planned_trials;
+  session.planned_is_estimated = overview.planned_is_estimated;
   session.done_trials = overview.done_trials;
   session.decisions = study.decisions(row.id);
   const std::vector<EventRow> events = study.events(row.id);
   for (const EventRow& event : events) {
     if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
+    if (event.kind == "session_resumed") ++session.resumed;
     if (event.kind == kResumedLate) session.late_resumes.push_back(event);
     if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }
@@ -213,6 +215,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   }
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
   const std::size_t counted_before = facts.counted;
+  std::set<int> presented{};
   for (const AttemptRow& attempt : attempts) {
     if (attempt.purpose == AttemptPurpose::refresher) {
       ++facts.refreshers;
@@ -220,7 +223,15 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     }
     // A trial that is missing in a damaged study is not counted in the main phase.
     count_attempt(attempt, plan[attempt.trial], facts);
+    if (attempt.purpose == AttemptPurpose::trial) presented.insert(attempt.trial);
   }
+  for (const int trial : presented) {
+    const PlannedTrialRow& planned = plan[trial];
+    ++session.presented_trials;
+    if (use_in_analyses(planned) == AnalysisUse::counted) ++session.presented_main_trials;
+    ++session.presented_in_run[{planned.block, planned.block_ordinal}];
+  }
+  session.counted_attempts = facts.counted - counted_before;
   if (facts.counted > counted_before) facts.counted_participants.insert(row.participant);
   session.stretches = recorded_stretches(row, events, attempts);
   for (const TimedEvent& event : session_timeline(events, attempts)) {

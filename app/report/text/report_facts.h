@@ -30,8 +30,15 @@ struct ReportedNote {
 struct ReportedSession {
   SessionRow row{};
   int planned_trials = 0;
-  int done_trials = 0;  ///< as in SessionOverview
+  bool planned_is_estimated = false;  ///< as in SessionOverview
+  int done_trials = 0;                ///< as in SessionOverview
   int main_trials = 0;  ///< of the planned ones
+  /// Trials with an attempt that is no refresher: all, those of the main phase, and those of each run of a block.
+  int presented_trials = 0;
+  int presented_main_trials = 0;
+  std::map<std::pair<std::string, int>, int> presented_in_run{};  ///< by block and its ordinal
+  std::size_t counted_attempts = 0;                               ///< that analyses include
+  std::size_t resumed = 0;                                        ///< the number of times
   bool is_running = false;
   /// The participant neither saw nor heard the guidance that the protocol requests.
   bool is_unguided = false;

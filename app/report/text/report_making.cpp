@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/findings/reading_number.h"
+#include "app/report/text/report_order.h"
 #include "app/report/text/report_sections.h"
 #include "app/tasks/study_overview.h"
 
@@ -167,10 +168,9 @@ ReportSection sessions_section(const ReportFacts& facts) {
     const SessionRow& row = session.row;
     std::string state = session.is_running ? "running" : text_of(row.state);
     if (row.excluded) state += ", excluded";
-    table.rows.push_back(
-        {row.participant, std::to_string(row.session), began_text(row), state,
-         std::to_string(session.done_trials) + " of " + std::to_string(session.planned_trials),
-         std::to_string(row.counterbalance_row), seed_text(row)});
+    table.rows.push_back({row.participant, std::to_string(row.session), began_text(row), state,
+                          done_trials_text(session), std::to_string(row.counterbalance_row),
+                          seed_text(row)});
     if (has_groups) table.rows.back().push_back(row.group_level.value_or("–"));
   }
   const bool ended_early =

@@ -85,28 +85,84 @@ std::string breaks_text(const Protocol::Run& run) {
          listed(after);
 }
 
+/// Whether the rules of the protocol alone determined the number of its trials.
+bool is_completed_and_included(const ReportedSession& session) {
+  return session.row.state == SessionState::completed && !session.row.excluded;
+}
+
+/// "66", "66 to 87"
+std::string range_of(const std::set<int>& counts) {
+  return *counts.begin() == *counts.rbegin()
+             ? std::to_string(*counts.begin())
+             : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
+}
+
+/// "The number of trials depended on the responses: a completed session had 66 to 87 experimental trials, and 70 to 93 in
+/// total including practice." Tracks of a fixed length give all sessions one number.
+std::string trials_by_responses_text(const ReportFacts& facts) {
+  std::set<int> main_trials{};
+  std::set<int> all{};
+  for (const ReportedSession& session : facts.sessions) {
+    if (!is_completed_and_included(session)) continue;
+    main_trials.insert(session.presented_main_trials);
+    all.insert(session.presented_trials);
+  }
+  if (all.empty()) return "No session was completed and included.";
+  std::string text =
+      std::string(main_trials.size() > 1
+                      ? "The number of trials depended on the responses: a completed session had "
+                      : "A completed session had ") +
+      range_of(main_trials) + " experimental " +
+      (main_trials == std::set<int>{1} ? "trial" : "trials");
+  if (all != main_trials) {
+    text += ", and " + range_of(all) + " in total including " +
+            listed({facts.other_planned.begin(), facts.other_planned.end()});
+  }
+  return text + '.';
+}
+
 }  // namespace
 
 std::string planned_trials_text(const ReportFacts& facts) {
+  // The plan of such a session grows with the responses: what it contains was presented, not planned.
+  const bool depends_on_responses =
+      std::any_of(facts.sessions.begin(), facts.sessions.end(),
+                  [](const auto& session) { return session.row.expected_trials.has_value(); });
+  if (depends_on_responses) return trials_by_responses_text(facts);
   std::set<int> main_trials{};
   std::set<int> planned{};
   for (const ReportedSession& session : facts.sessions) {
     main_trials.insert(session.main_trials);
     planned.insert(session.planned_trials);
   }
-  const auto range = [](const std::set<int>& counts) {
-    return *counts.begin() == *counts.rbegin()
-               ? std::to_string(*counts.begin())
-               : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
-  };
   if (planned.empty()) return {};
-  std::string text = "A session was planned with " + range(main_trials) + " experimental " +
+  std::string text = "A session was planned with " + range_of(main_trials) + " experimental " +
                      (main_trials == std::set<int>{1} ? "trial" : "trials");
   if (planned != main_trials) {
-    text += ", and with " + range(planned) + " in total including " +
+    text += ", and with " + range_of(planned) + " in total including " +
             listed({facts.other_planned.begin(), facts.other_planned.end()});
   }
   return text + '.';
+}
+
+std::string done_trials_text(const ReportedSession& session) {
+  return std::to_string(session.done_trials) +
+         (session.planned_is_estimated ? " of about " : " of ") +
+         std::to_string(session.planned_trials);
+}
+
+std::string presented_trials_text(const Protocol::Block& block, const ReportFacts& facts) {
+  if (!block.until) return {};
+  std::set<int> presented{};
+  for (const ReportedSession& session : facts.sessions) {
+    if (!is_completed_and_included(session)) continue;
+    for (const auto& [run, trials] : session.presented_in_run) {
+      if (run.first == block.name) presented.insert(trials);
+    }
+  }
+  if (presented.empty()) return {};
+  return " In completed sessions, the block had " + range_of(presented) +
+         (presented == std::set<int>{1} ? " trial." : " trials.");
 }
 
 std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run, Tense tense) {

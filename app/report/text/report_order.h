@@ -13,8 +13,14 @@ namespace asperity {
 enum class Tense { present, past };
 
 /// "A session was planned with 42 experimental trials, and with 54 in total including anchors and
-/// practice."; empty where no session has a plan.
+/// practice."; empty where no session has a plan. Where the responses determine the number, those of the completed
+/// sessions: "The number of trials depended on the responses: a completed session had 66 to 87 experimental trials …".
 std::string planned_trials_text(const ReportFacts& facts);
+/// "20 of 66", and while the responses determine the number of trials, "20 of about 66".
+std::string done_trials_text(const ReportedSession& session);
+/// " In completed sessions, the block had 3 to 6 trials."; empty without such a session, and of a block whose number of
+/// trials does not depend on the responses.
+std::string presented_trials_text(const Protocol::Block& block, const ReportFacts& facts);
 /// "in random order within each repetition, 3 repetitions, once for each level of speed". The order of trials whose level a
 /// procedure chooses is that of the responses and is not stated; empty where nothing else is to be said.
 std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run, Tense tense);

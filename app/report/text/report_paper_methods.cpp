@@ -59,6 +59,16 @@ std::string unfinished_sessions(const ReportFacts& facts) {
          (states.size() == 1 ? states.begin()->first : listed(parts)) + ").";
 }
 
+/// "One session was interrupted and resumed."
+std::string resumed_sessions(const ReportFacts& facts) {
+  const auto all = std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                                 [](const auto& session) { return session.resumed > 0; });
+  if (all == 0) return {};
+  return capitalised(count_in_words(static_cast<std::uint64_t>(all))) +
+         (all == 1 ? " session was interrupted and resumed."
+                   : " sessions were interrupted and resumed.");
+}
+
 /// "Two sessions were excluded from the analysis (fire alarm; wrong hand)."
 std::string excluded_sessions(const ReportFacts& facts) {
   std::size_t all = 0;
@@ -85,9 +95,9 @@ std::string paper_participants(const ReportFacts& facts, const StudyMetadata& me
   }
   std::string text = capitalised(participants_text(facts.group, facts.participants.size()));
   if (!brackets.empty()) text += " (" + brackets + ')';
-  const std::string sessions =
-      with_sentences({sessions_of_participants(facts) + '.', groups_text(facts),
-                      unfinished_sessions(facts), excluded_sessions(facts)});
+  const std::string sessions = with_sentences({sessions_of_participants(facts) + '.',
+                                               groups_text(facts), unfinished_sessions(facts),
+                                               resumed_sessions(facts), excluded_sessions(facts)});
   switch (facts.group) {
     case AnswerGroup::people:
       text += " took part" + sessions;

@@ -86,7 +86,8 @@ std::string paper_practice(const ReportFacts& facts) {
     text += ' ' + capitalised(text_of(block->phase)) + " trials " +
             (same_phase > 1 ? "of the block " + quoted(block->name) + ' ' : std::string()) +
             "were presented" + (order.empty() ? "" : ' ' + order) + feedback_text(*block) + '.' +
-            practised_levels(*block) + unmet_text(block->name, facts);
+            practised_levels(*block) + presented_trials_text(*block, facts) +
+            unmet_text(block->name, facts);
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
 #include "app/findings/reading_number.h"
+#include "app/report/text/report_order.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/text_parts.h"
@@ -67,11 +68,8 @@ std::string reported_session_name(const ReportedSession& session) {
 }
 
 std::string state_text(const ReportedSession& session) {
-  const std::string done = " after " + std::to_string(session.done_trials) + " of " +
-                           std::to_string(session.planned_trials) + " trials";
-  if (session.is_running)
-    return "is running (" + std::to_string(session.done_trials) + " of " +
-           std::to_string(session.planned_trials) + " trials done)";
+  const std::string done = " after " + done_trials_text(session) + " trials";
+  if (session.is_running) return "is running (" + done_trials_text(session) + " trials done)";
   switch (session.row.state) {
     case SessionState::open:
       return "was left open" + done;
@@ -372,6 +370,14 @@ ReportSection exclusions_section(const ReportFacts& facts) {
     if (session.row.state != SessionState::completed) {
       unfinished.items.push_back(capitalised(reported_session_name(session)) + ' ' +
                                  state_text(session) + '.');
+    }
+    if (const std::size_t times = session.resumed; times > 0) {
+      unfinished.items.push_back(capitalised(reported_session_name(session)) +
+                                 " was interrupted and resumed " +
+                                 (times == 1   ? "once"
+                                  : times == 2 ? "twice"
+                                               : count_in_words(times) + " times") +
+                                 '.');
     }
     for (const EventRow& event : session.late_resumes) {
       unfinished.items.push_back(late_text(session, event));
