@@ -132,16 +132,17 @@ void add_sweep(CLI::App& program, Job& job) {
   const std::map<std::string, DragMode> modes{{"constant_height", DragMode::constant_height},
                                               {"constant_force", DragMode::constant_force}};
   command
-      ->add_option("--drag", options->order.stroke.mode,
-                   "constant_height (the default): at the height of the given mean normal force; "
-                   "constant_force: pressed with the given force")
+      ->add_option("--drag", options->drag,
+                   "constant_height: at the height of the given mean normal force; "
+                   "constant_force: pressed with the given force, the default for "
+                   "exploratory_speed")
       ->transform(word_of(modes))
       ->option_text("constant_height|constant_force");
   command->add_option("--hand", options->hand, "M_kg,B_N_s_per_m,K_N_per_m")->capture_default_str();
-  command
-      ->add_option("--stiffness-n-per-m", options->order.stroke.material.stiffness_N_per_m,
-                   "Stiffness of the surface, N/m")
-      ->capture_default_str();
+  command->add_option(
+      "--stiffness-n-per-m", options->stiffness_N_per_m,
+      "Stiffness of the surface, N/m (default: 20000 for exploratory_speed at constant "
+      "force, otherwise 1000)");
   command
       ->add_option("--friction", options->order.stroke.material.friction,
                    "Coulomb friction coefficient of the surface")

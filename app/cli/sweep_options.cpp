@@ -155,6 +155,20 @@ void take_level(const SweepOrder& order, VariedQuantity quantity, const char* op
   level = *given;
 }
 
+/// The experiment with speed presses with a constant force on a stiff surface, as participants do on a plate: at a constant height
+/// the effect of speed is that of the simulated hand's resonance, and has the wrong direction.
+void take_drag(SweepOrder& order, const SweepOptions& options) {
+  constexpr double kStiff_N_per_m = 20000.0;
+  const bool varies_speed = order.varied == VariedQuantity::exploratory_speed;
+  order.stroke.mode =
+      options.drag.value_or(varies_speed ? DragMode::constant_force : DragMode::constant_height);
+  double& stiffness_N_per_m = order.stroke.material.stiffness_N_per_m;
+  if (varies_speed && order.stroke.mode == DragMode::constant_force) {
+    stiffness_N_per_m = kStiff_N_per_m;
+  }
+  stiffness_N_per_m = options.stiffness_N_per_m.value_or(stiffness_N_per_m);
+}
+
 }  // namespace
 
 void complete_order(SweepOptions& options, const ModelRegistry& models) {
@@ -164,6 +178,7 @@ void complete_order(SweepOptions& options, const ModelRegistry& models) {
   order.stroke.parameters =
       parameters_from(options.parameters, model.declaration.parameters, options.model);
   order.stroke.hand = hand_of(options.hand);
+  take_drag(order, options);
   order.values =
       options.values.empty() ? usual_values(order.varied) : values_of(order.varied, options.values);
   order.spacings_m = spacings_of(options.spacings);

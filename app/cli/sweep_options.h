@@ -23,6 +23,8 @@ struct SweepOptions {
   std::optional<double> probe_diameter_m{};
   std::optional<double> applied_force_N{};
   std::optional<double> exploratory_speed_m_per_s{};
+  std::optional<DragMode> drag{};
+  std::optional<double> stiffness_N_per_m{};
   std::string hand = "0.05,3,200";
   int jobs = 0;
   std::string out{};

@@ -329,6 +329,47 @@ TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
   EXPECT_THAT(still.err, testing::Not(HasSubstr("see the column status")));
 }
 
+/// The columns of the table that the command prints, a row per value.
+std::vector<std::vector<double>> printed_numbers(const std::string& out) {
+  std::vector<std::vector<double>> rows{};
+  std::istringstream lines(out.substr(out.find('\n', out.find('\n') + 1) + 1));
+  for (std::string line{}; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::vector<double>& row = rows.emplace_back();
+    for (std::string word{}; words >> word;) row.push_back(number_in(word).value_or(NAN));
+  }
+  return rows;
+}
+
+// As in participants, the peak moves to larger spacings with speed [Lederman 1999, Klatzky 2003]. At a constant height it does not.
+TEST(Sweep, OfSpeedHasPeaksThatMoveToLargerSpacings) {
+  const TemporaryFolder place{};
+  const std::vector<std::string> speeds{"--model",           "pd_gradient", "--vary",
+                                        "exploratory_speed", "--values",    "0.05,0.1,0.2"};
+  const auto rows_of = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> order = speeds;
+    order.insert(order.end(), more.begin(), more.end());
+    const Outcome outcome = asperity(sweep_into(place / name, order));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Tsv rows = tsv(text_of(place / name));
+    return std::pair(printed_numbers(outcome.out), rows.column("drag").front());
+  };
+  const auto [peaks, drag] = rows_of("speed.tsv", {});
+  EXPECT_EQ(drag, "constant_force");
+  ASSERT_EQ(peaks.size(), 3U);
+  constexpr std::size_t kPeak = 6;
+  constexpr std::size_t kLow = 7;
+  constexpr std::size_t kHigh = 8;
+  for (std::size_t faster = 1; faster < peaks.size(); ++faster) {
+    EXPECT_GT(peaks[faster][kPeak], 1.2 * peaks[faster - 1][kPeak]);
+    EXPECT_GT(peaks[faster][kLow], peaks[faster - 1][kHigh]) << "the 95 % CIs are disjoint";
+  }
+  const auto [held, constant] =
+      rows_of("height.tsv", {"--drag", "constant_height", "--spacings", "0.0005:0.008:13"});
+  EXPECT_EQ(constant, "constant_height");
+  EXPECT_LT(held.back()[kPeak], 1.1 * held.front()[kPeak]);
+}
+
 // Each measure has its own peak: of the same strokes the power relative to the threshold of touch, whose
 // decibels are logarithms already, is greatest elsewhere than the greatest acceleration.
 TEST(Sweep, PrintsThePeaksOfTheMeasureThatIsChosen) {
