@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+
+#include "stimuli/properties/parameter.h"
 
 namespace asperity {
 
@@ -45,5 +48,20 @@ class PathClock final {
   glm::dvec2 last_m_{0.0};
   double length_m_ = 0.0;
 };
+
+/// Declares `device_step_m`, the position step of the device, which every model with a PathClock has. `condition`: where the
+/// parameter applies, such as "Index distance only"; empty: always.
+inline Parameter device_step_parameter(const std::string& condition = {}) {
+  return {.name = "device_step_m",
+          .kind = ParameterKind::number,
+          .unit = "m",
+          .minimum = 0.0,
+          .maximum = 1e-3,
+          .choices = {},
+          .default_value = 0.0,
+          .meaning = (condition.empty() ? "Position" : condition + ": position") +
+                     " step of the device; motion of up to two steps, and of up to 20 um, does "
+                     "not lengthen the path"};
+}
 
 }  // namespace asperity

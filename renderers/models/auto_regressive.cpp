@@ -136,16 +136,7 @@ std::vector<Parameter> parameters_of_friction() {
                                      " of the process, of the value " + std::to_string(i + 1) +
                                      (i == 0 ? " step back" : " steps back")});
   }
-  parameters.push_back(
-      {.name = "device_step_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 0.0,
-       .maximum = 1e-3,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Position step of the device; motion of up to two steps, and of up to 20 um, "
-                  "does not lengthen the path"});
+  parameters.push_back(device_step_parameter());
   add_friction_parameters(parameters);
   return parameters;
 }

@@ -133,15 +133,7 @@ ForceModel filtered_noise_model() {
        .choices = {},
        .default_value = 0.5,
        .meaning = "Normal force below which the texture force decreases in proportion"},
-      {.name = "device_step_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 0.0,
-       .maximum = 1e-3,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Position step of the device; motion of up to two steps, and of up to 20 um, "
-                  "does not lengthen the path"}};
+      device_step_parameter()};
   add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -270,15 +270,7 @@ std::vector<Parameter> parameters_of_playback() {
        .default_value = std::string("refused"),
        .meaning = "Whether a recording may have a single speed, whose spectrum is then that of "
                   "every speed"},
-      {.name = "device_step_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 0.0,
-       .maximum = 1e-3,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Position step of the device; motion of up to two steps, and of up to 20 um, "
-                  "does not lengthen the path"}};
+      device_step_parameter()};
   add_friction_parameters(parameters);
   return parameters;
 }

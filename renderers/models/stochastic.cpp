@@ -208,15 +208,7 @@ ForceModel stochastic_model() {
        .choices = {},
        .default_value = 1e-4,
        .meaning = "Index distance only: length of path after which the noise takes a new value"},
-      {.name = "device_step_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 0.0,
-       .maximum = 1e-3,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Index distance only: position step of the device; motion of up to two steps, "
-                  "and of up to 20 um, does not lengthen the path"}};
+      device_step_parameter("Index distance only")};
   add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
