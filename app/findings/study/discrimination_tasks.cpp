@@ -97,10 +97,9 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
   for (const GatheredAnswer* const answer : answers) {
     conditions.push_back(names.name(gathered, condition_of(gathered, *answer, task.varied.factor)));
   }
-  study.conditions = conditions;
+  const std::set<std::string> distinct(conditions.begin(), conditions.end());
+  study.conditions.assign(distinct.begin(), distinct.end());
   std::sort(study.conditions.begin(), study.conditions.end(), is_before);
-  study.conditions.erase(std::unique(study.conditions.begin(), study.conditions.end()),
-                         study.conditions.end());
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const GatheredAnswer& answer = *answers[i];
     const auto place = std::find(study.conditions.begin(), study.conditions.end(), conditions[i]);
