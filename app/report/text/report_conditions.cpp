@@ -86,22 +86,24 @@ std::string vision_text(const ReportFacts& facts) {
               : "");
 }
 
-/// Whether attempts on different devices count in the analyses.
-bool pools_devices(const ReportFacts& facts) {
+/// The devices of sessions with at least so many attempts that analyses include.
+std::set<std::string> distinct_devices(const ReportFacts& facts, std::size_t counted_attempts) {
   std::set<std::string> devices{};
   for (const ReportedSession& session : facts.sessions) {
-    if (session.counted_attempts == 0) continue;
+    if (session.counted_attempts < counted_attempts) continue;
     for (const RecordedStretch& stretch : session.stretches) {
       if (stretch.device) devices.insert(stretch.device->text);
     }
   }
-  return devices.size() > 1;
+  return devices;
 }
 
 std::string devices_text(const ReportFacts& facts) {
   const std::string devices = devices_in(facts);
   std::string text = devices.empty() ? "" : "Device: " + devices + '.';
-  if (pools_devices(facts)) text += " The analyses pool the sessions on different devices.";
+  if (distinct_devices(facts, 1).size() > 1) {
+    text += " The analyses pool the sessions on different devices.";
+  }
   const SessionShare unknown = share_of_sessions(
       facts, [](const RecordedStretch& stretch) { return !stretch.device.has_value(); });
   if (unknown.is_any()) {
@@ -182,12 +184,7 @@ std::string unfelt_force_text(const ReportFacts& facts) {
 }
 
 std::string devices_in(const ReportFacts& facts) {
-  std::set<std::string> devices{};
-  for (const ReportedSession& session : facts.sessions) {
-    for (const RecordedStretch& stretch : session.stretches) {
-      if (stretch.device) devices.insert(stretch.device->text);
-    }
-  }
+  const std::set<std::string> devices = distinct_devices(facts, 0);
   std::string text{};
   for (const std::string& device : devices) {
     const SessionShare share = share_of_sessions(facts, [&device](const RecordedStretch& stretch) {
