@@ -33,7 +33,7 @@ std::string reading_bounded(double value, int decimals = 2);
 /// A difference of proportions in percentage points, one decimal: "−16.7".
 std::string reading_points(double difference);
 
-/// A number that somebody has stated, with all of its digits and a suitable SI prefix of its unit: "102.5 µm".
+/// A stated number with all of its digits and a suitable SI prefix of its unit: "102.5 µm".
 std::string stated_quantity(double value, const std::string& unit);
 
 /// Three digits and the unit with a suitable SI prefix: "31 µs", "50 mm/s", "0.8 N". A value of
