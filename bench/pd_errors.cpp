@@ -1,4 +1,4 @@
-// How far the forces and torques of pd_gradient are from the truth, in the scenes that docs/models.md names.
+// How far the forces and torques of pd_gradient are from the truth, in the scenes that docs/models/pd_gradient.md names.
 
 #include <algorithm>
 #include <cmath>

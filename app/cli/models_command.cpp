@@ -1,9 +1,12 @@
 // asperity models: the force models and their declared parameters.
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -12,6 +15,7 @@
 #include "app/cli/parameter_option.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
+#include "renderers/force/friction.h"
 
 namespace asperity {
 
@@ -41,9 +45,23 @@ nlohmann::ordered_json json_of_condition(const std::optional<ParameterValues>& c
   return json;
 }
 
+/// The parameters of friction, a layer that the point models share.
+std::vector<Parameter> shared_parameters() {
+  std::vector<Parameter> shared;
+  add_friction_parameters(shared);
+  return shared;
+}
+
+bool is_shared(const std::string& name) {
+  static const std::vector<Parameter> kShared = shared_parameters();
+  return std::any_of(kShared.begin(), kShared.end(),
+                     [&](const Parameter& shared) { return shared.name == name; });
+}
+
 nlohmann::ordered_json json_of_model(const ForceModel& force) {
   const ModelDeclaration& model = force.declaration;
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+  nlohmann::ordered_json shared = nlohmann::ordered_json::array();
   for (const Parameter& parameter : model.parameters) {
     const bool is_choice = parameter.kind == ParameterKind::choice;
     nlohmann::ordered_json json{{"name", parameter.name}, {"kind", kind_name(parameter.kind)}};
@@ -57,6 +75,7 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
     json["default"] = json_of_value(parameter.default_value);
     json["meaning"] = parameter.meaning;
     parameters.push_back(std::move(json));
+    if (is_shared(parameter.name)) shared.push_back(parameter.name);
   }
   nlohmann::ordered_json assets = nlohmann::ordered_json::array();
   for (const AssetDeclaration& asset : model.assets) {
@@ -67,8 +86,14 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
           {"summary", model.summary},
           {"source", model.source},
           {"conservative_with", json_of_condition(force.conservative_with)},
+          {"needs_height_field", model.needs_height_field},
+          {"needs_bodies", model.needs_bodies},
           {"assets", assets},
+          {"amplitude_parameter", model.amplitude_parameter
+                                      ? nlohmann::ordered_json(*model.amplitude_parameter)
+                                      : nlohmann::ordered_json()},
           {"parameters", parameters},
+          {"friction_parameters", shared},
           {"is_potential", is_potential(force, {})},
           {"band_Hz", force.band_formula},
           {"moves_by_itself", moves_by_itself(force, {})},
@@ -85,8 +110,17 @@ void print_model(const ForceModel& force) {
     std::cout << "  needs the asset " << asset.role << ": " << asset.meaning << '\n';
   }
   std::cout << "  highest frequency of the texture in Hz: " << force.band_formula
-            << "\n  moves by itself: " << condition_text(force.moves_by_itself_with) << '\n'
-            << described(model.parameters) << '\n';
+            << "\n  moves by itself: " << condition_text(force.moves_by_itself_with) << '\n';
+  std::vector<Parameter> own;
+  std::copy_if(model.parameters.begin(), model.parameters.end(), std::back_inserter(own),
+               [](const Parameter& parameter) { return !is_shared(parameter.name); });
+  std::cout << described(own);
+  std::string shared;
+  for (const Parameter& parameter : model.parameters) {
+    if (is_shared(parameter.name)) shared += (shared.empty() ? "" : ", ") + parameter.name;
+  }
+  if (shared.size() > 0) std::cout << "  friction, see below: " << shared << '\n';
+  std::cout << '\n';
 }
 
 }  // namespace
@@ -108,6 +142,8 @@ void add_models(CLI::App& program, Job& job) {
         std::cout << document.dump(2) << '\n';
       } else {
         for (const ForceModel& model : registry.models()) print_model(model);
+        std::cout << "Friction, of all models that have these parameters\n"
+                  << described(shared_parameters());
       }
       return 0;
     };

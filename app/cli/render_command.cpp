@@ -66,7 +66,7 @@ void tell_limits(const ForceRenderer& renderer, std::size_t ticks) {
   for (const NamedCount& limit : renderer.limits()) {
     if (limit.ticks == 0 || limit.name == "contact") continue;
     std::cerr << limit.name << " in " << limit.ticks << " of " << ticks
-              << " ticks: see \"Counted conditions\" in docs/models.md\n";
+              << " ticks: see \"Counted conditions\" in docs/models/pd_gradient.md\n";
   }
 }
 

@@ -303,7 +303,8 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
     const std::string correction =
         count.name == "fine_detail" && has_bodies ? why_too_fine(stimulus) : "";
-    sentence += correction.empty() ? " (see \"Counted conditions\" in docs/models.md)" : correction;
+    sentence += correction.empty() ? " (see \"Counted conditions\" in docs/models/pd_gradient.md)"
+                                   : correction;
     warnings.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
   }
   return warnings;

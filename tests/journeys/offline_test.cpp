@@ -240,8 +240,9 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   for (const auto& model : document.at("models")) {
     ids.push_back(model.at("id"));
     for (const char* key :
-         {"version", "summary", "source", "conservative_with", "assets", "parameters",
-          "is_potential", "band_Hz", "moves_by_itself", "moves_by_itself_with"}) {
+         {"version", "summary", "source", "conservative_with", "needs_height_field", "needs_bodies",
+          "assets", "amplitude_parameter", "parameters", "friction_parameters", "is_potential",
+          "band_Hz", "moves_by_itself", "moves_by_itself_with"}) {
       EXPECT_TRUE(model.contains(key)) << key;
     }
     for (const auto& parameter : model.at("parameters")) {
@@ -259,6 +260,10 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   EXPECT_EQ(height_map.at("id"), "height_map");
   EXPECT_EQ(height_map.at("conservative_with").dump(),
             R"({"lateral_gradient_gain":1.0,"law":"corrected"})");
+  EXPECT_EQ(height_map.at("needs_height_field"), true);
+  EXPECT_EQ(height_map.at("amplitude_parameter"), "height_scale");
+  EXPECT_THAT(height_map.at("friction_parameters").get<std::vector<std::string>>(),
+              testing::IsSupersetOf({"friction_law", "friction_speed_m_per_s"}));
   EXPECT_EQ(height_map.at("is_potential"), false);
   EXPECT_EQ(height_map.at("moves_by_itself"), false);
   EXPECT_EQ(height_map.at("band_Hz"), "v/(2*pitch of the height field)");
@@ -268,6 +273,10 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   EXPECT_THAT(list, testing::HasSubstr("conservative without friction: with "
                                        "lateral_gradient_gain=1, law=corrected\n"));
   EXPECT_THAT(list, testing::HasSubstr("conservative without friction: never\n"));
+  // What the models share is described once.
+  const std::string shared = "    friction_law = ";
+  EXPECT_EQ(list.find(shared), list.rfind(shared));
+  EXPECT_GT(list.find(shared), list.find("\npd_gradient  (version"));
 }
 
 TEST(Check, SaysWhatAPlanAmountsTo) {

@@ -83,7 +83,7 @@ StrokeVibration vibration_of(const std::string& law, const std::string& device,
        .rate_Hz = setting.rate_Hz});
 }
 
-// The table of docs/models.md: 0.19 N at each reversal on simulated:falcon with these values, and nothing on the ideal
+// The table of docs/models/limits.md: 0.19 N at each reversal on simulated:falcon with these values, and nothing on the ideal
 // device.
 TEST(FrictionStroke, ShowsTheBurstsOfTheRoundedLaw) {
   const StrokeVibration falcon = vibration_of("rounded", "simulated:falcon", {});
@@ -127,7 +127,7 @@ std::string with_hand_damping(const std::string& device, const std::string& damp
          ",damping_N_s_per_m=" + damping_N_s_per_m;
 }
 
-// The second table of docs/models.md: dahl requires 0.67 N s/m at most (0.55 without latency).
+// The second table of docs/models/friction.md: dahl requires 0.67 N s/m at most (0.55 without latency).
 TEST(FrictionStroke, IsCleanWithDahlUnderALightHandOfTheRequiredDamping) {
   for (const StrokeSetting& setting :
        {StrokeSetting{}, StrokeSetting{.force_N = 0.5}, StrokeSetting{.force_N = 2.0},

@@ -189,7 +189,7 @@ TEST(ProxyFriction, DoesNotCreepUnderAForceBelowStaticFriction) {
   EXPECT_NEAR(friction.drag_N(at({0.0, 0.0})).x, 0.0, 1e-12) << "the anchor has moved";
 }
 
-// A sampled block on a spring that is pulled: by hand from the two levels, in docs/models.md.
+// A sampled block on a spring that is pulled: by hand from the two levels, in docs/models/friction.md.
 double stick_slip_period_s(double rate_Hz) {
   constexpr double kMass_kg = 0.1;
   constexpr double kSpring_N_per_m = 400.0;

@@ -128,7 +128,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
     add(missing("the model does not check this assumption",
                 at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
                                    "ticks in which this assumption of the force model was violated "
-                                   "(docs/models.md); models: " +
+                                   "(docs/models/pd_gradient.md); models: " +
                                        comma_separated(models),
                                    [kind = kind](const Place& at) -> Cell {
                                      for (const ModelLimitRow& limit : at.presentation->limits) {

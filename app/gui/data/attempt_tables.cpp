@@ -117,7 +117,7 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
   };
 }
 
-/// What a force model counts (docs/models.md), in words.
+/// What a force model counts (docs/models/pd_gradient.md), in words.
 QString limit_words(const std::string& kind) {
   if (kind == "contact") return MeasureTables::tr("a surface was touched");
   if (kind == "folded") {

@@ -106,7 +106,7 @@ struct LeftOut {
 /// contacts together and lifts them apart. On every measured path without bounded depths, it took energy and never gave
 /// any. A bounded depth has no potential: it falls at once and rises slowly, which takes energy on the way in
 /// and out, half of the gross work in 0.4 s, and for tilted blocks returns up to 27 % of it, or takes
-/// more if they move slowly (docs/models.md, textured_contacts_test.cpp).
+/// more if they move slowly (docs/models/pd_gradient.md, textured_contacts_test.cpp).
 ///
 /// If the window ends before the bodies do, as for a tilted pen that is pressed deeper than its
 /// radius, the deepest sample is at the border of the window and δ is a lower bound
