@@ -8,6 +8,7 @@
 
 #include "app/study_files/height_field_files.h"
 #include "protocols/file/library_protocols.h"
+#include "renderers/recordings/relief_recording.h"
 #include "results_schema/part_folder.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
@@ -26,6 +27,7 @@ struct DemoTexture {
   bool is_rendered = true;
   std::uint64_t seed = 0;
   ParameterValues parameters{};
+  bool has_recording = false;  ///< of the strokes over it, for the force model `recorded`
 };
 
 /// Pebbles are made like grains, close together, but 4 mm in size: a stroke along any line meets
@@ -33,7 +35,7 @@ struct DemoTexture {
 std::vector<DemoTexture> demo_textures() {
   return {
       {"metal", "metal", true, 11, {}},
-      {"stone", "stone", true, 12, {}},
+      {"stone", "stone", true, 12, {}, true},
       {"wood", "wood", true, 13, {}},
       {"brick", "brick", true, 14, {}},
       {"sandpaper", "sandpaper", false, 15, {}},
@@ -133,6 +135,9 @@ void make_texture(const DemoTexture& texture, const std::filesystem::path& folde
   provenance.source_name = photograph_file.filename().string();
   provenance.source_sha256 = loaded.sha256;
   save_height_field(folder / (name + ".png"), recovered.field, provenance, Overwrite::refuse);
+  if (!texture.has_recording) return;
+  write_file(folder / (name + "_recording.tsv"), tsv_of(recording_of_relief(recovered.field)),
+             Overwrite::refuse);
 }
 
 void fill_demo_study(const std::filesystem::path& folder,
@@ -142,7 +147,7 @@ void fill_demo_study(const std::filesystem::path& folder,
     // freedom, those of numbers, and one of a threshold, which needs no files.
     if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
         protocol.name != "tools_matching" && protocol.name != "amplitude_jnd" &&
-        !protocol.name.starts_with("roughness_")) {
+        protocol.name != "models_in_pairs" && !protocol.name.starts_with("roughness_")) {
       continue;
     }
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
@@ -182,7 +187,8 @@ void new_demo_study(const std::filesystem::path& folder,
 bool is_of_demonstration(const std::string& study_path) {
   const auto is_of = [&study_path](std::string_view name) {
     const std::string stem = "stimuli/" + std::string(name);
-    for (const char* end : {".png", ".png.json", "_photo.png", "_true.png", "_true.png.json"}) {
+    for (const char* end :
+         {".png", ".png.json", "_photo.png", "_true.png", "_true.png.json", "_recording.tsv"}) {
       if (study_path == stem + end) return true;
     }
     return false;
