@@ -133,6 +133,36 @@ TEST(PaperText, CallsNoTestConfirmatoryThatTheProtocolDoesNotDeclare) {
   EXPECT_THAT(paragraph(report, "Results"), Not(HasSubstr("The following tests are exploratory.")));
 }
 
+// Six models in a fixed order of preference: 15 pairs, more than a reader can take in as sentences.
+TEST(PaperText, CountsManyTestsOfOneKind) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("which", "selection", R"({"analysis": {"family": ["pairs"]}})");
+  const std::vector<std::string> models{"a", "b", "c", "d", "e", "f"};
+  for (int person = 0; person < 12; ++person) {
+    const std::string label = "p" + std::to_string(10 + person);
+    made.add_person(label, "F");
+    std::vector<MadeUpTrial> trials{};
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      for (std::size_t j = i + 1; j < models.size(); ++j) {
+        MadeUpTrial trial{};
+        trial.options = {models[i], models[j]};
+        for (const std::string& model : trial.options) {
+          trial.surfaces.push_back(surface_of(model, model, "brick"));
+        }
+        trial.answers = {i == 4 && person % 2 == 0 ? models[j] : models[i]};
+        trials.push_back(trial);
+      }
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const std::string results = paragraph(study_report(made.study(), {}), "Results");
+  EXPECT_THAT(results, HasSubstr("Fourteen of the 15 tests of pairs were significant (largest of "
+                                 "these p values, Holm-corrected: .007). The table of tests "
+                                 "contains them with their effect sizes."));
+  EXPECT_THAT(results, Not(HasSubstr("was chosen significantly more often than")));
+}
+
 TEST(PaperText, SeparatesExploratoryTestsFromDeclaredOnes) {
   const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6}, {"pairs", "preference"});
   EXPECT_THAT(paragraph(report, "Methods"),

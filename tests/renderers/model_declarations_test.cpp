@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +56,19 @@ double change_at_rest_N(const ForceModel& model, const ParameterValues& values) 
     change_N = std::max(change_N, glm::length(felt[i].wrench.force_N - felt[i - 1].wrench.force_N));
   }
   return change_N;
+}
+
+TEST(ModelDeclarations, HaveAPageAndARowOfMeasurementsEach) {
+  const std::filesystem::path pages = std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/models";
+  std::ifstream file(pages / "README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    const std::string& id = model.declaration.id;
+    EXPECT_TRUE(std::filesystem::exists(pages / (id + ".md"))) << id;
+    EXPECT_THAT(readme, testing::HasSubstr("| [" + id + "](" + id + ".md) | "))
+        << "scripts/models-page writes it";
+  }
 }
 
 TEST(ModelDeclarations, StateWhetherTheForceOnAStillProbeChanges) {

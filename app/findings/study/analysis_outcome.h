@@ -66,6 +66,8 @@ struct TestSentence {
   bool is_untested = false;
   bool has_mean_interval = false;  ///< the 95 % CI is that of a mean proportion
   bool has_effect = false;
+  bool is_significant = false;
+  std::optional<double> p{};            ///< corrected, where the test belongs to a family
   const TestMethod* made_by = nullptr;  ///< null where the test could not be made
   std::string text{};
 };

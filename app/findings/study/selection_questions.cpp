@@ -313,15 +313,40 @@ PairWords words_of_pairs(const Selection& selection, const std::string& test) {
           .test = test};
 }
 
-void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbers& found,
-               AnalysisOutcome& outcome) {
-  const std::string& name = words.test;
+/// Which item of each significant pair was chosen more often; of many pairs, how many they are, and the others.
+Phrase preferences_text(const std::string& name, const StudyTests& tests,
+                        const FoundNumbers& found) {
+  constexpr std::size_t kMostNamed = 6;
   Phrase differ{};
+  std::size_t differing = 0;
+  double largest_p = 0.0;
+  std::vector<std::string> others{};
   for (const StudyTests::Test& test : tests.tests()) {
-    if (test.name != name || !test.shows()) continue;
+    if (test.name != name) continue;
+    if (!test.shows()) {
+      others.push_back(pair_text(test));
+      continue;
+    }
+    ++differing;
+    largest_p = std::max(largest_p, *test.adjusted);
     const Phrase one = preference_in(test, found);
     differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
   }
+  if (differing <= kMostNamed) return phrase("Analysis", "Chosen more often: %1.").with(differ);
+  const Phrase counted =
+      phrase("Analysis",
+             "%1 of the %2 pairs differ significantly (largest of these p values, Holm-corrected: "
+             "%3); the table of tests contains them.")
+          .with(std::to_string(differing), std::to_string(differing + others.size()),
+                reading_p_cell(largest_p));
+  if (others.empty() || others.size() > kMostNamed) return counted;
+  return phrase("Analysis", "%1 Not significantly different: %2.")
+      .with(counted, listed_names(others));
+}
+
+void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbers& found,
+               AnalysisOutcome& outcome) {
+  const std::string& name = words.test;
   const std::vector<const StudyTests::Test*> smallest = smallest_p(name, tests);
   if (smallest.empty()) {
     const bool is_one_participant = std::any_of(
@@ -339,7 +364,7 @@ void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbe
   const auto is_of_pairs = [&name](const StudyTests::Test& test) { return test.name == name; };
   const bool is_only_pair =
       std::count_if(tests.tests().begin(), tests.tests().end(), is_of_pairs) == 1;
-  const Phrase chosen_more = phrase("Analysis", "Chosen more often: %1.").with(differ);
+  const Phrase chosen_more = preferences_text(name, tests, found);
   const Sayings sayings =
       is_only_pair
           ? Sayings{chosen_more,

@@ -153,6 +153,8 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
     sentence.text += " (responses of all participants pooled as independent)";
   }
   sentence.text += '.';
+  sentence.is_significant = test.is_significant();
+  sentence.p = test.adjusted ? test.adjusted : test.p;
   sentence.made_by = test.made_by;
   sentence.has_effect = test.effect.has_value();
   sentence.has_mean_interval = test.estimate && test.estimate->low;

@@ -1987,6 +1987,14 @@
         <source>Those of geometric means are computed on the logarithmic scale and contain no negative numbers; those of arithmetic means can, if the participants differ greatly.</source>
         <translation>Die der geometrischen Mittel sind auf der logarithmischen Skala berechnet und enthalten keine negativen Zahlen; die der arithmetischen Mittel können welche enthalten, wenn sich die Versuchspersonen stark unterscheiden.</translation>
     </message>
+    <message>
+        <source>%1 of the %2 pairs differ significantly (largest of these p values, Holm-corrected: %3); the table of tests contains them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Not significantly different: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>

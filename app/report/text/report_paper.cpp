@@ -19,6 +19,8 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kMostExploratory = 24;  // the table of tests lists more
+/// Of one kind of test. More of them are counted in one sentence, which a reader can take in.
+constexpr std::size_t kMostAlike = 12;
 
 bool is_of_family(const TestSentence& each) { return each.role != TestRole::exploratory; }
 
@@ -167,12 +169,68 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
   return with_sentences(sentences);
 }
 
+/// "38 of the 45 tests of pairs were significant (largest of these p values, Holm-corrected: .034). …"
+std::string counted_sentence(std::span<const TestSentence* const> alike) {
+  const TestSentence& first = *alike.front();
+  std::size_t significant = 0;
+  std::size_t untested = 0;
+  double largest = 0.0;
+  double smallest = 1.0;
+  for (const TestSentence* each : alike) {
+    if (each->is_untested || !each->p) {
+      ++untested;
+      continue;
+    }
+    smallest = std::min(smallest, *each->p);
+    if (!each->is_significant) continue;
+    ++significant;
+    largest = std::max(largest, *each->p);
+  }
+  const bool is_confirmatory = first.role == TestRole::confirmatory;
+  const std::string corrected = is_of_family(first) ? "Holm-corrected" : "uncorrected";
+  const std::string all = "the " + reading_count(alike.size()) +
+                          (is_confirmatory ? " tests of " : " exploratory tests of ") +
+                          words_of_cell("family", first.test).english();
+  const std::string size = is_confirmatory ? " significant" : " below .05";
+  std::string text = significant == 0 ? "None of " + all + " was" + size + " (smallest p value, " +
+                                            corrected + ": " + reading_p_cell(smallest) + ')'
+                                      : capitalised(count_in_words(significant)) + " of " + all +
+                                            (significant == 1 ? " was" : " were") + size +
+                                            " (largest of these p values, " + corrected + ": " +
+                                            reading_p_cell(largest) + ')';
+  if (untested > 0) {
+    text += "; " + count_in_words(untested) + " could not be computed";
+  }
+  return text + ". The table of tests contains them with their effect sizes.";
+}
+
+/// The sentences of the tests in their order; of many tests of one kind, one sentence.
+std::vector<TestSentence> counted_where_many(std::span<const TestSentence> printed) {
+  const auto is_alike = [](const TestSentence& a, const TestSentence& b) {
+    return a.test == b.test && a.role == b.role;
+  };
+  std::vector<TestSentence> told{};
+  for (const TestSentence& each : printed) {
+    std::vector<const TestSentence*> alike{};
+    for (const TestSentence& other : printed) {
+      if (is_alike(each, other)) alike.push_back(&other);
+    }
+    if (alike.size() <= kMostAlike) {
+      told.push_back(each);
+    } else if (alike.front() == &each) {
+      told.push_back(each);
+      told.back().text = counted_sentence(alike);
+    }
+  }
+  return told;
+}
+
 std::string results_paragraph(const AnalysisOutcome& outcome,
                               std::span<const TestSentence> printed) {
   std::vector<std::string> sentences{estimate_sentence(outcome).text};
   // Without a declaration all tests are exploratory, as the methods section states.
   bool follows_confirmatory = false;
-  for (const TestSentence& each : printed) {
+  for (const TestSentence& each : counted_where_many(printed)) {
     const bool is_confirmatory = each.role == TestRole::confirmatory;
     if (follows_confirmatory && !is_confirmatory) {
       sentences.emplace_back("The following tests are exploratory.");
