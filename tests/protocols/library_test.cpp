@@ -14,16 +14,20 @@
 #include "protocols/file/warnings.h"
 #include "protocols/observer/virtual_observer.h"
 #include "protocols/plan/course.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {
 namespace {
 
+std::vector<ModelDeclaration> models_of_library() { return declarations_of(built_in_models()); }
+
 class Library : public testing::TestWithParam<LibraryProtocol> {
  protected:
   Protocol protocol() const {
     return read_protocol(GetParam().text, std::string(GetParam().name) + ".json",
-                         test::example_models());
+                         models_of_library());
   }
 };
 
@@ -134,7 +138,7 @@ std::vector<InBothLanguages> in_both_languages() {
     const LibraryProtocol& english = library_protocols()[i];
     EXPECT_EQ(german[i].name, english.name);
     const auto read = [](const LibraryProtocol& one) {
-      return read_protocol(one.text, std::string(one.name), test::example_models());
+      return read_protocol(one.text, std::string(one.name), models_of_library());
     };
     all.push_back({.english = read(english),
                    .german = read(german[i]),
@@ -179,7 +183,7 @@ TEST(LibraryProtocols, GiveTheSamePlansInGerman) {
 
 Protocol library_protocol(const std::string& name) {
   for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == name) return read_protocol(each.text, name, test::example_models());
+    if (each.name == name) return read_protocol(each.text, name, models_of_library());
   }
   throw std::invalid_argument("no library protocol " + name);
 }
@@ -268,6 +272,30 @@ TEST(LibraryProtocols, PractiseTheExtremesAndHoldTipAndHandWithinABlock) {
         EXPECT_TRUE(practised.contains({wave, text_of(level)})) << name << ' ' << wave;
       }
     }
+  }
+}
+
+TEST(LibraryProtocols, CompareTenModelsInEveryPairAndBothOrders) {
+  const Protocol read = library_protocol("models_in_pairs");
+  EXPECT_EQ(read.factors.at("model").levels.size(), 10U);
+  const Plan plan = make_plan(read, {.seed = 3, .counterbalance_row = 0});
+  std::map<std::pair<std::string, std::string>, int> pairs{};
+  std::set<std::string> familiar{};
+  for (const Trial& trial : plan.trials) {
+    ASSERT_EQ(trial.presentations.size(), 2U);
+    const std::string& first = trial.presentations.front().stimulus.model;
+    const std::string& second = trial.presentations.back().stimulus.model;
+    if (trial.phase == Phase::main) {
+      ++pairs[{first, second}];
+    } else {
+      familiar.insert({first, second});
+    }
+  }
+  EXPECT_EQ(familiar.size(), 10U) << "each model is felt before the main part";
+  EXPECT_EQ(pairs.size(), 90U);
+  for (const auto& [pair, count] : pairs) {
+    EXPECT_NE(pair.first, pair.second);
+    EXPECT_EQ(count, 1) << pair.first << ' ' << pair.second;
   }
 }
 

@@ -1989,11 +1989,11 @@
     </message>
     <message>
         <source>%1 of the %2 pairs differ significantly (largest of these p values, Holm-corrected: %3); the table of tests contains them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 der %2 Paare unterscheiden sich signifikant (größter dieser p-Werte, nach Holm korrigiert: %3); die Tabelle der Tests enthält sie.</translation>
     </message>
     <message>
         <source>%1 Not significantly different: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Nicht signifikant verschieden: %2.</translation>
     </message>
 </context>
 <context>
