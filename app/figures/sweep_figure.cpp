@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "app/figures/axis_ticks.h"
+#include "renderers/offline/drop_point.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -88,6 +90,43 @@ FigurePlace on_curve(const FigureAxis& axis, const Quadratic& curve, double log1
   return {.x = std::pow(10.0, log10_frequency), .y = shown(axis, y)};
 }
 
+/// The drop point of the tip at this level; nullopt where the model has no bodies, or the tip or the texture no drop point.
+std::optional<double> drop_point_of(const SweepOrder& order, double value) {
+  const RoughnessStroke& stroke = order.stroke;
+  if (stroke.model == nullptr || !stroke.model->declaration.needs_bodies || stroke.tool) {
+    return std::nullopt;
+  }
+  RigidTip tip = stroke.tip;
+  if (order.varied == VariedQuantity::probe_diameter) tip.diameter_m = value;
+  return drop_point_m(order.texture, tip);
+}
+
+/// A short line at the lower border in the style of each level; one line where all levels have the same drop point.
+struct DropPoint {
+  double spacing_m = 0.0;
+  int style = 0;
+};
+void mark_drop_points(const std::vector<DropPoint>& points,
+                      const std::function<double(double)>& x_of_spacing, Figure& figure) {
+  constexpr double kHeight = 0.12;  // of the axis
+  bool has_any = false;
+  for (const DropPoint& point : points) {
+    const double x = x_of_spacing(point.spacing_m);
+    if (x < figure.x.low || x > figure.x.high) continue;
+    const double top = figure.y.scale == AxisScale::log10
+                           ? figure.y.low * std::pow(figure.y.high / figure.y.low, kHeight)
+                           : std::lerp(figure.y.low, figure.y.high, kHeight);
+    figure.series.push_back(
+        {.style = point.style, .lines = {{{.x = x, .y = figure.y.low}, {.x = x, .y = top}}}});
+    has_any = true;
+  }
+  if (!has_any) return;
+  figure.note = phrase("Figures",
+                       "%1 Lines at the lower border: drop points, the spacings from which on the "
+                       "tip reaches the ground between two neighbouring elements.")
+                    .with(figure.note);
+}
+
 /// The index of the series of a study's estimates with the filled marks of a condition. A single
 /// condition has no name.
 std::size_t series_of_condition(const Figure& estimates, const std::string& condition) {
@@ -121,6 +160,7 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
             .scale = AxisScale::log10},
       .y = measure_axis(measure)};
   std::vector<FigurePlace> all{};
+  std::vector<DropPoint> drop_points{};
   const std::vector<SweepCurve> curves = curves_of(sweep, measure);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const SweepCurve& curve = curves[i];
@@ -139,6 +179,10 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
       all.push_back({.x = mark.x, .y = mark.y});
     }
     if (counted.points.empty() && excluded.points.empty()) continue;
+    const bool is_new = drop_points.empty() || sweep.order.varied == VariedQuantity::probe_diameter;
+    if (const auto drop_m = drop_point_of(sweep.order, curve.value); drop_m && is_new) {
+      drop_points.push_back({.spacing_m = *drop_m, .style = style});
+    }
     if (curve.fit) {
       const double low = -std::log10(curve.fitted.back().spacing_m);
       const double high = -std::log10(curve.fitted.front().spacing_m);
@@ -178,6 +222,8 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
     figure.y.low = bottom->y - kMargin_dB;
     figure.y.high = top->y + kMargin_dB;
   }
+  mark_drop_points(
+      drop_points, [](double spacing_m) { return 1.0 / spacing_m; }, figure);
   return figure;
 }
 
@@ -266,6 +312,15 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
           "Figures",
           "%1 Small open symbols: the %2 predicted by a sweep of %3, all multiplied by one factor.")
           .with(estimates.note, measure_axis(measure).name, model);
+  std::vector<DropPoint> drop_points{};
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (i > 0 && sweep.order.varied != VariedQuantity::probe_diameter) break;
+    if (const auto drop_m = drop_point_of(sweep.order, curves[i].value)) {
+      drop_points.push_back({.spacing_m = *drop_m, .style = estimates.series[places[i]].style});
+    }
+  }
+  const auto in_mm = [](double spacing_m) { return kMillimetresPerMetre * spacing_m; };
+  mark_drop_points(drop_points, in_mm, estimates);
   return estimates;
 }
 

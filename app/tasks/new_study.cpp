@@ -75,16 +75,24 @@ std::vector<BodyRelief> body_reliefs() {
             {"base_diameter_m", 0.0018}}}};
 }
 
-/// Of the roughness protocols: 28 mm is a whole number of waves of each, every wave eight pixels
-/// long. A higher resolution would only be slower: a body has four texels per pixel.
-std::vector<BodyRelief> waves() {
-  const auto wave = [](std::string_view name, double spacing_m, std::size_t pixels) {
-    return BodyRelief{
-        name, "sinusoid", false, pixels, {{"spacing_m", spacing_m}, {"amplitude_m", 1e-4}}, 0.028};
+/// Of the roughness protocols: 28 mm is a whole number of the distances of each, and the base of a
+/// cone is seven pixels wide. A higher resolution would only be slower: a body has four texels per
+/// pixel.
+std::vector<BodyRelief> cone_fields() {
+  const auto cones = [](std::string_view name, double spacing_m) {
+    return BodyRelief{name,
+                      "cones",
+                      false,
+                      448,
+                      {{"spacing_m", spacing_m},
+                       {"height_m", 2e-4},
+                       {"top_diameter_m", 1e-4},
+                       {"base_diameter_m", 4.5e-4}},
+                      0.028};
   };
-  return {wave("wave_05", 0.0005, 448), wave("wave_07", 0.0007, 320), wave("wave_10", 0.0010, 224),
-          wave("wave_14", 0.0014, 160), wave("wave_20", 0.0020, 112), wave("wave_28", 0.0028, 80),
-          wave("wave_40", 0.0040, 56)};
+  return {cones("cones_05", 0.0005), cones("cones_07", 0.0007), cones("cones_10", 0.0010),
+          cones("cones_14", 0.0014), cones("cones_20", 0.0020), cones("cones_28", 0.0028),
+          cones("cones_35", 0.0035)};
 }
 
 constexpr double kWidth_m = 0.10;
@@ -155,7 +163,7 @@ void fill_demo_study(const std::filesystem::path& folder,
   }
   // First: the last files made indicate whether the study is complete.
   for (const BodyRelief& relief : body_reliefs()) make_body_relief(relief, folder / "stimuli");
-  for (const BodyRelief& relief : waves()) make_body_relief(relief, folder / "stimuli");
+  for (const BodyRelief& relief : cone_fields()) make_body_relief(relief, folder / "stimuli");
   const std::vector<DemoTexture> textures = demo_textures();
   for (std::size_t i = 0; i < textures.size(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(textures.size()));
@@ -196,7 +204,7 @@ bool is_of_demonstration(const std::string& study_path) {
   const auto is_any = [&is_of](const auto& all) {
     return std::any_of(all.begin(), all.end(), [&](const auto& one) { return is_of(one.name); });
   };
-  return is_any(body_reliefs()) || is_any(waves()) || is_any(demo_textures());
+  return is_any(body_reliefs()) || is_any(cone_fields()) || is_any(demo_textures());
 }
 
 bool holds_demo_study(const std::filesystem::path& folder) {

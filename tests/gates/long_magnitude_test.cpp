@@ -26,7 +26,7 @@
 namespace asperity {
 namespace {
 
-const std::vector<double> kSpacings_m{0.0005, 0.0007, 0.0010, 0.0014, 0.0020, 0.0028, 0.0040};
+const std::vector<double> kSpacings_m{0.0005, 0.0007, 0.0010, 0.0014, 0.0020, 0.0028, 0.0035};
 const std::map<std::string, double> kTips_m{
     {"sphere_1mm", 0.001}, {"sphere_2mm", 0.002}, {"sphere_3mm", 0.003}};
 
@@ -60,7 +60,9 @@ Sweep predicted() {
   order.stroke.speed_m_per_s = hand.speed_m_per_s.target.value();
   order.values = {0.001, 0.002, 0.003};
   order.spacings_m = kSpacings_m;
-  order.texture = {.kind = "sinusoid", .values = {{"amplitude_m", 1e-4}}};
+  order.texture = {
+      .kind = "cones",
+      .values = {{"height_m", 2e-4}, {"top_diameter_m", 1e-4}, {"base_diameter_m", 4.5e-4}}};
   return sweep_of(order, every_core());
 }
 

@@ -213,7 +213,7 @@ Numbers numbers_of_one(const std::function<void(json&)>& change) {
   inputs.participants = 1;
   inputs.recordings = Recordings::none;
   std::ofstream(inputs.protocols[0], std::ios::binary)
-      << library_protocol("roughness_diameter", [&change](json& protocol) {
+      << library_protocol("roughness_diameter-1.1.0", [&change](json& protocol) {
            make_short(protocol);
            change(protocol);
          }).source;

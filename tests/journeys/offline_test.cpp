@@ -316,7 +316,7 @@ TEST(Check, SaysWhereFilesOfTheDemonstrationComeFrom) {
   const fs::path library = fs::path(ASPERITY_SOURCE_DIR) / "protocols/library/roughness_force.json";
   const Outcome outcome = asperity({"check", library, "--study", place / "study"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("stimuli/wave_05.png is not in the study"), std::string::npos)
+  EXPECT_NE(outcome.err.find("stimuli/cones_05.png is not in the study"), std::string::npos)
       << outcome.err;
   EXPECT_NE(outcome.err.find("asperity new DIR --demo creates it"), std::string::npos);
 }

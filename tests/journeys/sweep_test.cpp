@@ -234,7 +234,7 @@ void add_estimates(MadeUpStudy& made, const std::string& name, const std::string
     std::vector<MadeUpTrial> trials{};
     double number = 1.0 + person;
     for (const std::string& condition : conditions) {
-      for (const char* spacing : {"spacing_05", "spacing_10", "spacing_20", "spacing_40"}) {
+      for (const char* spacing : {"spacing_05", "spacing_10", "spacing_20", "spacing_35"}) {
         MadeUpTrial trial{};
         trial.surfaces = {surface_of("s", "pd_gradient", spacing)};
         trial.factors_json = std::string(R"({"texture": ")") + spacing + R"(", ")" + factor +

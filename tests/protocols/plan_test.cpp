@@ -10,6 +10,8 @@
 
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {
@@ -21,7 +23,8 @@ Protocol read(const std::string& text) {
 
 Protocol library(std::string_view name) {
   for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == name) return read(std::string(each.text));
+    if (each.name != name) continue;
+    return read_protocol(each.text, std::string(name), declarations_of(built_in_models()));
   }
   throw std::logic_error("no such library protocol");
 }
@@ -429,7 +432,7 @@ TEST(Plan, IsWrittenAsTheLibraryThatWroteOlderPlansWritesIt) {
     return nlohmann::ordered_json::parse(json).dump();
   };
   for (const LibraryProtocol& each : library_protocols()) {
-    const Plan plan = make_plan(read(std::string(each.text)), {.seed = 3, .counterbalance_row = 1});
+    const Plan plan = make_plan(library(each.name), {.seed = 3, .counterbalance_row = 1});
     for (const Trial& trial : plan.trials) {
       ASSERT_EQ(json_of(trial), rewritten(json_of(trial))) << each.name;
       ASSERT_EQ(nlohmann::ordered_json::parse(factors_json_of(trial)),

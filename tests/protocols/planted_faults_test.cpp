@@ -622,7 +622,7 @@ INSTANTIATE_TEST_SUITE_P(
               R"("texture"})", "/estimation/condition", "the same factor"},
         Fault{"ATextureWithoutSpacing", R"("spacing_m": 0.0005,)", "",
               R"({
-      "height_field": "stimuli/wave_05.png")",
+      "height_field": "stimuli/cones_05.png")",
               "/textures/spacing_05", "give it a \"spacing_m\""},
         Fault{"SpacingsThatAreNoTextures", R"("spacing": "texture",)", R"("spacing": "tip",)",
               R"("sphere_1mm", "sphere_2mm")", "/factors/tip/levels/0",

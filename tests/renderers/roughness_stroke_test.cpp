@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include "renderers/built_in_models.h"
+#include "renderers/offline/drop_point.h"
 #include "renderers/offline/felt_roughness.h"
 #include "stimuli/meshes/solid_body.h"
 #include "tests/renderers/surfaces.h"
@@ -94,6 +95,46 @@ TEST(OffsetSurface, OfADiscIsASpheresWhereNothingChangesAcross) {
                              {.pitch_m = 5e-6});
   const OffsetSurface disc(*field, {.form = TipForm::disc, .diameter_m = 0.002}, {.pitch_m = 5e-6});
   EXPECT_EQ(sphere.heights_m(), disc.heights_m());
+}
+
+/// How far a ball stays above the ground in a gap between neighbours.
+double above_ground_m(const SpacedTexture& texture, double spacing_m, double diameter_m) {
+  const TextureAtSpacing there = texture_at_spacing(texture, spacing_m);
+  const OffsetSurface surface(*there.field, {.form = TipForm::sphere, .diameter_m = diameter_m},
+                              {.tiling = there.tiling, .line_m = there.line_m, .pitch_m = 2e-6});
+  const auto [lowest, highest] =
+      std::minmax_element(surface.heights_m().begin(), surface.heights_m().end());
+  const double ground_m = texture.kind == "sinusoid" ? -*highest : 0.0;
+  return *lowest - ground_m;
+}
+
+// On either side of the closed form the offset surface itself reaches the ground, or does not.
+TEST(DropPoint, IsWhereTheOffsetSurfaceReachesTheGround) {
+  const SpacedTexture wave{.kind = "sinusoid", .values = {{"amplitude_m", 1e-4}}};
+  const SpacedTexture steep_cones{.kind = "cones",
+                                  .values = {{"height_m", 2e-4},
+                                             {"top_diameter_m", 1e-4},
+                                             {"base_diameter_m", 4.5e-4},
+                                             {"jitter", 0.0}}};
+  const SpacedTexture ridges{
+      .kind = "grating",
+      .values = {{"height_m", 3e-4}, {"ridge_width_m", 2e-4}, {"flank_width_m", 3e-4}}};
+  for (const SpacedTexture& texture : {wave, steep_cones, ridges}) {
+    for (const double diameter_m : {0.001, 0.002, 0.003}) {
+      const double drop_m = drop_point_m(texture, {.diameter_m = diameter_m}).value();
+      EXPECT_LT(above_ground_m(texture, 1.05 * drop_m, diameter_m), 1e-6)
+          << texture.kind << ' ' << diameter_m;
+      EXPECT_GT(above_ground_m(texture, 0.9 * drop_m, diameter_m), 2e-6)
+          << texture.kind << ' ' << diameter_m;
+    }
+  }
+  // By hand: 2π·√(0.1 mm · 1 mm); on the flank 0.45 + 2·0.5·tan(α/2), tan α = 0.2/0.175; over the edge
+  // 0.1 + 2·√(2·1·0.2 − 0.04).
+  EXPECT_NEAR(*drop_point_m(wave, {.diameter_m = 0.002}), 1.98692e-3, 1e-8);
+  EXPECT_NEAR(*drop_point_m(steep_cones, {.diameter_m = 0.001}), 0.90377e-3, 1e-8);
+  EXPECT_NEAR(*drop_point_m(steep_cones, {.diameter_m = 0.002}), 1.3e-3, 1e-12);
+  EXPECT_FALSE(drop_point_m(wave, {.form = TipForm::point}));
+  EXPECT_FALSE(drop_point_m({.kind = "noise"}, {}));
 }
 
 // What the offset surface stands for: two meshes, as a session renders them. Measured: 0.35 % of the

@@ -4451,6 +4451,10 @@
         <source>%1, run %2, track %3</source>
         <translation>%1, Durchlauf %2, Folge %3</translation>
     </message>
+    <message>
+        <source>%1 Lines at the lower border: drop points, the spacings from which on the tip reaches the ground between two neighbouring elements.</source>
+        <translation>%1 Linien am unteren Rand: die Abstände, ab denen die Spitze zwischen zwei benachbarten Elementen den Grund erreicht (drop points).</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>
