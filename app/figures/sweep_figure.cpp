@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "app/figures/axis_ticks.h"
-#include "renderers/offline/drop_point.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -88,17 +87,6 @@ FigurePlace on_curve(const FigureAxis& axis, const Quadratic& curve, double log1
   const double y =
       curve.a + curve.b * log10_frequency + curve.c * log10_frequency * log10_frequency;
   return {.x = std::pow(10.0, log10_frequency), .y = shown(axis, y)};
-}
-
-/// The drop point of the tip at this level; nullopt where the model has no bodies, or the tip or the texture no drop point.
-std::optional<double> drop_point_of(const SweepOrder& order, double value) {
-  const RoughnessStroke& stroke = order.stroke;
-  if (stroke.model == nullptr || !stroke.model->declaration.needs_bodies || stroke.tool) {
-    return std::nullopt;
-  }
-  RigidTip tip = stroke.tip;
-  if (order.varied == VariedQuantity::probe_diameter) tip.diameter_m = value;
-  return drop_point_m(order.texture, tip);
 }
 
 /// A short line at the lower border in the style of each level; one line where all levels have the same drop point.
@@ -180,7 +168,7 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
     }
     if (counted.points.empty() && excluded.points.empty()) continue;
     const bool is_new = drop_points.empty() || sweep.order.varied == VariedQuantity::probe_diameter;
-    if (const auto drop_m = drop_point_of(sweep.order, curve.value); drop_m && is_new) {
+    if (const auto drop_m = drop_point_at(sweep.order, curve.value); drop_m && is_new) {
       drop_points.push_back({.spacing_m = *drop_m, .style = style});
     }
     if (curve.fit) {
@@ -315,7 +303,7 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
   std::vector<DropPoint> drop_points{};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (i > 0 && sweep.order.varied != VariedQuantity::probe_diameter) break;
-    if (const auto drop_m = drop_point_of(sweep.order, curves[i].value)) {
+    if (const auto drop_m = drop_point_at(sweep.order, curves[i].value)) {
       drop_points.push_back({.spacing_m = *drop_m, .style = estimates.series[places[i]].style});
     }
   }

@@ -16,6 +16,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/parameter_json.h"
+#include "renderers/offline/drop_point.h"
 
 namespace asperity {
 
@@ -317,6 +318,16 @@ std::vector<SweepCurve> curves_of(const Sweep& sweep, SweepMeasure measure) {
     }
   }
   return curves;
+}
+
+std::optional<double> drop_point_at(const SweepOrder& order, double value) {
+  const RoughnessStroke& stroke = order.stroke;
+  if (stroke.model == nullptr || !stroke.model->declaration.needs_bodies || stroke.tool) {
+    return std::nullopt;
+  }
+  RigidTip tip = stroke.tip;
+  if (order.varied == VariedQuantity::probe_diameter) tip.diameter_m = value;
+  return drop_point_m(order.texture, tip);
 }
 
 std::vector<double> usual_values(VariedQuantity varied) {

@@ -70,6 +70,10 @@ struct SweepCurve {
 std::vector<SweepCurve> curves_of(const Sweep& sweep,
                                   SweepMeasure measure = SweepMeasure::max_accel);
 
+/// The drop point of the tip (renderers/offline/drop_point.h) at a level of the varied quantity, in metres; nullopt where
+/// the model has no bodies, where a mesh takes the place of the tip, and where tip or texture have no drop point.
+std::optional<double> drop_point_at(const SweepOrder& order, double value);
+
 /// The default levels, in SI units.
 std::vector<double> usual_values(VariedQuantity varied);
 /// From one spacing to another in equal ratios. Errors: std::invalid_argument for spacings that are

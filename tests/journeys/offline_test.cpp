@@ -352,7 +352,7 @@ TEST(Check, AcceptsEveryProtocolOfTheLibrary) {
   std::vector<std::string> arguments{"check"};
   for (const fs::directory_entry& file :
        fs::directory_iterator(fs::path(ASPERITY_SOURCE_DIR) / "protocols" / "library")) {
-    arguments.push_back(file.path());
+    if (file.is_regular_file()) arguments.push_back(file.path());
   }
   ASSERT_GT(arguments.size(), 6U);
   const Outcome outcome = asperity(arguments);

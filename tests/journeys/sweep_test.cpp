@@ -286,12 +286,12 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   EXPECT_EQ(outcome(again).status, 0);
 
   // Another version is another experiment, which nobody chooses by accident.
-  add_estimates(made, "roughness_force", "force", {"light", "medium", "firm"}, "2.0.0");
+  add_estimates(made, "roughness_force", "force", {"light", "medium", "firm"}, "2.1.0");
   const Outcome either = outcome(again);
   EXPECT_EQ(either.status, 1);
   EXPECT_THAT(either.err, HasSubstr("2 versions of roughness_force: name one with --protocol, "
-                                    "roughness_force@1, roughness_force@2.0.0"));
-  for (const char* version : {"1", "2.0.0"}) {
+                                    "roughness_force@1, roughness_force@2.1.0"));
+  for (const char* version : {"1", "2.1.0"}) {
     again.back() = std::string("roughness_force@") + version;
     const Outcome one = outcome(again);
     EXPECT_EQ(one.status, 0) << one.err;
@@ -300,7 +300,7 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   }
   again.back() = "roughness_force@3.0.0";
   EXPECT_THAT(outcome(again).err,
-              HasSubstr("no session of roughness_force of the version 3.0.0; it has 1, 2.0.0"));
+              HasSubstr("no session of roughness_force of the version 3.0.0; it has 1, 2.1.0"));
 }
 #endif
 
