@@ -177,8 +177,8 @@ std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data) {
 Eigen::MatrixXd clustered_covariance(const ConditionalLogit& fit, const ChoiceData& data,
                                      std::span<const std::size_t> clusters) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) + " and data " +
-                                std::to_string(data.strata()) +
+    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) +
+                                " entries and data has " + std::to_string(data.strata()) +
                                 " strata; clusters must have one entry per stratum");
   }
   const Eigen::MatrixXd scores = data.slopes(fit.coefficients, clusters).scores;
@@ -189,8 +189,8 @@ std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const 
                                              std::span<const std::size_t> clusters,
                                              const Eigen::MatrixXd& combinations) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) + " and data " +
-                                std::to_string(data.strata()) +
+    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) +
+                                " entries and data has " + std::to_string(data.strata()) +
                                 " strata; clusters must have one entry per stratum");
   }
   if (std::set<std::size_t>(clusters.begin(), clusters.end()).size() < kFewestClusters) return {};

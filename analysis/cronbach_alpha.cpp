@@ -26,8 +26,8 @@ CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>>
   for (const auto& row : scores) {
     if (row.size() != answer.items) {
       throw std::invalid_argument("scores: a respondent has " + std::to_string(row.size()) +
-                                  " items; all respondents must have " +
-                                  std::to_string(answer.items) + ", as the first one has");
+                                  " items; every respondent must have as many as the first one, " +
+                                  std::to_string(answer.items));
     }
     for (const std::optional<double>& score : row) {
       if (score && !std::isfinite(*score)) {

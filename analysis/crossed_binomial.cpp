@@ -76,8 +76,8 @@ class CrossedLikelihood final {
     }
     if (!model.participants_vary && !model.items_vary) {
       throw std::invalid_argument(
-          "model: neither participants nor items have random intercepts; at least one of them "
-          "must");
+          "model: neither participants nor items have random intercepts; give at least one of them "
+          "random intercepts");
     }
     if (model.design.colPivHouseholderQr().rank() < model.design.cols()) {
       throw std::invalid_argument(

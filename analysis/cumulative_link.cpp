@@ -256,7 +256,8 @@ double cumulative_link_log_likelihood(std::span<const OrdinalResponse> responses
   }
   for (Eigen::Index j = 1; j < at.thresholds.size(); ++j) {
     if (!(at.thresholds(j) > at.thresholds(j - 1))) {
-      throw std::invalid_argument("at: its thresholds do not increase; they must");
+      throw std::invalid_argument(
+          "at: its thresholds do not increase; they must be in ascending order");
     }
   }
   CrossedIntercepts intercepts = likelihood.none();

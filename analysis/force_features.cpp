@@ -42,7 +42,7 @@ void refuse_unusable_force(const FeltForce& felt) {
     }
     if (i > 0 && (felt.time_s[i] < felt.time_s[i - 1] || felt.travel_m[i] < felt.travel_m[i - 1])) {
       throw std::invalid_argument("FeltForce: time_s or travel_m decreases at sample " +
-                                  std::to_string(i) + "; both must never decrease");
+                                  std::to_string(i) + "; neither may decrease");
     }
   }
 }

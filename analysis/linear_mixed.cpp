@@ -235,7 +235,7 @@ LinearMixedFit::Combination LinearMixedFit::effect(Eigen::Index column, double c
 
 LinearMixedFit::JointTest LinearMixedFit::joint_test(const Columns& columns) const {
   if (columns.first < 0 || columns.count < 1 || columns.first + columns.count > at_.beta.size()) {
-    throw std::invalid_argument("columns must be in the design");
+    throw std::invalid_argument("columns must be a range within the columns of the design");
   }
   const Eigen::MatrixXd own =
       at_.covariance.block(columns.first, columns.first, columns.count, columns.count);

@@ -54,7 +54,7 @@ LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index co
   if (fit.solver.rank() < coefficients) {
     throw std::invalid_argument("x has too few different levels; a curve with " +
                                 std::to_string(coefficients) +
-                                " coefficients needs at least as many");
+                                " coefficients needs at least that many");
   }
   return fit;
 }

@@ -107,7 +107,7 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
   if (driver == nullptr) {
     std::string ids;
     for (const Driver& one : drivers_) ids += (ids.empty() ? "" : ", ") + one.id;
-    throw std::runtime_error("there is no device \"" + id + "\"; this program has: " + ids);
+    throw std::runtime_error("there is no device \"" + id + "\"; choose one of: " + ids);
   }
   std::unique_lock alone = alone_until(options.stop);
   if (!alone.owns_lock()) {

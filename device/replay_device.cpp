@@ -21,10 +21,9 @@ DeviceCapability recorded_capability(const std::vector<ProbeState>& states,
       .name = "replay", .model = "recording", .actuated_degrees_of_freedom = 0};
   capability.sensed_degrees_of_freedom = 6;
   capability.maximum_rate_Hz = 10'000.0;
-  capability.remarks =
-      "It has no motors: no force is felt. The hand is that of " +
-      (source.empty() ? "a recording" : "the recording " + source) +
-      ", from its first tick on in each attempt; it rests where the recording ends.";
+  capability.remarks = "It has no motors: no force is felt. The hand repeats the movement of " +
+                       (source.empty() ? "a recording" : "the recording " + source) +
+                       " from its first tick in each attempt, and rests where the recording ends.";
   capability.workspace_minimum_m = states.front().position_m;
   capability.workspace_maximum_m = states.front().position_m;
   std::uint32_t buttons = 0;

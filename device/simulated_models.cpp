@@ -145,7 +145,7 @@ std::size_t property_of(std::string_view name) {
     if (kProperties[i].name == name) return i;
   }
   throw std::runtime_error("the simulated device has no property \"" + std::string(name) +
-                           "\"; it has: " + names_of_properties());
+                           "\"; choose one of: " + names_of_properties());
 }
 
 double number_in(std::string_view text, const Property& property) {
@@ -243,7 +243,7 @@ SimulatedDeviceSettings as_named_model(std::string_view name, SimulatedDeviceSet
     return settings;
   }
   throw std::runtime_error("the simulated device has no model \"" + std::string(name) +
-                           "\"; it has: " + names + std::string(kIdealModel));
+                           "\"; choose one of: " + names + std::string(kIdealModel));
 }
 
 }  // namespace

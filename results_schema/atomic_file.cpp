@@ -31,9 +31,10 @@ std::filesystem::path temporary_name(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void refuse_existing(const std::filesystem::path& path) {
-  throw ResultsError("the file " + path.string() +
-                         " already exists and is not overwritten; name another or remove it",
-                     path, EEXIST);
+  throw ResultsError(
+      "the file " + path.string() +
+          " already exists and is not overwritten; name another file, or remove this one",
+      path, EEXIST);
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& path) {

@@ -54,8 +54,8 @@ void fail_on_file(const std::filesystem::path& path, const std::string& what, in
   std::string reason = std::strerror(error_number);
   if (error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG) {
     reason =
-        "the disk is full. Everything finished before is stored safely; free space on the disk, "
-        "then continue";
+        "the disk is full. All earlier data are stored safely; free space on the disk, then "
+        "continue";
   } else if (error_number == EACCES || error_number == EPERM) {
     reason += "; check the permissions of the file and of its folder";
   } else if (error_number == ENOENT) {

@@ -325,7 +325,7 @@ class Reader {
       return false;
     }
     if (head.records > largest_chunk_) {
-      fail_at(chunk, start, "it holds more records than a chunk can have");
+      fail_at(chunk, start, "it contains more records than a chunk can contain");
     }
     unpack(recording, head, payload, chunk, start);
     return true;

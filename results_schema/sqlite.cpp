@@ -30,8 +30,8 @@ std::string uri_of(const std::filesystem::path& file, const char* parameters) {
 std::string meaning_of(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return "the disk is full. Everything finished before is stored safely; free space on the "
-             "disk, then continue";
+      return "the disk is full. All earlier data are stored safely; free space on the disk, then "
+             "continue";
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return "another program has been writing to the study for more than a minute; close it and "
@@ -44,8 +44,8 @@ std::string meaning_of(int code) {
     case SQLITE_CANTOPEN:
       return "study.sqlite cannot be opened; check the permissions of the folder and of its files";
     case SQLITE_IOERR:
-      return "the disk could not be read or written. Everything finished before is stored safely; "
-             "check the disk, then continue";
+      return "the disk could not be read or written. All earlier data are stored safely; check the "
+             "disk, then continue";
     case SQLITE_PERM:
       return "the system denied access; check the permissions of the folder and of its files";
     case SQLITE_PROTOCOL:

@@ -46,11 +46,10 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
   constexpr int kMostTries = 1000;
   for (int left = kMostTries; !take(study, name); --left) {
     if (left == 0) {
-      throw ResultsError(
-          "the file " + path_.string() +
-              " cannot be locked: its file system shows another file under its name; "
-              "move the study to a local disk",
-          path_);
+      throw ResultsError("the file " + path_.string() +
+                             " cannot be locked: on its file system its name refers to another "
+                             "file; move the study to a local disk",
+                         path_);
     }
   }
 }

@@ -412,11 +412,12 @@ std::vector<std::string> Study::leftovers() const {
     const std::string path = relative.string();
     if (relative.extension() == ".part" || relative.extension() == ".tmp") {
       leftovers.push_back(
-          path + ": an unfinished file, being written now or left by a program that crashed");
+          path +
+          ": an incomplete file, which is being written now or was left by a program that crashed");
     } else if (*relative.begin() == "recordings" && !known.contains(path)) {
       leftovers.push_back(path +
-                          ": a recording that belongs to no attempt, being written now or left by "
-                          "a program that crashed");
+                          ": a recording that belongs to no attempt, which is being written now or "
+                          "was left by a program that crashed");
     }
   }
   if (!has_seal(study)) {

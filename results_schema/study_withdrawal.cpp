@@ -210,9 +210,9 @@ void empty_log(Database& database) {
     if (busy == 0) return;
   }
   refuse_withdrawal(database.folder(),
-                    "no longer holds the participant's rows, but another program is reading it, "
-                    "and its log, study.sqlite-wal, holds them until that program closes the "
-                    "study. Close it there, then open the study once",
+                    "no longer contains the participant's rows, but another program is reading it. "
+                    "The log study.sqlite-wal contains them until that program closes the study. "
+                    "Close it there, then open the study once",
                     SQLITE_BUSY);
 }
 
@@ -268,8 +268,8 @@ WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& wit
   row.recordings = counts.recordings;
   if (row.data == WithdrawnData::kept) {
     if (participant(label)->withdrawn) {
-      refuse_withdrawal(store_->folder, "has a withdrawal of participant " + label +
-                                            " already; their data can still be deleted");
+      refuse_withdrawal(store_->folder, "already has a withdrawal of participant " + label +
+                                            "; the data can still be deleted");
     }
     Transaction transaction(database);
     exclude_sessions(database, label, row);

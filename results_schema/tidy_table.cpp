@@ -133,7 +133,7 @@ char separator_of(std::string_view header, const std::string& name) {
   if (has('\t')) return '\t';
   if (!has(',') && has(';')) {
     throw ResultsError(name +
-                           ":1:1: the columns are separated by semicolons; write the table with "
+                           ":1:1: the columns are separated by semicolons; save the table with "
                            "commas (or tabs) and decimal points",
                        name);
   }
@@ -146,7 +146,7 @@ TidyTable::TidyTable(std::string whole, std::string name)
     : text_(std::make_unique<std::string>(std::move(whole))), name_(std::move(name)) {
   std::string_view text = *text_;
   if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF") {
-    throw ResultsError(name_ + ":1:1: the file is UTF-16; write it as UTF-8", name_);
+    throw ResultsError(name_ + ":1:1: the file is UTF-16; save it as UTF-8", name_);
   }
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     text.remove_prefix(kByteOrderMark.size());
@@ -154,14 +154,13 @@ TidyTable::TidyTable(std::string whole, std::string name)
   if (const std::size_t end = utf8_ends_at(text); end < text.size()) {
     const auto line =
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-    throw ResultsError(
-        name_ + ':' + std::to_string(line) +
-            ": a character of this line is not UTF-8; save the table in the encoding UTF-8",
-        name_);
+    throw ResultsError(name_ + ':' + std::to_string(line) +
+                           ": a character of this line is not UTF-8; save the table as UTF-8",
+                       name_);
   }
   if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
     throw ResultsError(name_ +
-                           ":1:1: the lines end with carriage returns alone; write the table with "
+                           ":1:1: the lines end with carriage returns alone; save the table with "
                            "line feeds (LF or CRLF)",
                        name_);
   }
@@ -259,8 +258,8 @@ bool TidyTable::has(std::string_view column) const {
 std::size_t TidyTable::index_of(std::string_view column) const {
   const auto found = index_of_column_.find(std::string(column));
   if (found != index_of_column_.end()) return found->second;
-  std::string sentence =
-      name_ + ":1:1: there is no column \"" + std::string(column) + "\"; there are";
+  std::string sentence = name_ + ":1:1: there is no column \"" + std::string(column) +
+                         "\"; add it, or use one of the columns";
   constexpr std::size_t kMostNamed = 100;
   for (std::size_t i = 0; i < std::min(columns_.size(), kMostNamed); ++i) {
     sentence += (i > 0 ? ", " : " ") + columns_[i];

@@ -63,7 +63,7 @@ void print_text(const BakeOutcome& outcome, const std::string& out) {
       << " or more samples per shortest wavelength of the original, displacements in steps of "
       << fixed(outcome.step_m * 1e9, 1) << " nm\n";
   if (report.missed > 0) {
-    std::cout << "Samples whose ray met no surface, filled in from their neighbours: "
+    std::cout << "Samples whose ray hit no surface, filled in from their neighbours: "
               << report.missed << " of " << report.samples << '\n';
   }
   if (report.folded_faces > 0) {

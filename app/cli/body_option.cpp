@@ -78,8 +78,8 @@ BodyOption body_option(const std::string& option, const std::string& text) {
     const bool is_whole_field =
         form.kind == BodyOption::Kind::plane && body.sizes_m.empty() && body.file;
     if (body.sizes_m.size() != form.sizes && !is_whole_field) {
-      throw std::runtime_error(option + ' ' + text + ": write " + std::string(form.meant) +
-                               ", with sizes in metres");
+      throw std::runtime_error(option + ' ' + text + " has the wrong number of sizes: write " +
+                               std::string(form.meant) + ", with sizes in metres");
     }
     return body;
   }

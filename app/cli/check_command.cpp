@@ -153,12 +153,12 @@ std::optional<Diagnostic> note_on_friction(const Protocol& protocol, const std::
       const std::string kept(
           friction_law_of(complete_values(model->declaration, planned.stimulus.parameters)).name);
       return JsonDocument(protocol.source, file_name)
-          .at_key("/stimuli",
-                  "stimuli that state no friction_law have the law \"" + kept +
-                      "\" in this study, as in its first session (" + first->participant +
-                      ", session " + std::to_string(first->session) + ", version " +
-                      first->program_version + "); in a new study they have the law \"" +
-                      std::string(friction_law_of(of_new).name) + "\"");
+          .at_key("/stimuli", "stimuli without friction_law use the law \"" + kept +
+                                  "\" in this study, because its first session used it (" +
+                                  first->participant + ", session " +
+                                  std::to_string(first->session) + ", version " +
+                                  first->program_version + "); in a new study they use the law \"" +
+                                  std::string(friction_law_of(of_new).name) + "\"");
     }
   }
   return {};

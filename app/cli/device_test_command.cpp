@@ -193,9 +193,8 @@ void add_device_test(CLI::App& program, Job& job) {
       // Both before the device: one that is homed, moves to find its zero or is pushed is not left by a process that
       // just dies.
       InterruptWatch interrupt(
-          "asperity: stopping; if the handle moves by itself, it is stopped. Switch the device off "
-          "if "
-          "it keeps moving");
+          "asperity: stopping the device. If the handle keeps moving by itself, switch the device "
+          "off");
       const InterruptWatch::Hold until_it_is_closed;
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };
       options->drivers.stop = interrupt.token();

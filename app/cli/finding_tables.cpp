@@ -157,7 +157,7 @@ std::string table_of(std::span<const Column* const> columns, const std::string& 
   }
   std::string text = aligned(table);
   if (shown < rows) {
-    text += "… and " + counted(rows - shown, "more row") + "; --json gives all of them\n";
+    text += "… and " + counted(rows - shown, "more row") + "; --json prints all rows\n";
   }
   return text;
 }

@@ -23,7 +23,7 @@ CLI::Validator number_within(Number least, Number most) {
       return {};
     }
     const char* const kind = std::is_integral_v<Number> ? "a whole number" : "a number";
-    return '"' + text + "\" is not " + kind + " from " + limits;
+    return '"' + text + "\" is not permitted; write " + kind + " from " + limits;
   };
   return {read, limits};
 }

@@ -22,7 +22,7 @@ ParameterValues parameters_from(const std::vector<std::string>& assignments,
         std::find_if(declared.begin(), declared.end(),
                      [&name](const Parameter& candidate) { return candidate.name == name; });
     if (parameter == declared.end()) {
-      std::string sentence = what + " has no parameter \"" + name + "\"; it has:";
+      std::string sentence = what + " has no parameter \"" + name + "\"; use one of:";
       for (const Parameter& candidate : declared) sentence += ' ' + candidate.name;
       throw std::runtime_error(sentence);
     }

@@ -32,7 +32,7 @@ void add_bodies(RendererInputs& inputs, const std::string& model, const BodyOpti
   if (!tool) {
     throw std::runtime_error(
         "the force model " + model +
-        " needs a tool: --tool FILE, sphere:D_m, disc:D_m or cylinder:D_m,L_m");
+        " needs a tool; give one with --tool FILE, sphere:D_m, disc:D_m or cylinder:D_m,L_m");
   }
   inputs.surface = load_body(surface);
   inputs.tool = load_body(body_option("--tool", *tool));
@@ -40,9 +40,9 @@ void add_bodies(RendererInputs& inputs, const std::string& model, const BodyOpti
 
 void add_height_field(RendererInputs& inputs, const ForceModel& model, const BodyOption& surface) {
   if (!surface.is_plain_height_field()) {
-    throw std::runtime_error("the force model " + model.declaration.id +
-                             " takes a height field, --stimulus FILE.png or plane:FILE.png, not " +
-                             surface.text);
+    throw std::runtime_error(
+        "the force model " + model.declaration.id +
+        " needs a height field; give --stimulus FILE.png or plane:FILE.png, not " + surface.text);
   }
   inputs.height_field = load_height_field(*surface.file).field;
   if (!model.suggested_by) return;
@@ -147,7 +147,7 @@ void add_render(CLI::App& program, Job& job) {
       }
       if (needs_bodies && !options->stimulus) {
         throw std::runtime_error("the force model " + options->model +
-                                 " needs a surface: --stimulus FILE, or a shape");
+                                 " needs a surface; give one with --stimulus FILE or a shape");
       }
       if (options->stimulus) {
         const BodyOption surface = body_option("--stimulus", *options->stimulus);

@@ -36,9 +36,8 @@ std::uint64_t seed_of_this_machine() {
 void tell_what_a_terminal_lacks(const Protocol& protocol) {
   if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
     say("asperity: warning: the protocol requires masking noise, which is not played at a "
-        "terminal; this is stored with the session and stated in its report. To play the noise, "
-        "run "
-        "the session in the program's windows");
+        "terminal; this is stored with the session and stated in the report. To play the noise, "
+        "run the session in the program's windows");
   }
   if (guides_participants(protocol)) {
     say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
@@ -96,7 +95,7 @@ void add_run(CLI::App& program, Job& job) {
                         "Simulate the participant with a virtual hand and a virtual observer");
   CLI::Option* fast = command->add_flag("--as-fast-as-possible", options->fast,
                                         "Run on a simulated clock (default with --virtual)");
-  CLI::Option* realtime = command->add_flag("--realtime", options->realtime, "Real time");
+  CLI::Option* realtime = command->add_flag("--realtime", options->realtime, "Run in real time");
   fast->needs(stand_in)->excludes(realtime);
   realtime->needs(stand_in);
   command->callback([options, &job] {

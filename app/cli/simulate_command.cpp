@@ -58,7 +58,7 @@ void add_simulate(CLI::App& program, Job& job) {
   command
       ->add_option(
           "--recordings", options->inputs.recordings,
-          "Keep the tick records of all participants, the first one (the default), or none")
+          "Keep the tick records of all participants, of the first one (the default), or of none")
       ->transform(word_of(recordings))
       ->option_text("all|first|none");
   command->add_flag("--resume", options->inputs.resume,
@@ -80,9 +80,9 @@ void add_simulate(CLI::App& program, Job& job) {
       }
       options->inputs.noticed = [&options](const SameSeed& others) {
         const int added = options->inputs.participants;
-        say("asperity: warning: the study has " +
+        say("asperity: warning: the study already has " +
             counted(static_cast<std::size_t>(others.there), "participant") + " with the seed " +
-            std::to_string(options->inputs.seed) + " already; " +
+            std::to_string(options->inputs.seed) + "; " +
             (added == 1 ? others.first + " is added"
                         : others.first + " to " + others.last + " are added") +
             ". To resume a simulation instead, add --resume");

@@ -71,10 +71,10 @@ int run_sweep(SweepOptions options) {
   }
   const std::size_t asked = order.values.size() * order.spacings_m.size();
   if (!sweep.is_complete) {
-    say(sweep.rows.empty()
-            ? "asperity: stopped before the first row"
-            : "asperity: stopped; " + options.out + " holds " + std::to_string(sweep.rows.size()) +
-                  " of " + std::to_string(asked) + " rows; repeat the command to continue");
+    say(sweep.rows.empty() ? "asperity: stopped before the first row"
+                           : "asperity: stopped; " + options.out + " contains " +
+                                 std::to_string(sweep.rows.size()) + " of " +
+                                 std::to_string(asked) + " rows; repeat the command to continue");
     return 1;
   }
   std::cout << options.out << ": " << counted(sweep.rows.size(), "row") << ", "

@@ -45,22 +45,22 @@ struct Given {
 Given given_of(VariedQuantity quantity) {
   switch (quantity) {
     case VariedQuantity::probe_diameter:
-      return {"a probe diameter", "m", 0.1, "2 mm is 0.002"};
+      return {"a probe diameter", "m", 0.1, "write 2 mm as 0.002"};
     case VariedQuantity::applied_force:
-      return {"a force", "N", 100.0, "500 mN is 0.5"};
+      return {"a force", "N", 100.0, "write 500 mN as 0.5"};
     case VariedQuantity::exploratory_speed:
-      return {"a speed", "m/s", 10.0, "60 mm/s is 0.06"};
+      return {"a speed", "m/s", 10.0, "write 60 mm/s as 0.06"};
   }
   return {};
 }
 
-constexpr Given kGivenSpacing{"a spacing", "m", 0.1, "4 mm is 0.004"};
+constexpr Given kGivenSpacing{"a spacing", "m", 0.1, "write 4 mm as 0.004"};
 
 void require_unit(const std::string& option, double number, const Given& given) {
   if (!(number > given.most)) return;
   throw WrongUsage(option + ": " + given.name + " is given in " + given.unit + " and is at most " +
                    number_text(given.most) + ' ' + given.unit + ", not " + number_text(number) +
-                   "; " + given.like);
+                   ' ' + given.unit + "; " + given.like);
 }
 
 std::vector<double> values_of(VariedQuantity varied, const std::string& text) {
@@ -148,8 +148,9 @@ void take_level(const SweepOrder& order, VariedQuantity quantity, const char* op
                 std::optional<double> given, double& level) {
   if (!given) return;
   if (order.varied == quantity) {
-    throw WrongUsage(std::string(option) +
-                     " is the quantity that --vary varies; give its levels with --values");
+    throw WrongUsage(
+        std::string(option) +
+        " sets the quantity that --vary varies; leave it out, and give the levels with --values");
   }
   require_unit(std::string(option) + ' ' + number_text(*given), *given, given_of(quantity));
   level = *given;

@@ -53,7 +53,7 @@ void require_one_protocol(const std::string& folder, const std::vector<AnalysisO
     }
   }
   if (choices.size() < 2) return;
-  throw std::runtime_error("the study " + folder + " has estimates of roughness by " +
+  throw std::runtime_error("the study " + folder + " has estimates of roughness from " +
                            (versions.size() > 1 ? std::to_string(versions.size()) + " protocols"
                                                 : std::to_string(choices.size()) + " versions of " +
                                                       versions.begin()->first) +
@@ -73,8 +73,8 @@ std::vector<AnalysisOutcome> outcomes_beside(const Study& study, const SweepOpti
     });
     if (outcomes.empty()) {
       throw std::runtime_error("the study " + options.beside + " has no session of " + named->name +
-                               " of the version " + *named->version + "; it has " +
-                               comma_separated(versions));
+                               ", version " + *named->version +
+                               "; name a version that it has: " + comma_separated(versions));
     }
   }
   require_one_protocol(options.beside, outcomes);

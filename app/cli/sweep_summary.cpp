@@ -42,7 +42,7 @@ void say_unmoved(const Sweep& sweep, SweepMeasure measure, std::size_t unmoved) 
           " has none with these parameters; with --drag constant_force the texture lifts the tool";
     }
   }
-  say("not fitted: " + counted(unmoved, "row") + " whose stroke was complete and whose " +
+  say("not fitted: " + counted(unmoved, "row") + " with a complete stroke whose " +
       text_of(measure) + " is 0: " + why);
 }
 

@@ -56,7 +56,7 @@ TextureRecording recording_of_wavs(const TextureRecordingOptions& options) {
                      "; give --speed-m-per-s once for each --wav, in the same order");
   }
   if (!options.full_scale_N) {
-    throw WrongUsage("--wav needs --full-scale-n, the force at the full scale of the samples, N");
+    throw WrongUsage("--wav needs the force at the full scale of the samples; add --full-scale-n");
   }
   TextureRecording recording{};
   for (std::size_t i = 0; i < options.wavs.size(); ++i) {
@@ -76,7 +76,7 @@ TextureRecording recording_of_wavs(const TextureRecordingOptions& options) {
 
 TextureRecording recording_of_study(const TextureRecordingOptions& options) {
   if (!options.attempt) {
-    throw WrongUsage("--study needs --attempt, as in asperity replay");
+    throw WrongUsage("--study needs an attempt; add --attempt");
   }
   const Study study = Study::open(*options.study, Access::read_only);
   const ModelRegistry models = built_in_models();
@@ -107,7 +107,8 @@ TextureRecording recording_asked_for(const TextureRecordingOptions& options) {
                       (options.study ? 1 : 0) + (options.table ? 1 : 0);
   if (sources != 1) {
     throw WrongUsage(
-        "give one of --relief, --wav, --study and --table, from which the recording is made");
+        "a recording is made from exactly one source; give one of --relief, --wav, --study and "
+        "--table");
   }
   if (!options.wavs.empty()) return recording_of_wavs(options);
   if (options.study) return recording_of_study(options);
@@ -161,7 +162,7 @@ void add_texture_recording(CLI::App& program, Job& job) {
                       "A recorded force at one speed: WAV with one channel, PCM of 16, 24 or 32 "
                       "bits or 32-bit floating point. Repeat it for each speed");
   command->add_option("--study", options->study,
-                      "A study, whose recorded strokes on a surface are taken");
+                      "A study: the recorded strokes on one of its surfaces are used");
   command->add_option("--table", options->table,
                       "A table of strokes (TSV), which is checked and written again");
   command->add_option("--attempt", options->attempt,
@@ -212,8 +213,8 @@ void add_texture_recording(CLI::App& program, Job& job) {
       if (options->component == "motion") std::cout << parameters_of_friction(recording) << '\n';
       if (speeds.size() < 2) {
         say("asperity: warning: " + options->out.string() +
-            ": all strokes have nearly the same speed, which the force model recorded refuses "
-            "unless single_speed is accepted; add strokes at another speed");
+            ": all strokes have nearly the same speed, and the force model recorded needs at least "
+            "two speeds; add strokes at another speed, or set single_speed to accepted");
       }
       return 0;
     };

@@ -43,15 +43,16 @@ std::optional<std::string> expected_instead(const CLI::Option& option, const std
   if (type.find("WORD") != std::string::npos) return {};  // one of a few, which the option names
   if (type.starts_with("UINT") || type.starts_with("INT")) {
     if (is_whole_number(text, type.starts_with("INT"))) return {};
-    return "a whole number, such as 10";
+    return "a whole number; write one, such as 10";
   }
   if (!type.starts_with("FLOAT") || number_in(text)) return {};
   const std::string name = option.get_name();
   for (const OptionUnit& unit : kOptionUnits) {
     if (!name.ends_with(unit.ending)) continue;
-    return "a number of " + std::string(unit.words) + ", such as " + std::string(unit.example);
+    return "a number; write one in " + std::string(unit.words) + ", such as " +
+           std::string(unit.example);
   }
-  return "a number, such as 0.5";
+  return "a number; write one, such as 0.5";
 }
 
 /// Where more is to be read.
@@ -101,7 +102,7 @@ std::string unexpected_word(const CLI::App& program) {
 #else
   if (program.get_subcommands().empty()) return unknown_subcommand(program, words.front());
 #endif
-  return '"' + words.front() + "\" was not expected; " + help_of(program);
+  return '"' + words.front() + "\" is an unexpected argument; remove it, or " + help_of(program);
 }
 
 /// What stands in a message of the parser around a word of its own.

@@ -16,7 +16,7 @@ namespace asperity {
 inline CLI::Validator word_among(const std::vector<std::string>& words) {
   const auto read = [words](std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    std::string sentence = "there is no \"" + text + "\"; write ";
+    std::string sentence = "\"" + text + "\" is not permitted; write ";
     for (std::size_t i = 0; i < words.size(); ++i) {
       sentence += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
     }

@@ -93,7 +93,7 @@ void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std
     if (!profile.value(item) && !profile.is_unknown(item)) missing.emplace_back(item);
   }
   if (!missing.empty()) {
-    warn("the profile has no value of " + comma_separated(missing) +
+    warn("the profile has no value for " + comma_separated(missing) +
          "; no stimulus was compared with the missing values. Measure the device again");
   }
   if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
@@ -125,7 +125,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
     std::string names{};
     for (const Driver& known : drivers.drivers()) names += (names.empty() ? "" : ", ") + known.id;
     sought.absence =
-        "there is no device " + in_quotation_marks(device) + "; this program has: " + names;
+        "there is no device " + in_quotation_marks(device) + "; choose one of: " + names;
     return sought;
   }
   sought.wanted.has_motors = driver->has_motors;
@@ -189,7 +189,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
   if (!study) {
     if (device.wanted.has_motors) {
       warn(except_friction + "no stimulus was compared with " + name +
-           ": the profile of a device is stored in a study; name that study with --study DIR");
+           ": the profile of a device is stored in a study; name the study with --study DIR");
     }
     warn_of_friction();
   } else {
@@ -214,7 +214,8 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
                     .not_compared);
       } else if (device.wanted.has_motors) {
         warn("the study has no profile of " + words_for(device) + ": " + except_friction +
-             "no stimulus and no limit of the protocol was compared with it; measure it with " +
+             "no stimulus and no limit of the protocol was compared with it; measure the device "
+             "with " +
              command_to_measure(device.wanted, *study));
       }
       comparison.profile = std::move(found.profile);

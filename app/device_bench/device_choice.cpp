@@ -76,7 +76,7 @@ void require_device(const std::string& option, const std::string& device) {
   if (drivers.find(device.substr(0, device.find(':'))) != nullptr) return;
   std::string names{};
   for (const Driver& driver : drivers.drivers()) names += (names.empty() ? "" : ", ") + driver.id;
-  refuse("there is no such device; this program has: " + names);
+  refuse("there is no such device; choose one of: " + names);
 }
 
 WhichDevice which_device(const std::string& device) {

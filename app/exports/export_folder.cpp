@@ -55,12 +55,12 @@ std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwri
     (own_files.contains(name) ? unsure : others).insert(name);
   }
   if (!others.empty()) {
-    return "holds \"" + *others.begin() +
+    return "contains \"" + *others.begin() +
            "\", which was not written by an export and would be lost; choose another folder";
   }
   for (const std::string& name : unsure) {
     if (sha256_of_file(folder / name) == own_files.at(name)) continue;
-    return "holds \"" + name +
+    return "contains \"" + name +
            "\", which was changed since it was exported, and the changes would be lost; move that "
            "file away, or choose another folder";
   }

@@ -200,7 +200,8 @@ class StudyExport final {
           "answers to \"" + name + "\" cannot be published: " +
           (is_asked ? "they are free text"
                     : "no questionnaire of the study contains this question") +
-          (possible.empty() ? "; leave it out" : "; those that can: " + possible));
+          (possible.empty() ? "; leave it out"
+                            : "; choose from those that can be published: " + possible));
     }
   }
 

@@ -87,15 +87,15 @@ std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
   }
   if (curves_.empty()) {
     return phrase("FitTable",
-                  "%1 was not written: no factor of the trials has numbers as levels. The levels "
-                  "of the factor column are repetitions.")
+                  "%1 was not written: no factor of the trials has numeric levels. The levels of "
+                  "the factor column are repetitions.")
         .with(name);
   }
   if (std::none_of(curves_.begin(), curves_.end(),
                    [](const auto& curve) { return curve.second.size() > 1; })) {
-    return phrase("FitTable",
-                  "%1 was not written: no participant has choices at two levels of a factor that "
-                  "has numbers as levels.")
+    return phrase(
+               "FitTable",
+               "%1 was not written: no participant has choices at two levels of a numeric factor.")
         .with(name);
   }
   return {};

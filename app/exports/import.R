@@ -1,16 +1,16 @@
-# Loads an export of Asperity with the correct types. In R, with nothing but R itself:
+# Loads an export of Asperity with the correct types. Requires no R packages:
 #
 #   source("import.R", chdir = TRUE)   # from any folder: the path of this file
 #   tables$attempts                    # every .tsv and .csv of the folder, by name
 #   answers <- answered_trials()       # one row per counted response of a human participant; simulated: "virtual"
 #
 # Types come from codebook.tsv. Boolean values are TRUE and FALSE; a text with declared levels is a factor;
-# missing is NA. A text that begins with an apostrophe was written with one more, so that no
-# spreadsheet takes it for a formula: it is removed here.
+# missing is NA. In the files, a text that begins with an apostrophe is preceded by a second one, so that
+# no spreadsheet reads it as a formula; one apostrophe is removed here.
 
 asperity_folder <- getwd()
 if (!file.exists(file.path(asperity_folder, "codebook.tsv"))) {
-  stop("there is no codebook.tsv in ", asperity_folder, "; write source(\".../import.R\", chdir = TRUE)")
+  stop("there is no codebook.tsv in ", asperity_folder, "; use source(\".../import.R\", chdir = TRUE)")
 }
 
 read_asperity_table <- function(path, folder = asperity_folder, described_as = path) {
@@ -59,12 +59,13 @@ read_asperity_tables <- function(folder = asperity_folder) {
   read
 }
 
-# One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only those that count in
-# analyses (counts_in_analyses), of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
-# `counted = FALSE` keeps those that do not count as well. Without `who` it stops if there are answers, but none of these.
+# Returns one row per answer to a question of a trial, with the trial, the attempt and its conditions. By default these are
+# the answers of human participants in study sessions that count in analyses (counts_in_analyses). `who` is "run", "pilot"
+# or "virtual"; `counted = FALSE` also returns answers that do not count. Without `who`, an error is raised if there are
+# answers, but none of the default ones.
 answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   if (!is.character(who) || length(who) != 1 || !(who %in% c("run", "pilot", "virtual"))) {
-    stop("answered_trials: who is \"run\", \"pilot\" or \"virtual\"; tables of another export are answered_trials(read = ...)")
+    stop("answered_trials: who must be \"run\", \"pilot\" or \"virtual\"; for tables of another export use answered_trials(read = ...)")
   }
   keys <- c("participant", "session", "trial", "virtual", "mode")
   answers <- merge(read$responses[!is.na(read$responses$trial), ], read$attempts, by = c(keys, "attempt"))
@@ -75,8 +76,8 @@ answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   if (missing(who) && nrow(answers) > 0 && !any(kept)) {
     stop("no participant has a response that counts in analyses; the study has responses of the groups ",
          paste0("\"", sort(unique(group)), "\"", collapse = ", "),
-         " (", sum(answers$counts_in_analyses), " that count): answered_trials(\"", sort(unique(group))[1],
-         "\") returns those of a group, counted = FALSE also those that do not count")
+         " (", sum(answers$counts_in_analyses), " that count); use answered_trials(\"", sort(unique(group))[1],
+         "\") for those of a group, and counted = FALSE to include those that do not count")
   }
   answers <- answers[kept, ]
   answers[order(answers$participant, answers$session, answers$trial, answers$attempt, answers$item), ]

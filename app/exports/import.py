@@ -6,11 +6,11 @@
     tables = import_asperity.read_tables()          # pandas: every .tsv and .csv of the folder, by name
     answers = import_asperity.answered_trials(tables)
 
-Types come from codebook.tsv. Whole numbers that can be missing are Int64, truths are boolean, a text with declared levels is
-a category, missing is <NA>. A text that begins with an apostrophe was written with one more, so that no spreadsheet takes it
-for a formula: it is removed here.
+Types come from codebook.tsv. Integers that can be missing are Int64, Boolean values are boolean, a text with declared levels
+is a category, missing is <NA>. In the files, a text that begins with an apostrophe is preceded by a second one, so that
+no spreadsheet reads it as a formula; one apostrophe is removed here.
 
-`read_rows` does the same with the standard library alone, as a list of dictionaries with None for missing.
+`read_rows` requires only the standard library and returns a list of dictionaries with None for missing.
 """
 import csv
 import pathlib
@@ -19,7 +19,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 
 
 def _cells(path):
-    """The names of the columns and the cells as in the file; missing is None."""
+    """Returns the names of the columns and the cells as in the file; missing is None."""
     is_csv = path.suffix == ".csv"
     with open(path, encoding="utf-8", newline="") as file:
         if is_csv:
@@ -42,7 +42,7 @@ def _typed(text, kind):
 
 
 def codebook(folder=FOLDER):
-    """What codebook.tsv says, by file and column."""
+    """Returns the rows of codebook.tsv, by file and column."""
     names, rows = _cells(pathlib.Path(folder) / "codebook.tsv")
     told = {}
     for row in rows:
@@ -52,20 +52,20 @@ def codebook(folder=FOLDER):
 
 
 def files(folder=FOLDER):
-    """The tables that read_tables reads: not those of the datasets below bids/ and psychds/, which are the same answers."""
+    """Returns the tables that read_tables reads: not those of the datasets in bids/ and psychds/, which contain the same answers."""
     return [name for name in codebook(folder) if name.endswith((".tsv", ".csv")) and "*" not in name
             and "bids/" not in name and name not in ("codebook.tsv", "MANIFEST.tsv")]
 
 
 def read_rows(name, folder=FOLDER, described_as=None):
-    """One table as a list of dictionaries."""
+    """Returns one table as a list of dictionaries."""
     told = codebook(folder)[described_as or name]
     names, rows = _cells(pathlib.Path(folder) / name)
     return [{column: _typed(cell, told[column]["type"]) for column, cell in zip(names, row)} for row in rows]
 
 
 def read_table(name, folder=FOLDER, described_as=None):
-    """One table as a pandas.DataFrame."""
+    """Returns one table as a pandas.DataFrame."""
     import pandas
     told = codebook(folder)[described_as or name]
     rows = read_rows(name, folder, described_as)
@@ -83,18 +83,18 @@ def read_table(name, folder=FOLDER, described_as=None):
 
 
 def read_tables(folder=FOLDER):
-    """Every table as a pandas.DataFrame, by name without ending, "/" as "_"."""
+    """Returns every table as a pandas.DataFrame, by name without its extension, with "_" for "/"."""
     return {name.rsplit(".", 1)[0].replace("/", "_"): read_table(name, folder) for name in files(folder)}
 
 
 def answered_trials(tables, who=None, counted=True):
-    """One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only those that count
-    in analyses (counts_in_analyses), of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
-    `counted=False` keeps those that do not count as well. Without `who` ("run") a ValueError states what to pass if there
-    are answers, but none of these."""
+    """Returns one row per answer to a question of a trial, with the trial, the attempt and its conditions. By default these
+    are the answers of human participants in study sessions that count in analyses (counts_in_analyses). `who` is "run",
+    "pilot" or "virtual"; `counted=False` also returns answers that do not count. Without `who` ("run"), a ValueError with
+    the possible arguments is raised if there are answers, but none of the default ones."""
     is_default, who = who is None, "run" if who is None else who
     if who not in ("run", "pilot", "virtual"):
-        raise ValueError(f'answered_trials: who is "run", "pilot" or "virtual", not {who!r}')
+        raise ValueError(f'answered_trials: who is {who!r}; it must be "run", "pilot" or "virtual"')
     keys = ["participant", "session", "trial", "virtual", "mode"]
     answers = tables["responses"].dropna(subset=["trial"]).merge(tables["attempts"], on=keys + ["attempt"])
     answers = answers.merge(tables["trials"], on=keys)
@@ -104,9 +104,9 @@ def answered_trials(tables, who=None, counted=True):
         kept &= answers["counts_in_analyses"]
     if is_default and len(answers) and not kept.any():
         groups = sorted(group.unique())
-        raise ValueError(f"no participant has a response that counts in analyses; the study has responses of the groups {groups}: "
-                         f'answered_trials(tables, who="{groups[0]}") returns those of a group, counted=False also those '
-                         "that do not count")
+        raise ValueError(f"no participant has a response that counts in analyses; the study has responses of the groups {groups}; "
+                         f'use answered_trials(tables, who="{groups[0]}") for those of a group, and counted=False to '
+                         "include those that do not count")
     return answers[kept].sort_values(keys[:3] + ["attempt", "item"]).reset_index(drop=True)
 
 

@@ -67,16 +67,15 @@ Phrase note_of_biplot(const FoundNumbers& found, double length) {
   const Phrase marks =
       length == 1.0
           ? phrase("Figures",
-                   "Points are the standardised scores of the items, arrows the loadings of the "
-                   "scales: their correlations with the components. As far as the two components "
-                   "represent the ratings, an item in the direction of an arrow was rated high on "
-                   "that scale.")
-          : phrase(
-                "Figures",
-                "Points are the standardised scores of the items, arrows %1 times the loadings of "
-                "the scales: their correlations with the components. As far as the two components "
-                "represent the ratings, an item in the direction of an arrow was rated high on "
-                "that scale.")
+                   "Points are the standardised scores of the items. Arrows are the loadings of "
+                   "the scales: their correlations with the components. As far as the two "
+                   "components represent the ratings, an item in the direction of an arrow was "
+                   "rated high on that scale.")
+          : phrase("Figures",
+                   "Points are the standardised scores of the items. Arrows are %1 times the "
+                   "loadings of the scales: their correlations with the components. As far as the "
+                   "two components represent the ratings, an item in the direction of an arrow was "
+                   "rated high on that scale.")
                 .with(number_text(length));
   const double retained = found.value("retained").value_or(0.0);
   if (retained < 1.0) {

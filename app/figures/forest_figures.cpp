@@ -250,10 +250,11 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
   const Phrase note =
       has_both
           ? phrase("Figures",
-                   "Points are proportions of all responses of a row, bars their Wilson 95 % CIs. "
-                   "Open symbols are subsets, filled symbols totals.")
+                   "Points are proportions of all responses of a row; error bars show their Wilson "
+                   "95 % CIs. Open symbols are subsets, filled symbols totals.")
           : phrase("Figures",
-                   "Points are proportions of all responses of a row, bars their Wilson 95 % CIs.");
+                   "Points are proportions of all responses of a row; error bars show their Wilson "
+                   "95 % CIs.");
   const std::vector<ForestRow> means = means_beside(table, persons);
   const std::optional<double> by_chance = rows.empty() ? std::nullopt : rows.front().chance;
   for (ForestRow row : means) {
@@ -306,7 +307,7 @@ std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<d
           has_intervals(rows)
               ? phrase(
                     "Figures",
-                    "Squares are means of the participants' own proportions, bars their "
+                    "Squares are means of the participants' own proportions; error bars show their "
                     "t-based 95 % CIs on the logit scale: the participant is the unit of analysis.")
               : phrase("Figures",
                        "Squares are means of the participants' own proportions: the participant is "
@@ -398,9 +399,10 @@ std::vector<Figure> table_forests(const AnalysisOutcome& outcome) {
 }
 
 Figure proportion_forest(const TidyInput& input, const FoundNumbers& found) {
-  Figure figure{.name = "proportions",
-                .title = phrase("Figures", "Proportions with their CIs"),
-                .note = phrase("Figures", "Points are proportions, bars their Wilson 95 % CIs.")};
+  Figure figure{
+      .name = "proportions",
+      .title = phrase("Figures", "Proportions with their CIs"),
+      .note = phrase("Figures", "Points are proportions; error bars show their Wilson 95 % CIs.")};
   std::vector<ForestRow> rows = rows_of(found, "phat");
   const TidyTable& table = input.table();
   const std::vector<std::uint64_t> trials = table.counts("n");

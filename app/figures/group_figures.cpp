@@ -57,9 +57,9 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   Figure both{.name = "group_means",
               .title = phrase("Figures", "Both groups: means of the participants"),
               .note = phrase("Figures",
-                             "Points are means of the participants' own results, bars their "
-                             "t-based %1 % CIs, for proportions on the logit scale. Overlapping "
-                             "CIs are not a test of a difference.")
+                             "Points are means of the participants' own results; error bars show "
+                             "their t-based %1 % CIs, for proportions on the logit scale. "
+                             "Overlapping CIs are not a test of a difference.")
                           .with(percent),
               .shape = FigureShape::rows,
               .series = {{}}};
@@ -68,13 +68,15 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
       .title = phrase("Figures", "The difference between the groups"),
       .note =
           (found.all(choice.pooled_difference).empty()
-               ? phrase("Figures",
-                        "The bar is Welch's %1 % CI of the difference of the participants' means; "
-                        "the permutation test of group labels makes fewer assumptions.")
-               : phrase("Figures",
-                        "Bars are %1 % CIs: Welch's for the difference of the participants' means, "
-                        "Newcombe's for all responses pooled, as if they were independent. The "
-                        "permutation test of group labels makes fewer assumptions than either."))
+               ? phrase(
+                     "Figures",
+                     "The error bar shows Welch's %1 % CI of the difference of the participants' "
+                     "means. The permutation test of group labels makes fewer assumptions.")
+               : phrase(
+                     "Figures",
+                     "Error bars show %1 % CIs: Welch's for the difference of the participants' "
+                     "means, Newcombe's for all responses pooled, as if they were independent. The "
+                     "permutation test of group labels makes fewer assumptions than either."))
               .with(percent),
       .shape = FigureShape::rows,
       .series = {{.style = 1}}};

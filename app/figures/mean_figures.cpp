@@ -56,10 +56,12 @@ Figure rating_figure(const FoundNumbers& found) {
   Figure figure{
       .name = "ratings",
       .title = phrase("Figures", "Ratings by item"),
-      .note = phrase("Figures",
-                     "Points are means over the participants who rated every item, bars their "
-                     "t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.")
-                  .with(percent_of(means)),
+      .note =
+          phrase(
+              "Figures",
+              "Points are means over the participants who rated every item; error bars show their "
+              "t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.")
+              .with(percent_of(means)),
       .shape = FigureShape::rows};
   bool is_first = true;
   FigureSeries points{};
@@ -95,12 +97,12 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
           has_within_intervals
               ? phrase("Figures",
                        "Points are means over the participants, shifted where several coincide. "
-                       "Bars: within-participant %1 % CIs (Cousineau and Morey), which do not "
-                       "include the differences between participants. Lines guide the eye.")
+                       "Error bars: within-participant %1 % CIs (Cousineau and Morey), which do "
+                       "not include the differences between participants. Lines guide the eye.")
                     .with(percent_of(means))
               : phrase("Figures",
                        "Points are means over the participants, shifted where several coincide. "
-                       "Bars: t-based %1 % CIs. Lines guide the eye.")
+                       "Error bars: t-based %1 % CIs. Lines guide the eye.")
                     .with(percent_of(means))};
   if (means.empty()) {
     const Finding* status = found.find("status");

@@ -210,7 +210,7 @@ Phrase note_of_profile(const std::vector<RatedMean>& means, ProfileAxis drawn_on
       (profile_has_intervals(means)
            ? phrase("Figures",
                     "Points are means of the participants' own means (n = %1), shifted within "
-                    "their row, bars their t-based 95 % CIs. Lines guide the eye.")
+                    "their row; error bars show their t-based 95 % CIs. Lines guide the eye.")
            : phrase("Figures",
                     "Points are means of the participants' own means (n = %1), shifted within "
                     "their row; there are no CIs. Lines guide the eye."))

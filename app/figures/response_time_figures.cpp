@@ -63,9 +63,9 @@ bool has_interval(const std::vector<const Finding*>& findings) {
 
 Phrase note_on_geometric_means(const std::vector<const Finding*>& means) {
   return has_interval(means) ? phrase("Figures",
-                                      "Points are geometric means over the participants, bars "
-                                      "their t-based %1 % CIs on the logarithmic scale. Response "
-                                      "times are measured from the cue to the response.")
+                                      "Points are geometric means over the participants; error "
+                                      "bars show their t-based %1 % CIs on the logarithmic scale. "
+                                      "Response times are measured from the cue to the response.")
                                    .with(percent_of(means))
                              : phrase("Figures",
                                       "Points are geometric means over the participants. Response "
@@ -218,11 +218,11 @@ Figure contact_times_figure(const FoundNumbers& found) {
   figure.x.high = highest > 0.0 ? highest * kBeyondMarks : 1.0;
   figure.series.push_back(std::move(points));
   figure.series.push_back(singles_in_rows(rows, figure.x, 0));
-  figure.note = with_note_on_singles(
-      phrase("Figures",
-             "Points are medians over the participants of each participant’s median contact time, "
-             "bars the quartiles."),
-      figure);
+  figure.note =
+      with_note_on_singles(phrase("Figures",
+                                  "Points are medians over the participants of each participant’s "
+                                  "median contact time; error bars show the quartiles."),
+                           figure);
   return figure;
 }
 
@@ -263,8 +263,8 @@ Figure correct_over_trials_figure(const FoundNumbers& found) {
   figure.note = with_note_on_lines(
       has_interval(blocks)
           ? phrase("Figures",
-                   "Points are means of the participants' own proportions, bars their t-based %1 % "
-                   "CIs on the logit scale.")
+                   "Points are means of the participants' own proportions; error bars show their "
+                   "t-based %1 % CIs on the logit scale.")
                 .with(percent_of(blocks))
           : phrase("Figures", "Points are means of the participants' own proportions."),
       figure);

@@ -44,9 +44,10 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
               .low = low - room,
               .high = high + room};
   if (has_intervals) {
-    figure.note = phrase("Figures",
-                         "Points are log-worths, bars their t-based CIs with the participants as "
-                         "clusters. Overlapping CIs are not a test of a difference.");
+    figure.note =
+        phrase("Figures",
+               "Points are log-worths; error bars show their t-based CIs with the participants as "
+               "clusters. Overlapping CIs are not a test of a difference.");
   } else if (is_over_participants) {
     figure.note = phrase("Figures",
                          "Points are log-worths. There are no CIs, because there are too few "

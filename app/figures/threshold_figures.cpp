@@ -217,18 +217,20 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
     reach(value);
   }
   const DrawnUnit shown = drawn_unit(unit, std::abs(greatest));
-  Figure figure{.name = drawn.figure,
-                .table = kMeanThresholds,
-                .title = drawn.title,
-                .note = drawn.mean == "mean"
-                            ? phrase("Figures",
-                                     "Points are means over the participants whose threshold could "
-                                     "be estimated, bars their t-based 95 % CIs.")
-                            : phrase("Figures",
-                                     "Points are geometric means over the participants whose "
-                                     "threshold could be estimated, bars their t-based 95 % CIs on "
-                                     "the logarithmic scale."),
-                .shape = FigureShape::rows};
+  Figure figure{
+      .name = drawn.figure,
+      .table = kMeanThresholds,
+      .title = drawn.title,
+      .note =
+          drawn.mean == "mean"
+              ? phrase("Figures",
+                       "Points are means over the participants whose threshold could "
+                       "be estimated; error bars show their t-based 95 % CIs.")
+              : phrase(
+                    "Figures",
+                    "Points are geometric means over the participants whose threshold could be "
+                    "estimated; error bars show their t-based 95 % CIs on the logarithmic scale."),
+      .shape = FigureShape::rows};
   const bool is_pse = std::string(drawn.column) == "pse";
   const double room = 0.06 * (greatest - (is_pse ? lowest : std::min(0.0, lowest)));
   figure.x = {.name = drawn.axis,

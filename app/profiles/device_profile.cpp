@@ -105,11 +105,11 @@ DeviceItem item_from(const nlohmann::json& json) {
       std::find(kDoneOrNot.begin(), kDoneOrNot.end(), item.name) != kDoneOrNot.end();
   if (!is_done_or_not && device_quantity(item.name) == nullptr) {
     throw std::runtime_error(
-        "it has an item \"" + item.name +
-        "\", which is unknown to this program; docs/formats/device_profile.md lists the items");
+        "the item \"" + item.name +
+        "\" is unknown to this program (docs/formats/device_profile.md lists the known items)");
   }
   if (item.value && *item.value < 0.0) {
-    throw std::runtime_error("its item " + item.name + " is " + std::to_string(*item.value) +
+    throw std::runtime_error("the item " + item.name + " is " + std::to_string(*item.value) +
                              "; it must be at least 0");
   }
   item.limit = number_or_nothing(json, "limit");

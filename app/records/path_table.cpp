@@ -40,7 +40,7 @@ class Numbers final {
     if (const std::string* text = std::get_if<std::string>(&cell)) number = number_in(*text);
     if (!number || !std::isfinite(*number)) {
       throw std::runtime_error(file_ + ':' + std::to_string(row + 2) + ": column " +
-                               table_.columns[column] + " needs a finite number");
+                               table_.columns[column] + " must contain a finite number");
     }
     return *number;
   }
@@ -63,8 +63,7 @@ class Numbers final {
     if (present < N) {
       throw std::runtime_error(
           file_ +
-          ":1: the path has some columns of a group, and the others are missing; add them: " +
-          missing);
+          ":1: the path has only some columns of a group; add the missing ones: " + missing);
     }
     return columns;
   }
@@ -97,7 +96,7 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
     if (!known.contains(column)) {
       throw std::runtime_error(file_name + ":1: unknown column \"" + column +
                                "\"; rename or remove it. A path has the columns time_s x_m y_m "
-                               "z_m, and may have qw qx qy qz and vx_m_per_s … wz_rad_per_s");
+                               "z_m, and optionally qw qx qy qz and vx_m_per_s … wz_rad_per_s");
     }
   }
   const auto needed = numbers.group(kNeeded);

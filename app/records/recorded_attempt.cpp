@@ -99,8 +99,8 @@ Plan PlansOfSessions::of(const SessionRow& session) {
   }
   if (session.state == SessionState::completed && course.awaited() != nullptr) {
     throw std::runtime_error(session_name(session) +
-                             ": it is completed, but trials that its responses determine are not "
-                             "stored; restore the study from a copy");
+                             ": the session is completed, but some of the trials that its "
+                             "responses determine are not stored; restore the study from a copy");
   }
   Plan plan = course.plan();
   // The session was interrupted before the trials that the last response determined were stored.
@@ -145,8 +145,8 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
   recorded.records = records_of(recording, file);
   for (const PresentationRow& row : attempt.presentations) {
     if (builder.models().find(row.model) == nullptr) {
-      throw std::runtime_error("this program has no force model \"" + row.model + "\" of attempt " +
-                               natural_key(session, attempt) +
+      throw std::runtime_error("this program does not have the force model \"" + row.model +
+                               "\" of attempt " + natural_key(session, attempt) +
                                "; use the version of Asperity that recorded the attempt");
     }
     StimulusDescription described =

@@ -73,7 +73,7 @@ void SessionRequests::release_button(int button) { move_button({button, Move::re
 void SessionRequests::move_button(const ButtonMove& wish) {
   if (wish.button < 1 || wish.button > VirtualHand::kButtons) {
     throw std::invalid_argument("button " + std::to_string(wish.button) +
-                                ": the simulated device has buttons 1 to " +
+                                " does not exist; choose a button from 1 to " +
                                 std::to_string(VirtualHand::kButtons));
   }
   const std::lock_guard lock(mutex_);

@@ -216,7 +216,7 @@ PreparedStimulus StimulusBuilder::without_parameters(const StimulusDescription& 
   if (prepared.model == nullptr) {
     throw PhrasedError(phrase("SessionSetup",
                               "the stimulus \"%1\" needs the force model \"%2\", which this "
-                              "program does not have; see asperity models")
+                              "program does not have; use one that \"asperity models\" lists")
                            .with(description.name, description.model));
   }
   RendererInputs& inputs = prepared.inputs;
@@ -276,7 +276,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
     if (reference == nullptr) {
       throw PhrasedError(phrase("SessionSetup",
                                 "equal force is requested with the model \"%1\", which this "
-                                "program does not have; see asperity models")
+                                "program does not have; use one that \"asperity models\" lists")
                              .with(request.to_model));
     }
     reference_inputs.parameters = parameters_for(*reference, prepared, {});

@@ -31,8 +31,8 @@ FilesRead read_files(const std::filesystem::path& png) {
   if (!std::filesystem::exists(beside)) {
     throw ResultsError(png.string() + " is a picture, not a height field: there is no " +
                            beside.string() +
-                           ", which would state its heights; asperity texture makes a height field "
-                           "from a photograph",
+                           ", which would state its heights; to make a height field from a "
+                           "photograph, use asperity texture",
                        png);
   }
   const std::string sidecar = read_file(beside, kSidecarFile);

@@ -40,9 +40,9 @@ void refuse_if_broken(const Study& study) {
   if (!is_looked_at(study) || study.condition() != StudyCondition::broken) return;
   const std::string folder = study.folder().string();
   throw ResultsError("the study " + folder +
-                         " is damaged: SQLite found errors in its study.sqlite, so that rows may "
-                         "be incorrect or missing. \"asperity verify " +
-                         folder + "\" lists the errors; restore the study from a copy",
+                         " is damaged: SQLite found errors in its study.sqlite, and rows may be "
+                         "incorrect or missing. Run \"asperity verify " +
+                         folder + "\" to list the errors, and restore the study from a copy",
                      study.folder());
 }
 

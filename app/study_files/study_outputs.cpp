@@ -81,10 +81,10 @@ std::optional<Phrase> record_output(const Study& study, OutputKind kind,
 OutputsOfParticipant outputs_of_participant(const Study& study, const std::string& label) {
   const std::optional<ParticipantRow> participant = study.participant(label);
   if (!participant) {
-    throw ResultsError("the study " + study.folder().string() + " has no participant " + label +
-                           "; the page Participants and participants.tsv of an export list the "
-                           "study's participants",
-                       study.folder());
+    throw ResultsError(
+        "the study " + study.folder().string() + " has no participant " + label +
+            "; use a label from the page Participants or from participants.tsv of an export",
+        study.folder());
   }
   // The dates of a virtual participant are those of a simulated calendar.
   const std::string& since = participant->created_utc;

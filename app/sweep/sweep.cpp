@@ -467,7 +467,7 @@ Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std:
     } else if (!is_same && file.overwrite == Overwrite::refuse) {
       throw std::runtime_error(
           file.out.string() +
-          " exists and belongs to another sweep: the declaration of this one differs from " +
+          " exists and belongs to another sweep: the declaration of this sweep differs from " +
           beside.string() + "; use --force to replace it, or another --out to keep it");
     }
   }

@@ -276,8 +276,8 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
     if (same == numbers->end()) {
       refuse_beside(protocol, "has " + theirs + ", and the level of " +
                                   quantity_text(order.varied, value) +
-                                  " is not one of them: --values " + option_values(*numbers) +
-                                  " gives those of the protocol");
+                                  " is not one of them; use --values " + option_values(*numbers) +
+                                  " for the levels of the protocol");
     }
     by_level.push_back(conditions[static_cast<std::size_t>(same - numbers->begin())]);
   }
@@ -340,9 +340,8 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
   const std::string theirs = is_alike(*lowest_m, *highest_m, kSameHeight)
                                  ? height_text(*highest_m)
                                  : height_text(*lowest_m) + " to " + height_text(*highest_m);
-  remarks.push_back("the texture of the sweep is " + height_text(here_m) +
-                    " from trough to crest (--texture), and those of " + protocol.name + " " +
-                    theirs);
+  remarks.push_back("the height of the textures from trough to crest is " + height_text(here_m) +
+                    " in the sweep (--texture) and " + theirs + " in " + protocol.name);
 }
 
 void compare_spacings(const SweepOrder& order, const Protocol& protocol,
@@ -404,8 +403,8 @@ void compare_models(const SweepOrder& order, const Protocol& protocol,
     }
   }
   if (felt.empty() || felt == std::set<std::string>{here}) return;
-  remarks.push_back("the sweep predicts with the force model " + here + " (--model), and " +
-                    protocol.name + " presents " + listed({felt.begin(), felt.end()}));
+  remarks.push_back("the sweep uses the force model " + here + " (--model), and " + protocol.name +
+                    " uses " + listed({felt.begin(), felt.end()}));
 }
 
 /// Compares the quantities that neither of the two varies.
@@ -429,7 +428,7 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
     if (theirs.empty() || (theirs.size() == 1 && is_alike(theirs.front(), here, kSameNumber))) {
       continue;
     }
-    remarks.push_back(sweep + quantities_text(quantity, theirs));
+    remarks.push_back(sweep + "has " + quantities_text(quantity, theirs));
   }
 }
 

@@ -69,9 +69,11 @@ std::vector<Diagnostic> warnings_about_arrangements(const Protocol& protocol,
       const auto needed_s = visit_s(exploration, *arrangement.strokes);
       if (needed_s && *needed_s > exploration.maximum_contact_s) {
         warn(trial, "exposure " + exploration.name,
-             std::to_string(*arrangement.strokes) + " strokes of the exploration \"" +
-                 exploration.name + "\" take " + fixed(*needed_s, 1) +
-                 " s, but a visit ends after " + number_text(exploration.maximum_contact_s) +
+             std::to_string(*arrangement.strokes) +
+                 (*arrangement.strokes == 1 ? " stroke" : " strokes") + " of the exploration \"" +
+                 exploration.name + (*arrangement.strokes == 1 ? "\" takes " : "\" take ") +
+                 fixed(*needed_s, 1) + " s, but a visit ends after " +
+                 number_text(exploration.maximum_contact_s) +
                  " s; state fewer strokes, or raise maximum_contact_s");
       }
     }
@@ -93,11 +95,12 @@ std::vector<Diagnostic> warnings_about_arrangements(const Protocol& protocol,
           step_of_blend_N(protocol, planned, waves.amplitude_m.value_or(0.0), exploration);
       if (step_N > kGreatestStep_N) {
         warn(trial, "step " + planned.stimulus_template,
-             "at the side of a patch of \"" + planned.stimulus.name +
+             "at the edge of a patch of \"" + planned.stimulus.name +
                  "\" the force can change by " + fixed(1e3 * step_N, 0) +
-                 " mN in a tick, which is felt as an edge above " +
+                 " mN from tick to tick, and a change of more than " +
                  fixed(1e3 * kGreatestStep_N, 0) +
-                 " mN; lower the amplitude, the stiffness or the maximum speed of the exploration");
+                 " mN is felt as a step; lower the amplitude, the stiffness or the maximum speed "
+                 "of the exploration");
       }
       const std::optional<double> period_m = waves.wavelength_m;
       if (period_m && width_m < kFewestPeriods * *period_m) {

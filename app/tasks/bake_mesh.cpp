@@ -71,10 +71,10 @@ void place_for_role(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& p
   const glm::dvec3 to_m{-0.5 * (low_m.x + high_m.x), -0.5 * (low_m.y + high_m.y),
                         is_tool ? -low_m.z : -high_m.z};
   for (glm::dvec3& vertex : mesh.vertices_m) vertex += to_m;
-  provenance.findings.push_back("Moved by " + fixed(1e3 * to_m.x, 3) + ", " +
-                                fixed(1e3 * to_m.y, 3) + ", " + fixed(1e3 * to_m.z, 3) +
-                                " mm: its centre lies over the origin, its " +
-                                (is_tool ? "lowest" : "highest") + " point in the plane z = 0.");
+  provenance.findings.push_back(
+      "The mesh was moved by " + fixed(1e3 * to_m.x, 3) + ", " + fixed(1e3 * to_m.y, 3) + ", " +
+      fixed(1e3 * to_m.z, 3) + " mm: its centre lies over the origin, and its " +
+      (is_tool ? "lowest" : "highest") + " point lies in the plane z = 0.");
 }
 
 }  // namespace

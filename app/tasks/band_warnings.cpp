@@ -28,9 +28,10 @@ std::vector<Diagnostic> warnings_about_bands(const Protocol& protocol, const std
       warnings.back().message =
           "the force of the stimulus \"" + stimulus.name +
           "\" changes with time at frequencies up to " + number_text(highest_Hz) +
-          " Hz, above half of the servo rate of " + number_text(protocol.rate_Hz) +
-          " Hz: its power would lie at lower frequencies than its parameters state; lower the rate "
-          "of the noise to that of the servo loop, or raise \"rate_Hz\" of the device";
+          " Hz, above the Nyquist frequency of the servo loop, half of " +
+          number_text(protocol.rate_Hz) +
+          " Hz: these frequencies would be aliased; lower the rate of the noise to that of the "
+          "servo loop, or raise \"rate_Hz\" of the device";
     }
   }
   return warnings;

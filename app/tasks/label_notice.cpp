@@ -68,15 +68,16 @@ LabelNotice notice_of(const Study& study, const Protocol& protocol, const Sessio
   const std::string session = std::to_string(latest.session);
   if (has_ended(study, protocol, latest)) {
     return {
-        .text = phrase("LabelNotice",
-                       "%1 has completed session %2 of this protocol (%3); a further one begins")
-                    .with(latest.participant, session, circumstances),
+        .text =
+            phrase("LabelNotice",
+                   "%1 has completed session %2 of this protocol (%3); a further session begins")
+                .with(latest.participant, session, circumstances),
         .remedy = phrase("LabelNotice", "For another participant, use another label."),
         .command_remedy = "for another participant, use another --participant"};
   }
   const Phrase text =
       phrase("LabelNotice",
-             "session %2 of %1 with this protocol is unfinished (%3); a further one begins")
+             "session %2 of %1 with this protocol is unfinished (%3); a further session begins")
           .with(latest.participant, session, circumstances);
   if (row.source == protocol.source) {
     return {.text = text,

@@ -68,12 +68,12 @@ std::vector<Diagnostic> problems_of_scaled_heights(const Protocol& protocol,
       }
       const LoadedHeightField loaded = builder.height_field(*stimulus.height_field);
       if (loaded.field->maximum_m() > loaded.field->minimum_m()) continue;
-      problems.push_back(document.at(
-          pointer_to("/blocks", trial.block) + "/vary/parameter",
-          "all heights of " + *stimulus.height_field + " are the same, so that all levels of \"" +
-              dimension.parameter +
-              "\" give the same texture: none; use a height field with a texture, or vary another "
-              "parameter"));
+      problems.push_back(
+          document.at(pointer_to("/blocks", trial.block) + "/vary/parameter",
+                      "all heights of " + *stimulus.height_field +
+                          " are the same, so that the surface has no texture at any level of \"" +
+                          dimension.parameter +
+                          "\"; use a height field with a texture, or vary another parameter"));
     }
   }
   return problems;

@@ -551,8 +551,8 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
   return JsonDocument(protocol.source, file_name)
       .at_key("/version", "the study has " + sessions + " of " + protocol.name + ' ' +
                               use->version +
-                              " with another text of the protocol, and would analyse their "
-                              "responses together with new ones; raise \"version\"");
+                              " with another text of the protocol; their responses would be "
+                              "analysed together with new ones; raise \"version\"");
 }
 
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,

@@ -84,8 +84,8 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
   ParticipantRow person = *inputs.new_person;
   if (person.label != inputs.participant || person.is_virtual) {
     throw PhrasedError(phrase("RunSession",
-                              "the new label \"%1\" is not that of the participant of the session, "
-                              "%2; enter the label of that participant")
+                              "the new label \"%1\" differs from the label of the session's "
+                              "participant, %2; enter the label of that participant")
                            .with(person.label, inputs.participant));
   }
   if (person.created_utc.empty()) person.created_utc = clock.utc();

@@ -102,7 +102,8 @@ std::string deleted_text(int deleted) {
   if (deleted == 0) return "";
   const std::string number = deleted == 1 ? "1 virtual participant was"
                                           : std::to_string(deleted) + " virtual participants were";
-  return " (" + number + " deleted from the study; their simulation is not stored)";
+  return " (" + number +
+         " deleted from the study; the simulation to which they belonged is not stored)";
 }
 
 /// The batch to add, or the one to resume.
@@ -112,7 +113,7 @@ Batch choose_batch(const Batches& there, const SimulationInputs& inputs) {
   if (!there.any_virtual) return {inputs.seed, 1, inputs.participants};
   throw std::runtime_error(
       "there is nothing to resume in " + inputs.study.string() +
-      ": it has no participant of a simulation with --participants " +
+      ": the study has no participant of a simulation with --participants " +
       std::to_string(inputs.participants) + " and --seed " + std::to_string(inputs.seed) +
       deleted_text(there.deleted) +
       (there.of_seed > 0 ? "; with this seed it has a simulation with --participants " +
@@ -202,7 +203,7 @@ void Simulation::check_sessions(const Study& study) const {
       if (protocols_[i].source == protocols_[j].source) {
         throw std::runtime_error(
             "the protocol \"" + protocols_[i].name +
-            "\" is given twice; give it once; the number of its sessions is part of the protocol");
+            "\" is given twice; give it once: the number of its sessions is set in the protocol");
       }
     }
   }

@@ -59,7 +59,7 @@ Phrase complaint_about(const LateResume& late) {
                          ? phrase("TimeAgo", "%1 hours ago").with(fixed(late.age_hours, 1))
                          : time_ago(late.age_hours);
   return phrase("UnfinishedSession",
-                "the session last ran %1, and the protocol requires sessions to be resumed within "
+                "the session last ran %1, but the protocol requires sessions to be resumed within "
                 "%2 h")
       .with(age, number_text(late.maximum_age_hours));
 }

@@ -49,8 +49,8 @@ const std::vector<RemarkWords>& all_remarks() {
               "tick.")},
       {DeviceRemark::silent, "device_test_zero_without_heartbeat",
        phrase("DeviceTest",
-              "Without a heartbeat from the program the force faded to 0 N (a session waits for %1 "
-              "s).")},
+              "Without a heartbeat from the program, the force faded to 0 N (timeout in a session: "
+              "%1 s).")},
       {DeviceRemark::did_not_follow, "device_test_did_not_follow",
        phrase("DeviceTest", "the handle did not follow a force of %1 N")},
       {DeviceRemark::did_not_move, "device_test_did_not_move",
@@ -75,13 +75,13 @@ const std::vector<RemarkWords>& all_remarks() {
        phrase("DeviceTest", "Increase of the resistance to motion with speed.")},
       {DeviceRemark::position_step, "device_test_position_resolution",
        phrase("DeviceTest",
-              "The position step that corresponds to the errors measured in a slow sweep.")},
+              "The position resolution that corresponds to the errors measured in a slow sweep.")},
       {DeviceRemark::resonance, "device_test_resonance",
        phrase("DeviceTest",
               "The lowest frequency at which the handle responds twice as strongly as its mass "
               "alone.")},
       {DeviceRemark::no_resonance, "device_test_no_resonance",
-       phrase("DeviceTest", "there is no resonance from %1 to %2 Hz")},
+       phrase("DeviceTest", "there is no resonance between %1 and %2 Hz")},
       {DeviceRemark::stiffest, "device_test_stiffness",
        phrase("DeviceTest",
               "The stiffest spring, up to 8000 N/m, on which the handle came to rest after an "
@@ -99,7 +99,8 @@ const std::vector<RemarkWords>& all_remarks() {
        phrase("DeviceTest", "There were no readings.")},
       {DeviceRemark::share_reached, "device_test_workspace_reached",
        phrase("DeviceTest",
-              "The smallest fraction of the declared workspace that the handle reached.")},
+              "The smallest fraction of the declared workspace that the handle reached along an "
+              "axis.")},
       {DeviceRemark::not_known, "device_test_unknown_trait",
        phrase("DeviceTest", "Unknown for %1, which the simulated device models.")},
   };
@@ -136,7 +137,7 @@ Phrase phrase_of(DeviceTrait trait) {
     case DeviceTrait::latency:
       return phrase("DeviceTest", "latency");
     case DeviceTrait::position_step:
-      return phrase("DeviceTest", "position step");
+      return phrase("DeviceTest", "position resolution");
     case DeviceTrait::position_noise:
       return phrase("DeviceTest", "position noise");
     case DeviceTrait::friction:

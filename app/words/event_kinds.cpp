@@ -23,10 +23,10 @@ const std::vector<EventKind>& event_kinds() {
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
                        "pacing", "scheduling", "device", "judged_force", "segment"}},
       {.name = "resumed_late",
-       .meaning = "the session was resumed later than the protocol allows "
-                  "(`resume.maximum_age_hours`); stored before `session_resumed`. Text: the "
-                  "experimenter's reason. Data: `age_hours` since it "
-                  "last ran, and `maximum_age_hours`",
+       .meaning =
+           "the session was resumed later than the protocol allows (`resume.maximum_age_hours`); "
+           "stored before `session_resumed`. Text: the experimenter's reason. Data: `age_hours`, "
+           "the hours since the session last ran, and `maximum_age_hours`",
        .hed = "Experiment-structure",
        .public_data = {"age_hours", "maximum_age_hours"},
        .text_is_words = true},
@@ -52,7 +52,7 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Instructional",
        .text_is_public = true},
       {.name = "stimulus_wait",
-       .meaning = "an attempt began later because its stimuli were not made in time; not stored "
+       .meaning = "an attempt began late because its stimuli were not ready; not stored for delays "
                   "below 0.1 s. Data: `trial`, `attempt`, and `waited_s`",
        .hed = "Experiment-control",
        .public_data = {"trial", "attempt", "waited_s"}},
@@ -138,10 +138,10 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true,
        .text_is_words = true},
       {.name = "masking_noise",
-       .meaning = "the masking noise of the segment that begins. Data: `kind`, `gain`, declared "
-                  "and measured level, `verified_by`, who measured it, and the sound output. Kind "
-                  "`none`, not `heard`: no sound could be played, as at a terminal (Asperity 0.1.0 "
-                  "stored no such event)",
+       .meaning = "the masking noise of the segment that begins. Data: `kind`, `gain`, the "
+                  "declared and the measured level, `verified_by` (who measured the level) and the "
+                  "sound output. Kind `none` with `heard` false: no sound could be played, for "
+                  "example at a terminal (Asperity 0.1.0 did not store this event)",
        .hed = "Sensory-event, Auditory-presentation, Signal-noise",
        .text_is_public = true,
        .public_data = {"kind", "gain", "declared_dBA", "measured_dBA", "generator", "heard",
@@ -198,11 +198,11 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true,
        .public_data = {"estimate", "earlier_estimate", "from_cue_s"}},
       {.name = "note",
-       .meaning = "a note of the experimenter, with the time at which it was written",
+       .meaning = "the experimenter wrote a note. Text: the note",
        .hed = "Experiment-control, Experimenter, Note",
        .text_is_words = true},
       {.name = "unblinded",
-       .meaning = "the experimenter had the stimuli shown by name. Text: the reason",
+       .meaning = "the experimenter displayed the names of the stimuli. Text: the reason",
        .hed = "Experiment-control, Experimenter",
        .ended_by = {"blinded_again"},
        .text_is_words = true},
@@ -211,12 +211,12 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Experimenter",
        .text_is_public = true},
       {.name = "consent_seen",
-       .meaning = "who witnessed the participant's consent",
+       .meaning = "the participant's consent was witnessed. Text: by whom",
        .hed = "Experiment-control, Experimenter",
        .text_is_words = true},
       {.name = "focus_changed",
-       .meaning = "destination of key presses from now on: `participant`, `experimenter`, "
-                  "`experimenter, text field` or `another program`",
+       .meaning = "the keyboard focus changed. Text: where key presses go from now on: "
+                  "`participant`, `experimenter`, `experimenter, text field` or `another program`",
        .hed = "Experiment-control, Input-device",
        .text_is_public = true},
       {.name = "picture_unreadable",

@@ -76,7 +76,7 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::nothing_to_repeat, "nothing_to_repeat",
        phrase("Reasons", "no trial has been answered or skipped yet")},
       {Reason::practice_is_repeated, "practice_is_repeated",
-       phrase("Reasons", "practice is being repeated, which does not count")},
+       phrase("Reasons", "practice trials are being repeated, and they do not count")},
       {Reason::agreement_witnessed, "agreement_witnessed",
        phrase("Reasons", "consent witnessed by %1")},
   };

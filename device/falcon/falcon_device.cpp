@@ -139,12 +139,11 @@ std::string FalconDevice::trouble() const {
     case State::well:
       return {};
     case State::unwatched:
-      return it + " gets no force: " + kWatchdogIsGone +
+      return it + " receives no force: " + kWatchdogIsGone +
              ". Unplug the Falcon and plug it in again, or end the session and open the device "
              "again.";
     case State::unplugged:
-      return it +
-             " is unplugged: plug it in again at the same socket, and check that it has power.";
+      return it + " is unplugged: plug it into the same socket again, and check that it has power.";
     case State::silent:
       return it + " has not responded for 50 ms: check its cable.";
     case State::not_homed:

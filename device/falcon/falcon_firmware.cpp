@@ -111,8 +111,8 @@ Firmware read_firmware(const std::filesystem::path& file) {
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (error || bytes == 0 || bytes > kLargest_bytes) {
     throw std::runtime_error(file.string() + " has " + std::to_string(error ? 0 : bytes) +
-                             " bytes and is not the firmware of a Falcon, which has about 8000; "
-                             "name the file that came with the device's software");
+                             " bytes and is not the firmware of a Falcon, which has about 8000 "
+                             "bytes; name the file that came with the device's software");
   }
   const Firmware firmware{std::istreambuf_iterator<char>(stream), {}};
   const auto is_of_text = [](std::uint8_t byte) {
@@ -155,8 +155,8 @@ bool runs_firmware(const UsbSession& usb, const std::string& place, const std::s
 
 std::string no_firmware_sentence(const std::string& place) {
   return "the Novint Falcon at " + place +
-         " has no firmware, which it loses when it is switched off: name the file that came with "
-         "the device's software (--firmware FILE)";
+         " has no firmware, because it was switched off since its last use: name the file that "
+         "came with the device's software (--firmware FILE)";
 }
 
 bool load_firmware(FalconPort& port, std::span<const std::uint8_t> firmware,

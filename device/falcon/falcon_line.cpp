@@ -95,9 +95,9 @@ void FalconLine::begin_watch() {
   if (last_words_.file < 0) {
     throw std::runtime_error(
         "the Novint Falcon at " + settings_.place +
-        " gets no force: libusb does not report the file through which it communicates with the "
-        "device, so that the force could not be set to zero if this program hangs; use the libusb "
-        "of your Linux distribution");
+        " receives no force: libusb does not report the file through which it communicates with "
+        "the device, so that the force could not be set to zero if this program hangs; use the "
+        "libusb of your Linux distribution");
   }
   watchdog_ = std::make_unique<WatchdogProcess>(&say_last_words, &last_words_, last_words_.file);
   watched_.store(true, std::memory_order_release);

@@ -35,7 +35,7 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
     }
     if (one_is_used) {
       device.hindrance =
-          "A Force Dimension device is in use; the model of this one can be read when none is in use.";
+          "The model of this device cannot be read while another Force Dimension device is in use.";
       survey.attached.push_back(device);
       continue;
     }

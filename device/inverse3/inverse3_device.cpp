@@ -447,7 +447,7 @@ std::string Inverse3Device::trouble() const {
     return "The Inverse Service no longer detects " + who + ": check its power and its cable.";
   }
   if (line_->is_elsewhere.load()) {
-    return "The Inverse Service is back and reports " + who +
+    return "The Inverse Service responds again but reports " + who +
            " in other axes or from another origin than when it was opened: no force is sent. "
            "Restore the axes and the origin in Haply's Device Manager, or end the session and open "
            "the device again.";
@@ -457,7 +457,7 @@ std::string Inverse3Device::trouble() const {
            " was lost: check that the service runs. This program tries to connect again.";
   }
   if (!line_->is_watched.load()) {
-    return "The Inverse3 " + capability().serial + " gets no force: " + kWatchdogIsGone +
+    return "The Inverse3 " + capability().serial + " receives no force: " + kWatchdogIsGone +
            ". End the session and open the device again.";
   }
   if (has_fallen_silent()) {

@@ -378,7 +378,7 @@ Driver openhaptics_driver() {
             if (const auto used = UnitInUse::of(kOpenHaptics); !used.empty()) {
               throw std::runtime_error("This program uses " + used.front().model + " " +
                                        used.front().serial +
-                                       " already, and can use one device of OpenHaptics at a time. "
+                                       ", and it can use only one device of OpenHaptics at a time. "
                                        "Close that device first.");
             }
             if (which.empty() || which == "default")

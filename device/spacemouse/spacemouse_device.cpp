@@ -26,14 +26,13 @@ DeviceCapability spacemouse_capability(const spacemouse::LineSettings& which,
           .workspace_maximum_m = motion.workspace_maximum_m,
           .buttons = 1,
           .remarks =
-              "It has no motors: no force is felt. Its cap is a rate control: the probe moves at "
-              "up to " +
-              rounded(motion.full_speed_m_per_s) + " m/s and turns at up to " +
+              "It has no motors: no force is felt. Its cap is a rate control: the speed of the "
+              "probe is proportional to the square of the deflection beyond a dead zone of " +
+              rounded(100.0 * motion.dead_zone) + " %, up to " +
+              rounded(motion.full_speed_m_per_s) + " m/s and " +
               rounded(motion.full_turn_rad_per_s) +
-              " rad/s, with the square of the deflection beyond a dead zone of " +
-              rounded(100.0 * motion.dead_zone) +
-              " %, in steps of a report (8 to 16 ms). The second button returns the probe to its "
-              "home position. The workspace is set by the driver."};
+              " rad/s. The speed changes with each report (every 8 to 16 ms). The second button "
+              "returns the probe to its home position. The workspace is set by the driver."};
 }
 
 }  // namespace
@@ -84,7 +83,7 @@ std::string SpaceMouseDevice::trouble() const {
     case State::well:
       return {};
     case State::unplugged:
-      return it + " is unplugged: plug it in again at the same socket.";
+      return it + " is unplugged: plug it into the same socket again.";
     case State::silent:
       return it +
              " has sent nothing for 50 ms although its cap was not at rest: touch the cap and "

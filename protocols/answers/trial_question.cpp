@@ -52,7 +52,7 @@ std::vector<AnsweredItem> items_of(const TrialQuestion& question, const Answer& 
           return items_of(question, form, given);
         } else {
           throw std::logic_error("the question " + question.name +
-                                 " has an answer of another form");
+                                 " has an answer whose form is not that of the question");
         }
       },
       question.form, answer);

@@ -40,7 +40,7 @@ void Meaning::check_arrangement(const Block& block, const std::string& pointer) 
   if (!arrangement.interval && arrangement.surfaces != Placement::sequential &&
       object.contains("pause_between_surfaces_s")) {
     report_key(pointer + "/pause_between_surfaces_s",
-               "this pause belongs to surfaces in sequence; remove this key");
+               "this pause applies only to surfaces in sequence; remove this key");
   }
   if (arrangement.interval && arrangement.interval->shortest_s > arrangement.interval->longest_s) {
     report(place + "/interval_s/shortest",

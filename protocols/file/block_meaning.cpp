@@ -92,9 +92,9 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
         factors_of(block, run).contains(factor)) {
       continue;
     }
-    report(pointer + "/exploration", "nothing sets the factor " + in_quotes(factor) +
-                                         " in the trials of this block: cross, list or draw it, or "
-                                         "run the block for_each of its levels");
+    report(pointer + "/exploration",
+           "the trials of this block do not set the factor " + in_quotes(factor) +
+               ": cross, list or draw it, or run the block for_each of its levels");
   }
   check_anchor(block, pointer);
   check_presented(block, pointer);
@@ -163,8 +163,8 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
         if (given.contains(factor) || presented.with.contains(factor)) continue;
         report(place, "the stimulus " + in_quotes(presented.stimulus) + " needs the factor " +
                           in_quotes(factor) +
-                          ", which nothing sets: cross, list or draw it, run the block for_each of "
-                          "its levels, or fix it here with \"with\"");
+                          ", which the trials of this block do not set: cross, list or draw it, "
+                          "run the block for_each of its levels, or fix it here with \"with\"");
       }
     }
     for (const auto& [factor, level] : presented.with) {

@@ -41,7 +41,7 @@ void Meaning::check_bodies() {
     } else if (!texture->second.height_field) {
       report(pointer + "/texture",
              "the texture " + in_quotes(*body.texture) +
-                 " cannot be put on a body: it has no \"height_field\"; give it one");
+                 " cannot be applied to a body: it has no \"height_field\"; give it one");
     }
   }
 }
@@ -61,9 +61,9 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
   };
   if (is_mesh) {
     for (const std::string_view key : kSizes)
-      refuse_key(key, "the size of a mesh is that of its file; remove this key");
-    refuse_key("axis", "the orientation of a mesh is that of its file; remove this key");
-    refuse_key("texture", "the texture of a mesh is that of its file; remove this key");
+      refuse_key(key, "the file of a mesh determines its size; remove this key");
+    refuse_key("axis", "the file of a mesh determines its orientation; remove this key");
+    refuse_key("texture", "the file of a mesh contains its texture; remove this key");
     return;
   }
   const auto said = shape->get<std::string>();
@@ -76,7 +76,8 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
       refuse_key(key, "a " + said + " does not have this key; use " +
                           one_of({keys->needed.begin(), keys->needed.end()}) + " instead");
     } else if (!object.contains(std::string(key))) {
-      report(pointer, "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres");
+      report(pointer,
+             "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres; add it");
     }
   }
   if (!keys->has_axis) refuse_key("axis", "a " + said + " has no axis; remove this key");

@@ -128,7 +128,7 @@ void Meaning::check_size() {
   }
   if (protocol_.counterbalance != Protocol::Counterbalance::none && rows > kMaximumRows) {
     report("/counterbalance",
-           "there would be more orders than participants; iterate fewer factors with for_each");
+           "there would be more orders than participants; use for_each with fewer factors");
   }
 }
 

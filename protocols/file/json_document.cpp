@@ -73,7 +73,7 @@ std::string correction_of_text(std::string_view reason) {
   }
   if (reason.find("U+000A") != std::string_view::npos ||
       reason.find("U+000D") != std::string_view::npos) {
-    return "; add the closing quotation mark in this line, or write \\n for a line break";
+    return "; add the closing quotation mark on this line, or write \\n for a line break";
   }
   if (reason.find("backslash") != std::string_view::npos) {
     return "; write \\\\ for a backslash";
@@ -122,8 +122,8 @@ std::string correction_at(std::string_view text, std::size_t from, std::string_v
   }
   if (token == ':') {
     return before == ':' ? "delete this colon"
-                         : "a colon stands only between a key and its value: add a comma or a "
-                           "quotation mark before it";
+                         : "a colon is permitted only between a key and its value: add a comma or "
+                           "a quotation mark before it";
   }
   if (expects("':'")) {
     return "write a colon between a key and its value, and close every quotation mark";
@@ -203,7 +203,7 @@ class JsonDocument::Handler {
           what.substr(at + 16, end == std::string::npos ? end : end - at - 16);
       const std::size_t where = position == 0 ? 0 : std::min(position - 1, text.size());
       if (reason.find("UTF-8") != std::string::npos) {
-        return refuse(where, "this text is not UTF-8; save the file in the encoding UTF-8");
+        return refuse(where, "this text is not UTF-8; save the file as UTF-8");
       }
       return refuse(where, "this text is invalid: " + reason + correction_of_text(reason));
     }
@@ -345,7 +345,7 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
   const bool has_every_other_zero =
       text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');  // a letter in two bytes
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || has_every_other_zero) {
-    refuse("this is not UTF-8 text (it looks like UTF-16); save the file in the encoding UTF-8");
+    refuse("this is not UTF-8 text (it looks like UTF-16); save the file as UTF-8");
   }
   if (is_binary(text)) {
     refuse(

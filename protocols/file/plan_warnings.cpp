@@ -67,18 +67,19 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
     const std::string place = pointer_to("/flow", i);
     const std::string of_block = "a run of the block " + in_quotes(run->block);
     if (run->break_every_trials >= size.trials) {
-      warnings.push_back(document.at(
-          place + "/break_every_trials",
-          of_block + " has " + std::to_string(size.trials) +
-              (size.trials == 1 ? " trial" : " trials") + ", so that there is no break after " +
-              std::to_string(run->break_every_trials) + "; state a smaller number, or remove it"));
+      warnings.push_back(document.at(place + "/break_every_trials",
+                                     of_block + " has " + std::to_string(size.trials) +
+                                         (size.trials == 1 ? " trial" : " trials") +
+                                         ", so that there is no break after " +
+                                         std::to_string(run->break_every_trials) +
+                                         "; state a smaller number, or remove the key"));
     }
     if (run->break_every_contact_s >= size.contact_s && run->break_every_contact_s > 0.0) {
       warnings.push_back(document.at(place + "/break_every_contact_minutes",
                                      of_block + " takes about " + fixed(size.contact_s / 60.0, 1) +
                                          " min of contact, so that there is no break after " +
                                          number_text(run->break_every_contact_s / 60.0) +
-                                         " min; state a smaller number, or remove it"));
+                                         " min; state a smaller number, or remove the key"));
     }
   }
   int practised = 0;
@@ -88,11 +89,12 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
     }
   }
   if (practised > 0 && protocol.resume.practice_trials > practised) {
-    warnings.push_back(document.at("/resume/practice_trials",
-                                   "a practice has at most " + std::to_string(practised) +
-                                       (practised == 1 ? " trial" : " trials") +
-                                       ", so that no more can be repeated at a resume; state " +
-                                       std::to_string(practised) + " or fewer"));
+    warnings.push_back(
+        document.at("/resume/practice_trials",
+                    "a practice block has at most " + std::to_string(practised) +
+                        (practised == 1 ? " trial" : " trials") +
+                        ", so that no more can be repeated when a session is resumed; state " +
+                        std::to_string(practised) + " or fewer"));
   }
   return warnings;
 }

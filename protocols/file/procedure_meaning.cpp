@@ -85,10 +85,9 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
   if (stated == object.end()) return;
   const std::string place = pointer + "/procedure";
   if (!block.procedure) {
-    report(
-        place,
-        "a procedure chooses the levels of a parameter; add \"vary\", which states the parameter "
-        "and its levels");
+    report(place,
+           "a procedure chooses the levels of a parameter; add \"vary\" with the parameter and its "
+           "levels");
     return;
   }
   if (!kind_of(block).has_judgement) {
@@ -100,7 +99,7 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
   for (const char* const key : {"repetitions", "maximum_in_a_row", "until"}) {
     if (!object.contains(key)) continue;
     report_key(pointer + "/" + key,
-               "in a block with a procedure, the procedure determines the trials; remove this key");
+               "the procedure of a block determines its trials; remove this key");
   }
   const auto method = stated->at("method").get<std::string>();
   std::vector<std::string_view> own{};
@@ -172,10 +171,10 @@ void Meaning::check_catch_trials(const Block& block, const std::string& pointer)
   // Values of a level are rounded to 12 digits.
   if (is_other_side || std::abs(value - standard) < farthest * (1.0 - 1e-9)) {
     report(place + "/level",
-           "a catch trial must be easy: state a level that is at least as far from the standard as "
+           "a catch trial must be easy: its level must be at least as far from the standard as "
            "the farthest level of the block" +
-               std::string(is_performance ? ", on the same side" : "") + "; " + digits(level) +
-               " is not. Use " + easy_levels(*block.vary, is_performance));
+               std::string(is_performance ? ", on the same side" : "") + ", but the level is " +
+               digits(level) + "; use " + easy_levels(*block.vary, is_performance));
     return;
   }
   if (is_performance) return;

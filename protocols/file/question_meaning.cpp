@@ -189,8 +189,8 @@ void Meaning::check_same_scale(const Block& block, const TrialQuestionTemplate& 
       if (earlier.name != question.name || its == nullptr || *its == *scale) continue;
       report(place + "/name",
              "the block " + in_quotes(name) + " has the question " + in_quotes(question.name) +
-                 " on another scale, and the two are analysed together; give one of "
-                 "the questions another name, or both the same scale");
+                 " on another scale, and the responses to both are analysed together; give one of "
+                 "the questions another name, or use one scale for both");
     }
   }
 }
@@ -203,7 +203,8 @@ void Meaning::check_scale(const TrialQuestionTemplate& question, const std::stri
   };
   if (!question.pictures.empty()) remove("pictures", "a scale is not answered by a picture");
   if (question.allow_cannot_tell) {
-    remove("allow_cannot_tell", "a scale always gets a response, and there is no \"cannot tell\"");
+    remove("allow_cannot_tell",
+           "a scale always has a response, and \"cannot tell\" is not available");
   }
   if (!question.correct_factor.empty()) {
     remove("correct_factor", "no point of a scale is correct or incorrect");

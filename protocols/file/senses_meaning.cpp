@@ -46,7 +46,7 @@ void Meaning::check_blindfold() {
       if (block.questions[i].pictures.empty() || block.pictures_after_feeling) continue;
       report(place_of_question(block, i) + "/pictures",
              "a blindfolded participant sees no pictures while feeling; set pictures_after_feeling "
-             "to true (the mask comes off for the question), or choose another \"vision\"");
+             "to true (the eye mask is removed for the question), or choose another \"vision\"");
     }
   }
 }

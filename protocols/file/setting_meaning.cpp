@@ -40,7 +40,7 @@ void Meaning::check_head() {
   const auto& patch = protocol_.patch;
   if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
     report("/surface/edge_width_m",
-           "two edges of " + digits(patch.edge_width_m) + " m leave no surface of a patch of " +
+           "edges of " + digits(patch.edge_width_m) + " m on both sides cover the whole patch of " +
                digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
                " m; reduce edge_width_m or enlarge the patch");
   }
@@ -170,7 +170,9 @@ void Meaning::check_factors() {
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
       const Level& level = factor.levels[i];
       if (level.index() != factor.levels.front().index()) {
-        report(pointer_to(pointer, i), "the levels of a factor must be all numbers or all names");
+        report(pointer_to(pointer, i),
+               "the levels of a factor must be all numbers or all names; write this level in the "
+               "form of the first one");
       } else if (std::find(factor.levels.begin(),
                            factor.levels.begin() + static_cast<std::ptrdiff_t>(i),
                            level) != factor.levels.begin() + static_cast<std::ptrdiff_t>(i)) {
@@ -204,7 +206,7 @@ void Meaning::check_hed(const Factor& factor) {
     const std::string problem = hed_problem(tags.get<std::string>());
     if (problem.empty()) continue;
     report(pointer, problem +
-                        "; HED tags are separated by commas and grouped by parentheses, as "
+                        "; separate HED tags by commas and group them by parentheses, such as "
                         "\"Sensory-event, (Rough, Large)\"");
   }
 }

@@ -23,7 +23,7 @@ std::vector<std::pair<std::string, std::string>> Meaning::texts_of(
       texts.emplace_back(*text, place);
     } else {
       report(place, text_of(factor->second.levels[i]) +
-                        " is a number, but the factor stands for a name at " + pointer +
+                        " is a number, but the factor is used as a name at " + pointer +
                         "; use names as its levels");
     }
   }
@@ -171,11 +171,11 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   if (equal.band_low_Hz >= equal.band_high_Hz) {
     report(place, "the band from " + digits(equal.band_low_Hz) + " Hz to " +
                       digits(equal.band_high_Hz) +
-                      " Hz is empty; its lower limit must be less than its upper limit");
+                      " Hz is empty; lower its lower limit or raise its upper limit");
   }
   if (equal.band_high_Hz > 0.5 * protocol_.rate_Hz) {
     report(place, "the band ends at " + digits(equal.band_high_Hz) +
-                      " Hz, above half of the servo rate of " + digits(protocol_.rate_Hz) +
+                      " Hz, above half the servo rate of " + digits(protocol_.rate_Hz) +
                       " Hz; lower its upper limit");
   }
   if (equal.rms_N && *equal.rms_N > protocol_.force_limit_N) {
@@ -206,11 +206,12 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
                      " has no amplitude by which its texture force could be made equal; remove "
                      "\"equal_force\" or use another model");
     } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
-      report_key(pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
-                 id == equal.to_model ? "the others are made equal to " + in_quotes(id) +
-                                            " with this parameter at its default; remove this key"
-                                      : "equal_force determines this parameter of " +
-                                            in_quotes(id) + "; remove this key");
+      report_key(
+          pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
+          id == equal.to_model
+              ? "the texture forces of the other models are made equal to that of " +
+                    in_quotes(id) + " with this parameter at its default; remove this key"
+              : "equal_force determines this parameter of " + in_quotes(id) + "; remove this key");
     }
   }
 }

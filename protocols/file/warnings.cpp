@@ -89,7 +89,8 @@ class Warnings final {
       return value && *value > most;
     };
     const std::string no_hand =
-        " m/s is faster than a hand strokes; a speed is in metres per second: 40 mm/s is 0.04";
+        " m/s is faster than a hand strokes; write the speed in metres per second, such as 0.04 "
+        "for 40 mm/s";
     const Band& speed = asked.speed_m_per_s;
     if (!look(speed.minimum, kFastestHand_m_per_s, "/speed_m_per_s/minimum", no_hand)) {
       look(speed.target, kFastestHand_m_per_s, "/speed_m_per_s/target", no_hand);
@@ -187,8 +188,8 @@ class Warnings final {
         [](const Protocol::Step& step) { return std::holds_alternative<Protocol::Screen>(step); });
     if (protocol_.instructions.empty() || has_screen) return;
     warn("/instructions",
-         "participants read the screens of the flow, and there is none: add {\"screen\": …} with "
-         "these instructions before the first block");
+         "participants read only the screens of the flow, and there is none: add {\"screen\": …} "
+         "with these instructions before the first block");
   }
 
   /// Warns about staircases that do not approach the point that is estimated.
@@ -204,7 +205,7 @@ class Warnings final {
     const double target = *procedure_of(first).target(first);
     if (std::abs(target - 0.5) < 0.01) return;
     warn(pointer_to("/blocks", block.name) + "/procedure/method",
-         "the levels approach " + digits(std::round(1000.0 * target) / 10.0) +
+         "the levels converge on " + digits(std::round(1000.0 * target) / 10.0) +
              " %, but the point of subjective equality lies at 50 %: state a rule with equal "
              "numbers of responses and steps in both directions (\"down\": 1, \"up\": 1), or "
              "constant stimuli");

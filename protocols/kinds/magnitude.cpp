@@ -45,10 +45,9 @@ void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems)
         "a magnitude estimation is answered by a number, not by a picture; remove this key");
   }
   if (question.allow_cannot_tell) {
-    problems.report(
-        place + "/allow_cannot_tell",
-        "in a magnitude estimation every surface gets a number, and there is no \"cannot tell\"; "
-        "set this to false");
+    problems.report(place + "/allow_cannot_tell",
+                    "in a magnitude estimation every surface is given a number, and \"cannot "
+                    "tell\" is not available; set this to false");
   }
   if (!question.correct_factor.empty()) {
     problems.report(place + "/correct_factor",
@@ -62,7 +61,8 @@ void check_spacings(const Protocol& protocol, const std::string& factor, Problem
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string place = pointer_to(at_levels, i);
     if (const double* const spacing_m = std::get_if<double>(&levels[i])) {
-      if (*spacing_m <= 0.0) problems.report(place, "a spacing must be above 0");
+      if (*spacing_m <= 0.0)
+        problems.report(place, "a spacing must be above 0; write a length in metres");
       continue;
     }
     const auto texture = protocol.textures.find(text_of(levels[i]));
@@ -118,8 +118,9 @@ void check_design_of(const Protocol& protocol, const Protocol::Block& block, boo
   }
   for (const Protocol::Run* const run : runs_of(protocol, block)) {
     if (factors_set_by(block, run).contains(estimation.condition)) continue;
-    problems.report(pointer, "nothing sets the condition " + in_quotes(estimation.condition) +
-                                 " in this main block: run it for_each of its levels");
+    problems.report(pointer, "this main block does not set the condition " +
+                                 in_quotes(estimation.condition) +
+                                 ": run the block for_each level of the condition");
   }
 }
 

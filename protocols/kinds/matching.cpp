@@ -47,8 +47,8 @@ void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) 
   }
   if (question.allow_cannot_tell) {
     problems.report(place + "/allow_cannot_tell",
-                    "in a matching every surface gets a picture, and there is no \"cannot tell\"; "
-                    "set this to false");
+                    "in a matching every surface is assigned a picture, and \"cannot tell\" is not "
+                    "available; set this to false");
   }
   if (!question.correct_factor.empty()) {
     problems.report(place + "/correct_factor",

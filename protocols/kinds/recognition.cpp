@@ -53,9 +53,9 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
   for (const Protocol::Run* const run : runs_of(checked.protocol, checked.block)) {
     if (factors_set_by(checked.block, run).contains(question.correct_factor)) continue;
     problems.report(place + "/correct_factor",
-                    "nothing sets the factor " + in_quotes(question.correct_factor) +
-                        " in the trials of this block: cross, list or draw it, or run the block "
-                        "for_each of its levels");
+                    "the trials of this block do not set the factor " +
+                        in_quotes(question.correct_factor) +
+                        ": cross, list or draw it, or run the block for_each of its levels");
   }
 }
 

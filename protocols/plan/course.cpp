@@ -74,7 +74,7 @@ std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow
   if (!order) {
     throw std::runtime_error(
         "block " + block.name +
-        ": no order of its trials satisfies maximum_in_a_row; allow more in a row");
+        ": no order of its trials satisfies maximum_in_a_row; raise maximum_in_a_row");
   }
   return std::move(*order);
 }

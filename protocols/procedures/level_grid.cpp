@@ -19,7 +19,7 @@ double steps_above_lowest(const LevelGrid& grid, double level) {
 }
 
 std::string least_step(LevelScale scale) {
-  return scale == LevelScale::ratio ? "above 1, as 1.1 for steps of 10 %" : "above 0";
+  return scale == LevelScale::ratio ? "above 1, such as 1.1 for steps of 10 %" : "above 0";
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void check_steps(const LevelGrid& grid, const StepList& steps, const std::string
     } else if (grid_steps(grid, step) == 0) {
       problems.report(setting, "the step " + number_text(step) +
                                    " is not a whole number of steps of the grid (" +
-                                   number_text(grid.step) + "); change it or the grid");
+                                   number_text(grid.step) + "); change the step or the grid");
     }
   }
 }

@@ -35,19 +35,20 @@ void check_weighted(const ProcedureSettings& settings, ProcedureProblems& proble
     if (problem.setting != "steps_up") problems.report(problem.setting, problem.message);
   }
   if (!is_proportion(method.target)) {
-    problems.report("target", "the target " + number_text(method.target) +
-                                  " is not a proportion between 0 and 1; 0.75 is usual with two "
-                                  "alternatives");
+    problems.report(
+        "target",
+        "the target " + number_text(method.target) +
+            " is not a proportion between 0 and 1; state one, such as 0.75 for two alternatives");
     return;
   }
   if (!of_track.empty() || track_of(method)) return;
   const double weight = weight_of(method.target);
-  problems.report("target", "a step up is " + number_text(weight) +
-                                " times the step down for the target " +
-                                number_text(method.target) +
-                                ", which is not a whole number of steps of the grid; use a target "
-                                "with a whole ratio, such as 0.75 (3), a larger step down, or a "
-                                "finer grid");
+  problems.report(
+      "target",
+      "a step up is " + number_text(weight) + " times the step down for the target " +
+          number_text(method.target) +
+          ", which is not a whole number of steps of the grid; use a target whose ratio is a whole "
+          "number, such as 0.75 (ratio 3), a larger step down, or a finer grid");
 }
 
 NextStep weighted_next(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,

@@ -44,11 +44,11 @@ bool holds(const std::optional<ParameterValues>& condition, const ParameterValue
          });
 }
 
-// The end of an error message, with the inputs that are missing.
+// The end of an error message: an instruction that names the missing inputs.
 std::string missing_bodies(const RendererInputs& inputs) {
-  if (inputs.tool) return "no surface is given";
-  if (inputs.surface) return "no tool is given";
-  return "neither is given";
+  if (inputs.tool) return "give it the missing surface";
+  if (inputs.surface) return "give it the missing tool";
+  return "give it both";
 }
 
 }  // namespace
@@ -57,18 +57,19 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
                                              const RendererInputs& inputs) {
   if (model.declaration.needs_height_field && !inputs.height_field) {
     throw std::invalid_argument("the force model " + model.declaration.id +
-                                " needs a height field, and none is given");
+                                " needs a height field; give it one");
   }
   if (model.declaration.needs_bodies && !(inputs.tool && inputs.surface)) {
-    throw std::invalid_argument("the force model " + model.declaration.id +
-                                " needs a tool and a surface, meshes with haptic textures, and " +
-                                missing_bodies(inputs));
+    throw std::invalid_argument(
+        "the force model " + model.declaration.id +
+        " needs a tool and a surface, both as meshes with haptic textures; " +
+        missing_bodies(inputs));
   }
   for (const AssetDeclaration& asset : model.declaration.assets) {
     const auto given = inputs.assets.find(asset.role);
     if (given != inputs.assets.end() && given->second) continue;
     throw std::invalid_argument("the force model " + model.declaration.id + " needs the asset \"" +
-                                asset.role + "\" (" + asset.meaning + "), and none is given");
+                                asset.role + "\" (" + asset.meaning + "); give it one");
   }
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);
@@ -140,7 +141,7 @@ std::unique_ptr<ForceRenderer> ModelRegistry::make(std::string_view id,
     known += (known.empty() ? "" : ", ") + model.declaration.id;
   }
   throw std::invalid_argument("there is no force model \"" + std::string(id) +
-                              "\"; this program has: " + known);
+                              "\"; choose one of: " + known);
 }
 
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {

@@ -180,12 +180,13 @@ constexpr std::array<std::string_view, 5> kOfLugre{kStiffness, kSmoothing, kStat
 
 constexpr std::array<FrictionLaw, 5> kLaws{{
     {.name = "rounded",
-     .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device gives",
+     .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device reports",
      .parameters = kOfRounded,
      .drag_N = rounded_drag_N,
      .near_rest = rounded_near_rest},
     {.name = "bounded",
-     .meaning = "the same with an implicit step and a slope that the servo loop carries",
+     .meaning = "the same with an implicit step, and with a slope that is limited so that the "
+                "servo loop remains stable",
      .parameters = kOfBounded,
      .drag_N = bounded_drag_N,
      .near_rest = bounded_near_rest},
@@ -197,15 +198,14 @@ constexpr std::array<FrictionLaw, 5> kLaws{{
      .drag_N = proxy_drag_N,
      .near_rest = proxy_near_rest},
     {.name = "dahl",
-     .meaning = "adhesion of a given stiffness that creeps, without a kink where sliding begins",
+     .meaning = "adhesion of a given stiffness that creeps, with a smooth transition to sliding",
      .parameters = kOfDahl,
      .remembers = true,
      .drag_N = dahl_drag_N,
      .near_rest = dahl_near_rest},
     {.name = "lugre",
-     .meaning =
-         "the same with a static friction that decreases with speed (Stribeck) and a damping "
-         "of the adhesion",
+     .meaning = "the same with a static friction that decreases with speed (Stribeck) and with "
+                "damping of the adhesion",
      .parameters = kOfLugre,
      .remembers = true,
      .drag_N = lugre_drag_N,
@@ -221,15 +221,15 @@ std::string names_of_laws() {
 }
 
 Parameter law_parameter() {
-  Parameter parameter{.name = kLaw,
-                      .kind = ParameterKind::choice,
-                      .unit = "1",
-                      .choices = {},
-                      .default_value = std::string("rounded"),
-                      .meaning =
-                          "Law of the friction. A stimulus that states none has dahl in a "
-                          "study that began with version 0.2.0 or later, and rounded in "
-                          "an earlier one"};
+  Parameter parameter{
+      .name = kLaw,
+      .kind = ParameterKind::choice,
+      .unit = "1",
+      .choices = {},
+      .default_value = std::string("rounded"),
+      .meaning =
+          "Friction law. A stimulus without this parameter uses dahl in a study that began with "
+          "version 0.2.0 or later, and rounded in an earlier study"};
   for (const FrictionLaw& law : kLaws) {
     parameter.choices.emplace_back(law.name);
     parameter.meaning += "; " + std::string(law.name) + ": " + std::string(law.meaning);
@@ -257,8 +257,8 @@ const FrictionLaw& friction_law(std::string_view name) {
   for (const FrictionLaw& law : kLaws) {
     if (law.name == name) return law;
   }
-  throw std::invalid_argument("there is no law of friction \"" + std::string(name) +
-                              "\"; there are: " + names_of_laws());
+  throw std::invalid_argument("there is no friction law \"" + std::string(name) +
+                              "\"; choose one of: " + names_of_laws());
 }
 
 const FrictionLaw& friction_law_of(const ParameterValues& parameters) {
@@ -290,11 +290,10 @@ double greatest_friction_slope_N_s_per_m(const FrictionSettings& settings,
 }
 
 Parameter friction_speed_parameter() {
-  return number(
-      kSpeed, "m/s", 1e-4, 0.1, 0.010,
-      "Speed v0 below which Coulomb friction decreases to zero at rest: "
-      "mu N v / sqrt(v^2 + v0^2). Law lugre: speed at which static friction has decreased "
-      "to kinetic friction, but for 37 % of the difference");
+  return number(kSpeed, "m/s", 1e-4, 0.1, 0.010,
+                "Speed v0 below which Coulomb friction decreases to zero at rest: mu N v / "
+                "sqrt(v^2 + v0^2). Law lugre: speed at which 37 % of the difference between static "
+                "and kinetic friction remains");
 }
 
 void add_friction_parameters(std::vector<Parameter>& parameters) {
@@ -307,20 +306,20 @@ void add_friction_parameters(std::vector<Parameter>& parameters) {
              "slides"));
   parameters.push_back(
       number(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
-             "Laws proxy, dahl and lugre: time constant of each of the two low-passes of the "
-             "position, against the steps of the device; 0: none"));
-  parameters.push_back(
-      number(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
-             "Laws proxy and lugre: static over kinetic friction; the friction of the material is "
-             "the kinetic one"));
+             "Laws proxy, dahl and lugre: time constant of each of the two low-pass filters that "
+             "smooth the position steps of the device; 0: no filter"));
+  parameters.push_back(number(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
+                              "Laws proxy and lugre: ratio of static to kinetic friction; the "
+                              "friction of the material is the kinetic friction"));
   parameters.push_back(
       number(kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
              "Law proxy: damping along the surface while the contact sticks; law lugre: "
              "damping of the adhesion"));
   parameters.push_back(number(kMass, "kg", 0.001, 1.0, defaults.mass_kg,
                               "Law bounded: moving mass of device and hand"));
-  parameters.push_back(number(kDelay, "s", 0.0, 0.05, defaults.delay_s,
-                              "Law bounded: age of the velocity, latency and lag of its estimate"));
+  parameters.push_back(number(
+      kDelay, "s", 0.0, 0.05, defaults.delay_s,
+      "Law bounded: delay of the velocity, the sum of the latency and the lag of the estimate"));
 }
 
 ParameterValues friction_of_new_studies(const ModelDeclaration& model) {

@@ -133,7 +133,7 @@ std::vector<Parameter> parameters_of_friction() {
                           .choices = {},
                           .default_value = kDefaults[i],
                           .meaning = "Coefficient a_" + std::to_string(i + 1) +
-                                     " of the process, of the value " + std::to_string(i + 1) +
+                                     " of the process, for the value " + std::to_string(i + 1) +
                                      (i == 0 ? " step back" : " steps back")});
   }
   parameters.push_back(device_step_parameter());

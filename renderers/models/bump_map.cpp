@@ -84,15 +84,15 @@ ForceModel bump_map_model() {
        .maximum = 1.0,
        .choices = {},
        .default_value = 1.0,
-       .meaning = "Depth K, in heights of the texture above its lowest place, "
-                  "down to which the force is along the perturbed normal"},
+       .meaning = "Depth K down to which the force is along the perturbed normal, as a multiple of "
+                  "the height of the texture above its lowest point"},
       {.name = "face",
        .kind = ParameterKind::choice,
        .unit = "1",
        .choices = {"mean", "crest"},
        .default_value = std::string("mean"),
-       .meaning = "mean: contact begins at the plane; crest: contact begins "
-                  "above it by the height of the texture, lowest to highest"}};
+       .meaning = "mean: contact begins at the plane; crest: contact begins above the plane, by "
+                  "the height of the texture from its lowest to its highest point"}};
   add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

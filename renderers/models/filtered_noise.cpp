@@ -124,7 +124,8 @@ ForceModel filtered_noise_model() {
        .maximum = 0.1,
        .choices = {},
        .default_value = 0.0,
-       .meaning = "Wavelength of the resonance of two poles; 0: one pole, a low-pass"},
+       .meaning =
+           "Wavelength of the resonance of two poles; 0: one pole, which gives a low-pass filter"},
       {.name = "reference_force_N",
        .kind = ParameterKind::number,
        .unit = "N",

@@ -140,8 +140,8 @@ ForceModel height_map_model() {
        .unit = "1",
        .choices = {"none", "subtract_min"},
        .default_value = std::string("none"),
-       .meaning = "Literal law only. none: equation 1, which pulls over valleys; subtract_min: "
-                  "heights measured from the lowest sample"},
+       .meaning = "Literal law only. none: equation 1, which attracts the probe over valleys; "
+                  "subtract_min: heights relative to the lowest sample"},
       {.name = "k1_N_per_m",
        .kind = ParameterKind::number,
        .unit = "N/m",

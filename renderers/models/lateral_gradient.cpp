@@ -64,7 +64,7 @@ ForceModel lateral_gradient_model() {
                              .choices = {},
                              .default_value = 1.0,
                              .meaning = "Force K along the surface at a slope of 1; with the law "
-                                        "force at a normal force of 1 N"},
+                                        "force, at a normal force of 1 N"},
                             {.name = "law",
                              .kind = ParameterKind::choice,
                              .unit = "1",

@@ -197,16 +197,16 @@ std::vector<Parameter> parameters_of_waves() {
                           .choices = {},
                           .default_value = static_cast<double>(wave),
                           .meaning = "Periods" + which + " in period_x_m"});
-    parameters.push_back({.name = name_of("waves_y_", wave),
-                          .kind = ParameterKind::integer,
-                          .unit = "1",
-                          .minimum = -8.0,
-                          .maximum = 8.0,
-                          .choices = {},
-                          .default_value = 0.0,
-                          .meaning = "Periods" + which +
-                                     " in period_y_m; with a negative number "
-                                     "the crests are turned the other way"});
+    parameters.push_back(
+        {.name = name_of("waves_y_", wave),
+         .kind = ParameterKind::integer,
+         .unit = "1",
+         .minimum = -8.0,
+         .maximum = 8.0,
+         .choices = {},
+         .default_value = 0.0,
+         .meaning = "Periods" + which +
+                    " in period_y_m; a negative number mirrors the direction of the crests"});
     for (const bool is_cosine : {true, false}) {
       parameters.push_back(
           {.name = name_of(is_cosine ? "cosine_amplitude_" : "sine_amplitude_", wave, "_m"),
@@ -226,7 +226,7 @@ std::vector<Parameter> parameters_of_waves() {
        .choices = {"fixed", "local_normal", "gradient"},
        .default_value = std::string("fixed"),
        .meaning = "fixed: along the normal of the plane; local_normal: along that of the relief; "
-                  "gradient: minus the gradient of the energy of the spring"});
+                  "gradient: the negative gradient of the energy of the spring"});
   add_friction_parameters(parameters);
   return parameters;
 }

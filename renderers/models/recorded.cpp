@@ -240,7 +240,7 @@ std::vector<Parameter> parameters_of_playback() {
        .maximum = 1000.0,
        .choices = {},
        .default_value = 1.0,
-       .meaning = "Factor on the recorded force"},
+       .meaning = "Factor applied to the recorded force"},
       {.name = "force_exponent",
        .kind = ParameterKind::number,
        .unit = "1",
@@ -248,8 +248,8 @@ std::vector<Parameter> parameters_of_playback() {
        .maximum = 3.0,
        .choices = {},
        .default_value = 1.0,
-       .meaning = "Power of the normal force to which the texture force is proportional; 0: "
-                  "independent of it"},
+       .meaning = "Power of the normal force to which the texture force is proportional; 0: the "
+                  "texture force is independent of the normal force"},
       {.name = "axis",
        .kind = ParameterKind::choice,
        .unit = "1",
@@ -261,15 +261,16 @@ std::vector<Parameter> parameters_of_playback() {
        .unit = "1",
        .choices = {"spatial", "temporal"},
        .default_value = std::string("spatial"),
-       .meaning = "spatial: waves on the path, whose frequency follows the speed; temporal: "
-                  "frequencies of the time, interpolated between speeds as in the source"},
+       .meaning =
+           "spatial: waves along the path, whose frequency in hertz is proportional to the speed; "
+           "temporal: frequencies in hertz, interpolated between speeds as in the source"},
       {.name = "single_speed",
        .kind = ParameterKind::choice,
        .unit = "1",
        .choices = {"refused", "accepted"},
        .default_value = std::string("refused"),
-       .meaning = "Whether a recording may have a single speed, whose spectrum is then that of "
-                  "every speed"},
+       .meaning = "Whether a recording with a single speed is accepted; its spectrum is then used "
+                  "at every speed"},
       device_step_parameter()};
   add_friction_parameters(parameters);
   return parameters;

@@ -102,8 +102,9 @@ ForceModel sinusoid_model() {
        .unit = "1",
        .choices = {"fixed", "local_normal", "gradient"},
        .default_value = std::string("fixed"),
-       .meaning = "fixed: along the normal of the plane, as in the source; local_normal: along "
-                  "that of the grating; gradient: minus the gradient of the energy of the spring"}};
+       .meaning =
+           "fixed: along the normal of the plane, as in the source; local_normal: along that of "
+           "the grating; gradient: the negative gradient of the energy of the spring"}};
   add_friction_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

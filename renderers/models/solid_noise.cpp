@@ -135,7 +135,8 @@ ForceModel solid_noise_model() {
        .maximum = 0.005,
        .choices = {},
        .default_value = 50e-6,
-       .meaning = "Amplitude of the first octave; the RMS of one octave is 0.27 of it"},
+       .meaning =
+           "Amplitude of the first octave; the RMS of one octave is 0.27 times its amplitude"},
       {.name = "wavelength_m",
        .kind = ParameterKind::number,
        .unit = "m",
@@ -143,7 +144,8 @@ ForceModel solid_noise_model() {
        .maximum = 0.1,
        .choices = {},
        .default_value = 0.001,
-       .meaning = "Cell of the lattice of the first octave, about the longest wave"},
+       .meaning =
+           "Cell size of the lattice of the first octave, approximately the longest wavelength"},
       {.name = "octaves",
        .kind = ParameterKind::integer,
        .unit = "1",
@@ -151,7 +153,8 @@ ForceModel solid_noise_model() {
        .maximum = static_cast<double>(kMostOctaves),
        .choices = {},
        .default_value = kDefaultOctaves,
-       .meaning = "Number of octaves, each half as long and half as high as the one before"},
+       .meaning = "Number of octaves, each with half the wavelength and half the amplitude of the "
+                  "previous one"},
       {.name = "relief",
        .kind = ParameterKind::integer,
        .unit = "1",
@@ -159,9 +162,8 @@ ForceModel solid_noise_model() {
        .maximum = 1e6,
        .choices = {},
        .default_value = 0.0,
-       .meaning =
-           "Number of the relief, the same in every presentation; 0: another relief in every "
-           "presentation"},
+       .meaning = "Number of the relief, which is the same in every presentation; 0: a different "
+                  "relief in every presentation"},
       {.name = "lateral_gradient_gain",
        .kind = ParameterKind::number,
        .unit = "1",

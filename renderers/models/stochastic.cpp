@@ -176,7 +176,7 @@ ForceModel stochastic_model() {
        .maximum = 5.0,
        .choices = {},
        .default_value = 0.0,
-       .meaning = "Mean of the noise; 0 for a texture whose mean height is removed"},
+       .meaning = "Mean of the noise; 0 for a texture whose mean height has been subtracted"},
       {.name = "noise_rate_Hz",
        .kind = ParameterKind::number,
        .unit = "Hz",

@@ -199,8 +199,7 @@ HeightField composed_relief(const GainedBody& tool, const GainedBody& surface,
   }
   if (columns.size() < static_cast<std::size_t>(kRows)) {
     throw std::invalid_argument(
-        "there is no surface under the tool in the middle of its strokes, or next to it; place the "
-        "surface there");
+        "there is no surface under the middle of the strokes of the tool; place the surface there");
   }
   std::vector<float> heights_m;
   heights_m.reserve(kRows * columns.size());

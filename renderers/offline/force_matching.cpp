@@ -84,9 +84,9 @@ double height_of(const ForceModel& model, ForceRenderer& renderer, Strokes& stro
        .stiffness_N_per_m = inputs.material.stiffness_N_per_m});
   if (found.height_m) return *found.height_m;
   throw std::invalid_argument(
-      "the force model " + model.declaration.id +
-      " has no constant height with a mean normal force of " + text_of(path.mean_normal_force_N) +
-      " N; the nearest that it reaches is " + text_of(found.reached_N) +
+      "the force model " + model.declaration.id + " has a mean normal force of " +
+      text_of(path.mean_normal_force_N) +
+      " N at no constant height; the nearest mean normal force is " + text_of(found.reached_N) +
       " N; change the stiffness of the material or the parameters of the model");
 }
 
@@ -176,9 +176,9 @@ SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& i
   }
   throw std::invalid_argument(
       "the force model " + model.declaration.id + " cannot have a texture force of " +
-      text_of(target_rms_N) + " N RMS: its " + amplitude.name + " goes from " +
+      text_of(target_rms_N) + " N RMS: its " + amplitude.name + " ranges from " +
       text_of(amplitude.minimum) + " to " + text_of(amplitude.maximum) + " " + amplitude.unit +
-      ", where the texture force is " + text_of(rms_N(amplitude.minimum)) + " and " +
+      ", which gives a texture force of " + text_of(rms_N(amplitude.minimum)) + " and " +
       text_of(rms_N(amplitude.maximum)) + " N RMS; request a force within this range");
 }
 

@@ -185,7 +185,7 @@ std::unique_ptr<ForceRenderer> make_tip_renderer(const ForceModel& pd_gradient,
                                                  const RendererInputs& inputs,
                                                  const RigidTip& tip) {
   if (!inputs.height_field) {
-    throw std::invalid_argument("a tip needs a height field to slide on, and none is given");
+    throw std::invalid_argument("a tip needs a height field on which it slides; give it one");
   }
   RendererInputs complete = inputs;
   complete.parameters = complete_values(pd_gradient.declaration, inputs.parameters);

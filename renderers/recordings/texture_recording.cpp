@@ -85,12 +85,12 @@ void require_strokes(const TextureRecording& recording, const std::string& name)
     }
     for (std::size_t j = 1; j < count; ++j) {
       if (!(stroke.time_s[j] > stroke.time_s[j - 1])) {
-        complain("has a time_s that does not increase, " + number_text(stroke.time_s[j]) +
+        complain("has a time_s that does not increase at " + number_text(stroke.time_s[j]) +
                  " s; sort its samples by time");
       }
       if (!(stroke.path_m[j] >= stroke.path_m[j - 1])) {
         complain("has a path_m that decreases at " + number_text(stroke.time_s[j]) +
-                 " s; path_m is the length of the path so far");
+                 " s; state the length of the path from the start of the stroke");
       }
     }
     if (!(stroke.path_m.back() > stroke.path_m.front())) {

@@ -189,7 +189,7 @@ void ServoThread::start_being_called(ServoLoop& loop, HapticDevice& device, Sche
   if (scheduling == Scheduling::fifo) {
     throw std::runtime_error(
         "SCHED_FIFO cannot be required with the device " + name +
-        ": its own thread runs the loop; allow the servo loop to run without it");
+        ", whose own thread runs the servo loop; allow the servo loop to run without SCHED_FIFO");
   }
   locked_memory_ = memory_locked();
   scheduling_ = "called by the thread of " + name;
@@ -223,7 +223,7 @@ void ServoThread::start_pacing(ServoLoop& loop, HapticDevice& device, Scheduling
     throw std::runtime_error(
         "SCHED_FIFO was refused (" + reason_for(error) +
         "): raise the rtprio limit of this user to at least " + std::to_string(kFifoPriority) +
-        " in /etc/security/limits.d, or allow the servo thread to run without it");
+        " in /etc/security/limits.d, or allow the servo loop to run without SCHED_FIFO");
   }
   locked_memory_ = memory_locked();
   if (scheduling == Scheduling::normal) {

@@ -157,7 +157,7 @@ std::vector<SurfaceMaker> material_makers() {
         "brushed metal: fine scratches along y",
         {length_parameter("rms_m", 0.0, 0.001, 2e-5, "RMS of the heights"),
          length_parameter("spacing_m", 1e-4, 0.01, 5e-4,
-                          "most frequent distance between scratches"),
+                          "most frequent distance between neighbouring scratches"),
          length_parameter("scratch_length_m", 1e-3, 0.1, 0.01,
                           "length over which a scratch keeps its direction")}},
        make_metal},

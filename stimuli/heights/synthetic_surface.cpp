@@ -87,13 +87,13 @@ std::optional<std::string> seam_of(std::string_view kind, const ParameterValues&
     if (std::abs(count - std::round(count)) <= kWholeWaves) continue;
     constexpr double kHundredth = 100.0;
     const std::string more_m = length_text(std::ceil(count) * repeat.length_m);
-    return length_text(canvas.width_m) + " along " + repeat.axis + " hold " +
+    return length_text(canvas.width_m) + " along " + repeat.axis + " contain " +
            number_text(std::round(count * kHundredth) / kHundredth) + ' ' + repeat.words +
            ", and the last one is cut where the surface is repeated: this makes an unintended "
-           "step; " +
+           "step; choose a width (--width-m) of " +
            (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
                         : more_m) +
-           " hold only complete ones (--width-m)";
+           ", which contains only complete ones";
   }
   return {};
 }
@@ -112,9 +112,9 @@ std::optional<std::string> coarse_samples_of(std::string_view kind, const Parame
   return "spacing_m is " + length_text(spacing_m) + ", and the samples are " +
          length_text(pitch_of(canvas)) +
          " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
-         " per spacing, so that heights and shape differ from those requested; " +
+         " per spacing, so that heights and shape differ from those requested; choose " +
          number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
-         " or more samples per side (--pixels) give eight per spacing";
+         " or more samples per side (--pixels), which gives eight per spacing";
 }
 
 std::vector<SurfaceDeclaration> synthetic_surfaces() {
@@ -143,7 +143,7 @@ HeightField make_surface(std::string_view kind, const ParameterValues& values,
       names += (names.empty() ? "" : ", ") + known.declaration.kind;
     }
     throw std::invalid_argument("There is no synthetic surface \"" + std::string(kind) +
-                                "\"; this program has: " + names + ".");
+                                "\"; choose one of: " + names + ".");
   }
   const ParameterValues complete =
       complete_values(maker->declaration.kind, maker->declaration.parameters, values);

@@ -73,7 +73,7 @@ ReadMesh decode_stl_ascii(std::string_view content, const MeshReading& reading,
       text.refuse('"' + std::string(keyword.substr(0, 40)) + "\" is not a keyword of STL.");
     }
   }
-  if (in_facet || !ended) text.refuse("the file ends before its last solid does (endsolid).");
+  if (in_facet || !ended) text.refuse("the file ends without endsolid.");
   return mesh.finish(MeshFormat::stl_ascii);
 }
 

@@ -74,10 +74,10 @@ ReadMesh decode_off(std::string_view content, const MeshReading& reading, const 
   const std::string_view kind = next_item(text);
   if (kind.find_first_of("4n") != std::string_view::npos) {
     text.refuse("\"" + std::string(kind) + "\" has points of more than three dimensions.",
-                "Export the mesh with three.");
+                "Export the mesh with three dimensions.");
   }
   std::string_view word = text.word();
-  if (word == "BINARY") text.refuse("binary OFF is not read.", "Export the mesh as text.");
+  if (word == "BINARY") text.refuse("binary OFF is not supported.", "Export the mesh as text.");
   if (word.empty() || word.front() == '#') word = next_item(text);
   if (word.empty()) text.refuse("the file ends before it states the number of its vertices.");
   const std::size_t vertices = next_count(text, word, "vertices");

@@ -20,7 +20,7 @@ struct Device {
   // The tree is built by one thread, so that it, and the choice between two equal hits, is always the same.
   Device() : device(rtcNewDevice("threads=1,set_affinity=0")) {
     if (device == nullptr) {
-      throw std::runtime_error("Embree cannot start (error code " +
+      throw std::runtime_error("Embree cannot be initialised (error code " +
                                std::to_string(rtcGetDeviceError(nullptr)) +
                                "); close other programs, then try again");
     }

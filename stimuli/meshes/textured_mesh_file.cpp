@@ -180,7 +180,7 @@ class Reader final {
     const bool states_size = unpacked != ZSTD_CONTENTSIZE_UNKNOWN;
     if ((states_size && unpacked != count * sizeof(Item)) ||
         count * sizeof(Item) / kMostUnpacked > bytes) {
-      refuse("holds an array \"" + text(kind, "name") + "\" that cannot be decompressed: " +
+      refuse("contains an array \"" + text(kind, "name") + "\" that cannot be decompressed: " +
              std::to_string(count) + " items are stated, and its " + std::to_string(bytes) +
              " bytes contain a different number.");
     }
@@ -188,7 +188,7 @@ class Reader final {
     const std::size_t size =
         ZSTD_decompress(items.data(), count * sizeof(Item), payload_.data(), bytes);
     if (ZSTD_isError(size) != 0 || size != count * sizeof(Item)) {
-      refuse("holds an array \"" + text(kind, "name") + "\" that cannot be decompressed.");
+      refuse("contains an array \"" + text(kind, "name") + "\" that cannot be decompressed.");
     }
     payload_.remove_prefix(bytes);
     return items;
@@ -202,7 +202,7 @@ class Reader final {
       refuse("does not have one normal for each vertex.");
     }
     if (mesh.places.size() != mesh.triangles.size()) {
-      refuse("does not have one place in its atlas for each triangle.");
+      refuse("does not have exactly one place in its atlas for each triangle.");
     }
     if (atlas.rows < 2 || atlas.columns < 2 || atlas.rows > kMostItems ||
         atlas.columns > kMostItems || atlas.rows * atlas.columns != atlas.values.size()) {
@@ -238,7 +238,7 @@ class Reader final {
         }
         const glm::dvec2& place = mesh.places[i][corner];
         if (!(place.x >= 1.0 && place.y >= 1.0 && place.x <= furthest.x && place.y <= furthest.y)) {
-          refuse("has a triangle whose texture lies outside of the atlas.");
+          refuse("has a triangle whose texture lies outside the atlas.");
         }
       }
     }

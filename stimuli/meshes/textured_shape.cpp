@@ -78,15 +78,15 @@ class Building final {
     for (const double size_m : sizes_m) {
       if (!(size_m > 0.0 && size_m <= kLargest_m)) {
         throw std::invalid_argument("a size of the shape is " + number_text(size_m) +
-                                    " m; it must be above 0 and at most 10.");
+                                    " m; it must be above 0 m and at most 10 m.");
       }
     }
     const double smallest_m = *std::min_element(sizes_m.begin(), sizes_m.end());
     if (!(relief_.rim_m > 0.0 && relief_.rim_m <= 0.25 * smallest_m)) {
       throw std::invalid_argument(
           "rim_m is " + number_text(relief_.rim_m) +
-          "; it must be above 0 and at most a quarter of the smallest size, " +
-          number_text(smallest_m) + ".");
+          " m; it must be above 0 m and at most a quarter of the smallest size, which is " +
+          number_text(smallest_m) + " m.");
     }
   }
 

@@ -75,18 +75,18 @@ void check_width(const GreyImage& photograph, double width_m, const std::string&
     const std::string given = number_text(width_m);
     throw std::invalid_argument(*complaint + " It is the width of the surface in " + name +
                                 ", from its left to its right edge, in metres: " + given +
-                                " mm are " + number_text(width_m * 1e-3) + ", and " + given +
-                                " cm " + number_text(width_m * 1e-2) + ".");
+                                " mm are " + number_text(width_m * 1e-3) + " m, and " + given +
+                                " cm are " + number_text(width_m * 1e-2) + " m.");
   }
   const double pitch_m = width_m / static_cast<double>(photograph.columns);
   if (pitch_m > kLargestPitch_m) {
-    throw std::invalid_argument(
-        "width_m is " + number_text(width_m) + " m: each of the " +
-        std::to_string(photograph.columns) + " pixels of " + name + " would be " +
-        number_text(pitch_m * 1e3) + " mm of the surface, and pixels of more than " +
-        number_text(kLargestPitch_m * 1e3) +
-        " mm represent no texture. Take a photograph of a smaller part of the surface, or one with "
-        "more pixels.");
+    throw std::invalid_argument("width_m is " + number_text(width_m) + " m: each of the " +
+                                std::to_string(photograph.columns) + " pixels of " + name +
+                                " would be " + number_text(pitch_m * 1e3) +
+                                " mm of the surface, and pixels larger than " +
+                                number_text(kLargestPitch_m * 1e3) +
+                                " mm cannot represent a texture. Take a photograph of a smaller "
+                                "part of the surface, or one with more pixels.");
   }
 }
 

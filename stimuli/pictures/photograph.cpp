@@ -89,9 +89,9 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
     refuse_damaged(name, "its number of pixels differs from that in its header.");
   }
   if (pixels.depth() != CV_8U && pixels.depth() != CV_16U) {
-    throw std::invalid_argument(name +
-                                " holds neither 8-bit nor 16-bit whole numbers. Save it with "
-                                "8 or 16 bits per channel.");
+    throw std::invalid_argument(
+        name +
+        " contains neither 8-bit nor 16-bit whole numbers. Save it with 8 or 16 bits per channel.");
   }
   return pixels;
 }

@@ -23,7 +23,8 @@ class HeaderReader final {
   }
   [[noreturn]] void refuse_cut_off() const {
     refuse(
-        "is truncated or damaged: the file ends before the picture does. Copy or export it again.");
+        "is truncated or damaged: the file ends before the end of the picture. Copy or export it "
+        "again.");
   }
 
   // The size is checked first: a picture that is too large is rejected for its size, complete or not.
@@ -181,7 +182,9 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
     return big ? file.big_endian(at, count) : file.little_endian(at, count);
   };
   if (number(2, 2) != 42) {
-    file.refuse("is a BigTIFF or a kind of TIFF that is not read; save it as plain TIFF or PNG.");
+    file.refuse(
+        "is a BigTIFF or another kind of TIFF that is not supported; save it as plain TIFF or "
+        "PNG.");
   }
   struct Entry {
     std::size_t count = 0;
@@ -254,7 +257,7 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
 PictureFacts inspect_bmp(const HeaderReader& file) {
   const std::size_t data = file.little_endian(10, 4);
   if (file.little_endian(14, 4) < 40) {
-    file.refuse("is a BMP in the format used before 1990, which is not read; save it as PNG.");
+    file.refuse("is a BMP in the format used before 1990, which is not supported; save it as PNG.");
   }
   const auto rows = static_cast<std::int32_t>(file.little_endian(22, 4));
   const auto columns = static_cast<std::int32_t>(file.little_endian(18, 4));
@@ -312,8 +315,7 @@ PictureFacts inspect_any(const HeaderReader& file) {
   if (file.has(0, "MM") && file.size() > 3 && file.byte(2) == 0) return inspect_tiff(file);
   if (file.has(0, "BM")) return inspect_bmp(file);
   if (file.has(0, "RIFF") && file.has(8, "WEBP")) return inspect_webp(file);
-  file.refuse(
-      "is not a picture in a format that is read; save it as PNG, JPEG, TIFF, BMP or WebP.");
+  file.refuse("is not a picture in a supported format; save it as PNG, JPEG, TIFF, BMP or WebP.");
 }
 
 }  // namespace

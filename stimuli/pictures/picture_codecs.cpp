@@ -21,7 +21,7 @@ const PictureCodecs& load_codecs() {
         "Pictures can be neither read nor written: the program's module picture_codecs.so cannot "
         "be loaded (" +
         std::string(reason == nullptr ? "it is empty" : reason) +
-        "). Install Asperity again, or build all of it.");
+        "). Install Asperity again, or build all its targets.");
   }
   return *static_cast<const PictureCodecs*>(codecs);
 }

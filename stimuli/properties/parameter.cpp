@@ -72,7 +72,7 @@ ParameterValues complete_values(std::string_view of, const std::vector<Parameter
       for (const Parameter& parameter : parameters) names.push_back(parameter.name);
       throw std::invalid_argument(
           who + " has no parameter \"" + name + "\"; " +
-          (names.empty() ? "it has none." : "it has " + list_of(names, "and") + "."));
+          (names.empty() ? "remove it." : "use " + list_of(names, "or") + "."));
     }
   }
   ParameterValues values;

@@ -443,7 +443,7 @@ TEST(AnalyzeStudy, NamesTheProtocolsThereAreWhenAskedForAnother) {
   made.add_session("a", made.add_protocol("recognition", "recognition"),
                    {recognition("stone", "stone")});
   EXPECT_THAT(refusal_of<ResultsError>([&] { analyze_study(made.study(), "matching"); }),
-              HasSubstr("\"matching\"; it has sessions of \"recognition\""));
+              HasSubstr("\"matching\"; choose a protocol that has sessions: \"recognition\""));
 }
 
 TEST(AnalyzeStudy, NeitherWaitsForNorRefusesABrokenFileOnceItWasAskedToStop) {

@@ -83,7 +83,7 @@ TEST_F(ArrangementWarnings, NameStrokesLongerThanAPatch) {
 TEST_F(ArrangementWarnings, NameSidesThatAreFeltAsEdges) {
   const std::vector<Diagnostic> found = warnings_of(two_gratings_of("0.0025", "5e-4", kPatches));
   ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].message, HasSubstr("can change by 38 mN in a tick"));
+  EXPECT_THAT(found[0].message, HasSubstr("can change by 38 mN from tick to tick"));
 }
 
 TEST_F(ArrangementWarnings, NameStrokesThatDoNotFitIntoAVisit) {

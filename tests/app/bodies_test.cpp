@@ -288,8 +288,9 @@ TEST_F(Bodies, WithATileThatDoesNotCloseGiveAWarningWithBothNumbersAndTheRemedy)
   EXPECT_EQ(found[3].pointer, "/textures/grain");
   EXPECT_THAT(
       found[3].message,
-      HasSubstr("used in \"felt_grain_pd_gradient_ball\", \"felt_grain_pd_gradient_rasp\", "
-                "\"felt_grain_pd_gradient_roll\": 0.02 m along x hold 12.5 spacings of 0.0016 m"));
+      HasSubstr(
+          "used in \"felt_grain_pd_gradient_ball\", \"felt_grain_pd_gradient_rasp\", "
+          "\"felt_grain_pd_gradient_roll\": 0.02 m along x contain 12.5 spacings of 0.0016 m"));
   EXPECT_THAT(found[3].message, HasSubstr("0.0192 m or 0.0208 m"));
 
   // On a plate that shows less than one tile there is no seam to feel.

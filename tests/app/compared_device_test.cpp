@@ -94,7 +94,7 @@ class ComparedDevice : public testing::Test {
 
 TEST_F(ComparedDevice, IsSaidToHaveNoProfileAndHowItGetsOneAsItWasNamed) {
   const std::string command =
-      "measure it with asperity device-test simulated:falcon --study " + study.string();
+      "measure the device with asperity device-test simulated:falcon --study " + study.string();
   EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(HasSubstr(command)));
   EXPECT_TRUE(compared("simulated:falcon").refusal.empty()) << "nothing asks for one";
   keep(good("in place of Novint Falcon"));
@@ -131,7 +131,7 @@ TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
   keep(good());
   EXPECT_THAT(
       warnings(compared("simulated")),
-      Contains(HasSubstr("no value of force_resolution_N, position_resolution_m, "
+      Contains(HasSubstr("no value for force_resolution_N, position_resolution_m, "
                          "damping_N_s_per_m, stiffness_N_per_m, latency_s, moving_mass_kg")));
 }
 
@@ -139,9 +139,8 @@ TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
 TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) {
   const std::string not_known =
       "these properties of delta.3, which \"simulated:delta.3\" models, are unknown: friction, "
-      "force "
-      "resolution, position step, damping, moving mass, stiffest spring, resonance; no stimulus "
-      "was compared";
+      "force resolution, position resolution, damping, moving mass, stiffest spring, resonance; no "
+      "stimulus was compared";
   EXPECT_THAT(warnings(compared("simulated:delta.3")), Contains(HasSubstr(not_known)));
   EXPECT_THAT(
       warnings(compared("simulated:falcon")),
@@ -150,7 +149,7 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
       << "its steps are";
   EXPECT_THAT(warnings(compared("simulated")), Each(Not(HasSubstr("unknown"))));
   EXPECT_THAT(warnings(compared("simulated:lambda.7")),
-              Contains(HasSubstr("are unknown: friction, force resolution, position step, "
+              Contains(HasSubstr("are unknown: friction, force resolution, position resolution, "
                                  "damping, moving mass, stiffest spring, resonance; no stimulus")))
       << "nor is its workspace, but what its driver tells is compared";
   // Of an earlier version, which took the virtual hand's friction for a delta.3's.
@@ -166,14 +165,14 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
   EXPECT_THAT(compared("simulated:delta.3").compared, HasSubstr(", measured on "));
   EXPECT_THAT(told, Contains(HasSubstr(not_known)));
   EXPECT_THAT(told, Each(Not(HasSubstr("0.900 N"))));
-  EXPECT_THAT(told, Each(Not(HasSubstr("has no value of"))));
+  EXPECT_THAT(told, Each(Not(HasSubstr("has no value for"))));
 }
 
 // 20 N s/m, at the latency and the velocity window of a Falcon. That its mass is unknown is
 // no reason to be silent, with a study and without one.
 TEST_F(ComparedDevice, IsComparedWithFrictionBeforeItWasMeasured) {
   use_rounded_friction();
-  const auto buzz = HasSubstr("acts as a damper of 20.0 N s/m at 1.00 N");
+  const auto buzz = HasSubstr("acts as a damper of 20.0 N s/m at a normal force of 1.00 N");
   const auto assumed = HasSubstr(
       "assumes a moving mass of 50.0 g, which was not measured, and a "
       "velocity delayed by 4.50 ms");
@@ -189,7 +188,7 @@ TEST_F(ComparedDevice, IsComparedWithFrictionBeforeItWasMeasured) {
 // 2m/T = 100 N s/m at 50 g without a delay, 2 · 0.01 kg/1 ms = 20 at 10 g.
 TEST_F(ComparedDevice, IsComparedWithFrictionByThePropertiesThatItWasGiven) {
   use_rounded_friction();
-  const auto buzz = HasSubstr("acts as a damper of 20.0 N s/m at 1.00 N");
+  const auto buzz = HasSubstr("acts as a damper of 20.0 N s/m at a normal force of 1.00 N");
   EXPECT_THAT(warnings(compared("simulated:falcon,mass_kg=0.2")), Each(Not(buzz)));
   EXPECT_THAT(
       warnings(compared("simulated:falcon,mass_kg=0.06")),
@@ -208,15 +207,14 @@ TEST_F(ComparedDevice, IsSaidNotToBeComparedWithAdhesionWhereItsDampingIsUnknown
     stimulus.parameters["friction_stiffness_N_per_m"].value = 5000.0;
   }
   const auto unknown = HasSubstr(
-      "The friction of \"rendered\" was not compared with the device: near rest it acts as a "
-      "spring "
-      "that at 1000 Hz requires a damping of 27.8 N s/m, and the damping of the device is "
+      "The friction of \"rendered\" was not compared with the device. Near rest, it acts as a "
+      "spring that requires a damping of 27.8 N s/m at 1000 Hz, and the damping of the device is "
       "unknown.");
   EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(unknown));
   EXPECT_THAT(warnings(compared("simulated:falcon")), Each(Not(HasSubstr("except for friction"))));
   const auto vibrates = HasSubstr(
-      "whose force is delayed by 5.07 ms, which at 1000 Hz requires a damping of 27.8 N s/m; the "
-      "device has 1.00 N s/m along the surface");
+      "whose force is delayed by 5.07 ms. At 1000 Hz this requires a damping of 27.8 N s/m, but "
+      "the damping of the device along the surface is 1.00 N s/m");
   const DeviceComparison given = compared("simulated:falcon,damping_N_s_per_m=1");
   EXPECT_THAT(warnings(given), Contains(vibrates));
   EXPECT_THAT(warnings(given), Each(Not(unknown)));
@@ -284,7 +282,7 @@ TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {
   EXPECT_EQ(place_of("requires a device whose friction_N"),
             "/device/limits/friction_N \"friction_N\"");
   EXPECT_EQ(place_of("The surface lies").substr(0, 8), "/surface");
-  EXPECT_EQ(place_of("has no value of"), "/device \"device\"");
+  EXPECT_EQ(place_of("has no value for"), "/device \"device\"");
 }
 
 TEST_F(ComparedDevice, IsRefusedAsASessionRefusesIt) {
@@ -445,7 +443,7 @@ TEST(KeptProfile, IsRefusedWithNumbersThatNoMeasurementGives) {
   };
   EXPECT_THAT(refusal(), HasSubstr("stiffness_N_per_m is -5"));
   profile.items.front() = {.name = "stifness_N_per_m", .status = Status::pass, .value = 5.0};
-  EXPECT_THAT(refusal(), HasSubstr("stifness_N_per_m\", which is unknown to this program"));
+  EXPECT_THAT(refusal(), HasSubstr("stifness_N_per_m\" is unknown to this program"));
   profile.items.clear();
   profile.rate_Hz = 0.0;
   EXPECT_THAT(refusal(), HasSubstr("rate_Hz is 0"));

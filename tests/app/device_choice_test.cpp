@@ -62,8 +62,9 @@ TEST(DeviceChoices, AreRefusedAsTheOptionThatNamesThem) {
   for (const char* device : {"simulated", "simulated:falcon,mass_kg=0.2", "falcon:A7", "mouse"}) {
     EXPECT_EQ(refusal(device), "") << device;
   }
-  EXPECT_THAT(refusal("phantom"), testing::HasSubstr("--device phantom: there is no such device; "
-                                                     "this program has: simulated"));
+  EXPECT_THAT(
+      refusal("phantom"),
+      testing::HasSubstr("--device phantom: there is no such device; choose one of: simulated"));
   EXPECT_THAT(refusal("simulated:falcon,mass=1"),
               testing::HasSubstr("--device simulated:falcon,mass=1: the simulated device has no "
                                  "property \"mass\""));

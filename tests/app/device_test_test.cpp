@@ -140,8 +140,8 @@ TEST(DeviceProfile, OfAStandInSaysWhatIsKnownAndIsReadAsItWasWritten) {
   const DeviceProfile delta = in_place_of("delta.3");
   EXPECT_EQ(what_is_known(delta).english(),
             "Simulated model of delta.3; known: workspace, peak force, rate, latency; unknown: "
-            "continuous force, position step, position noise, friction, damping, moving mass, "
-            "resonance, stiffest spring, force resolution.");
+            "continuous force, position resolution, position noise, friction, damping, moving "
+            "mass, resonance, stiffest spring, force resolution.");
   EXPECT_TRUE(what_is_known(measured({})).empty());
   const std::string text = json_text_of(delta);
   const auto json = nlohmann::json::parse(text);

@@ -344,8 +344,9 @@ TEST(ExplorationModel, LeavesOutSurfacesThatWereNotTouched) {
       Cell{std::int64_t{71}});
   EXPECT_EQ(ExploredCells(outcome, kExploration, "contact_s", "all").at("measurements"),
             Cell{std::int64_t{72}});
-  EXPECT_THAT(exploration_table(outcome, kExplorationModel)->note.english(),
-              HasSubstr("Contact time: left out without a time above 0: 1."));
+  EXPECT_THAT(
+      exploration_table(outcome, kExplorationModel)->note.english(),
+      HasSubstr("Contact time: measurements without a time above 0, which are left out: 1."));
 }
 
 TEST(ExplorationModel, HasAReasonWithOneParticipant) {

@@ -659,7 +659,7 @@ TEST(Export, RefusesToTellThePublicWhatIsTypedFreelyOrNotAsked) {
     EXPECT_EQ(
         refusal_of<std::invalid_argument>([&] { export_to(made, made.beside("out"), options); }),
         "answers to \"" + question + "\" cannot be published: " + because +
-            "; those that can: hand, pain, scars");
+            "; choose from those that can be published: hand, pain, scars");
   };
   refused("comment", "they are free text");
   refused("pian", "no questionnaire of the study contains this question");

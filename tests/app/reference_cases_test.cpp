@@ -84,11 +84,10 @@ INSTANTIATE_TEST_SUITE_P(All, ReferenceCases, testing::ValuesIn(cases()),
                          [](const auto& one) { return one.param; });
 
 TEST(ReferenceCase, NamesTheFamiliesThatThereAreForAnUnknownOne) {
-  EXPECT_THAT(
-      refusal_of<std::runtime_error>([] { tidy_family("telepathy"); }),
-      testing::AllOf(
-          testing::StartsWith("there is no family of analyses \"telepathy\"; this program has: "),
-          testing::HasSubstr("proportion")));
+  EXPECT_THAT(refusal_of<std::runtime_error>([] { tidy_family("telepathy"); }),
+              testing::AllOf(testing::StartsWith(
+                                 "there is no family of analyses \"telepathy\"; choose one of: "),
+                             testing::HasSubstr("proportion")));
 }
 
 TEST(ReferenceCase, WritesWordsInThePlaceOfNumbersAndQuotesNames) {

@@ -151,7 +151,7 @@ TEST_F(RefreshedSession, RefusesToRepeatTheLastTrialWhilePracticeIsRepeated) {
   for (const EventRow& event : study_->events(session_.row.id)) {
     if (event.kind == "repeat_refused") refused.push_back(event.text);
   }
-  EXPECT_THAT(refused, ElementsAre(HasSubstr("practice is being repeated")));
+  EXPECT_THAT(refused, ElementsAre(HasSubstr("practice trials are being repeated")));
 }
 
 TEST_F(RefreshedSession, HasNoRefreshersWhenSimulated) {

@@ -496,10 +496,10 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsTooSteepADamperAndNamesTheSpeed
   EXPECT_EQ(found->pointer, "/stimuli/rendered");
   const std::string text = found->text.english();
   for (const char* const part :
-       {"a damper of 120 N s/m at 3.00 N",
-        "at 1000 Hz the device vibrates if the damping exceeds 100 N s/m",
+       {"a damper of 120 N s/m at a normal force of 3.00 N",
+        "At 1000 Hz the device vibrates if the damping exceeds 100 N s/m",
         "a moving mass of 50.0 g", "Set friction_speed_m_per_s to 0.00600 or more",
-        "limit the pressing force to 2.50 N"}) {
+        "limit the normal force to 2.50 N"}) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
   // The remedies that it names.
@@ -525,10 +525,10 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsASpringWithMoreDelayThanTheDamp
   EXPECT_NEAR(found->asked, 120.0 * (0.0205 + 2e-3 / std::expm1(0.4)), 1e-9);
   EXPECT_EQ(found->device, 2.9);
   const std::string text = found->text.english();
-  for (const char* const part :
-       {"acts as a spring of 120 N/m whose force is delayed by 24.1 ms",
-        "at 1000 Hz requires a damping of 2.95 N s/m; the device has 2.90 N s/m along the surface",
-        "Set friction_stiffness_N_per_m to 110 or less."}) {
+  for (const char* const part : {"acts as a spring of 120 N/m whose force is delayed by 24.1 ms",
+                                 "At 1000 Hz this requires a damping of 2.95 N s/m, but the "
+                                 "damping of the device along the surface is 2.90 N s/m",
+                                 "Set friction_stiffness_N_per_m to 110 or less."}) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
   EXPECT_FALSE(one(protocol, damped(3.0), "friction_stiffness"));
@@ -735,7 +735,8 @@ TEST_F(DeviceRehearsalTest, WarnsOfALimitOnWhatWasNotMeasuredUnlessItIsAResonanc
   const auto all = warnings(protocol, ideal());
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.front().id, "unmeasured_latency_s");
-  EXPECT_NE(all.front().text.english().find("0.00300, which was not measured"), std::string::npos)
+  EXPECT_NE(all.front().text.english().find("0.00300, but this quantity was not measured"),
+            std::string::npos)
       << all.front().text.english();
   EXPECT_EQ(all.front().pointer, "/device/limits/latency_s");
   DeviceProfile stand_in = ideal();

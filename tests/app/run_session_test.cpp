@@ -168,7 +168,7 @@ TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndSto
   ask_for(R"("profile_maximum_age_days": 30)");
   EXPECT_THAT(refusal(), testing::HasSubstr("asperity device-test simulated"));
   measure("2025-11-01T10:00:00.000Z");  // sessions on a simulated clock begin on 2026-01-01
-  EXPECT_THAT(refusal(), testing::HasSubstr("days old, and the protocol allows at most 30"));
+  EXPECT_THAT(refusal(), testing::HasSubstr("days old, but the protocol allows at most 30"));
   measure("2025-12-20T10:00:00.000Z");
   EXPECT_EQ(run().state, SessionState::completed);
   std::string kinds{};

@@ -98,7 +98,7 @@ TEST_F(SessionChecks, RunTheLoopInRealTimeAndFindNoForce) {
   inputs.pacing = RunPacing::real_time;
   const SessionCheck zero = check("force_zero");
   EXPECT_EQ(zero.state, State::fine);
-  EXPECT_EQ(zero.text.english().find("Exactly 0 N in "), 0U) << zero.text.english();
+  EXPECT_EQ(zero.text.english().find("Exactly 0 N was sent in "), 0U) << zero.text.english();
   EXPECT_NE(check("rate").text.english().find("of 1000 Hz; period p99 "), std::string::npos);
 }
 
@@ -250,11 +250,10 @@ TEST_F(SessionChecks, StateWhatTheStudyHoldsOfALabelBeforeANewSession) {
   EXPECT_EQ(check("participant").state, State::fine);
 
   add_completed(SessionMode::pilot);
-  expect_noticed(
-      State::look,
-      "P001 has completed session 1 of this protocol (pilot data, version 1.0.0, less than "
-      "an hour ago); a further one begins.",
-      "For another participant, use another label.");
+  expect_noticed(State::look,
+                 "P001 has completed session 1 of this protocol (pilot data, version 1.0.0, less "
+                 "than an hour ago); a further session begins.",
+                 "For another participant, use another label.");
   inputs.participant = "p001";
   expect_noticed(State::look,
                  "p001 is a new participant; P001, whose label differs only in letter case, is in "
@@ -272,11 +271,10 @@ TEST_F(SessionChecks, StateWhatTheStudyHoldsOfALabelBeforeANewSession) {
   std::string later = twice;
   later.replace(later.find("1.0.0"), 5, "1.1.0");
   write_protocol(later);
-  expect_noticed(
-      State::look,
-      "P001 has completed session 2 of this protocol (study data, version 1.0.0, less than "
-      "an hour ago); a further one begins.",
-      "For another participant, use another label.");
+  expect_noticed(State::look,
+                 "P001 has completed session 2 of this protocol (study data, version 1.0.0, less "
+                 "than an hour ago); a further session begins.",
+                 "For another participant, use another label.");
 }
 
 TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {
@@ -392,7 +390,7 @@ TEST_F(SessionChecks, NeedAnAttachedDeviceToBeTriedByAPersonsWish) {
   EXPECT_EQ(check("device").state, State::fine) << check("device").text.english();
   EXPECT_NE(check("device").text.english().find("“Novint Falcon (A7)” exerts up to 9.0 N"),
             std::string::npos);
-  EXPECT_EQ(check("force_zero").text.english(), "Exactly 0 N in 300 ticks.");
+  EXPECT_EQ(check("force_zero").text.english(), "Exactly 0 N was sent in 300 ticks.");
   EXPECT_EQ(check("rate").state, State::fine);
 
   auto pushes = tried_falcon();

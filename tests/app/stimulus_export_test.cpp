@@ -239,12 +239,10 @@ TEST_P(NoCounts, HaveNoFileAndTheExportSaysWhy) {
 INSTANTIATE_TEST_SUITE_P(
     Reasons, NoCounts,
     testing::Values(NothingToFit{R"({"texture": "stone", "column": 1})", SessionState::completed,
-                                 "no factor of the trials has numbers as levels. The levels of the "
+                                 "no factor of the trials has numeric levels. The levels of the "
                                  "factor column are repetitions."},
-                    NothingToFit{
-                        R"({"spacing_m": 0.01})", SessionState::completed,
-                        "no participant has choices at two levels of a factor that has numbers as "
-                        "levels."},
+                    NothingToFit{R"({"spacing_m": 0.01})", SessionState::completed,
+                                 "no participant has choices at two levels of a numeric factor."},
                     NothingToFit{R"({"spacing_m": 0.01})", SessionState::stopped,
                                  "no completed session has choices that count in analyses."}));
 

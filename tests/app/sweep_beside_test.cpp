@@ -133,7 +133,7 @@ TEST_F(SweepBesideTest, RefusesOtherLevelsThanTheConditions) {
       HasSubstr("3 conditions, light, medium and firm (0.5 N, 1 N and 2 N), and the sweep has 2 "
                 "levels, 0.5 N and 1 N"));
   EXPECT_THAT(refusal(like_the_library(VariedQuantity::applied_force, {0.25, 0.5, 1.0}), force),
-              HasSubstr("the level of 0.25 N is not one of them: --values 0.5,1,2"));
+              HasSubstr("the level of 0.25 N is not one of them; use --values 0.5,1,2"));
 }
 
 TEST_F(SweepBesideTest, RefusesSpacingsThatNobodyFelt) {
@@ -156,7 +156,8 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
       remark([](SweepOrder& order) {
         order.texture.values = {{"amplitude_m", 2e-4}};
       }),
-      HasSubstr("0.4 mm from trough to crest (--texture), and those of roughness_force 0.2 mm"));
+      HasSubstr(
+          "from trough to crest is 0.4 mm in the sweep (--texture) and 0.2 mm in roughness_force"));
   EXPECT_THAT(
       remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
       HasSubstr("1000 N/m in the sweep (--stiffness-n-per-m) and 3000 N/m in roughness_force"));
@@ -167,13 +168,12 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
               }),
               HasSubstr("0.5 to 4 mm, and the sweep has 0.5 to 8 mm (--spacings)"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.tip.diameter_m = 0.001; }),
-              HasSubstr("the sweep has 1 mm (--probe-diameter-m), and roughness_force 2 mm"));
+              HasSubstr("the sweep has 1 mm (--probe-diameter-m), and roughness_force has 2 mm"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.speed_m_per_s = 0.1; }),
-              HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force 60 mm/s"));
+              HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force has 60 mm/s"));
   EXPECT_THAT(
       remark([](SweepOrder& order) { order.stroke.model = all_models().find("height_map"); }),
-      HasSubstr(
-          "with the force model height_map (--model), and roughness_force presents pd_gradient"));
+      HasSubstr("with the force model height_map (--model), and roughness_force uses pd_gradient"));
   std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
   EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
 }

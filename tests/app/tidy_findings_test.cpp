@@ -211,7 +211,7 @@ TEST(TableFindings, StopWhereNobodyReadsOnAndSayHowManyThereAre) {
   const std::string text = reading_text_of(findings);
   EXPECT_THAT(text, HasSubstr("\n100 "));
   EXPECT_THAT(text, testing::Not(HasSubstr("\n101 ")));
-  EXPECT_THAT(text, HasSubstr("… and 101 more rows; --json gives all of them\n"));
+  EXPECT_THAT(text, HasSubstr("… and 101 more rows; --json prints all rows\n"));
   EXPECT_THAT(findings_json(findings), HasSubstr("\"key\": \"201\""));
 }
 
@@ -244,7 +244,7 @@ TEST(TableFindings, SayWhyThereIsNoNumber) {
 TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
   EXPECT_EQ(refusal_of<std::runtime_error>(
                 [] { proportion_findings(input_of("id,k,n,p0\na,3,2,0.5\n", "{}")); }),
-            "table.csv:2:2: k is 3 and n is 2; hits cannot exceed trials");
+            "table.csv:2:2: k is 3 and n is 2; k must be at most n");
   EXPECT_EQ(refusal_of<std::runtime_error>([] {
               paired_findings(input_of("subject,first,second,winner\nx,a,b,c\n",
                                        R"({"items": ["a", "b", "c"]})"));

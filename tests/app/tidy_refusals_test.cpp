@@ -203,7 +203,7 @@ TEST(TidyRefusals, NameATrialThatStandsTwice) {
   EXPECT_EQ(family_refusal("learning", columns + "A,2,1.5\nB,2,1\nA,2,3\n", "{}"),
             "t.csv:4:2: A already has a trial 2; number the trials of a participant consecutively");
   EXPECT_EQ(family_refusal("learning", columns + "A,0,1.5\n", "{}"),
-            "t.csv:2:2: trial is 0; trials are numbered from 1");
+            "t.csv:2:2: trial is 0; number the trials from 1");
   EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),
             "the option \"blocks\" must be a whole number above 0");
   EXPECT_EQ(family_refusal("learning", "subject,trial,correct,items\nA,1,3,2\n", "{}"),
@@ -318,20 +318,20 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
 TEST(TidyRefusals, TakeNoNameTwice) {
   EXPECT_EQ(family_refusal("selection", "subject,sample,choice\nA,1,a\n",
                            R"({"renderers": ["a", "b", "a"], "target": "a"})"),
-            "the option \"renderers\" names \"a\" twice");
+            "the option \"renderers\" names \"a\" twice; name it once");
   EXPECT_EQ(family_refusal("recognition", "subject,stimulus,response\nA,x,x\n",
                            R"({"labels": ["x", "x", "y"]})"),
-            "the option \"labels\" names \"x\" twice");
+            "the option \"labels\" names \"x\" twice; name it once");
   EXPECT_EQ(family_refusal("group", "subject,group,correct,trials\nA,a,3,4\n",
                            R"({"groups": ["a", "a"]})"),
-            "the option \"groups\" names \"a\" twice");
+            "the option \"groups\" names \"a\" twice; name it once");
   EXPECT_EQ(
       family_refusal("rmanova", "subject,s,y\nA,a,1\n", R"({"within": {"s": ["a", "b", "a"]}})"),
-      "the option \"within.s\" names \"a\" twice");
+      "the option \"within.s\" names \"a\" twice; name it once");
   for (const char* family : {"paired", "ranking", "rating"}) {
     EXPECT_EQ(family_refusal(family, "subject,first,second,winner,trial,item,rank,score\n",
                              R"({"items": [1, 1, 2]})"),
-              "the option \"items\" names \"1\" twice");
+              "the option \"items\" names \"1\" twice; name it once");
   }
   EXPECT_THAT(family_refusal("paired", "subject,first,second,winner\nA,a,tie,tie\n",
                              R"({"items": ["a", "tie"]})"),
@@ -583,8 +583,8 @@ TEST(TidyFamilies, RefuseAnOptionThatTheyDoNotHaveAndSayWhichIsMeant) {
   };
   EXPECT_EQ(refusal("rating", "item"), "rating has no option \"item\"; did you mean \"items\"?");
   EXPECT_EQ(refusal("rating", "target"),
-            "rating has no option \"target\"; it has: items (all that were rated), conf");
-  EXPECT_EQ(refusal("power", "conf"), "power has no option \"conf\"; it takes none");
+            "rating has no option \"target\"; choose one of: items (all that were rated), conf");
+  EXPECT_EQ(refusal("power", "conf"), "power has no option \"conf\"; leave it out");
   EXPECT_EQ(refusal("rating", "items"), "");
 }
 

@@ -47,7 +47,7 @@ TEST(Drivers, OpenTheSimulatedDeviceInPlaceOfARealOne) {
   EXPECT_EQ(delta->capability().workspace_maximum_m, glm::dvec3(0.15));
   EXPECT_EQ(delta->limits().force_N, ForceLimits{}.force_N);
   EXPECT_THAT(refusal_of([&] { drivers.open("simulated:gamma.3", {.hand = &hand}); }),
-              HasSubstr("has no model \"gamma.3\"; it has: falcon, delta.3"));
+              HasSubstr("has no model \"gamma.3\"; choose one of: falcon, delta.3"));
 }
 
 TEST(SimulatedModels, HaveAHandThatStaysInTheirWorkspace) {
@@ -186,7 +186,7 @@ TEST(SimulatedModels, RefusePropertiesThatTheyDoNotHave) {
     return refusal_of([name] { (void)simulated_settings(name); });
   };
   EXPECT_THAT(refusal("simulated:falcon,colour=1"),
-              HasSubstr("has no property \"colour\"; it has"));
+              HasSubstr("has no property \"colour\"; choose one of"));
   EXPECT_THAT(refusal("simulated:falcon,mass_kg"), HasSubstr("must be a number"));
   EXPECT_THAT(refusal("simulated:falcon,mass_kg=heavy"), HasSubstr("is \"heavy\"; it must be"));
   EXPECT_THAT(refusal("simulated:falcon,"),
@@ -231,7 +231,7 @@ TEST(Drivers, FindTheSimulatedDeviceEverywhere) {
 TEST(Drivers, NameAllWhenOneIsAskedForThatThereIsNot) {
   const DriverRegistry drivers = built_in_drivers();
   EXPECT_THAT(refusal_of([&] { drivers.open("falkon:17", {}); }),
-              HasSubstr("there is no device \"falkon\"; this program has: simulated"));
+              HasSubstr("there is no device \"falkon\"; choose one of: simulated"));
 }
 
 TEST(Drivers, RefuseIdsThatAreTakenOrCannotBeTyped) {

@@ -540,7 +540,7 @@ TEST_F(Falcon, IsRefusedWhereNobodyCouldTakeItsForceAway) {
   libusb_has_no_files = true;
   const std::string complaint = refusal_of([] { open(); });
   libusb_has_no_files = false;
-  EXPECT_THAT(complaint, HasSubstr("the Novint Falcon at usb 1-2 gets no force"));
+  EXPECT_THAT(complaint, HasSubstr("the Novint Falcon at usb 1-2 receives no force"));
   EXPECT_FALSE(emulated.is_held());
   EXPECT_EQ(emulated.take_strongest_word(), 0);
   open();

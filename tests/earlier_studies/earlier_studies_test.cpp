@@ -210,10 +210,10 @@ class InterruptedSession : public EarlierStudy {
     EXPECT_GT(resumed, 0);
     const Outcome checked =
         run(invocation({"check", protocol("selection.json"), "--study", study()}));
-    EXPECT_THAT(checked.err,
-                HasSubstr("have the law \"rounded\" in this study, as in its first session"));
-    EXPECT_THAT(checked.err,
-                HasSubstr("version 0.1.0); in a new study they have the law \"dahl\""));
+    EXPECT_THAT(
+        checked.err,
+        HasSubstr("use the law \"rounded\" in this study, because its first session used it"));
+    EXPECT_THAT(checked.err, HasSubstr("version 0.1.0); in a new study they use the law \"dahl\""));
   }
   /// Resuming adds rows and changes none.
   void expect_unchanged_rows() const {

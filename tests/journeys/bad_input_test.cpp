@@ -290,31 +290,30 @@ INSTANTIATE_TEST_SUITE_P(
     Units, NumberOfAnOption,
     testing::Values(
         UnreadableNumber{{"texture", "a.png", "--out", "b.png", "--width-m", "10cm"},
-                         "--width-m: \"10cm\" is not a number of metres, such as 0.1"},
+                         "--width-m: \"10cm\" is not a number; write one in metres, such as 0.1"},
         UnreadableNumber{{"texture", "a.png", "--out", "b.png", "--width-m", "0,1"},
-                         "--width-m: \"0,1\" is not a number of metres, such as 0.1"},
+                         "--width-m: \"0,1\" is not a number; write one in metres, such as 0.1"},
         UnreadableNumber{
             {"texture", "a.png", "--out", "b.png", "--width-m", "0.1", "--gamma-low", "x"},
-            "--gamma-low: \"x\" is not a number, such as 0.5"},
-        UnreadableNumber{
-            {"render", "--model", "plane", "--path", "a", "--out", "b", "--stiffness-n-per-m",
-             "1kN/m"},
-            "--stiffness-n-per-m: \"1kN/m\" is not a number of newtons per metre, such "
-            "as 1000"},
+            "--gamma-low: \"x\" is not a number; write one, such as 0.5"},
+        UnreadableNumber{{"render", "--model", "plane", "--path", "a", "--out", "b",
+                          "--stiffness-n-per-m", "1kN/m"},
+                         "--stiffness-n-per-m: \"1kN/m\" is not a number; write one in newtons per "
+                         "metre, such as 1000"},
         UnreadableNumber{{"sweep", "--model", "plane", "--vary", "probe_diameter", "--out", "b",
                           "--exploratory-speed-m-per-s", "fast"},
-                         "--exploratory-speed-m-per-s: \"fast\" is not a number of metres per "
-                         "second, such as 0.1"},
+                         "--exploratory-speed-m-per-s: \"fast\" is not a number; write one in "
+                         "metres per second, such as 0.1"},
         UnreadableNumber{
             {"sweep", "--model", "sinusoid", "--vary", "probe_diameter", "--out", "b", "--values",
              "0.001,2mm"},
             "--values 0.001,2mm: \"2mm\" is not a number; a probe diameter is given in m: "
-            "2 mm is 0.002"},
+            "write 2 mm as 0.002"},
         UnreadableNumber{{"device-test", "simulated", "--rate-hz", "1kHz"},
-                         "--rate-hz: \"1kHz\" is not a number of hertz, such as 1000"},
+                         "--rate-hz: \"1kHz\" is not a number; write one in hertz, such as 1000"},
         UnreadableNumber{
             {"simulate", "a.json", "--study", "s", "--seed", "1", "--participants", "ten"},
-            "--participants: \"ten\" is not a whole number, such as 10"}));
+            "--participants: \"ten\" is not a whole number; write one, such as 10"}));
 
 /// The lines of FILE:LINE:COLUMN in what was said, in order.
 std::vector<int> lines_said(const std::string& said, const fs::path& file) {
@@ -599,7 +598,7 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
                "asperity: --asset vibrations=f: the force model sinusoid needs no asset "
                "\"vibrations\"; asperity models lists those that it needs\n");
   expect_wrong({"bake", "x.obj", "--triangles", "600", "--out", "x.mesh"}, {"--for", "hand"},
-               "--for: there is no \"hand\"; write surface or tool\n");
+               "--for: \"hand\" is not permitted; write surface or tool\n");
 }
 
 TEST(WrongUsage, IsStatedInOneStyle) {
@@ -625,30 +624,33 @@ TEST(WrongUsage, IsStatedInOneStyle) {
       {{"verfy"}, "there is no subcommand \"verfy\"; did you mean verify?"},
       {{"--jsn"}, "asperity has no option --jsn; see asperity --help"},
       {{"models", "--jsno"}, "models has no option --jsno; did you mean --json?"},
-      {{"models", "extra"}, "\"extra\" was not expected; see asperity models --help"},
+      {{"models", "extra"},
+       "\"extra\" is an unexpected argument; remove it, or see asperity models --help"},
       {{"new"}, "new needs DIR; see asperity new --help"},
       {{"run", "p", "--study", "s"}, "run needs --participant; see asperity run --help"},
       {{"run", "p", "--study"}, "--study: its value is missing; see asperity run --help"},
       {simulate({"--participants", "1", "--study", "t"}), "--study is given 2 times; give it once"},
-      {run({"--mode", "foo"}), "--mode: there is no \"foo\"; write pilot or run"},
+      {run({"--mode", "foo"}), "--mode: \"foo\" is not permitted; write pilot or run"},
       {run({"--realtime"}), "--realtime needs --virtual; add it, or leave out --realtime"},
       {run({"--virtual", "--realtime", "--as-fast-as-possible"}),
        "--as-fast-as-possible and --realtime exclude each other; leave one out"},
-      {run({"--virtual", "--seed", "-1"}), "--seed: \"-1\" is not a whole number, such as 10"},
+      {run({"--virtual", "--seed", "-1"}),
+       "--seed: \"-1\" is not a whole number; write one, such as 10"},
       {simulate({"--participants", "0"}),
-       "--participants: \"0\" is not a whole number from 1 to 9999"},
+       "--participants: \"0\" is not permitted; write a whole number from 1 to 9999"},
       {simulate({"--participants", "1", "--recordings", "some"}),
-       "--recordings: there is no \"some\"; write all, first or none"},
+       "--recordings: \"some\" is not permitted; write all, first or none"},
       {{"device-test", "simulated", "--rate-hz", "1"},
-       "--rate-hz: \"1\" is not a number from 100 to 10000"},
+       "--rate-hz: \"1\" is not permitted; write a number from 100 to 10000"},
       {{"device-test", "simulated", "--force-n", "30"},
-       "--force-n: \"30\" is not a number from 0.1 to 20"},
+       "--force-n: \"30\" is not permitted; write a number from 0.1 to 20"},
       {{"texture", "p.png", "--width-m", "0.1", "--out", "o.png", "--sign", "3"},
-       "--sign: there is no \"3\"; write 1 or -1"},
+       "--sign: \"3\" is not permitted; write 1 or -1"},
       {{"render", "--model", "sinusoid", "--path", "p", "--out", "o", "--coupling", "stiff"},
-       "--coupling: there is no \"stiff\"; write none or virtual"},
+       "--coupling: \"stiff\" is not permitted; write none or virtual"},
       {{"export", "s", "--out", "o", "--formats", "wide,xls"},
-       "--formats: there is no \"xls\"; write wide, sav, bids, psychds, physio, stimuli, fit, all "
+       "--formats: \"xls\" is not permitted; write wide, sav, bids, psychds, physio, stimuli, fit, "
+       "all "
        "or none"},
       {{"analyze"}, "analyze needs STUDY, --table or --case; see asperity analyze --help"}};
   for (const Case& wrong : cases) {

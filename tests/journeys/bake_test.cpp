@@ -138,8 +138,8 @@ TEST(Bake, PutsAToolOnItsTip) {
   const Outcome outcome = asperity({"bake", place / "ball.obj", "--triangles", "150", "--out",
                                     place / "ball.mesh", "--for", "tool"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("Moved by -"));
-  EXPECT_THAT(outcome.out, HasSubstr("its lowest point in the plane z = 0"));
+  EXPECT_THAT(outcome.out, HasSubstr("The mesh was moved by -"));
+  EXPECT_THAT(outcome.out, HasSubstr("its lowest point lies in the plane z = 0"));
   // Its tip on a plate: in contact as soon as the path is below the plane.
   write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.01\n0.001\t0\t0\t-0.001\n");
   ASSERT_EQ(

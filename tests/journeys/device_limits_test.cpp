@@ -90,7 +90,7 @@ TEST_F(DeviceLimits, OfAStandInAreHeldToNothingThatIsNotKnown) {
       {"device-test", "simulated:delta.3", "--limit", "friction_N=1", "--limit", "latency_s=1"});
   EXPECT_EQ(test.status, 0) << test.err;
   EXPECT_EQ(test.out.find("Simulated model of delta.3; known: workspace, peak force, rate, "
-                          "latency; unknown: continuous force, position step,"),
+                          "latency; unknown: continuous force, position resolution,"),
             0U)
       << test.out;
   const auto line_of = [&test](const std::string& item) {

@@ -34,7 +34,7 @@ TEST(Label, WithASessionAlreadyIsStatedToAScriptWhichContinues) {
   EXPECT_EQ(second.status, 0) << second.err;
   EXPECT_THAT(second.err,
               HasSubstr("asperity: warning: standin1 has completed session 1 of this protocol "
-                        "(simulated data, version 1.0.0, on a simulated clock); a further one "
+                        "(simulated data, version 1.0.0, on a simulated clock); a further session "
                         "begins; for another participant, use another --participant\n"));
 }
 
@@ -92,7 +92,7 @@ TEST(Label, WithASessionAlreadyIsConfirmedAtATerminal) {
     PilotRun second(small, "anna");
     EXPECT_THAT(second.program().err(),
                 HasSubstr("asperity: warning: anna has completed session 1 of this protocol (pilot "
-                          "data, version 1.0.0, less than an hour ago); a further one begins; "
+                          "data, version 1.0.0, less than an hour ago); a further session begins; "
                           "for another participant, use another --participant\n"));
     EXPECT_THAT(second.program().out(),
                 HasSubstr("Ctrl-C ends the program; nothing has been stored."));
@@ -127,9 +127,10 @@ TEST(Label, WithAnUnfinishedSessionIsStated) {
   }
   Program again({.arguments = {"run", small.selection(), "--study", small.study(), "--participant",
                                "standin1", "--virtual"}});
-  EXPECT_TRUE(again.read_until_told(
-      "asperity: warning: session 1 of standin1 with this protocol is unfinished (simulated data, "
-      "version 1.0.0, on a simulated clock); a further one begins; to resume it, use --resume\n"))
+  EXPECT_TRUE(
+      again.read_until_told("asperity: warning: session 1 of standin1 with this protocol is "
+                            "unfinished (simulated data, version 1.0.0, on a simulated clock); a "
+                            "further session begins; to resume it, use --resume\n"))
       << again.err();
 }
 

@@ -339,13 +339,14 @@ TEST(Check, WarnsOfATileThatDoesNotClose) {
   const Outcome cut = made("0.02");
   EXPECT_EQ(cut.status, 0);
   EXPECT_NE(cut.err.find("warning: "), std::string::npos);
-  EXPECT_NE(cut.err.find("0.02 m along x hold 12.5 spacings of 0.0016 m"), std::string::npos);
+  EXPECT_NE(cut.err.find("0.02 m along x contain 12.5 spacings of 0.0016 m"), std::string::npos);
   const Outcome warned = checked();
   EXPECT_EQ(warned.status, 0) << warned.err;
   EXPECT_NE(warned.err.find("the texture \"walnut\" (stimuli/walnut.png), used in "),
             std::string::npos)
       << warned.err;
-  EXPECT_NE(warned.err.find("0.0192 m or 0.0208 m hold only complete ones"), std::string::npos);
+  EXPECT_NE(warned.err.find("0.0192 m or 0.0208 m, which contains only complete ones"),
+            std::string::npos);
 }
 
 TEST(Check, AcceptsEveryProtocolOfTheLibrary) {

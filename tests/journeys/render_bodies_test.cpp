@@ -208,7 +208,7 @@ TEST_F(RenderBodies, AModelOfAPointTakesNone) {
     EXPECT_EQ(outcome.status, 1) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(words));
   };
-  refused({"--stimulus", "sphere:0.01"}, "takes a height field");
+  refused({"--stimulus", "sphere:0.01"}, "needs a height field");
   refused({"--tool", "sphere:0.01"}, "--tool needs a model with two bodies");
   refused({"--coupling", "none"}, "--coupling needs a model with two bodies");
 }

@@ -184,7 +184,7 @@ TEST(Simulate, StatesHowManyParticipantsWithTheSeedThereAreWhenItAddsOthers) {
   const Outcome second = asperity(simulate_arguments(small, small.study(), 2, 3));
   EXPECT_EQ(second.status, 0) << second.err;
   EXPECT_THAT(second.err,
-              testing::HasSubstr("the study has 2 participants with the seed 3 already; "
+              testing::HasSubstr("the study already has 2 participants with the seed 3; "
                                  "virtual0003 to virtual0004 are added. To resume a simulation "
                                  "instead, add --resume\n"));
   const Outcome resumed = asperity(with_resume(simulate_arguments(small, small.study(), 2, 3)));
@@ -204,8 +204,8 @@ TEST(Simulate, WarnsAsCheckDoesOfSessionsWithAnotherTextOfTheVersion) {
   write_text(small.selection(), protocol.dump(2));
   const auto warns = testing::HasSubstr(
       "warning: the study has 2 sessions of small_selection 1.0.0 with another text of the "
-      "protocol, "
-      "and would analyse their responses together with new ones; raise \"version\" (/version)");
+      "protocol; their responses would be analysed together with new ones; raise \"version\" "
+      "(/version)");
   const Outcome checked = asperity(check);
   EXPECT_EQ(checked.status, 0);
   EXPECT_THAT(checked.err, warns);

@@ -300,7 +300,8 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   }
   again.back() = "roughness_force@3.0.0";
   EXPECT_THAT(outcome(again).err,
-              HasSubstr("no session of roughness_force of the version 3.0.0; it has 1, 2.1.0"));
+              HasSubstr("no session of roughness_force, version 3.0.0; name a version that it has: "
+                        "1, 2.1.0"));
 }
 #endif
 
@@ -322,8 +323,8 @@ TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
   const Outcome still = asperity(order);
   EXPECT_EQ(still.status, 0) << still.err;
   EXPECT_THAT(tsv(text_of(place / "sweep.tsv")).column("status"), Each("ok"));
-  EXPECT_THAT(still.err, HasSubstr("not fitted: 3 rows whose stroke was complete and whose "
-                                   "max_accel is 0: the tool was not accelerated"));
+  EXPECT_THAT(still.err, HasSubstr("not fitted: 3 rows with a complete stroke whose max_accel is "
+                                   "0: the tool was not accelerated"));
   EXPECT_THAT(still.err,
               HasSubstr("height_map has none with these parameters; with --drag constant_force"));
   EXPECT_THAT(still.err, testing::Not(HasSubstr("see the column status")));

@@ -165,7 +165,7 @@ TEST(ArrangementOfATrial, RefusesWhatCannotBePresented) {
        }},
       {"/question/asks_for", "only a question of a discrimination",
        [](J&, J& b) { b["question"]["asks_for"] = "less"; }},
-      {"/pause_between_surfaces_s", "belongs to surfaces in sequence",
+      {"/pause_between_surfaces_s", "applies only to surfaces in sequence",
        [](J&, J& b) {
          b["pause_between_surfaces_s"] = 1;
          b["arrangement"] = {{"surfaces", "on_request"}};

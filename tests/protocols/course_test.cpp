@@ -351,8 +351,9 @@ TEST(CatchTrials, AreRefusedWhereTheyAreNotEasy) {
               ElementsAre(HasSubstr("/blocks/tracks/procedure/catch_trials/level: a catch trial "
                                     "must be easy")));
   level = -200;
-  EXPECT_THAT(problems_with(file),
-              testing::Contains(HasSubstr("on the same side; -200 is not. Use 100 or more")));
+  EXPECT_THAT(
+      problems_with(file),
+      testing::Contains(HasSubstr("on the same side, but the level is -200; use 100 or more")));
   level = 100;
   EXPECT_TRUE(problems_with(file).empty());
   level = 1e12;
@@ -458,8 +459,8 @@ TEST(StaircaseTargets, AreWarnedOfWhereTheyAreNotThePointOfEquality) {
   block["question"] = {{"name", "rougher"}, {"prompt", "Rougher?"}, {"judgement", "comparison"}};
   block["vary"]["levels_percent"] = {{"lowest", -90}, {"highest", 90}, {"step", 10}};
   EXPECT_THAT(training_warnings_of(file),
-              ElementsAre(HasSubstr("/blocks/tracks/procedure/method: the levels approach 70.7 %, "
-                                    "but the point of subjective equality lies at 50 %")));
+              ElementsAre(HasSubstr("/blocks/tracks/procedure/method: the levels converge on 70.7 "
+                                    "%, but the point of subjective equality lies at 50 %")));
   block["procedure"]["down"] = 1;
   EXPECT_TRUE(training_warnings_of(file).empty());
 }
@@ -469,8 +470,9 @@ TEST(Instructions, AreWarnedOfWhereNoScreenShowsThem) {
   file["instructions"] = "Stroke both surfaces.";
   EXPECT_TRUE(training_warnings_of(file).empty());
   file["flow"] = {{{"run", "tracks"}}, {{"run", "after"}}};
-  EXPECT_THAT(training_warnings_of(file),
-              ElementsAre(HasSubstr("/instructions: participants read the screens of the flow")));
+  EXPECT_THAT(
+      training_warnings_of(file),
+      ElementsAre(HasSubstr("/instructions: participants read only the screens of the flow")));
 }
 
 std::vector<std::string> plan_warnings_of(const json& file) {
@@ -503,8 +505,9 @@ TEST(PlanWarnings, AreAboutMorePracticeAtAResumeThanThereIs) {
   file["resume"] = {{"practice_trials", 2}};
   EXPECT_TRUE(plan_warnings_of(file).empty());
   file["resume"] = {{"practice_trials", 3}};
-  EXPECT_THAT(plan_warnings_of(file),
-              ElementsAre(HasSubstr("/resume/practice_trials: a practice has at most 2 trials")));
+  EXPECT_THAT(
+      plan_warnings_of(file),
+      ElementsAre(HasSubstr("/resume/practice_trials: a practice block has at most 2 trials")));
 }
 
 TEST(Resume, CanOnlyRepeatPracticeThatThereIs) {
@@ -695,7 +698,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlantedFault{R"({"all_pairs": {"factor": "nope"}})", "/all_pairs",
                      "does not compare surfaces"},
         PlantedFault{R"({"repetitions": 3})", "/repetitions",
-                     "the procedure determines the trials"},
+                     "the procedure of a block determines its trials"},
         PlantedFault{R"({"procedure": {"stop": {"trials": 600}}})", "/procedure",
                      "too many for a participant"}));
 

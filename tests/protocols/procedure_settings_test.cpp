@@ -67,8 +67,8 @@ TEST(ProcedureSettings, NeedStepsThatStayOnTheGrid) {
               ElementsAre(problem("steps_down", "state at least one")));
   EXPECT_THAT(problems_after([](UpDownTrack& track) { track.steps_down = {0.7}; }),
               ElementsAre(problem("steps_down",
-                                  "the step 0.7 is not a whole number of steps of "
-                                  "the grid (0.5); change it or the grid")));
+                                  "the step 0.7 is not a whole number of steps of the grid (0.5); "
+                                  "change the step or the grid")));
 }
 
 TEST(ProcedureSettings, NeedAGridWithLevels) {
@@ -91,7 +91,7 @@ TEST(ProcedureSettings, NeedAGridWithLevels) {
                 track.grid = {
                     .scale = LevelScale::ratio, .lowest = 1.0, .highest = 2.0, .step = 1.0};
               }),
-              ElementsAre(problem("grid.step", "above 1, as 1.1 for steps of 10 %")));
+              ElementsAre(problem("grid.step", "above 1, such as 1.1 for steps of 10 %")));
 }
 
 TEST(ProcedureSettings, NeedAStartOnTheGrid) {

@@ -79,10 +79,10 @@ TEST(ModelRegistry, RefusesAMissingToolOrSurface) {
               testing::HasSubstr("neither"));
   inputs.tool = std::make_shared<const TexturedMesh>();
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
-              testing::HasSubstr("no surface is given"));
+              testing::HasSubstr("give it the missing surface"));
   std::swap(inputs.tool, inputs.surface);
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
-              testing::HasSubstr("no tool is given"));
+              testing::HasSubstr("give it the missing tool"));
   inputs.tool = inputs.surface;
   EXPECT_NE(make_renderer(model, inputs), nullptr);
 }
@@ -92,10 +92,9 @@ TEST(ModelRegistry, RefusesAMissingAsset) {
   ForceModel model = *registry.find("sinusoid");
   model.declaration.assets = {{"vibrations", "recorded accelerations"}};
   RendererInputs inputs = any_inputs();
-  EXPECT_THAT(
-      refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
-      testing::HasSubstr("the force model sinusoid needs the asset \"vibrations\" (recorded "
-                         "accelerations), and none is given"));
+  EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
+              testing::HasSubstr("the force model sinusoid needs the asset \"vibrations\" "
+                                 "(recorded accelerations); give it one"));
   inputs.assets["vibrations"] = std::make_shared<const std::string>("1 2 3");
   EXPECT_NE(make_renderer(model, inputs), nullptr);
 }

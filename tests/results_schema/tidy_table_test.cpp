@@ -27,7 +27,7 @@ std::string table_refusal(const std::string& text) {
 
 TEST(TidyTable, RefusesLinesThatEndWithCarriageReturnsAlone) {
   EXPECT_EQ(table_refusal("a,b\r1,2\r"),
-            "file.csv:1:1: the lines end with carriage returns alone; write the table with line "
+            "file.csv:1:1: the lines end with carriage returns alone; save the table with line "
             "feeds (LF or CRLF)");
 }
 
@@ -39,8 +39,7 @@ TEST(TidyTable, ReadsByteOrderMarksLineEndsOfWindowsAndEmptyLines) {
 }
 
 TEST(TidyTable, RefusesWhatIsNotUtf8AndSaysInWhichLine) {
-  const std::string words =
-      ": a character of this line is not UTF-8; save the table in the encoding UTF-8";
+  const std::string words = ": a character of this line is not UTF-8; save the table as UTF-8";
   EXPECT_EQ(table_refusal("id,k\na,1\nRen\xE9,2\n"), "file.csv:3" + words) << "Latin-1";
   EXPECT_EQ(table_refusal("id,k\n\xC0\xAF,1\n"), "file.csv:2" + words) << "longer than need be";
   EXPECT_EQ(table_refusal("id,k\n\xED\xA0\x80,1\n"), "file.csv:2" + words) << "half a pair";
@@ -93,14 +92,13 @@ TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
       "file.csv:2:1: text follows the quotation mark that closes this cell; write a quotation mark "
       "within the cell twice");
   EXPECT_EQ(table_refusal("a,b\n1,2\n", [](const TidyTable& table) { table.texts("c"); }),
-            "file.csv:1:1: there is no column \"c\"; there are a, b");
+            "file.csv:1:1: there is no column \"c\"; add it, or use one of the columns a, b");
 }
 
 TEST(TidyTable, SaysWhatADecimalCommaIs) {
-  EXPECT_EQ(
-      table_refusal("id;k\na;1,5\n"),
-      "file.csv:1:1: the columns are separated by semicolons; write the table with commas (or "
-      "tabs) and decimal points");
+  EXPECT_EQ(table_refusal("id;k\na;1,5\n"),
+            "file.csv:1:1: the columns are separated by semicolons; save the table with commas (or "
+            "tabs) and decimal points");
   EXPECT_EQ(table_refusal("id,k\na,1,5\n"),
             "file.csv:2:3: the row has 3 cells, the header has 2 columns; put quotation marks "
             "around a text "

@@ -77,7 +77,7 @@ TEST(CompleteValues, FillsInTheDefaultsAndKeepsWhatIsGiven) {
 
 TEST(CompleteValues, NamesTheModelAndTheParameterItRefuses) {
   EXPECT_EQ(values_refusal({{"spacng_m", 0.003}}),
-            "ridges has no parameter \"spacng_m\"; it has spacing_m, order and law.");
+            "ridges has no parameter \"spacng_m\"; use spacing_m, order or law.");
   EXPECT_THAT(values_refusal({{"spacing_m", 1.0}}), HasSubstr("ridges: spacing_m is 1 m"));
 }
 

@@ -203,9 +203,9 @@ TEST(Photograph, IsKnownByItsContentAndNotByItsName) {
 TEST(Photograph, RefusesWhatIsNoPictureWithTheNameAndWhatWouldBeRight) {
   EXPECT_EQ(photograph_refusal({}),
             "wall.png is empty; copy or export the picture (PNG, JPEG, TIFF, BMP or WebP) again.");
-  EXPECT_EQ(photograph_refusal(bytes_of("{\"format\": 1}")),
-            "wall.png is not a picture in a format that is read; save it as PNG, JPEG, TIFF, BMP "
-            "or WebP.");
+  EXPECT_EQ(
+      photograph_refusal(bytes_of("{\"format\": 1}")),
+      "wall.png is not a picture in a supported format; save it as PNG, JPEG, TIFF, BMP or WebP.");
   EXPECT_THAT(photograph_refusal(bytes_of("BM")), StartsWith("wall.png is truncated"));
 }
 

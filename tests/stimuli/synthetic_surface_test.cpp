@@ -80,22 +80,23 @@ std::string seam_said(const std::string& kind, const ParameterValues& values, do
 
 TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.02),
-            "0.02 m along x hold 12.5 spacings of 0.0016 m (spacing_m), and the last one is cut "
-            "where the surface is repeated: this makes an unintended step; 0.0192 m or 0.0208 m "
-            "hold only complete ones (--width-m)");
+            "0.02 m along x contain 12.5 spacings of 0.0016 m (spacing_m), and the last one is cut "
+            "where the surface is repeated: this makes an unintended step; choose a width "
+            "(--width-m) of 0.0192 m or 0.0208 m, which contains only complete ones");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.016), "closed");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0014}}, 0.028), "closed");  // of doubles, nearly
-  EXPECT_THAT(seam_said("sinusoid", {{"spacing_m", 0.03}}, 0.02), HasSubstr("; 0.03 m hold"));
+  EXPECT_THAT(seam_said("sinusoid", {{"spacing_m", 0.03}}, 0.02), HasSubstr("of 0.03 m, which"));
   // Across its crests nothing changes, so nothing is cut there.
   EXPECT_THAT(
       seam_said("sinusoid", {{"spacing_m", 0.0016}, {"angle_rad", std::numbers::pi / 2.0}}, 0.02),
-      HasSubstr("along y hold 12.5"));
+      HasSubstr("along y contain 12.5"));
   EXPECT_EQ(
       seam_said("sinusoid", {{"spacing_m", 0.002}, {"angle_rad", std::numbers::pi / 2.0}}, 0.02),
       "closed");
-  EXPECT_THAT(seam_said("grating", {{"spacing_m", 0.003}}, 0.02), HasSubstr("hold 6.67 spacings"));
-  EXPECT_THAT(seam_said("cones", {{"spacing_m", 0.003}}, 0.02), HasSubstr("hold 6.67 spacings"));
-  EXPECT_THAT(seam_said("brick", {}, 0.05), HasSubstr("hold 2.5 bricks of 0.02 m"));
+  EXPECT_THAT(seam_said("grating", {{"spacing_m", 0.003}}, 0.02),
+              HasSubstr("contain 6.67 spacings"));
+  EXPECT_THAT(seam_said("cones", {{"spacing_m", 0.003}}, 0.02), HasSubstr("contain 6.67 spacings"));
+  EXPECT_THAT(seam_said("brick", {}, 0.05), HasSubstr("contain 2.5 bricks of 0.02 m"));
   for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
     EXPECT_EQ(seam_said(declaration.kind, {}, 0.1), "closed") << declaration.kind;
   }
@@ -111,8 +112,8 @@ TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
   };
   EXPECT_EQ(said(0.001, 80),
             "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 per spacing, so that "
-            "heights and shape differ from those requested; 160 or more samples per side "
-            "(--pixels) give eight per spacing");
+            "heights and shape differ from those requested; choose 160 or more samples per side "
+            "(--pixels), which gives eight per spacing");
   EXPECT_THAT(said(0.0005, 80), HasSubstr(": 2 per spacing"));
   EXPECT_EQ(said(0.001, 160), "enough");
   for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
@@ -215,7 +216,7 @@ TEST(Noise, HasItsRmsAndOnlyItsWavelengths) {
 
 TEST(SyntheticSurface, RefusesWhatCannotBeMadeByItsName) {
   EXPECT_THAT(surface_refusal("marble", {}, {}),
-              HasSubstr("no synthetic surface \"marble\"; this program has: sinusoid,"));
+              HasSubstr("no synthetic surface \"marble\"; choose one of: sinusoid,"));
   EXPECT_THAT(surface_refusal("wood", {{"grain_m", 1.0}}, {}),
               HasSubstr("wood has no parameter \"grain_m\""));
   EXPECT_THAT(surface_refusal("wood", {}, {.width_m = 2.0}), HasSubstr("width_m is 2 m"));

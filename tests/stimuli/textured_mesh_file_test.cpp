@@ -118,9 +118,9 @@ TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.triangles[3][1] = 99999; }),
               HasSubstr("vertex that does not exist"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places[3][1].x = 1e6; }),
-              HasSubstr("outside of the atlas"));
+              HasSubstr("outside the atlas"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places[3][1].y = std::nan(""); }),
-              HasSubstr("outside of the atlas"));
+              HasSubstr("outside the atlas"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.vertices_m[2].z = std::nan(""); }),
               HasSubstr("vertex 2 with z = not a number;"));
   EXPECT_THAT(

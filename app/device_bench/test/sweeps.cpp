@@ -178,7 +178,7 @@ Sweeps measure_sweeps(DeviceTestRun& run) {
   Sweeps sweeps{.position_step_m = {.text = phrase_of(DeviceRemark::position_step)}};
   if (!run.has_motors()) return sweeps;
   for (int axis = 0; axis < kTestedAxes; ++axis) {
-    run.announce(DeviceTestPart::sweeps, "slow and faster sweeps along ", axis, 0.1 + 0.08 * axis);
+    run.announce(DeviceTestPart::sweeps, "slow and fast sweeps along ", axis, 0.1 + 0.08 * axis);
     const AxisSweeps found = evenly_swept(run, axis);
     const auto i = static_cast<std::size_t>(axis);
     sweeps.blockers[i] = found.blocker;

@@ -15,7 +15,7 @@
 namespace asperity {
 
 void measure_timing(DeviceTestRun& run) {
-  run.announce(DeviceTestPart::timing, "timing, without any force", 0.0);
+  run.announce(DeviceTestPart::timing, "timing, at zero force", 0.0);
   constexpr double kTimed_s = 2.0;
   constexpr double kWarm_s = 0.1;  // the first wake-ups of a thread are the latest ones
   const StageRecord record = run.time({.duration_s = kTimed_s});

@@ -161,8 +161,8 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
         "protocol",
         column(
             name, "number", "m",
-            "point of the texture at the centre of the surface, as planned: the place "
-            "that was drawn for the presentation, where the protocol draws it",
+            "point of the texture at the centre of the surface, as planned; if the phase is drawn, "
+            "the point drawn for the presentation",
             [direction = direction](const Place& at) { return texture_origin_m(at, direction); })));
   }
   add(

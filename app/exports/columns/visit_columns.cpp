@@ -37,8 +37,8 @@ Columns visit_columns() {
        &VisitRow::offset_ns);
   number("contact_s", "s", "contact time", &VisitRow::contact_s);
   number("path_m", "m", "path along the surface in contact", &VisitRow::path_m);
-  force("force_mean_N", "mean pressing force", &VisitRow::force_mean_N);
-  force("force_sd_N", "standard deviation of the pressing force", &VisitRow::force_sd_N);
+  force("force_mean_N", "mean normal force", &VisitRow::force_mean_N);
+  force("force_sd_N", "standard deviation of the normal force", &VisitRow::force_sd_N);
   number("speed_mean_m_per_s", "m/s", "mean tangential speed in contact",
          &VisitRow::speed_mean_m_per_s);
   number("speed_sd_m_per_s", "m/s", "standard deviation of the tangential speed",

@@ -101,7 +101,7 @@ std::string names_in(const Study& study) {
   }
   std::string text{};
   for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + '"';
-  return text.empty() ? "no sessions" : "sessions of " + text;
+  return text.empty() ? "it has no sessions" : "choose a protocol that has sessions: " + text;
 }
 
 /// Whether one of the tests is a test of this kind; so every test of a kind that this program does not have.
@@ -152,7 +152,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
   }
   if (protocol && outcomes.empty()) {
     throw ResultsError("the study " + study.folder().string() + " has no session of a protocol \"" +
-                           *protocol + "\"; it has " + names_in(study),
+                           *protocol + "\"; " + names_in(study),
                        study.folder());
   }
   return outcomes;

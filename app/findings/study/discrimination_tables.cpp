@@ -232,7 +232,7 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
     for (std::size_t i = 1; i < reasons.size(); ++i) {
       listed = phrase("Analysis", "%1; %2").with(listed, reasons[i]);
     }
-    add(phrase("Analysis", "Where a number is missing: %1.").with(listed));
+    add(phrase("Analysis", "Reasons for missing numbers: %1.").with(listed));
   }
   return note;
 }
@@ -250,9 +250,9 @@ Phrase note_on_means(const std::vector<DiscriminationResults>& all) {
   if (!has_geometric) return means;
   return phrase("Analysis", "%1 %2")
       .with(means, phrase("Analysis",
-                          "Those of geometric means are computed on the logarithmic scale and "
-                          "contain no negative numbers; those of arithmetic means can, if the "
-                          "participants differ greatly."));
+                          "The CIs of geometric means are computed on the logarithmic scale and "
+                          "contain no negative numbers; the CIs of arithmetic means can contain "
+                          "them if the participants differ greatly."));
 }
 
 Phrase note_on_hits_of(const DiscriminationStudy& study) {
@@ -327,8 +327,8 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
                       "level", "hit", "unit"},
                      {}},
                     phrase("Analysis",
-                           "The trials whose level a procedure chose from the responses, by track "
-                           "and in their order.")};
+                           "Trials whose level was chosen by a procedure from the responses, by "
+                           "track and in order of presentation.")};
   NamedTable catch_trials{
       kCatchTrials,
       phrase("Analysis", "Catch trials"),

@@ -119,12 +119,14 @@ class ExplorationTable final {
     const Phrase note =
         table_.name == kExplorationForces
             ? phrase("Analysis",
-                     "Mean and SD of each surface, over the time in contact; mean (SD) over the "
-                     "participants of each participant’s mean over the surfaces.")
-            : phrase("Analysis",
-                     "Of each participant the median of times and the mean of other quantities, over "
-                     "surfaces (of response times: over trials); of these, median [quartiles] or "
-                     "mean (SD) over the participants.");
+                     "The mean and the SD of each surface are computed over the time in contact. "
+                     "The table shows the mean (SD) over the participants of each participant’s "
+                     "mean over the surfaces.")
+            : phrase(
+                  "Analysis",
+                  "For each participant, the median of times and the mean of other quantities are "
+                  "computed over surfaces (for response times: over trials). The table shows the "
+                  "median [quartiles] or the mean (SD) of these values over the participants.");
     if (missing_.empty()) return note;
     return phrase("Analysis", "%1 Not stored by these sessions: %2.").with(note, missing_);
   }

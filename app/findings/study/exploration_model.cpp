@@ -226,7 +226,7 @@ void add_sentences(const ModelledTimes& times, const FoundNumbers& found, Phrase
   }
   const auto left_out = static_cast<std::size_t>(found.value("n.left_out").value_or(0.0));
   if (left_out > 0) {
-    note = phrase("Analysis", "%1 %2: left out without a time above 0: %3.")
+    note = phrase("Analysis", "%1 %2: measurements without a time above 0, which are left out: %3.")
                .with(note, times.name, std::to_string(left_out));
   }
 }

@@ -86,7 +86,8 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
                     {}};
   if (selection.can_abstain) {
     shares.note =
-        phrase("Analysis", "%1 “Cannot tell” responses are counted above and left out here.")
+        phrase("Analysis",
+               "%1 “Cannot tell” responses are counted in the table of counts and left out here.")
             .with(shares.note);
   }
   ShareTable pairs{

@@ -101,7 +101,7 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
   ComparedMeans made{.comparison = {.method = names[0] + " − " + names[1] + ", Welch"}};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (groups.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "the group is missing; every participant needs one");
+      table.refuse(row, "group", "the group is missing; enter a group for every participant");
     }
     if (!values[row]) {
       ++made.comparison.incomplete;

@@ -66,7 +66,7 @@ std::vector<std::string> distinct_names(const OptionValue& option, const std::st
   std::vector<std::string> names = list_of(option, name, option_text);
   std::set<std::string_view> seen{};
   for (const std::string& one : names) {
-    if (!seen.insert(one).second) refuse_option(name, "names \"" + one + "\" twice");
+    if (!seen.insert(one).second) refuse_option(name, "names \"" + one + "\" twice; name it once");
   }
   return names;
 }

@@ -72,7 +72,7 @@ CrossedTable crossed_table(const TidyInput& input) {
   for (auto& [name, levels] : input.options.levels("fixed")) {
     if (levels.size() < 2) {
       throw std::runtime_error("the option \"fixed\" names one level of " + name +
-                               "; a factor needs at least two");
+                               "; name at least two levels of each factor");
     }
     codes.push_back(table.labels(name, levels));
     read.factors.push_back({.name = name, .levels = levels, .first_column = columns});
@@ -94,7 +94,7 @@ CrossedTable crossed_table(const TidyInput& input) {
       const std::size_t level = codes[factor].codes[row];
       if (level == LabelColumn::kMissing) {
         table.refuse(row, read.factors[factor].name,
-                     "the level is missing; a response needs a level of each factor");
+                     "the level is missing; enter a level of each factor for every response");
       }
       if (level == 0) continue;
       read.model.design(static_cast<Eigen::Index>(row),

@@ -44,7 +44,7 @@ Groups read_groups(const TidyInput& input) {
   const std::vector<std::uint64_t> trials = table.counts("trials");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (group.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "the group is missing; every participant needs one");
+      table.refuse(row, "group", "the group is missing; enter a group for every participant");
     }
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",

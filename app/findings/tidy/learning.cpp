@@ -38,7 +38,7 @@ OrderedTrials ordered_trials(const TidyTable& table, const std::vector<bool>& ha
   ordered.rows.resize(ordered.participants.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (ordered.trials[row] == 0)
-      table.refuse(row, "trial", "trial is 0; trials are numbered from 1");
+      table.refuse(row, "trial", "trial is 0; number the trials from 1");
     ordered.last = std::max(ordered.last, ordered.trials[row]);
     if (has_result[row]) ordered.rows[participants.codes[row]].push_back(row);
   }

@@ -347,7 +347,7 @@ std::vector<Finding> lmm_findings(const TidyInput& input) {
   if (rows.is_logarithmic) {
     read.visit([&table](std::size_t at, const MixedRows::Row& row) {
       if (has_all_values(row) && !(*row.y > 0.0)) {
-        table.refuse(at, "y", "a number without a logarithm; with scale=log all must be above 0");
+        table.refuse(at, "y", "y is not above 0; with scale=log, all values must be above 0");
       }
     });
   }

@@ -86,7 +86,8 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
       if (values[row] && !has_positive[subjects.codes[row]]) {
         table.refuse(row, "estimate",
                      "all estimates of " + subjects.names[subjects.codes[row]] +
-                         " are 0: halfmin needs at least one positive estimate");
+                         " are 0, but halfmin requires a positive estimate; leave this participant "
+                         "out, or set zero_rule to exclude");
       }
     }
   }

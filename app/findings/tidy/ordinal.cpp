@@ -36,7 +36,7 @@ OrdinalTable ordinal_table(const TidyTable& table, const std::vector<std::string
   std::set<std::size_t> people{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (codes.codes[row] == LabelColumn::kMissing)
-      table.refuse(row, "item", "the item is missing; every row needs one");
+      table.refuse(row, "item", "the item is missing; enter an item in every row");
     if (!scores[row]) continue;
     const auto category =
         std::lower_bound(made.categories.begin(), made.categories.end(), *scores[row]);

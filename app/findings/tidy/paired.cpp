@@ -60,8 +60,7 @@ Paired paired_in(const TidyInput& input) {
     if (one.first == LabelColumn::kMissing || one.second == LabelColumn::kMissing ||
         one.first == one.second) {
       table.refuse(row, "second",
-                   "first or second is missing, or both are the same; a judgement needs two "
-                   "different items");
+                   "first or second is missing, or both are the same; enter two different items");
     }
     if (winner.codes[row] < read.items.size()) {
       one.winner = winner.codes[row];

@@ -35,7 +35,9 @@ class Scenario final {
     }
     const std::optional<double> value = found->second[row_];
     if (!value)
-      table_.refuse(row_, column, std::string(column) + " is missing; this kind of plan needs it");
+      table_.refuse(
+          row_, column,
+          std::string(column) + " is missing; enter it, because this kind of plan requires it");
     return *value;
   }
   std::size_t whole(const char* column) const {

@@ -22,7 +22,7 @@ void refuse_wrong(const TidyTable& table, std::size_t row, const HitCount& count
   if (count.hits > count.trials) {
     table.refuse(row, "k",
                  "k is " + std::to_string(count.hits) + " and n is " +
-                     std::to_string(count.trials) + "; hits cannot exceed trials");
+                     std::to_string(count.trials) + "; k must be at most n");
   }
   if (!(chance >= 0.0 && chance <= 1.0)) {
     table.refuse(row, "p0",

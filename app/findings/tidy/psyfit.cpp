@@ -37,7 +37,7 @@ std::vector<Condition> read_conditions(const TidyTable& table, const Psychometri
     if (hits[row] > trials[row]) {
       table.refuse(row, "k",
                    "k is " + std::to_string(hits[row]) + " and n is " +
-                       std::to_string(trials[row]) + "; hits cannot exceed trials");
+                       std::to_string(trials[row]) + "; k must be at most n");
     }
     const PsychometricBlock block{.x = levels[row], .trials = trials[row], .hits = hits[row]};
     if (is_impossible(block, model)) {
@@ -355,11 +355,10 @@ class PsychometricList final {
       highest = std::max(highest, block.x);
     }
     if (std::isnan(threshold) || (threshold >= lowest && threshold <= highest)) return;
-    list_.word(
-        "threshold.status", key_, "outside_range",
-        "the threshold is outside the tested levels and rests on the form of the function alone: "
-        "present levels around it",
-        basis("whether the tested levels include the threshold"));
+    list_.word("threshold.status", key_, "outside_range",
+               "the threshold is outside the tested levels and depends on the form of the function "
+               "alone: present levels around it",
+               basis("whether the tested levels include the threshold"));
   }
 
   PsychometricQuestion question_{};

@@ -73,7 +73,7 @@ Rankings rankings_in(const TidyInput& input) {
   std::vector<std::pair<std::size_t, std::vector<OfferedItem>>> offers{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (items.codes[row] == LabelColumn::kMissing)
-      table.refuse(row, "item", "the item is missing; every row needs one");
+      table.refuse(row, "item", "the item is missing; enter an item in every row");
     if (ranks[row] && (*ranks[row] < 1.0 || *ranks[row] != std::round(*ranks[row]))) {
       table.refuse(row, "rank",
                    "rank is " + number_text(*ranks[row]) +

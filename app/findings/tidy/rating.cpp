@@ -29,7 +29,7 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
   Scores made{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (codes.codes[row] == LabelColumn::kMissing)
-      table.refuse(row, "item", "the item is missing; every row needs one");
+      table.refuse(row, "item", "the item is missing; enter an item in every row");
     if (!scores[row]) continue;
     const std::size_t person = participants.codes[row];
     const std::size_t item = codes.codes[row];

@@ -46,7 +46,7 @@ Trials read_trials(const TidyInput& input) {
   std::vector<HitCount> participants(subjects.names.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (stimuli.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "stimulus", "the stimulus is missing; every trial needs one");
+      table.refuse(row, "stimulus", "the stimulus is missing; enter a stimulus for every trial");
     }
     if (responses.codes[row] == LabelColumn::kMissing) {
       ++trials.missing;

@@ -116,9 +116,9 @@ double add_block(const Choices& read, const std::string& block,
                                                1.0 / static_cast<double>(counts.size()))
                          : kNoNumber;
   number("target.p.greater", block, p,
-         "exact binomial test of the proportion of choices of the proportion of choices of " +
-             read.renderers[read.target] + ", one-sided against the chance level 1/" +
-             std::to_string(counts.size()) + independent);
+         "exact binomial test of the proportion of choices of " + read.renderers[read.target] +
+             ", one-sided against the chance level 1/" + std::to_string(counts.size()) +
+             independent);
   const LuceWorths luce = luce_worths(counts, read.target);
   findings.truth("luce.addhalf", block, luce.half_added,
                  {.n = n, .method = "whether ½ was added to every count because one is 0"});

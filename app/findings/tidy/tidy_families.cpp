@@ -148,8 +148,8 @@ void refuse_unknown_options(const TidyFamily& family, const FamilyOptions& optio
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string meant = did_you_mean(name, known);
     throw std::runtime_error(std::string(family.name) + " has no option \"" + name + '"' +
-                             (known.empty()   ? "; it takes none"
-                              : meant.empty() ? "; it has: " + std::string(family.options)
+                             (known.empty()   ? "; leave it out"
+                              : meant.empty() ? "; choose one of: " + std::string(family.options)
                                               : meant));
   }
 }
@@ -186,7 +186,7 @@ const TidyFamily& tidy_family(const std::string& name) {
                    [&name](const TidyFamily& family) { return family.name == name; });
   if (found != kFamilies.end()) return *found;
   throw std::runtime_error("there is no family of analyses \"" + name +
-                           "\"; this program has: " + family_names());
+                           "\"; choose one of: " + family_names());
 }
 
 }  // namespace asperity

@@ -122,7 +122,7 @@ QString limit_words(const std::string& kind) {
   if (kind == "contact") return MeasureTables::tr("a surface was touched");
   if (kind == "folded") {
     return MeasureTables::tr(
-        "viewed along the contact, a surface folds over itself; part of it is omitted");
+        "viewed along the contact normal, a surface folded over itself; part of it was omitted");
   }
   if (kind == "window_border") {
     return MeasureTables::tr("the deepest point lay at the border of the region searched");

@@ -315,7 +315,7 @@ void ProtocolEditorPage::show_plan_or_why_not() {
     return;
   }
   why_no_plan_->setText(tr("The plan appears here once the text is valid. At present it has %1; "
-                           "the first is in line %2.")
+                           "the first is on line %2.")
                             .arg(how_many_problems(result_->diagnostics.size()))
                             .arg(result_->diagnostics.front().line));
   plan_side_->setCurrentWidget(why_no_plan_);

@@ -76,7 +76,7 @@ QString HealthLine::text_of(MaskingState masking) {
     case MaskingState::on:
       return tr("masking noise on");
     case MaskingState::silent:
-      return tr("the sound card does not play: no masking noise");
+      return tr("the sound card produces no sound: no masking noise");
     case MaskingState::no_card:
       return tr("no sound output: no masking noise");
     case MaskingState::elsewhere:

@@ -135,7 +135,8 @@ void SessionControls::write() {
   if (s.cancelling) {
     why += tr("The preparation is being cancelled.");
   } else if (s.preparing) {
-    why += tr("The session has not begun: its files are being read and the device opened.");
+    why +=
+        tr("The session has not begun: its files are being read and the device is being opened.");
   } else if (!s.running) {
     why += tr("No session is under way.");
   } else {

@@ -212,8 +212,8 @@ QString NoiseCheck::reservation() const {
   if (output_.is_null)
     return tr("There is no sound output. Connect headphones to play noise and cues.");
   if (is_silent_) {
-    return tr("%1 does not play. Connect it again, or choose another sound output in the settings "
-              "of the computer.")
+    return tr("%1 produces no sound. Connect it again, or choose another sound output in the "
+              "settings of the computer.")
         .arg(output_.name);
   }
   if (value_.kind == MaskingNoise::Kind::none) return {};

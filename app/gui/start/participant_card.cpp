@@ -317,8 +317,8 @@ std::vector<QString> ParticipantCard::complaints() const {
   } else if (std::any_of(people_.begin(), people_.end(), [this](const ParticipantRow& person) {
                return person.label == label();
              })) {
-    complaints.push_back(tr("%1 is in the study already: choose it under “Already in the "
-                            "study”, or enter another label.")
+    complaints.push_back(tr("%1 is already in the study: choose it under “Already in the study”, "
+                            "or enter another label.")
                              .arg(QString::fromStdString(label())));
   }
   for (QString& complaint : form_->complaints()) complaints.push_back(std::move(complaint));

@@ -412,8 +412,8 @@
         <translation>Das Zufallsniveau ist 1 geteilt durch die Anzahl der gezeigten Bilder; „kann es nicht sagen“ zählt als falsch. p: exakter Binomialtest, zweiseitig, nicht für die Anzahl der Zeilen korrigiert.</translation>
     </message>
     <message>
-        <source>%1 “Cannot tell” responses are counted above and left out here.</source>
-        <translation>%1 Antworten „kann es nicht sagen“ sind oben gezählt und hier weggelassen.</translation>
+        <source>%1 “Cannot tell” responses are counted in the table of counts and left out here.</source>
+        <translation>%1 Antworten „kann es nicht sagen“ sind in der Tabelle der Anzahlen gezählt und hier weggelassen.</translation>
     </message>
     <message>
         <source>one participant</source>
@@ -1028,7 +1028,7 @@
         <translation>%1 Verhältnisse der Rauheit sind aus den Mittelwerten der logarithmierten Schätzungen der Versuchspersonen berechnet; das Verhältnis zweier Stufen hat ein t-basiertes Konfidenzintervall, das der Extreme mehrerer Stufen hat keines.</translation>
     </message>
     <message>
-        <source>Similarities, MDS configuration and dendrogram rest on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
+        <source>Similarities, MDS configuration and dendrogram are based on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
         <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
     </message>
     <message>
@@ -1808,8 +1808,8 @@
         <translation>Durchgänge jeder Folge (Track)</translation>
     </message>
     <message>
-        <source>The trials whose level a procedure chose from the responses, by track and in their order.</source>
-        <translation>Die Durchgänge, deren Stufe ein Verfahren aus den Antworten wählte, nach Folge (Track) und in ihrer Reihenfolge.</translation>
+        <source>Trials whose level was chosen by a procedure from the responses, by track and in order of presentation.</source>
+        <translation>Die Durchgänge, deren Stufe ein Verfahren aus den Antworten wählte, nach Folge (Track) und in der Reihenfolge der Darbietung.</translation>
     </message>
     <message>
         <source>It is uncertain whether choices of the comparison increase or decrease with the level: their covariance with the level is not significantly different from 0 (α = .05). The psychometric functions may count the choices of the other surface.</source>
@@ -1852,8 +1852,8 @@
         <translation>%1 %2: Die Intraklassenkorrelation beträgt %3.</translation>
     </message>
     <message>
-        <source>%1 %2: left out without a time above 0: %3.</source>
-        <translation>%1 %2: ohne Zeit über 0 ausgelassen: %3.</translation>
+        <source>%1 %2: measurements without a time above 0, which are left out: %3.</source>
+        <translation>%1 %2: Messungen ohne Zeit über 0, die ausgelassen sind: %3.</translation>
     </message>
     <message>
         <source>Linear mixed models of the natural logarithms [Laird &amp; Ware, 1982], fitted by restricted maximum likelihood (REML), with random intercepts of participants; F tests and t-based 95 % CIs with Satterthwaite’s degrees of freedom [Satterthwaite, 1946]. Ratios: to the reference level of a condition, per 10 trials of a block, per block or per session. The tests are exploratory and uncorrected; they are liberal where participants differ in these effects, which the models do not include.</source>
@@ -1868,12 +1868,12 @@
         <translation>Die Reaktionszeit</translation>
     </message>
     <message>
-        <source>Mean and SD of each surface, over the time in contact; mean (SD) over the participants of each participant’s mean over the surfaces.</source>
-        <translation>Mittelwert und SD je Oberfläche über die Zeit im Kontakt; Mittelwert (SD) über die Versuchspersonen von deren Mittelwerten über die Oberflächen.</translation>
+        <source>The mean and the SD of each surface are computed over the time in contact. The table shows the mean (SD) over the participants of each participant’s mean over the surfaces.</source>
+        <translation>Mittelwert und SD je Oberfläche sind über die Zeit im Kontakt berechnet. Die Tabelle zeigt den Mittelwert (SD) über die Versuchspersonen von deren Mittelwerten über die Oberflächen.</translation>
     </message>
     <message>
-        <source>Of each participant the median of times and the mean of other quantities, over surfaces (of response times: over trials); of these, median [quartiles] or mean (SD) over the participants.</source>
-        <translation>Für jede Versuchsperson der Median von Zeiten und der Mittelwert anderer Größen über die Oberflächen (bei Reaktionszeiten: über die Durchgänge); davon Median [Quartile] oder Mittelwert (SD) über die Versuchspersonen.</translation>
+        <source>For each participant, the median of times and the mean of other quantities are computed over surfaces (for response times: over trials). The table shows the median [quartiles] or the mean (SD) of these values over the participants.</source>
+        <translation>Für jede Versuchsperson sind der Median von Zeiten und der Mittelwert anderer Größen über die Oberflächen berechnet (bei Reaktionszeiten: über die Durchgänge). Die Tabelle zeigt den Median [Quartile] oder den Mittelwert (SD) dieser Werte über die Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1 × %2 trials</source>
@@ -1980,12 +1980,12 @@
         <translation>Bei einem adaptiven Verfahren ist das 95-%-KI ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%1 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
     </message>
     <message>
-        <source>Where a number is missing: %1.</source>
-        <translation>Wo eine Zahl fehlt: %1.</translation>
+        <source>Reasons for missing numbers: %1.</source>
+        <translation>Gründe für fehlende Zahlen: %1.</translation>
     </message>
     <message>
-        <source>Those of geometric means are computed on the logarithmic scale and contain no negative numbers; those of arithmetic means can, if the participants differ greatly.</source>
-        <translation>Die der geometrischen Mittel sind auf der logarithmischen Skala berechnet und enthalten keine negativen Zahlen; die der arithmetischen Mittel können welche enthalten, wenn sich die Versuchspersonen stark unterscheiden.</translation>
+        <source>The CIs of geometric means are computed on the logarithmic scale and contain no negative numbers; the CIs of arithmetic means can contain them if the participants differ greatly.</source>
+        <translation>Die KIs der geometrischen Mittel sind auf der logarithmischen Skala berechnet und enthalten keine negativen Zahlen; die KIs der arithmetischen Mittel können welche enthalten, wenn sich die Versuchspersonen stark unterscheiden.</translation>
     </message>
     <message>
         <source>%1 of the %2 pairs differ significantly (largest of these p values, Holm-corrected: %3); the table of tests contains them.</source>
@@ -3378,8 +3378,8 @@
         <translation>Als eine Kraft angefordert wurde, die keine endliche Zahl ist, wurden im selben Takt genau 0 N gesendet.</translation>
     </message>
     <message>
-        <source>Without a heartbeat from the program the force faded to 0 N (a session waits for %1 s).</source>
-        <translation>Ohne Lebenszeichen des Programms ging die Kraft auf 0 N zurück (eine Sitzung wartet %1 s).</translation>
+        <source>Without a heartbeat from the program, the force faded to 0 N (timeout in a session: %1 s).</source>
+        <translation>Ohne Lebenszeichen des Programms ging die Kraft auf 0 N zurück (Wartezeit in einer Sitzung: %1 s).</translation>
     </message>
     <message>
         <source>the handle did not follow a force of %1 N</source>
@@ -3414,15 +3414,15 @@
         <translation>Zunahme des Bewegungswiderstands mit der Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>The position step that corresponds to the errors measured in a slow sweep.</source>
-        <translation>Der Positionsschritt, der den bei einer langsamen Bewegung gemessenen Fehlern entspricht.</translation>
+        <source>The position resolution that corresponds to the errors measured in a slow sweep.</source>
+        <translation>Die Positionsauflösung, die den bei einer langsamen Bewegung gemessenen Fehlern entspricht.</translation>
     </message>
     <message>
         <source>The lowest frequency at which the handle responds twice as strongly as its mass alone.</source>
         <translation>Die niedrigste Frequenz, bei der der Griff doppelt so stark reagiert wie seine Masse allein.</translation>
     </message>
     <message>
-        <source>there is no resonance from %1 to %2 Hz</source>
+        <source>there is no resonance between %1 and %2 Hz</source>
         <translation>von %1 bis %2 Hz gibt es keine Resonanz</translation>
     </message>
     <message>
@@ -3450,8 +3450,8 @@
         <translation>Es gab keine Messwerte.</translation>
     </message>
     <message>
-        <source>The smallest fraction of the declared workspace that the handle reached.</source>
-        <translation>Der kleinste Anteil des angegebenen Arbeitsraums, den der Griff erreichte.</translation>
+        <source>The smallest fraction of the declared workspace that the handle reached along an axis.</source>
+        <translation>Der kleinste Anteil des angegebenen Arbeitsraums, den der Griff entlang einer Achse erreichte.</translation>
     </message>
     <message>
         <source>A session of %1 is running. Measure the device when the session has ended.</source>
@@ -3486,8 +3486,8 @@
         <translation>Latenz</translation>
     </message>
     <message>
-        <source>position step</source>
-        <translation>Positionsschritt</translation>
+        <source>position resolution</source>
+        <translation>Positionsauflösung</translation>
     </message>
     <message>
         <source>position noise</source>
@@ -3756,8 +3756,8 @@
         <translation>Urteile über jedes Item</translation>
     </message>
     <message>
-        <source>Points are means over the participants who rated every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items beurteilt haben, Balken ihre t-basierten %1-%-KI. Die zugehörigen Tests verwenden nur die Ränge der Urteile.</translation>
+        <source>Points are means over the participants who rated every item; error bars show their t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items beurteilt haben; Fehlerbalken zeigen ihre t-basierten %1-%-KI. Die zugehörigen Tests verwenden nur die Ränge der Urteile.</translation>
     </message>
     <message>
         <source>No participant rated every item: there are no means.</source>
@@ -3768,12 +3768,12 @@
         <translation>Mittelwerte je Bedingung</translation>
     </message>
     <message>
-        <source>Points are means over the participants, shifted where several coincide. Bars: within-participant %1 % CIs (Cousineau and Morey), which do not include the differences between participants. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: %1-%-KI innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
+        <source>Points are means over the participants, shifted where several coincide. Error bars: within-participant %1 % CIs (Cousineau and Morey), which do not include the differences between participants. Lines guide the eye.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Fehlerbalken: %1-%-KI innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
-        <source>Points are means over the participants, shifted where several coincide. Bars: t-based %1 % CIs. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Balken: t-basierte %1-%-KI. Linien dienen nur der Orientierung.</translation>
+        <source>Points are means over the participants, shifted where several coincide. Error bars: t-based %1 % CIs. Lines guide the eye.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Fehlerbalken: t-basierte %1-%-KI. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>There are no means: %1.</source>
@@ -3944,12 +3944,12 @@
         <translation>%1 Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen mit t-basierten 95-%-KI auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
-        <source>Squares are means of the participants&apos; own proportions, bars their t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
-        <translation>Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten 95-%-KI auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
+        <source>Squares are means of the participants&apos; own proportions; error bars show their t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
+        <translation>Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen; Fehlerbalken zeigen ihre t-basierten 95-%-KI auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
-        <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping CIs are not a test of a difference.</source>
-        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre t-basierten %1-%-KI, für Anteile auf der Logit-Skala. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
+        <source>Points are means of the participants&apos; own results; error bars show their t-based %1 % CIs, for proportions on the logit scale. Overlapping CIs are not a test of a difference.</source>
+        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen; Fehlerbalken zeigen ihre t-basierten %1-%-KI, für Anteile auf der Logit-Skala. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>Confusion matrix</source>
@@ -4028,12 +4028,12 @@
         <translation>Anteil an den Antworten (95-%-KI nach Wilson)</translation>
     </message>
     <message>
-        <source>Points are proportions of all responses of a row, bars their Wilson 95 % CIs. Open symbols are subsets, filled symbols totals.</source>
-        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Balken ihre 95-%-KI nach Wilson. Offene Zeichen sind Teilmengen, gefüllte das Ganze.</translation>
+        <source>Points are proportions of all responses of a row; error bars show their Wilson 95 % CIs. Open symbols are subsets, filled symbols totals.</source>
+        <translation>Punkte sind Anteile an allen Antworten einer Zeile; Fehlerbalken zeigen ihre 95-%-KI nach Wilson. Offene Zeichen sind Teilmengen, gefüllte das Ganze.</translation>
     </message>
     <message>
-        <source>Points are proportions of all responses of a row, bars their Wilson 95 % CIs.</source>
-        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Balken ihre 95-%-KI nach Wilson.</translation>
+        <source>Points are proportions of all responses of a row; error bars show their Wilson 95 % CIs.</source>
+        <translation>Punkte sind Anteile an allen Antworten einer Zeile; Fehlerbalken zeigen ihre 95-%-KI nach Wilson.</translation>
     </message>
     <message>
         <source>%1 Squares are means of the participants&apos; own proportions: the participant is the unit of analysis.</source>
@@ -4056,8 +4056,8 @@
         <translation>Anteile mit ihren KI</translation>
     </message>
     <message>
-        <source>Points are proportions, bars their Wilson 95 % CIs.</source>
-        <translation>Punkte sind Anteile, Balken ihre 95-%-KI nach Wilson.</translation>
+        <source>Points are proportions; error bars show their Wilson 95 % CIs.</source>
+        <translation>Punkte sind Anteile; Fehlerbalken zeigen ihre 95-%-KI nach Wilson.</translation>
     </message>
     <message>
         <source>Circles are proportions of the choices of a row with Wilson 95 % CIs, which are too narrow where a participant chose more than once. Squares are means of the participants&apos; own proportions with t-based 95 % CIs.</source>
@@ -4076,12 +4076,12 @@
         <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; die Wahlen in allen Experimenten werden als unabhängig behandelt.</translation>
     </message>
     <message>
-        <source>The bar is Welch&apos;s %1 % CI of the difference of the participants&apos; means; the permutation test of group labels makes fewer assumptions.</source>
-        <translation>Der Balken ist das %1-%-KI nach Welch für die Differenz der Mittelwerte der Versuchspersonen; der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus.</translation>
+        <source>The error bar shows Welch&apos;s %1 % CI of the difference of the participants&apos; means. The permutation test of group labels makes fewer assumptions.</source>
+        <translation>Der Fehlerbalken zeigt das %1-%-KI nach Welch für die Differenz der Mittelwerte der Versuchspersonen. Der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus.</translation>
     </message>
     <message>
-        <source>Bars are %1 % CIs: Welch&apos;s for the difference of the participants&apos; means, Newcombe&apos;s for all responses pooled, as if they were independent. The permutation test of group labels makes fewer assumptions than either.</source>
-        <translation>Balken sind %1-%-KI: nach Welch für die Differenz der Mittelwerte der Versuchspersonen, nach Newcombe für alle Antworten zusammen, als wären sie unabhängig. Der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus als beide.</translation>
+        <source>Error bars show %1 % CIs: Welch&apos;s for the difference of the participants&apos; means, Newcombe&apos;s for all responses pooled, as if they were independent. The permutation test of group labels makes fewer assumptions than either.</source>
+        <translation>Fehlerbalken zeigen %1-%-KI: nach Welch für die Differenz der Mittelwerte der Versuchspersonen, nach Newcombe für alle Antworten zusammen, als wären sie unabhängig. Der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus als beide.</translation>
     </message>
     <message>
         <source>%1 − %2, with its %3 % CI</source>
@@ -4140,8 +4140,8 @@
         <translation>Log-Nutzwert (zentriert)</translation>
     </message>
     <message>
-        <source>Points are log-worths, bars their t-based CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
-        <translation>Punkte sind Log-Nutzwerte, Balken ihre t-basierten Konfidenzintervalle mit den Versuchspersonen als Clustern. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
+        <source>Points are log-worths; error bars show their t-based CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
+        <translation>Punkte sind Log-Nutzwerte; Fehlerbalken zeigen ihre t-basierten Konfidenzintervalle mit den Versuchspersonen als Clustern. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>All dissimilarities are 0: there are no distances to show.</source>
@@ -4192,8 +4192,8 @@
         <translation>Reaktionszeit</translation>
     </message>
     <message>
-        <source>Points are geometric means over the participants, bars their t-based %1 % CIs on the logarithmic scale. Response times are measured from the cue to the response.</source>
-        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre t-basierten %1-%-KI auf der logarithmischen Skala. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
+        <source>Points are geometric means over the participants; error bars show their t-based %1 % CIs on the logarithmic scale. Response times are measured from the cue to the response.</source>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen; Fehlerbalken zeigen ihre t-basierten %1-%-KI auf der logarithmischen Skala. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
     </message>
     <message>
         <source>Points are geometric means over the participants. Response times are measured from the cue to the response.</source>
@@ -4216,8 +4216,8 @@
         <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen) über die Durchgänge</translation>
     </message>
     <message>
-        <source>Points are means of the participants&apos; own proportions, bars their t-based %1 % CIs on the logit scale.</source>
-        <translation>Punkte sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten %1-%-KI auf der Logit-Skala.</translation>
+        <source>Points are means of the participants&apos; own proportions; error bars show their t-based %1 % CIs on the logit scale.</source>
+        <translation>Punkte sind Mittelwerte der individuellen Anteile der Versuchspersonen; Fehlerbalken zeigen ihre t-basierten %1-%-KI auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions.</source>
@@ -4308,8 +4308,8 @@
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Points are means of the participants&apos; own means (n = %1), shifted within their row, bars their t-based 95 % CIs. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte der individuellen Mittelwerte der Versuchspersonen (n = %1), innerhalb ihrer Zeile versetzt, Balken ihre t-basierten 95-%-KI. Linien dienen nur der Orientierung.</translation>
+        <source>Points are means of the participants&apos; own means (n = %1), shifted within their row; error bars show their t-based 95 % CIs. Lines guide the eye.</source>
+        <translation>Punkte sind Mittelwerte der individuellen Mittelwerte der Versuchspersonen (n = %1), innerhalb ihrer Zeile versetzt; Fehlerbalken zeigen ihre t-basierten 95-%-KI. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own means (n = %1), shifted within their row; there are no CIs. Lines guide the eye.</source>
@@ -4332,12 +4332,12 @@
         <translation>%1 Ein Pfeil kennzeichnet ein Konfidenzintervall, das über das Ende der Skala hinausreicht.</translation>
     </message>
     <message>
-        <source>Points are the standardised scores of the items, arrows the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
-        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile die Ladungen der Skalen: ihre Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch beurteilt.</translation>
+        <source>Points are the standardised scores of the items. Arrows are the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
+        <translation>Punkte sind die standardisierten Komponentenwerte der Items. Pfeile sind die Ladungen der Skalen: ihre Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch beurteilt.</translation>
     </message>
     <message>
-        <source>Points are the standardised scores of the items, arrows %1 times the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
-        <translation>Punkte sind die standardisierten Komponentenwerte der Items, Pfeile das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch beurteilt.</translation>
+        <source>Points are the standardised scores of the items. Arrows are %1 times the loadings of the scales: their correlations with the components. As far as the two components represent the ratings, an item in the direction of an arrow was rated high on that scale.</source>
+        <translation>Punkte sind die standardisierten Komponentenwerte der Items. Pfeile sind das %1-Fache der Ladungen der Skalen: ihrer Korrelationen mit den Komponenten. Soweit die beiden Komponenten die Urteile wiedergeben, wurde ein Item in Richtung eines Pfeils auf dieser Skala hoch beurteilt.</translation>
     </message>
     <message>
         <source>Psychometric functions of participant %1</source>
@@ -4364,8 +4364,8 @@
         <translation>Standardreiz</translation>
     </message>
     <message>
-        <source>Points are means over the participants whose threshold could be estimated, bars their t-based 95 % CIs.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, deren Schwelle geschätzt werden konnte, Balken ihre 95-%-KIs nach der t-Verteilung.</translation>
+        <source>Points are means over the participants whose threshold could be estimated; error bars show their t-based 95 % CIs.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, deren Schwelle geschätzt werden konnte; Fehlerbalken zeigen ihre 95-%-KIs nach der t-Verteilung.</translation>
     </message>
     <message>
         <source>Points of subjective equality</source>
@@ -4416,8 +4416,8 @@
         <translation>Kontaktdauer je Oberfläche</translation>
     </message>
     <message>
-        <source>Points are medians over the participants of each participant’s median contact time, bars the quartiles.</source>
-        <translation>Punkte sind Mediane der medianen Kontaktdauern der Versuchspersonen, Balken die Quartile.</translation>
+        <source>Points are medians over the participants of each participant’s median contact time; error bars show the quartiles.</source>
+        <translation>Punkte sind Mediane der medianen Kontaktdauern der Versuchspersonen; Fehlerbalken zeigen die Quartile.</translation>
     </message>
     <message>
         <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with 95 % CIs by running the procedure again.</source>
@@ -4428,8 +4428,8 @@
         <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit 95-%-KIs durch Wiederholung des Verfahrens.</translation>
     </message>
     <message>
-        <source>Points are geometric means over the participants whose threshold could be estimated, bars their t-based 95 % CIs on the logarithmic scale.</source>
-        <translation>Punkte: geometrische Mittel über die Versuchspersonen, deren Schwelle geschätzt werden konnte; Balken: deren 95-%-KIs nach der t-Verteilung auf der logarithmischen Skala.</translation>
+        <source>Points are geometric means over the participants whose threshold could be estimated; error bars show their t-based 95 % CIs on the logarithmic scale.</source>
+        <translation>Punkte: geometrische Mittel über die Versuchspersonen, deren Schwelle geschätzt werden konnte; Fehlerbalken: deren 95-%-KIs nach der t-Verteilung auf der logarithmischen Skala.</translation>
     </message>
     <message>
         <source>threshold, geometric mean with its 95 % CI</source>
@@ -4463,12 +4463,12 @@
         <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Wahlen, die in Auswertungen zählen.</translation>
     </message>
     <message>
-        <source>%1 was not written: no factor of the trials has numbers as levels. The levels of the factor column are repetitions.</source>
-        <translation>%1 wurde nicht geschrieben: Kein Faktor der Durchgänge hat Zahlen als Stufen. Die Stufen des Faktors column sind Wiederholungen.</translation>
+        <source>%1 was not written: no factor of the trials has numeric levels. The levels of the factor column are repetitions.</source>
+        <translation>%1 wurde nicht geschrieben: Kein Faktor der Durchgänge hat numerische Stufen. Die Stufen des Faktors column sind Wiederholungen.</translation>
     </message>
     <message>
-        <source>%1 was not written: no participant has choices at two levels of a factor that has numbers as levels.</source>
-        <translation>%1 wurde nicht geschrieben: Keine Versuchsperson hat auf zwei Stufen eines Faktors gewählt, dessen Stufen Zahlen sind.</translation>
+        <source>%1 was not written: no participant has choices at two levels of a numeric factor.</source>
+        <translation>%1 wurde nicht geschrieben: Keine Versuchsperson hat auf zwei Stufen eines numerischen Faktors gewählt.</translation>
     </message>
 </context>
 <context>
@@ -4612,7 +4612,7 @@
         <translation>%1, Version %2, %3</translation>
     </message>
     <message>
-        <source>%1 has completed session %2 of this protocol (%3); a further one begins</source>
+        <source>%1 has completed session %2 of this protocol (%3); a further session begins</source>
         <translation>%1 hat Sitzung %2 dieses Protokolls abgeschlossen (%3); eine weitere beginnt</translation>
     </message>
     <message>
@@ -4620,7 +4620,7 @@
         <translation>Für eine andere Versuchsperson ein anderes Kürzel verwenden.</translation>
     </message>
     <message>
-        <source>session %2 of %1 with this protocol is unfinished (%3); a further one begins</source>
+        <source>session %2 of %1 with this protocol is unfinished (%3); a further session begins</source>
         <translation>Sitzung %2 von %1 mit diesem Protokoll ist unvollständig (%3); eine weitere beginnt</translation>
     </message>
     <message>
@@ -4845,16 +4845,16 @@
         <translation>%1 ist ein Ordner; eines der Bilder darin öffnen.</translation>
     </message>
     <message>
-        <source>%1 was not found; it may have been moved, or its disk removed.</source>
-        <translation>%1 wurde nicht gefunden; möglicherweise wurde es verschoben oder der Datenträger entfernt.</translation>
+        <source>%1 was not found; it may have been moved, or its disk removed. Open the picture from its new location.</source>
+        <translation>%1 wurde nicht gefunden; möglicherweise wurde es verschoben oder der Datenträger entfernt. Das Bild vom neuen Ort öffnen.</translation>
     </message>
     <message>
         <source>%1 is %2 GiB in size; pictures of up to 2 GiB can be read. Scale it down or crop it.</source>
         <translation>%1 ist %2 GiB groß; das Programm liest Bilder bis 2 GiB. Das Bild verkleinern oder zuschneiden.</translation>
     </message>
     <message>
-        <source>The picture has an alpha channel, which is ignored: each pixel has its full colour, whatever its transparency.</source>
-        <translation>Das Bild hat einen Alphakanal; er bleibt unberücksichtigt: Jeder Bildpunkt hat seine volle Farbe, unabhängig von seiner Transparenz.</translation>
+        <source>The picture has an alpha channel, which is ignored: each pixel is read with its full colour, regardless of its transparency.</source>
+        <translation>Das Bild hat einen Alphakanal; er bleibt unberücksichtigt: Jeder Bildpunkt wird mit seiner vollen Farbe gelesen, unabhängig von seiner Transparenz.</translation>
     </message>
     <message>
         <source>The camera stored a rotation with the picture; here the picture is shown without this rotation. If the orientation matters, rotate and save the picture with another program.</source>
@@ -5546,8 +5546,8 @@
         <translation>ein Besuch der Oberfläche %1 endete vor der vorgegebenen Zahl der Striche oder Kontaktzeit</translation>
     </message>
     <message>
-        <source>practice is being repeated, which does not count</source>
-        <translation>es wird Übung wiederholt, die nicht zählt</translation>
+        <source>practice trials are being repeated, and they do not count</source>
+        <translation>es werden Übungsdurchgänge wiederholt, die nicht zählen</translation>
     </message>
 </context>
 <context>
@@ -5585,11 +5585,11 @@
         <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; der gemessene Wert ist %3. Ein anderes Gerät wählen oder die Anforderung im Protokoll senken.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at most %2, which was not measured. Measure the device again, or remove the limit from the protocol.</source>
+        <source>The protocol requires a device whose %1 is at most %2, but this quantity was not measured. Measure the device again, or remove the limit from the protocol.</source>
         <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; dieser wurde nicht gemessen. Das Gerät erneut messen oder den Grenzwert aus dem Protokoll entfernen.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at least %2, which was not measured. Measure the device again, or remove the limit from the protocol.</source>
+        <source>The protocol requires a device whose %1 is at least %2, but this quantity was not measured. Measure the device again, or remove the limit from the protocol.</source>
         <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; dieser wurde nicht gemessen. Das Gerät erneut messen oder den Grenzwert aus dem Protokoll entfernen.</translation>
     </message>
     <message>
@@ -5609,24 +5609,24 @@
         <translation>Bei der größten Kraft, die „%1“ an der steifsten Stelle ausübt, %2 N, beträgt die Steifigkeit %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder. Die Steifigkeit verringern oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
-        <source>the protocol requires a device that meets its limits, and the study has no profile of &quot;%1&quot;; measure it with %2</source>
-        <translation>das Protokoll verlangt ein Gerät, das die Grenzwerte des Protokolls einhält, und die Studie hat kein Profil von „%1“; das Gerät mit %2 messen</translation>
+        <source>the protocol requires a device that meets its limits, but the study has no profile of &quot;%1&quot;; measure the device with %2</source>
+        <translation>das Protokoll verlangt ein Gerät, das die Grenzwerte des Protokolls einhält, aber die Studie hat kein Profil von „%1“; das Gerät mit %2 messen</translation>
     </message>
     <message>
-        <source>the protocol requires a device measured within %1 days, and the study has no profile of &quot;%2&quot;; measure it with %3</source>
-        <translation>das Protokoll verlangt ein Gerät, dessen Messung höchstens %1 Tage zurückliegt, und die Studie hat kein Profil von „%2“; das Gerät mit %3 messen</translation>
+        <source>the protocol requires a device measured within %1 days, but the study has no profile of &quot;%2&quot;; measure the device with %3</source>
+        <translation>das Protokoll verlangt ein Gerät, dessen Messung höchstens %1 Tage zurückliegt, aber die Studie hat kein Profil von „%2“; das Gerät mit %3 messen</translation>
     </message>
     <message>
-        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows at most %3; measure the device again with %4</source>
-        <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt höchstens %3; das Gerät erneut mit %4 messen</translation>
+        <source>the profile of &quot;%1&quot; is %2 days old, but the protocol allows at most %3; measure the device again with %4</source>
+        <translation>das Profil von „%1“ ist %2 Tage alt, aber das Protokoll erlaubt höchstens %3; das Gerät erneut mit %4 messen</translation>
     </message>
     <message>
         <source>the profile of &quot;%1&quot; is dated %2, which is in the future: correct the clock of the computer, and measure the device again with %3</source>
         <translation>das Profil von „%1“ trägt das Datum %2, das in der Zukunft liegt: die Uhr des Rechners stellen und das Gerät erneut mit %3 messen</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol requires a device that passed; repair it, and measure it again with %4</source>
-        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das bestanden hat; den Mangel beheben und das Gerät erneut mit %4 messen</translation>
+        <source>&quot;%1&quot; failed %2 when it was measured on %3, but the protocol requires a device that passed; repair the device, and measure it again with %4</source>
+        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, aber das Protokoll verlangt ein Gerät, das bestanden hat; den Mangel beheben und das Gerät erneut mit %4 messen</translation>
     </message>
     <message>
         <source>The stiffness of &quot;%1&quot; could not be determined or compared with the %2 N/m that the device renders without oscillation: at every place examined its force jumps or does not increase. Check on the device that the stimulus does not cause oscillation.</source>
@@ -5641,19 +5641,19 @@
         <translation>Das setzt eine bewegte Masse von %1 g voraus, die nicht gemessen wurde, und eine um %2 ms verzögerte Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Limit the pressing force to %1 N, or lower the friction of the surface; even the greatest possible friction_speed_m_per_s is too low.</source>
-        <translation>Die Andruckkraft auf %1 N begrenzen oder die Reibung der Oberfläche verringern; selbst der größte zulässige Wert von friction_speed_m_per_s ist zu klein.</translation>
+        <source>Limit the normal force to %1 N, or lower the friction of the surface; even the greatest possible friction_speed_m_per_s is too low.</source>
+        <translation>Die Normalkraft auf %1 N begrenzen oder die Reibung der Oberfläche verringern; selbst der größte zulässige Wert von friction_speed_m_per_s ist zu klein.</translation>
     </message>
     <message>
-        <source>Set friction_speed_m_per_s to %1 or more, or limit the pressing force to %2 N.</source>
-        <translation>friction_speed_m_per_s auf mindestens %1 setzen oder die Andruckkraft auf %2 N begrenzen.</translation>
+        <source>Set friction_speed_m_per_s to %1 or more, or limit the normal force to %2 N.</source>
+        <translation>friction_speed_m_per_s auf mindestens %1 setzen oder die Normalkraft auf %2 N begrenzen.</translation>
     </message>
     <message>
-        <source>Near rest, the friction of &quot;%1&quot; acts as a damper of %2 N s/m at %3 N, and at %4 Hz the device vibrates if the damping exceeds %5 N s/m: vibration is expected where strokes reverse. %6 %7</source>
-        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ bei %3 N wie ein Dämpfer von %2 N s/m, und bei %4 Hz vibriert das Gerät, wenn die Dämpfung %5 N s/m übersteigt: An den Umkehrpunkten der Striche sind Vibrationen zu erwarten. %6 %7</translation>
+        <source>Near rest, the friction of &quot;%1&quot; acts as a damper of %2 N s/m at a normal force of %3 N. At %4 Hz the device vibrates if the damping exceeds %5 N s/m: vibration is expected where strokes reverse. %6 %7</source>
+        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ bei einer Normalkraft von %3 N wie ein Dämpfer von %2 N s/m. Bei %4 Hz vibriert das Gerät, wenn die Dämpfung %5 N s/m übersteigt: An den Umkehrpunkten der Striche sind Vibrationen zu erwarten. %6 %7</translation>
     </message>
     <message>
-        <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, requires a device with a damping of %4 N s/m at %5 Hz; the measured stiffness of this one corresponds to %6 N s/m. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
+        <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, requires a device with a damping of %4 N s/m at %5 Hz; the measured stiffness of this device corresponds to %6 N s/m. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
         <translation>Die virtuelle Kopplung von „%1“, %2 N/m und %3 N s/m, erfordert ein Gerät mit einer Dämpfung von %4 N s/m bei %5 Hz; die gemessene Steifigkeit dieses Geräts entspricht %6 N s/m. coupling_damping_N_s_per_m oder coupling_stiffness_N_per_m verringern.</translation>
     </message>
     <message>
@@ -5661,8 +5661,8 @@
         <translation>%1 Von dieser Steifigkeit entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
     </message>
     <message>
-        <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, does not follow the height of the surface. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or request a higher pressing force.</source>
-        <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe der Oberfläche nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Andruckkraft vorgeben.</translation>
+        <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, cannot follow the height of the surface. Lower stiffness_N_per_m, the amplitude of the texture or the speed, or request a higher normal force.</source>
+        <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe der Oberfläche nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Normalkraft vorgeben.</translation>
     </message>
     <message>
         <source>The smallest step of %1 in block %2 is %3 µm, which changes the force by %4 mN, but the force noise of the device at this stiffness is %5 mN. Use steps of at least %6 µm, or a device with less position noise.</source>
@@ -5685,11 +5685,11 @@
         <translation>friction_smoothing_s und friction_stiffness_N_per_m verringern, ein anderes friction_law oder ein Gerät mit mehr Dämpfung wählen.</translation>
     </message>
     <message>
-        <source>Near rest, the friction of &quot;%1&quot; acts as a spring of %2 N/m whose force is delayed by %3 ms, which at %4 Hz requires a damping of %5 N s/m; the device has %6 N s/m along the surface: vibration is expected where the hand rests or reverses, unless the hand adds the difference. %7</source>
-        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ wie eine Feder von %2 N/m, deren Kraft um %3 ms verzögert ist. Sie erfordert bei %4 Hz eine Dämpfung von %5 N s/m; das Gerät hat entlang der Oberfläche %6 N s/m: Wo die Hand ruht oder umkehrt, sind Vibrationen zu erwarten, sofern die Hand die Differenz nicht ergänzt. %7</translation>
+        <source>Near rest, the friction of &quot;%1&quot; acts as a spring of %2 N/m whose force is delayed by %3 ms. At %4 Hz this requires a damping of %5 N s/m, but the damping of the device along the surface is %6 N s/m: vibration is expected where the hand rests or reverses, unless the hand adds the difference. %7</source>
+        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ wie eine Feder von %2 N/m, deren Kraft um %3 ms verzögert ist. Sie erfordert bei %4 Hz eine Dämpfung von %5 N s/m, die Dämpfung des Geräts entlang der Oberfläche beträgt aber %6 N s/m: Wo die Hand ruht oder umkehrt, sind Vibrationen zu erwarten, sofern die Hand die Differenz nicht ergänzt. %7</translation>
     </message>
     <message>
-        <source>The friction of &quot;%1&quot; was not compared with the device: near rest it acts as a spring that at %2 Hz requires a damping of %3 N s/m, and the damping of the device is unknown. Measure the device, or state damping_N_s_per_m of a simulated one.</source>
+        <source>The friction of &quot;%1&quot; was not compared with the device. Near rest, it acts as a spring that requires a damping of %3 N s/m at %2 Hz, and the damping of the device is unknown. Measure the device, or state damping_N_s_per_m for a simulated device.</source>
         <translation>Die Reibung von „%1“ wurde nicht mit dem Gerät verglichen: Nahe der Ruhe wirkt sie wie eine Feder, die bei %2 Hz eine Dämpfung von %3 N s/m erfordert, und die Dämpfung des Geräts ist unbekannt. Das Gerät messen oder damping_N_s_per_m eines simulierten angeben.</translation>
     </message>
     <message>
@@ -5697,7 +5697,7 @@
         <translation>%1 Stufen von %2 (%3)</translation>
     </message>
     <message>
-        <source>%1 Such a warning applies to %2; this is the one with the greatest difference.</source>
+        <source>%1 This kind of warning applies to %2; the one shown has the greatest difference.</source>
         <translation>%1 Eine solche Warnung gilt für %2; diese ist die mit der größten Differenz.</translation>
     </message>
     <message>
@@ -5724,7 +5724,7 @@
         <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; es wurde nichts gespeichert</translation>
     </message>
     <message>
-        <source>the new label &quot;%1&quot; is not that of the participant of the session, %2; enter the label of that participant</source>
+        <source>the new label &quot;%1&quot; differs from the label of the session&apos;s participant, %2; enter the label of that participant</source>
         <translation>das neue Kürzel „%1“ gehört nicht zur Versuchsperson der Sitzung, %2; das Kürzel dieser Versuchsperson eingeben</translation>
     </message>
     <message>
@@ -5771,8 +5771,8 @@
         <translation>Das Protokoll erneut wählen, um die neue Fassung zu lesen, oder die frühere Datei wiederherstellen.</translation>
     </message>
     <message>
-        <source>Valid, version %1, SHA-256 %2.</source>
-        <translation>Gültig, Version %1, SHA-256 %2.</translation>
+        <source>The protocol is valid: version %1, SHA-256 %2.</source>
+        <translation>Das Protokoll ist gültig: Version %1, SHA-256 %2.</translation>
     </message>
     <message>
         <source>process %1 on host %2, started %3</source>
@@ -5851,8 +5851,8 @@
         <translation>%1 ist neu; keine Sitzung läuft anderswo.</translation>
     </message>
     <message>
-        <source>On a local disk and writable.</source>
-        <translation>Auf einem lokalen Datenträger und beschreibbar.</translation>
+        <source>The study folder is on a local disk and writable.</source>
+        <translation>Der Studienordner liegt auf einem lokalen Datenträger und ist beschreibbar.</translation>
     </message>
     <message>
         <source>Move the study to a writable folder on a local disk.</source>
@@ -5863,20 +5863,20 @@
         <translation>Das Protokoll verwendet keine Dateien.</translation>
     </message>
     <message>
-        <source>1 file, the same as when the session began.</source>
-        <translation>1 Datei, dieselbe wie zu Beginn der Sitzung.</translation>
+        <source>The protocol uses 1 file, which has not changed since the session began.</source>
+        <translation>Das Protokoll verwendet 1 Datei, die seit Beginn der Sitzung unverändert ist.</translation>
     </message>
     <message>
-        <source>1 file, present and unchanged since it was made.</source>
-        <translation>1 Datei, vorhanden und unverändert.</translation>
+        <source>The protocol uses 1 file, which is present and has not changed since it was made.</source>
+        <translation>Das Protokoll verwendet 1 Datei, die vorhanden und unverändert ist.</translation>
     </message>
     <message>
-        <source>%1 files, the same as when the session began.</source>
-        <translation>%1 Dateien, dieselben wie zu Beginn der Sitzung.</translation>
+        <source>The protocol uses %1 files, which have not changed since the session began.</source>
+        <translation>Das Protokoll verwendet %1 Dateien, die seit Beginn der Sitzung unverändert sind.</translation>
     </message>
     <message>
-        <source>%1 files, present and unchanged since they were made.</source>
-        <translation>%1 Dateien, alle vorhanden und unverändert.</translation>
+        <source>The protocol uses %1 files, which are present and have not changed since they were made.</source>
+        <translation>Das Protokoll verwendet %1 Dateien, die vorhanden und unverändert sind.</translation>
     </message>
     <message>
         <source>Restore the files in the study, or make them again.</source>
@@ -5919,8 +5919,8 @@
         <translation>Den Griff loslassen, das Gerät aus- und einschalten, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>Exactly 0 N in %1 ticks.</source>
-        <translation>Genau 0 N in %1 Takten.</translation>
+        <source>Exactly 0 N was sent in %1 ticks.</source>
+        <translation>In %1 Takten wurden genau 0 N gesendet.</translation>
     </message>
     <message>
         <source>%1 of %2 Hz; period p99 %3, lateness p99 %4, missed deadlines: %5.</source>
@@ -5931,8 +5931,8 @@
         <translation>Dieser Rechner ist zu langsam oder zu stark ausgelastet: andere Programme schließen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>Close other programs; an attempt with more than %1 missed deadlines does not count.</source>
-        <translation>Andere Programme schließen; ein Versuch mit mehr als %1 verpassten Fristen zählt nicht.</translation>
+        <source>Close other programs. An attempt does not count if the number of missed deadlines exceeds %1.</source>
+        <translation>Andere Programme schließen. Ein Versuch zählt nicht, wenn die Anzahl verpasster Fristen %1 übersteigt.</translation>
     </message>
     <message>
         <source>Not needed: no participant looks at the participant&apos;s window.</source>
@@ -5951,8 +5951,8 @@
         <translation>Einen zweiten Bildschirm für die Versuchsperson anschließen.</translation>
     </message>
     <message>
-        <source>The protocol requires none.</source>
-        <translation>Das Protokoll verlangt keines.</translation>
+        <source>The protocol requires no masking noise.</source>
+        <translation>Das Protokoll verlangt kein Maskierrauschen.</translation>
     </message>
     <message>
         <source>Not needed: no participant listens.</source>
@@ -6051,8 +6051,8 @@
         <translation>Platz auf dem Datenträger der Studie schaffen.</translation>
     </message>
     <message>
-        <source>Enough for this session, but hardly for another one: free some space soon.</source>
-        <translation>Der Platz reicht für diese Sitzung, aber kaum für eine weitere: bald Platz schaffen.</translation>
+        <source>The space is sufficient for this session, but hardly for another one. Free some space soon.</source>
+        <translation>Der Platz reicht für diese Sitzung, aber kaum für eine weitere. Bald Platz schaffen.</translation>
     </message>
     <message>
         <source>the protocol %1 has changed since it was checked: its SHA-256 was %2 and is now %3; choose it again to read and check the new version</source>
@@ -6107,7 +6107,7 @@
         <translation>Nicht nötig: Das Gerät übt keine Kraft aus.</translation>
     </message>
     <message>
-        <source>The study has no profile of this device: whether it can render these stimuli has not been checked.</source>
+        <source>The study has no profile of this device, so it was not checked whether the device can render these stimuli.</source>
         <translation>Die Studie hat kein Profil dieses Geräts: Ob es diese Reize wiedergeben kann, wurde nicht geprüft.</translation>
     </message>
     <message>
@@ -6163,8 +6163,8 @@
         <translation>Für neue Sitzungen ein Gerät mit Motoren wählen.</translation>
     </message>
     <message>
-        <source>On a local disk and writable. Every user of this computer can read it.</source>
-        <translation>Auf einem lokalen Datenträger und beschreibbar. Jeder Benutzer dieses Rechners kann sie lesen.</translation>
+        <source>The study folder is on a local disk and writable. Every user of this computer can read it.</source>
+        <translation>Der Studienordner liegt auf einem lokalen Datenträger und ist beschreibbar. Jeder Benutzer dieses Rechners kann ihn lesen.</translation>
     </message>
     <message>
         <source>To keep other users out, run: %1</source>
@@ -6230,12 +6230,12 @@
         <translation>die Versuchsperson %1 hat keine unvollständige Sitzung des Protokolls „%2“ in der Fassung dieser Datei; eine neue beginnen</translation>
     </message>
     <message>
-        <source>the stimulus &quot;%1&quot; needs the force model &quot;%2&quot;, which this program does not have; see asperity models</source>
-        <translation>der Reiz „%1“ braucht das Kraftmodell „%2“, das dieses Programm nicht hat; siehe asperity models</translation>
+        <source>the stimulus &quot;%1&quot; needs the force model &quot;%2&quot;, which this program does not have; use one that &quot;asperity models&quot; lists</source>
+        <translation>der Reiz „%1“ braucht das Kraftmodell „%2“, das dieses Programm nicht hat; eines verwenden, das „asperity models“ auflistet</translation>
     </message>
     <message>
-        <source>equal force is requested with the model &quot;%1&quot;, which this program does not have; see asperity models</source>
-        <translation>das Protokoll verlangt gleiche Kraft mit dem Modell „%1“, das dieses Programm nicht hat; siehe asperity models</translation>
+        <source>equal force is requested with the model &quot;%1&quot;, which this program does not have; use one that &quot;asperity models&quot; lists</source>
+        <translation>das Protokoll verlangt gleiche Kraft mit dem Modell „%1“, das dieses Programm nicht hat; eines verwenden, das „asperity models“ auflistet</translation>
     </message>
 </context>
 <context>
@@ -6777,8 +6777,8 @@
 <context>
     <name>UnfinishedSession</name>
     <message>
-        <source>the session last ran %1, and the protocol requires sessions to be resumed within %2 h</source>
-        <translation>die Sitzung lief zuletzt %1, und das Protokoll verlangt, dass Sitzungen innerhalb von %2 h fortgesetzt werden</translation>
+        <source>the session last ran %1, but the protocol requires sessions to be resumed within %2 h</source>
+        <translation>die Sitzung lief zuletzt %1, aber das Protokoll verlangt, dass Sitzungen innerhalb von %2 h fortgesetzt werden</translation>
     </message>
 </context>
 <context>
@@ -8143,7 +8143,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 ließ sich nicht öffnen; andere Programme schließen, die das Gerät möglicherweise verwenden.</translation>
     </message>
     <message>
-        <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
+        <source>%1 produces no sound. Connect it again, or choose another sound output in the settings of the computer.</source>
         <translation>%1 gibt keinen Ton aus. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
     </message>
     <message>
@@ -8189,7 +8189,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 · %2 Hz · p99 %3 µs verspätet · %4 verpasst · %5 verloren · %6 gesättigt</translation>
     </message>
     <message>
-        <source>the sound card does not play: no masking noise</source>
+        <source>the sound card produces no sound: no masking noise</source>
         <translation>die Soundkarte gibt keinen Ton aus: kein Maskierrauschen</translation>
     </message>
     <message>
@@ -8585,8 +8585,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>eine Oberfläche wurde berührt</translation>
     </message>
     <message>
-        <source>viewed along the contact, a surface folds over itself; part of it is omitted</source>
-        <translation>eine Oberfläche überlappt sich in Richtung des Kontakts; ein Teil wird weggelassen</translation>
+        <source>viewed along the contact normal, a surface folded over itself; part of it was omitted</source>
+        <translation>entlang der Kontaktnormalen überlappte sich eine Oberfläche; ein Teil wurde weggelassen</translation>
     </message>
     <message>
         <source>the deepest point lay at the border of the region searched</source>
@@ -8905,7 +8905,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Tonausgabe: %1.</translation>
     </message>
     <message>
-        <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
+        <source>%1 produces no sound. Connect it again, or choose another sound output in the settings of the computer.</source>
         <translation>%1 gibt keinen Ton aus. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
     </message>
 </context>
@@ -9038,7 +9038,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das Kürzel muss aus 1 bis 32 Buchstaben und Ziffern bestehen (0-9, A-Z, a-z) und darf nicht mit „virtual“ beginnen.</translation>
     </message>
     <message>
-        <source>%1 is in the study already: choose it under “Already in the study”, or enter another label.</source>
+        <source>%1 is already in the study: choose it under “Already in the study”, or enter another label.</source>
         <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
     </message>
     <message>
@@ -9536,7 +9536,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>gültig</translation>
     </message>
     <message>
-        <source>The plan appears here once the text is valid. At present it has %1; the first is in line %2.</source>
+        <source>The plan appears here once the text is valid. At present it has %1; the first is on line %2.</source>
         <translation>Der Plan erscheint hier, sobald der Text gültig ist. Derzeit enthält der Text %1; das erste steht in Zeile %2.</translation>
     </message>
     <message>
@@ -9878,8 +9878,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::RecipePanel</name>
     <message>
-        <source>The picture varies mostly in one direction: a grain, or light from one side? See the end of this list.</source>
-        <translation>Das Bild ändert sich vor allem in einer Richtung: eine Maserung oder Licht von einer Seite? Siehe das Ende dieser Liste.</translation>
+        <source>The picture varies mostly in one direction: either the surface has a grain, or the picture was taken in light from one side. See the end of this list.</source>
+        <translation>Das Bild ändert sich vor allem in einer Richtung: Entweder hat die Oberfläche eine Maserung, oder das Licht kam von einer Seite. Siehe das Ende dieser Liste.</translation>
     </message>
     <message>
         <source>The picture has narrow bright parts. If they are low, as light mortar is, the dark parts stand out.</source>
@@ -9926,8 +9926,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Große Wellenlängen entfernen</translation>
     </message>
     <message>
-        <source>▲ The result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks and feels like a relief, but that of a different surface. If possible, take the picture again in even light.</source>
-        <translation>▲ Das Ergebnis ist die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus und fühlt sich an wie ein Relief, aber wie das einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
+        <source>▲ The result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks and feels like the relief of a different surface. If possible, take the picture again in even light.</source>
+        <translation>▲ Das Ergebnis ist die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus und fühlt sich an wie das Relief einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
     </message>
     <message>
         <source>▲ The paint becomes relief: what is felt does not correspond to the surface under it. Use it only if this is intended.</source>
@@ -10334,8 +10334,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Vorbereitung wird abgebrochen.</translation>
     </message>
     <message>
-        <source>The session has not begun: its files are being read and the device opened.</source>
-        <translation>Die Sitzung hat noch nicht begonnen: Ihre Dateien werden gelesen, das Gerät wird geöffnet.</translation>
+        <source>The session has not begun: its files are being read and the device is being opened.</source>
+        <translation>Die Sitzung hat noch nicht begonnen: Ihre Dateien werden gelesen, und das Gerät wird geöffnet.</translation>
     </message>
     <message>
         <source>Repeat: practice is being repeated, which does not count.</source>

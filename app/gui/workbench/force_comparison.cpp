@@ -350,13 +350,12 @@ void ForceComparison::look_at_card() {
   if (speaker_->is_running()) silent_.restart();
   const bool is_silent = static_cast<double>(silent_.elapsed()) > SoundStream::kOpens_s * 1e3;
   no_sound_->setVisible(is_silent || speaker_->is_refused());
-  no_sound_->setText(
-      speaker_->is_refused()
-          ? tr("%1 could not be opened; close other programs that may be using it.")
-                .arg(output_.name)
-          : tr("%1 does not play. Connect it again, or choose another sound output in the settings "
-               "of the computer.")
-                .arg(output_.name));
+  no_sound_->setText(speaker_->is_refused()
+                         ? tr("%1 could not be opened; close other programs that may be using it.")
+                               .arg(output_.name)
+                         : tr("%1 produces no sound. Connect it again, or choose another sound "
+                              "output in the settings of the computer.")
+                               .arg(output_.name));
 }
 
 void ForceComparison::showEvent(QShowEvent* event) {

@@ -37,7 +37,8 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
     refuse(OpeningWords::tr("%1 is a folder; open one of the pictures in it.").arg(name));
   }
   if (!std::filesystem::exists(status)) {
-    refuse(OpeningWords::tr("%1 was not found; it may have been moved, or its disk removed.")
+    refuse(OpeningWords::tr("%1 was not found; it may have been moved, or its disk removed. Open "
+                            "the picture from its new location.")
                .arg(name));
   }
   if (!std::filesystem::is_regular_file(status)) {
@@ -76,8 +77,8 @@ QStringList remarks_on(const std::filesystem::path& file, const PictureFacts& fa
   QStringList remarks{};
   if (facts.channels == 2 || facts.channels == 4) {
     remarks << OpeningWords::tr(
-        "The picture has an alpha channel, which is ignored: each pixel has its full colour, "
-        "whatever its transparency.");
+        "The picture has an alpha channel, which is ignored: each pixel is read with its full "
+        "colour, regardless of its transparency.");
   }
   if (facts.format == PictureFormat::jpeg || facts.format == PictureFormat::tiff) {
     if (QImageReader(path_text(file)).transformation() != QImageIOHandler::TransformationNone) {

@@ -33,8 +33,8 @@ QString hint_of(PhotographResemblance resemblance) {
   switch (resemblance) {
     case PhotographResemblance::directed:
       return RecipePanel::tr(
-          "The picture varies mostly in one direction: a grain, or light from one side? See the "
-          "end of this list.");
+          "The picture varies mostly in one direction: either the surface has a grain, or the "
+          "picture was taken in light from one side. See the end of this list.");
     case PhotographResemblance::bright_spots:
       return RecipePanel::tr(
           "The picture has narrow bright parts. If they are low, as light mortar is, the dark "
@@ -194,10 +194,10 @@ void RecipePanel::say_what_it_shows(int kind) {
              "four of them less well than the unprocessed brightness."));
       break;
     case side_light:
-      expectation_->setText(tr(
-          "▲ The result is the slope towards the light, not the height: edges across the light "
-          "become ridges and grooves, edges along it vanish. It looks and feels like a relief, but "
-          "that of a different surface. If possible, take the picture again in even light."));
+      expectation_->setText(
+          tr("▲ The result is the slope towards the light, not the height: edges across the light "
+             "become ridges and grooves, edges along it vanish. It looks and feels like the relief "
+             "of a different surface. If possible, take the picture again in even light."));
       break;
     case paint:
       expectation_->setText(

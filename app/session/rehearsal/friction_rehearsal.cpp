@@ -65,12 +65,12 @@ Phrase remedy_for_speed(const PressedFriction& asked, double steepest_N_s_per_m)
   const double raised_m_per_s = two_digits_up(asked.speed_with_m_per_s(steepest_N_s_per_m));
   if (raised_m_per_s > asked.greatest_speed_m_per_s) {
     return phrase("Rehearsal",
-                  "Limit the pressing force to %1 N, or lower the friction of the surface; even "
-                  "the greatest possible friction_speed_m_per_s is too low.")
+                  "Limit the normal force to %1 N, or lower the friction of the surface; even the "
+                  "greatest possible friction_speed_m_per_s is too low.")
         .with(in_three_digits(below_N));
   }
   return phrase("Rehearsal",
-                "Set friction_speed_m_per_s to %1 or more, or limit the pressing force to %2 N.")
+                "Set friction_speed_m_per_s to %1 or more, or limit the normal force to %2 N.")
       .with(in_three_digits(raised_m_per_s), in_three_digits(below_N));
 }
 
@@ -107,9 +107,9 @@ std::optional<RehearsalWarning> damper_warning(const std::string& name,
       .device = steepest_N_s_per_m,
       .text =
           phrase("Rehearsal",
-                 "Near rest, the friction of \"%1\" acts as a damper of %2 N s/m at %3 N, and "
-                 "at %4 Hz the device vibrates if the damping exceeds %5 N s/m: vibration is "
-                 "expected where strokes reverse. %6 %7")
+                 "Near rest, the friction of \"%1\" acts as a damper of %2 N s/m at a normal force "
+                 "of %3 N. At %4 Hz the device vibrates if the damping exceeds %5 N s/m: vibration "
+                 "is expected where strokes reverse. %6 %7")
               .with(name, in_three_digits(damper_N_s_per_m), in_three_digits(asked.force_N),
                     in_three_digits(loop.rate_Hz), in_three_digits(steepest_N_s_per_m),
                     basis_of(loop.device, loop.period_s()),
@@ -143,31 +143,32 @@ std::optional<RehearsalWarning> spring_warning(const std::string& name,
       .id = "friction_stiffness",
       .asked = required_N_s_per_m,
       .device = damping_N_s_per_m,
-      .text =
-          phrase("Rehearsal",
-                 "Near rest, the friction of \"%1\" acts as a spring of %2 N/m whose force is "
-                 "delayed by %3 ms, which at %4 Hz requires a damping of %5 N s/m; the device has "
-                 "%6 N s/m along the surface: vibration is expected where the hand rests or "
-                 "reverses, unless the hand adds the difference. %7")
-              .with(name, in_three_digits(asked.stiffness_N_per_m),
-                    in_ms(loop.device.latency_s + asked.lag_s), in_three_digits(loop.rate_Hz),
-                    in_three_digits(required_N_s_per_m), in_three_digits(damping_N_s_per_m),
-                    remedy_for_stiffness(asked, loop))};
+      .text = phrase("Rehearsal",
+                     "Near rest, the friction of \"%1\" acts as a spring of %2 N/m whose force is "
+                     "delayed by %3 ms. At %4 Hz this requires a damping of %5 N s/m, but the "
+                     "damping of the device along the surface is %6 N s/m: vibration is expected "
+                     "where the hand rests or reverses, unless the hand adds the difference. %7")
+                  .with(name, in_three_digits(asked.stiffness_N_per_m),
+                        in_ms(loop.device.latency_s + asked.lag_s), in_three_digits(loop.rate_Hz),
+                        in_three_digits(required_N_s_per_m), in_three_digits(damping_N_s_per_m),
+                        remedy_for_stiffness(asked, loop))};
 }
 
 RehearsalWarning unknown_damping(const std::string& stimulus_template, double required_N_s_per_m,
                                  const FrictionLoop& loop) {
-  return {.id = "friction_not_compared",
-          .stimulus = stimulus_template,
-          .pointer = pointer_to("/stimuli", stimulus_template),
-          .asked = required_N_s_per_m,
-          .text = phrase("Rehearsal",
-                         "The friction of \"%1\" was not compared with the device: near rest it "
-                         "acts as a spring that at %2 Hz requires a damping of %3 N s/m, and the "
-                         "damping of the device is unknown. Measure the device, or state "
-                         "damping_N_s_per_m of a simulated one.")
-                      .with(stimulus_template, in_three_digits(loop.rate_Hz),
-                            in_three_digits(required_N_s_per_m))};
+  return {
+      .id = "friction_not_compared",
+      .stimulus = stimulus_template,
+      .pointer = pointer_to("/stimuli", stimulus_template),
+      .asked = required_N_s_per_m,
+      .text =
+          phrase(
+              "Rehearsal",
+              "The friction of \"%1\" was not compared with the device. Near rest, it acts as a "
+              "spring that requires a damping of %3 N s/m at %2 Hz, and the damping of the device "
+              "is unknown. Measure the device, or state damping_N_s_per_m for a simulated device.")
+              .with(stimulus_template, in_three_digits(loop.rate_Hz),
+                    in_three_digits(required_N_s_per_m))};
 }
 
 }  // namespace

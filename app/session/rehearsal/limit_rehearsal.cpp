@@ -38,11 +38,12 @@ std::optional<RehearsalWarning> warning_of_limit(const DeviceQuantity& quantity,
   const Phrase text =
       at_most
           ? phrase("Rehearsal",
-                   "The protocol requires a device whose %1 is at most %2, which was not measured. "
-                   "Measure the device again, or remove the limit from the protocol.")
-          : phrase("Rehearsal",
-                   "The protocol requires a device whose %1 is at least %2, which was not "
-                   "measured. Measure the device again, or remove the limit from the protocol.");
+                   "The protocol requires a device whose %1 is at most %2, but this quantity was "
+                   "not measured. Measure the device again, or remove the limit from the protocol.")
+          : phrase(
+                "Rehearsal",
+                "The protocol requires a device whose %1 is at least %2, but this quantity was not "
+                "measured. Measure the device again, or remove the limit from the protocol.");
   return RehearsalWarning{.id = "unmeasured_" + name,
                           .pointer = pointer_to("/device/limits", name),
                           .asked = limit,

@@ -40,21 +40,21 @@ Phrase refusal_for_profile(const Protocol& protocol, const WantedDevice& device,
   if (!protocol.profile_maximum_age_days) {
     if (!protocol.refuses_rehearsal_warnings || profile || !device.has_motors) return {};
     return phrase("Rehearsal",
-                  "the protocol requires a device that meets its limits, and the study has no "
-                  "profile of \"%1\"; measure it with %2")
+                  "the protocol requires a device that meets its limits, but the study has no "
+                  "profile of \"%1\"; measure the device with %2")
         .with(name_of(device), command);
   }
   const std::string days = days_text(*protocol.profile_maximum_age_days);
   if (!profile) {
     return phrase("Rehearsal",
-                  "the protocol requires a device measured within %1 days, and the study has no "
-                  "profile of \"%2\"; measure it with %3")
+                  "the protocol requires a device measured within %1 days, but the study has no "
+                  "profile of \"%2\"; measure the device with %3")
         .with(days, name_of(device), command);
   }
   const double age = age_days(*profile, now_utc);
   if (age > *protocol.profile_maximum_age_days) {
     return phrase("Rehearsal",
-                  "the profile of \"%1\" is %2 days old, and the protocol allows at most %3; "
+                  "the profile of \"%1\" is %2 days old, but the protocol allows at most %3; "
                   "measure the device again with %4")
         .with(name_of(device), days_text(age), days, command);
   }
@@ -66,8 +66,8 @@ Phrase refusal_for_profile(const Protocol& protocol, const WantedDevice& device,
   }
   if (const DeviceItem* const failed = failed_item(*profile, protocol)) {
     return phrase("Rehearsal",
-                  "\"%1\" failed %2 when it was measured on %3, and the protocol requires a device "
-                  "that passed; repair it, and measure it again with %4")
+                  "\"%1\" failed %2 when it was measured on %3, but the protocol requires a device "
+                  "that passed; repair the device, and measure it again with %4")
         .with(name_of(device), failed->name, profile->measured_utc, command);
   }
   return {};

@@ -207,18 +207,18 @@ void StimulusRehearsal::check_coupling(const VirtualCoupling& coupling) {
       passive_damping_N_s_per_m(coupling.stiffness_N_per_m, coupling.damping_N_s_per_m, period_s());
   const double device_N_s_per_m = passive_damping_N_s_per_m(*holds, 0.0, period_s());
   if (asked_N_s_per_m <= device_N_s_per_m) return;
-  warn({.id = "coupling",
-        .asked = asked_N_s_per_m,
-        .device = device_N_s_per_m,
-        .text =
-            phrase("Rehearsal",
-                   "The virtual coupling of \"%1\", %2 N/m and %3 N s/m, requires a device "
-                   "with a damping of %4 N s/m at %5 Hz; the measured stiffness of this one "
-                   "corresponds to %6 N s/m. "
-                   "Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.")
-                .with(name_, in_three_digits(coupling.stiffness_N_per_m),
-                      in_three_digits(coupling.damping_N_s_per_m), in_three_digits(asked_N_s_per_m),
-                      in_three_digits(protocol_.rate_Hz), in_three_digits(device_N_s_per_m))});
+  warn(
+      {.id = "coupling",
+       .asked = asked_N_s_per_m,
+       .device = device_N_s_per_m,
+       .text =
+           phrase("Rehearsal",
+                  "The virtual coupling of \"%1\", %2 N/m and %3 N s/m, requires a device with a "
+                  "damping of %4 N s/m at %5 Hz; the measured stiffness of this device corresponds "
+                  "to %6 N s/m. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.")
+               .with(name_, in_three_digits(coupling.stiffness_N_per_m),
+                     in_three_digits(coupling.damping_N_s_per_m), in_three_digits(asked_N_s_per_m),
+                     in_three_digits(protocol_.rate_Hz), in_three_digits(device_N_s_per_m))});
 }
 
 void StimulusRehearsal::check_stiffness(const std::optional<FeltStiffness>& felt,
@@ -285,9 +285,9 @@ void StimulusRehearsal::check_contact(const PreparedStimulus& stimulus, const Ha
         .text = phrase("Rehearsal",
                        "With a force of %2 N and a speed of %3 mm/s, contact with \"%1\" is "
                        "expected to be lost for about %4 % of a stroke: a mass of %5 g with a "
-                       "damping of %6 N s/m, as measured for the device, does not follow the "
-                       "height of the surface. Lower stiffness_N_per_m, the texture's amplitude "
-                       "or the speed, or request a higher pressing force.")
+                       "damping of %6 N s/m, as measured for the device, cannot follow the height "
+                       "of the surface. Lower stiffness_N_per_m, the amplitude of the texture or "
+                       "the speed, or request a higher normal force.")
                     .with(name_, in_three_digits(habits.normal_force_N),
                           in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * lost, 0),
                           in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});

@@ -100,10 +100,10 @@ RehearsalWarning joined(const std::vector<LevelGroup>& alike, const Protocol& pr
   const LevelGroup& first = alike.front();
   RehearsalWarning one = first.worst();
   if (first.levels().size() > 1 && !first.is_alike()) {
-    one.text = phrase("Rehearsal",
-                      "%1 Such a warning applies to %2; this is the one with the greatest "
-                      "difference.")
-                   .with(one.text, levels_text(first, protocol));
+    one.text =
+        phrase("Rehearsal",
+               "%1 This kind of warning applies to %2; the one shown has the greatest difference.")
+            .with(one.text, levels_text(first, protocol));
     return one;
   }
   Phrase also{};

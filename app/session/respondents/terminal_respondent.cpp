@@ -180,7 +180,7 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
   if (!pictures.empty()) {
     output_ << std::flush;
     show(pictures);
-    output_ << "The pictures are in " << sheet_.string() << ", 1 to " << pictures.size()
+    output_ << "The pictures are in " << sheet_.string() << ", numbered 1 to " << pictures.size()
             << " from left to right.\n";
   }
   if (visits_.owed(trial)) {

@@ -88,8 +88,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     }
     return {{.state = State::look,
              .text = phrase("SessionChecks",
-                            "The study has no profile of this device: whether it can render these "
-                            "stimuli has not been checked."),
+                            "The study has no profile of this device, so it was not checked "
+                            "whether the device can render these stimuli."),
              .remedy = phrase("SessionChecks",
                               "Measure the device once while its handle is not held: asperity "
                               "device-test \"%1\" --study \"%2\"")

@@ -56,9 +56,9 @@ SessionCheck disk_check(const DiskSpace& space) {
     check.remedy = phrase("SessionChecks", "Free some space on the disk of the study.");
   } else if (space.free_bytes < kWantedSessions * space.wanted_bytes) {
     check.state = State::look;
-    check.remedy =
-        phrase("SessionChecks",
-               "Enough for this session, but hardly for another one: free some space soon.");
+    check.remedy = phrase("SessionChecks",
+                          "The space is sufficient for this session, but hardly for another one. "
+                          "Free some space soon.");
   }
   return check;
 }

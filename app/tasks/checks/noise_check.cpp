@@ -33,7 +33,7 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
     const bool led_by_cues =
         protocol.vision == Vision::blindfold && inputs.mode != SessionMode::simulate;
     if (inputs.sound_card || !led_by_cues) {
-      return fine_check(phrase("SessionChecks", "The protocol requires none."));
+      return fine_check(phrase("SessionChecks", "The protocol requires no masking noise."));
     }
     SessionCheck check{};
     check.state = State::look;

@@ -23,7 +23,7 @@ SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol)
                "Choose the protocol again to read the new version, or restore the earlier file.");
     return check;
   }
-  check.text = phrase("SessionChecks", "Valid, version %1, SHA-256 %2.")
+  check.text = phrase("SessionChecks", "The protocol is valid: version %1, SHA-256 %2.")
                    .with(protocol.version, short_hash(sha256));
   return check;
 }

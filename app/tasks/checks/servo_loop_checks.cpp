@@ -64,8 +64,8 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
     zero.remedy = phrase("SessionChecks",
                          "Release the handle, switch the device off and on, then check again.");
   } else {
-    zero.text =
-        phrase("SessionChecks", "Exactly 0 N in %1 ticks.").with(std::to_string(quality.ticks));
+    zero.text = phrase("SessionChecks", "Exactly 0 N was sent in %1 ticks.")
+                    .with(std::to_string(quality.ticks));
   }
   SessionCheck rate{};
   const double measured_Hz = quality.period_mean_s > 0.0 ? 1.0 / quality.period_mean_s : 0.0;
@@ -80,11 +80,10 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
                "This computer is too slow or too busy: close other programs, then check again.");
   } else if (quality.missed_deadlines > 0 || quality.lateness_p99_s > 0.5 / protocol.rate_Hz) {
     rate.state = State::look;
-    rate.remedy =
-        phrase(
-            "SessionChecks",
-            "Close other programs; an attempt with more than %1 missed deadlines does not count.")
-            .with(std::to_string(protocol.maximum_missed_deadlines));
+    rate.remedy = phrase("SessionChecks",
+                         "Close other programs. An attempt does not count if the number of missed "
+                         "deadlines exceeds %1.")
+                      .with(std::to_string(protocol.maximum_missed_deadlines));
   }
   return {zero, rate};
 }

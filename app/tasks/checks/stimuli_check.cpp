@@ -19,11 +19,20 @@ using State = SessionCheck::State;
 Phrase files_text(std::size_t files, bool resume) {
   if (files == 0) return phrase("SessionChecks", "The protocol uses no files.");
   if (files == 1) {
-    return resume ? phrase("SessionChecks", "1 file, the same as when the session began.")
-                  : phrase("SessionChecks", "1 file, present and unchanged since it was made.");
+    return resume
+               ? phrase("SessionChecks",
+                        "The protocol uses 1 file, which has not changed since the session began.")
+               : phrase("SessionChecks",
+                        "The protocol uses 1 file, which is present and has not changed since it "
+                        "was made.");
   }
-  return (resume ? phrase("SessionChecks", "%1 files, the same as when the session began.")
-                 : phrase("SessionChecks", "%1 files, present and unchanged since they were made."))
+  return (resume
+              ? phrase(
+                    "SessionChecks",
+                    "The protocol uses %1 files, which have not changed since the session began.")
+              : phrase("SessionChecks",
+                       "The protocol uses %1 files, which are present and have not changed since "
+                       "they were made."))
       .with(std::to_string(files));
 }
 

@@ -17,7 +17,8 @@ constexpr const char* kStudyCheckLock = "session-check";
 SessionCheck readable_study_check(const std::filesystem::path& study) {
   return {.state = State::look,
           .text = phrase("SessionChecks",
-                         "On a local disk and writable. Every user of this computer can read it."),
+                         "The study folder is on a local disk and writable. Every user of this "
+                         "computer can read it."),
           .remedy = phrase("SessionChecks", "To keep other users out, run: %1")
                         .with("chmod o-rwx " + shell_word(study.string()))};
 }
@@ -29,7 +30,7 @@ SessionCheck study_check(const CheckInputs& inputs) {
     // What a session needs: a reliable lock in a writable folder.
     const StudyLock lock(inputs.study, kStudyCheckLock);
     if (is_readable_by_others(inputs.study)) return readable_study_check(inputs.study);
-    return fine_check(phrase("SessionChecks", "On a local disk and writable."));
+    return fine_check(phrase("SessionChecks", "The study folder is on a local disk and writable."));
   } catch (const ResultsError& error) {
     return {
         .state = State::stop,

@@ -252,16 +252,15 @@ std::vector<Parameter> parameters() {
        .unit = "1",
        .choices = {"virtual", "none"},
        .default_value = std::string("virtual"),
-       .meaning =
-           "virtual: the hand holds a simulated tool by springs; none: the tool is where the "
-           "device is"},
+       .meaning = "virtual: springs connect the hand to a simulated tool; none: the tool is at the "
+                  "position of the device"},
       {.name = "maximum",
        .kind = ParameterKind::choice,
        .unit = "1",
        .choices = {"hard", "smooth"},
        .default_value = std::string("hard"),
        .meaning = "hard: the largest depth and central differences, as in the source; smooth: a "
-                  "soft maximum and its exact gradient, a different force"},
+                  "soft maximum and its exact gradient, which give a different force"},
       number("step_m", "m", 1e-6, 5e-3, 1e-4,
              "Hard maximum only: displacement of the tool for a finite difference; 1, 2, 4 or "
              "8 cells, and at most an eighth of the shortest wavelength"),
@@ -275,8 +274,7 @@ std::vector<Parameter> parameters() {
        .maximum = 512,
        .choices = {},
        .default_value = 256.0,
-       .meaning =
-           "Maximum number of samples across a contact; cells of a wider contact are longer"},
+       .meaning = "Maximum number of samples across a contact; a wider contact has larger cells"},
       number("texture_gain", "1", 0.0, 10.0, 1.0,
              "Factor applied to the displacements of the surface"),
       number("tool_texture_gain", "1", 0.0, 10.0, 1.0,

@@ -66,8 +66,8 @@ void require_sound(const TexturedMesh& mesh) {
            std::to_string(mesh.normals.size()) + " normals.");
   }
   if (mesh.places.size() != mesh.triangles.size()) {
-    refuse("TexturedMesh: " + std::to_string(mesh.triangles.size()) + " triangles, but places of " +
-           std::to_string(mesh.places.size()) + ".");
+    refuse("TexturedMesh: " + std::to_string(mesh.triangles.size()) +
+           " triangles, but places for " + std::to_string(mesh.places.size()) + ".");
   }
   const DisplacementAtlas& atlas = mesh.atlas;
   if (atlas.rows == 0 || atlas.columns == 0 || atlas.values.size() != atlas.rows * atlas.columns) {
@@ -104,8 +104,9 @@ void require_sound(const ContactPatch& patch) {
   }
   for (const std::uint32_t triangle : patch.triangles) {
     if (triangle >= patch.mesh.triangles.size()) {
-      refuse("ContactPatch: triangle " + std::to_string(triangle) + " of a mesh with " +
-             std::to_string(patch.mesh.triangles.size()) + ".");
+      refuse("ContactPatch: triangle " + std::to_string(triangle) +
+             " does not exist in a mesh with " + std::to_string(patch.mesh.triangles.size()) +
+             " triangles.");
     }
   }
 }

@@ -30,7 +30,7 @@ PackedSurface::PackedSurface(const TexturedMesh& mesh, double gain) {
   if (std::max(atlas.rows, atlas.columns) > kMostTexels) {
     throw std::invalid_argument("TexturedMesh: an atlas of " + std::to_string(atlas.rows) + " × " +
                                 std::to_string(atlas.columns) + " texels; at most " +
-                                std::to_string(kMostTexels) + " each way can be sampled.");
+                                std::to_string(kMostTexels) + " per side can be sampled.");
   }
   step_m_ = gain * atlas.step_m;
   rows_ = atlas.rows;

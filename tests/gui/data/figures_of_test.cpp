@@ -105,9 +105,9 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfSharesThatAreDrawn) {
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].note.english(),
-            "Points are proportions of all responses of a row, bars their Wilson 95 % CIs. "
-            "Squares are means of the participants' own proportions: the participant is the unit "
-            "of analysis.");
+            "Points are proportions of all responses of a row; error bars show their Wilson 95 % "
+            "CIs. Squares are means of the participants' own proportions: the participant is the "
+            "unit of analysis.");
   EXPECT_EQ(figures[1].note.english(),
             "Squares are means of the participants' own proportions: the participant is the unit "
             "of analysis.");
@@ -668,9 +668,9 @@ TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
   EXPECT_EQ(singles.points[15].x, times.number("subject.geomean", "P01|texture=wood"));
   EXPECT_NEAR(singles.points[15].y, 3.0, 0.41);
   EXPECT_EQ(figure.note.english(),
-            "Points are geometric means over the participants, bars their t-based 90 % CIs on the "
-            "logarithmic scale. Response times are measured from the cue to the response. Small "
-            "pale marks: individual participants.");
+            "Points are geometric means over the participants; error bars show their t-based 90 % "
+            "CIs on the logarithmic scale. Response times are measured from the cue to the "
+            "response. Small pale marks: individual participants.");
 }
 
 // Of three participants in all trials, of two with wood; other quantities stand between the findings.

@@ -297,7 +297,7 @@ TEST_F(DeviceTests, SayWhatIsKnownOfADeviceThatIsStoodForAndLeaveTheRestOut) {
   const std::string known = shown("profile_known");
   EXPECT_TRUE(known.starts_with("Simulated model of delta.3; known: workspace, peak force,"))
       << known;
-  EXPECT_NE(known.find("unknown: continuous force, position step"), std::string::npos);
+  EXPECT_NE(known.find("unknown: continuous force, position resolution"), std::string::npos);
   EXPECT_NE(
       news().find("The device met every limit that was measured. Not measured, although a limit "
                   "applies: Fraction of the workspace reached. The profile has been stored as"),

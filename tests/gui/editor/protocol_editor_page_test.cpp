@@ -349,7 +349,7 @@ TEST_F(ProtocolEditor, SaysWhyThereIsNoPlan) {
   EXPECT_EQ(side.currentIndex(), 1);
   EXPECT_EQ(label("editor_why_no_plan"),
             "The plan appears here once the text is valid. At present it has 1 problem; the first "
-            "is in line 22.");
+            "is on line 22.");
 }
 
 TEST_F(ProtocolEditor, SaysWhatTheKeyUnderTheCursorMeans) {

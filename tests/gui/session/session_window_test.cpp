@@ -519,8 +519,8 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
   EXPECT_TRUE(
       health(MaskingState::elsewhere).endsWith(" · masking noise from another source (measured)"));
   EXPECT_FALSE(health(MaskingState::elsewhere).contains("▲"));
-  EXPECT_TRUE(
-      health(MaskingState::silent).endsWith(" · the sound card does not play: no masking noise"));
+  EXPECT_TRUE(health(MaskingState::silent)
+                  .endsWith(" · the sound card produces no sound: no masking noise"));
 }
 
 TEST(SessionWindow, SaysFromWhenTheTimeOfAnAnswerCounts) {

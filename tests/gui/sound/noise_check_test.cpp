@@ -134,7 +134,8 @@ TEST(NoiseCheck, SaysThatACardDoesNotPlayUntilItDoes) {
   EXPECT_EQ(check.reservation(), "");
   QTest::mouseClick(&child<QPushButton>(check, "play_noise"), Qt::LeftButton);
   ASSERT_TRUE(eventually([&] { return !check.reservation().isEmpty(); }));
-  EXPECT_TRUE(child<StateLabel>(check, "noise_state").text().contains("Headphones does not play"));
+  EXPECT_TRUE(
+      child<StateLabel>(check, "noise_state").text().contains("Headphones produces no sound"));
   card.hangs = false;
   EXPECT_TRUE(eventually([&] { return check.reservation().isEmpty(); }));
 }

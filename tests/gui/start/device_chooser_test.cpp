@@ -204,7 +204,8 @@ TEST_F(TheDeviceChooser, OpensAnAttachedDeviceOnlyWhenSomebodyWantsItAndTellsWha
   EXPECT_FALSE(find<QComboBox>("device").isEnabled());
   let_it_open.release();
   require([this] { return shown("device_state").contains("Tried"); }, "answer of the device");
-  require([this] { return has_line("check_force_zero", "Exactly 0 N in"); }, "loop's line");
+  require([this] { return has_line("check_force_zero", "Exactly 0 N was sent in"); },
+          "loop's line");
   EXPECT_TRUE(has_line("check_device", "exerts up to 12.0 N at up to"))
       << "as the driver tells of an omega.3";
   EXPECT_TRUE(has_line("check_calibration", "no profile of this device"));

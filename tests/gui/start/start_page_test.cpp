@@ -270,7 +270,7 @@ TEST_F(TheStartPage, RefusesLabelsThatAreEmptyImpossibleOrTaken) {
   type("participant_label", "not a label");
   EXPECT_TRUE(has_reason("1 to 32 letters and digits"));
   type("participant_label", "P001");
-  EXPECT_TRUE(has_reason("P001 is in the study already"));
+  EXPECT_TRUE(has_reason("P001 is already in the study"));
 }
 
 TEST_F(TheStartPage, LeavesALabelAloneThatSomebodyClearsToTypeAnother) {

@@ -433,7 +433,7 @@ TEST_F(Workbench, SaysOfEverythingThatIsNoPictureWhatItIs) {
   std::filesystem::resize_file(huge, std::uintmax_t{3} << 30U);  // a hole; nobody may read it
   const std::vector<std::pair<std::filesystem::path, const char*>> drops{
       {wide, "30000 by 16 pixels; at most 16384"},
-      {words, "is not a picture in a format that is read"},
+      {words, "is not a picture in a supported format"},
       {nothing, "is empty"},
       {folder() / "pictures.png", "is a folder"},
       {half, "is truncated or damaged"},
@@ -828,7 +828,7 @@ TEST_F(Workbench, SaysThatASoundCardDoesNotPlay) {
   auto& said = find<QLabel>("no_sound");
   EXPECT_FALSE(said.isVisible()) << "it may only take its time";
   ASSERT_TRUE(eventually([&] { return said.isVisible(); }));
-  EXPECT_TRUE(said.text().contains("Headphones does not play"));
+  EXPECT_TRUE(said.text().contains("Headphones produces no sound"));
   find<ForceComparison>("comparison").set_sound(null_output());
   EXPECT_TRUE(said.text().contains("There is no sound output"));
 }

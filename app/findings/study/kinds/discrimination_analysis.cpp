@@ -176,8 +176,8 @@ std::string fit_of_block(const Block& block) {
     return "For each participant and condition, a cumulative normal function was fitted to the "
            "choices by maximum likelihood, with lapse rates fixed at 2 % in both directions. The "
            "point of subjective equality (PSE) is the value at which both responses are equally "
-           "frequent, the just-noticeable difference (JND) half the distance between the values at "
-           "25 % and 75 %.";
+           "frequent, and the just-noticeable difference (JND) is half the distance between the "
+           "values at 25 % and 75 %.";
   }
   const std::string fit =
       "For each participant and condition, a Weibull function of the difference from the standard "
