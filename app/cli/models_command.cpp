@@ -15,7 +15,7 @@
 #include "app/cli/parameter_option.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
-#include "renderers/force/friction.h"
+#include "renderers/force/layers.h"
 
 namespace asperity {
 
@@ -45,10 +45,10 @@ nlohmann::ordered_json json_of_condition(const std::optional<ParameterValues>& c
   return json;
 }
 
-/// The parameters of friction, a layer that the point models share.
+/// The parameters of friction and resonance, layers that the point models share.
 std::vector<Parameter> shared_parameters() {
   std::vector<Parameter> shared;
-  add_friction_parameters(shared);
+  add_layer_parameters(shared);
   return shared;
 }
 
@@ -93,7 +93,7 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
                                       ? nlohmann::ordered_json(*model.amplitude_parameter)
                                       : nlohmann::ordered_json()},
           {"parameters", parameters},
-          {"friction_parameters", shared},
+          {"layer_parameters", shared},
           {"is_potential", is_potential(force, {})},
           {"band_Hz", force.band_formula},
           {"moves_by_itself", moves_by_itself(force, {})},
@@ -119,7 +119,7 @@ void print_model(const ForceModel& force) {
   for (const Parameter& parameter : model.parameters) {
     if (is_shared(parameter.name)) shared += (shared.empty() ? "" : ", ") + parameter.name;
   }
-  if (shared.size() > 0) std::cout << "  friction, see below: " << shared << '\n';
+  if (shared.size() > 0) std::cout << "  friction and resonance, see below: " << shared << '\n';
   std::cout << '\n';
 }
 
@@ -142,7 +142,7 @@ void add_models(CLI::App& program, Job& job) {
         std::cout << document.dump(2) << '\n';
       } else {
         for (const ForceModel& model : registry.models()) print_model(model);
-        std::cout << "Friction, of all models that have these parameters\n"
+        std::cout << "Friction and resonance, of all models that have these parameters\n"
                   << described(shared_parameters());
       }
       return 0;

@@ -8,7 +8,7 @@
 
 #include "app/study_files/parameter_json.h"
 #include "app/words/phrase.h"
-#include "renderers/force/friction.h"
+#include "renderers/force/layers.h"
 #include "renderers/offline/force_matching.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
@@ -46,10 +46,10 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
   nlohmann::ordered_json problem{
       {"model", stimulus.model->declaration.id},
       {"version", stimulus.model->declaration.version},
-      {"parameters", json_text_of(without_unused_friction(inputs.parameters))},
+      {"parameters", json_text_of(without_unused_layers(inputs.parameters))},
       {"reference", reference == nullptr ? "" : reference->declaration.id},
       {"reference_version", reference == nullptr ? "" : reference->declaration.version},
-      {"reference_parameters", json_text_of(without_unused_friction(reference_parameters))},
+      {"reference_parameters", json_text_of(without_unused_layers(reference_parameters))},
       {"rms_N", request.rms_N.value_or(0.0)},
       {"stiffness_N_per_m", inputs.material.stiffness_N_per_m},
       {"friction", inputs.material.friction},

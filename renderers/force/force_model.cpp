@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "analysis/number_text.h"
+#include "renderers/force/resonance.h"
 #include "stimuli/stimulus_description.h"
 
 namespace asperity {
@@ -73,15 +74,17 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
   }
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);
-  return model.make(complete);
+  return with_resonance(model.make(complete), complete);
 }
 
 bool is_potential(const ForceModel& model, const ParameterValues& given) {
-  return holds(model.conservative_with, complete_values(model.declaration, given));
+  const ParameterValues complete = complete_values(model.declaration, given);
+  return holds(model.conservative_with, complete) && resonance_sd_N(complete) == 0.0;
 }
 
 bool moves_by_itself(const ForceModel& model, const ParameterValues& given) {
-  return holds(model.moves_by_itself_with, complete_values(model.declaration, given));
+  const ParameterValues complete = complete_values(model.declaration, given);
+  return holds(model.moves_by_itself_with, complete) || resonance_sd_N(complete) > 0.0;
 }
 
 bool feels_applied_force(const ForceModel& model, const ParameterValues& given) {
@@ -93,7 +96,8 @@ double band_Hz(const ForceModel& model, const RendererInputs& inputs, double spe
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);
   const TextureBand band = model.band(complete);
-  return std::max(band.time_Hz, speed_m_per_s * band.per_m);
+  const double resonance_Hz = resonance_sd_N(complete.parameters) > 0.0 ? kResonanceCutoff_Hz : 0.0;
+  return std::max({band.time_Hz, speed_m_per_s * band.per_m, resonance_Hz});
 }
 
 TextureBand band_of_height_field(const RendererInputs& inputs) {

@@ -11,6 +11,7 @@
 
 #include "analysis/autoregression.h"
 #include "analysis/random.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/recursive_noise.h"
@@ -137,7 +138,7 @@ std::vector<Parameter> parameters_of_friction() {
                                      (i == 0 ? " step back" : " steps back")});
   }
   parameters.push_back(device_step_parameter());
-  add_friction_parameters(parameters);
+  add_layer_parameters(parameters);
   return parameters;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 
 namespace asperity {
@@ -93,7 +94,7 @@ ForceModel bump_map_model() {
        .default_value = std::string("mean"),
        .meaning = "mean: contact begins at the plane; crest: contact begins above the plane, by "
                   "the height of the texture from its lowest to its highest point"}};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<BumpMap>(inputs);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/random.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/recursive_noise.h"
 #include "renderers/force/surface_contact.h"
@@ -135,7 +136,7 @@ ForceModel filtered_noise_model() {
        .default_value = 0.5,
        .meaning = "Normal force below which the texture force decreases in proportion"},
       device_step_parameter()};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<FilteredNoise>(inputs);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 
 namespace asperity {
@@ -150,7 +151,7 @@ ForceModel height_map_model() {
        .choices = {},
        .default_value = 500.0,
        .meaning = "Literal law only: k1 of equation 2, the stiffness of the plate"}};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     if (choice_of(inputs.parameters, "law") == "literal") {
       return std::make_unique<LiteralHeightMap>(inputs);

@@ -2,6 +2,7 @@
 
 #include "renderers/models/lateral_gradient.h"
 
+#include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 
 namespace asperity {
@@ -73,7 +74,7 @@ ForceModel lateral_gradient_model() {
                              .meaning = "constant: the force along the surface does not depend on "
                                         "how hard the hand presses, as in the source; force: it is "
                                         "proportional to the normal force"}};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<LateralGradient>(inputs);

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 
 namespace asperity {
@@ -179,7 +180,7 @@ ForceModel normal_map_model() {
        .meaning =
            "Law grey_level only: bits of a grey level and of a stored component; 8 as in the "
            "source, 24 for practically no rounding"}};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<NormalMap>(inputs);

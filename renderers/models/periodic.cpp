@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/number_text.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/models/sinusoid.h"
 
@@ -227,7 +228,7 @@ std::vector<Parameter> parameters_of_waves() {
        .default_value = std::string("fixed"),
        .meaning = "fixed: along the normal of the plane; local_normal: along that of the relief; "
                   "gradient: the negative gradient of the energy of the spring"});
-  add_friction_parameters(parameters);
+  add_layer_parameters(parameters);
   return parameters;
 }
 

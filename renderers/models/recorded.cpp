@@ -15,6 +15,7 @@
 #include "analysis/number_text.h"
 #include "analysis/random.h"
 #include "analysis/spectrum.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/servo_low_pass.h"
@@ -272,7 +273,7 @@ std::vector<Parameter> parameters_of_playback() {
        .meaning = "Whether a recording with a single speed is accepted; its spectrum is then used "
                   "at every speed"},
       device_step_parameter()};
-  add_friction_parameters(parameters);
+  add_layer_parameters(parameters);
   return parameters;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "analysis/spectrum.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 
 namespace asperity {
@@ -105,7 +106,7 @@ ForceModel sinusoid_model() {
        .meaning =
            "fixed: along the normal of the plane, as in the source; local_normal: along that of "
            "the grating; gradient: the negative gradient of the energy of the spring"}};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<Sinusoid>(inputs);

@@ -11,6 +11,7 @@
 
 #include "analysis/random.h"
 #include "renderers/force/gradient_noise.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/models/sinusoid.h"
 
@@ -173,7 +174,7 @@ ForceModel solid_noise_model() {
        .default_value = 0.0,
        .meaning = "Force along the surface, -gain times normal force times slope; 1 makes the "
                   "force conservative"}};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<SolidNoise>(inputs);

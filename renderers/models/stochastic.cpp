@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "analysis/random.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/servo_low_pass.h"
 #include "renderers/force/surface_contact.h"
@@ -209,7 +210,7 @@ ForceModel stochastic_model() {
        .default_value = 1e-4,
        .meaning = "Index distance only: length of path after which the noise takes a new value"},
       device_step_parameter("Index distance only")};
-  add_friction_parameters(declaration.parameters);
+  add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             if (choice_of(inputs.parameters, "index") == "distance") {

@@ -47,7 +47,7 @@ double four_errors(double p, double n) { return 4.0 * std::sqrt(p * (1.0 - p) / 
 // The exact coverage of Wilson's interval for 60 trials at .5 and .87, and the exact size of the binomial test against
 // 1/4, summed over the binomial distribution.
 TEST(CoverageCounts, AreThoseOfKnownIntervalsAndTests) {
-  constexpr std::size_t kTables = 1500;
+  constexpr std::size_t kTables = 500;
   const CoveragePart part = part_named("recognition");
   for (const auto& [p, exact] : {std::pair{0.5, 0.9481061}, std::pair{0.87, 0.9459820}}) {
     const auto counts = counts_in(part, {.participants = 20, .trials = 3, .effect = p},

@@ -23,21 +23,21 @@ constexpr int kFewStrokes = 2;
 TEST(DeafObserver, AnswersByChanceInEveryKind) {
   SimulatedStudy study;
   const GateCounts selection =
-      study.run({"chapter_selection", GateObserver::deaf, 17, 4, {101}, kFewStrokes});
-  EXPECT_EQ(selection.trials, 204U);
+      study.run({"chapter_selection", GateObserver::deaf, 8, 3, {101}, kFewStrokes});
+  EXPECT_EQ(selection.trials, 72U);
   expect_no_model_preferred(selection, kNoMargin);
   expect_all_marked_as_guesses(selection);
 
   const GateCounts matching =
-      study.run({"improved_matching", GateObserver::deaf, 52, 4, {102}, kFewStrokes});
-  EXPECT_EQ(matching.trials, 208U);
+      study.run({"improved_matching", GateObserver::deaf, 26, 3, {102}, kFewStrokes});
+  EXPECT_EQ(matching.trials, 78U);
   expect_items_by_chance(matching, 4, kNoMargin);
   expect_by_chance("matched wholly", {matching.whole, matching.trials}, whole_chance(4), kNoMargin);
   expect_all_marked_as_guesses(matching);
 
   const GateCounts recognition =
-      study.run({"improved_recognition", GateObserver::deaf, 10, 5, {103}, kFewStrokes});
-  EXPECT_EQ(recognition.trials, 200U);
+      study.run({"improved_recognition", GateObserver::deaf, 5, 4, {103}, kFewStrokes});
+  EXPECT_EQ(recognition.trials, 80U);
   expect_by_chance("recognised", {recognition.right, recognition.trials}, 1.0 / 6.0, kNoMargin);
   expect_all_marked_as_guesses(recognition);
 

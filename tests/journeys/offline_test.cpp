@@ -241,7 +241,7 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
     ids.push_back(model.at("id"));
     for (const char* key :
          {"version", "summary", "source", "conservative_with", "needs_height_field", "needs_bodies",
-          "assets", "amplitude_parameter", "parameters", "friction_parameters", "is_potential",
+          "assets", "amplitude_parameter", "parameters", "layer_parameters", "is_potential",
           "band_Hz", "moves_by_itself", "moves_by_itself_with"}) {
       EXPECT_TRUE(model.contains(key)) << key;
     }
@@ -262,7 +262,7 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
             R"({"lateral_gradient_gain":1.0,"law":"corrected"})");
   EXPECT_EQ(height_map.at("needs_height_field"), true);
   EXPECT_EQ(height_map.at("amplitude_parameter"), "height_scale");
-  EXPECT_THAT(height_map.at("friction_parameters").get<std::vector<std::string>>(),
+  EXPECT_THAT(height_map.at("layer_parameters").get<std::vector<std::string>>(),
               testing::IsSupersetOf({"friction_law", "friction_speed_m_per_s"}));
   EXPECT_EQ(height_map.at("is_potential"), false);
   EXPECT_EQ(height_map.at("moves_by_itself"), false);

@@ -17,6 +17,7 @@
 
 #include "analysis/random.h"
 #include "renderers/force/adjacent_patches.h"
+#include "renderers/force/layers.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/offline/along_path.h"
 #include "renderers/offline/force_matching.h"
@@ -85,12 +86,12 @@ TEST(FrictionLaws, AreDeclaredByEveryPointModelOnceAndWithTheSameDefaults) {
 TEST(FrictionLaws, AddNothingToTheParametersOfEarlierVersionsWhereTheyAreNotChosen) {
   const ForceModel sinusoid = sinusoid_model();
   const ParameterValues earlier =
-      without_unused_friction(complete_values(sinusoid.declaration, {}));
+      without_unused_layers(complete_values(sinusoid.declaration, {}));
   EXPECT_THAT(earlier, testing::ElementsAre(
                            testing::Key("amplitude_m"), testing::Key("direction_rad"),
                            testing::Key("force_direction"), testing::Key("friction_speed_m_per_s"),
                            testing::Key("wavelength_m")));
-  const ParameterValues dahl = without_unused_friction(friction_with("dahl"));
+  const ParameterValues dahl = without_unused_layers(friction_with("dahl"));
   EXPECT_THAT(
       dahl, testing::ElementsAre(testing::Key("friction_law"), testing::Key("friction_smoothing_s"),
                                  testing::Key("friction_speed_m_per_s"),

@@ -10,7 +10,7 @@
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
 #include "app/study_files/parameter_json.h"
-#include "renderers/force/friction.h"
+#include "renderers/force/layers.h"
 
 namespace asperity {
 
@@ -243,7 +243,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
          text_cell(text(surface.texture)),
          text_cell(tr("%1 %2").arg(text(surface.model), text(surface.model_version))),
          text_cell(words_of_object(
-             json_text_of(without_unused_friction(parameter_values_in(surface.parameters_json))))),
+             json_text_of(without_unused_layers(parameter_values_in(surface.parameters_json))))),
          decimal_cell(surface.contact_s, 2), decimal_cell(surface.achieved_texture_force_N, 4)});
   }
   surfaces_->fill(rows);

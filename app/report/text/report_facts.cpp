@@ -13,7 +13,7 @@
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
-#include "renderers/force/friction.h"
+#include "renderers/force/layers.h"
 
 namespace asperity {
 
@@ -131,7 +131,7 @@ void add_textures_of_bodies(const std::string& stimulus, ReportFacts& facts) {
 
 void count_parameters(const PresentationRow& surface, ReportFacts& facts) {
   for (const auto& [name, value] :
-       without_unused_friction(parameter_values_in(surface.parameters_json))) {
+       without_unused_layers(parameter_values_in(surface.parameters_json))) {
     facts.parameters[surface.model][name].insert(value);
   }
 }

@@ -15,9 +15,9 @@
 #include "app/figures/axis_ticks.h"
 #include "app/figures/draw_figure.h"
 #include "app/figures/figures_of.h"
-#include "app/findings/tidy/reference_case.h"
 #include "results_schema/study.h"
 #include "tests/app/made_up_study.h"
+#include "tests/gui/data/drawn_case.h"
 #include "tests/gui/data/drawn_svg.h"
 
 namespace asperity {
@@ -28,7 +28,7 @@ std::filesystem::path all_cases() {
 }
 
 std::vector<Figure> figures_of_case(const std::filesystem::path& folder) {
-  const ReferenceCase read = read_reference_case(folder);
+  const ReferenceCase read = test::case_to_draw(folder);
   return figures_of(read.family, read.input, tidy_family(read.family).findings(read.input), "mm");
 }
 

@@ -19,8 +19,8 @@
 #include "app/figures/sweep_figure.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/exploration.h"
-#include "app/findings/tidy/reference_case.h"
 #include "renderers/built_in_models.h"
+#include "tests/gui/data/drawn_case.h"
 
 namespace asperity {
 namespace {
@@ -46,8 +46,8 @@ struct Analysed {
 };
 
 Analysed analysed(const std::string& name) {
-  Analysed all{read_reference_case(std::filesystem::path(ASPERITY_SOURCE_DIR) /
-                                   "tests/analysis/reference" / name)};
+  Analysed all{test::case_to_draw(std::filesystem::path(ASPERITY_SOURCE_DIR) /
+                                  "tests/analysis/reference" / name)};
   all.findings = tidy_family(all.read.family).findings(all.read.input);
   all.figures = figures_of(all.read.family, all.read.input, all.findings, "mm");
   return all;
