@@ -43,9 +43,9 @@ double mcnemar_test(const Discordance& discordance) {
 ConfidenceInterval mcnemar_bounds(const McNemarMargins& margins) {
   if (std::max(margins.first, margins.second) > margins.participants) {
     throw std::invalid_argument("margins: first is " + std::to_string(margins.first) +
-                                " and second " + std::to_string(margins.second) + " of " +
-                                std::to_string(margins.participants) +
-                                " participants; neither can exceed their number");
+                                ", second is " + std::to_string(margins.second) +
+                                " and participants is " + std::to_string(margins.participants) +
+                                "; first and second must not exceed participants");
   }
   // Of those who say yes first, all but `both` say so only then.
   const std::uint64_t most = std::min(margins.first, margins.second);

@@ -177,9 +177,9 @@ std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data) {
 Eigen::MatrixXd clustered_covariance(const ConditionalLogit& fit, const ChoiceData& data,
                                      std::span<const std::size_t> clusters) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) +
-                                " entries and data has " + std::to_string(data.strata()) +
-                                " strata; clusters must have one entry per stratum");
+    throw std::invalid_argument("clusters: number of entries " + std::to_string(clusters.size()) +
+                                ", of strata " + std::to_string(data.strata()) +
+                                "; clusters must have one entry per stratum");
   }
   const Eigen::MatrixXd scores = data.slopes(fit.coefficients, clusters).scores;
   return fit.covariance * (scores.transpose() * scores) * fit.covariance;
@@ -189,9 +189,9 @@ std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const 
                                              std::span<const std::size_t> clusters,
                                              const Eigen::MatrixXd& combinations) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) +
-                                " entries and data has " + std::to_string(data.strata()) +
-                                " strata; clusters must have one entry per stratum");
+    throw std::invalid_argument("clusters: number of entries " + std::to_string(clusters.size()) +
+                                ", of strata " + std::to_string(data.strata()) +
+                                "; clusters must have one entry per stratum");
   }
   if (std::set<std::size_t>(clusters.begin(), clusters.end()).size() < kFewestClusters) return {};
   const ChoiceData::Slopes at = data.slopes(fit.coefficients, clusters);

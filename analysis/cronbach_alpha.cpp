@@ -25,9 +25,9 @@ CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>>
   std::vector<const std::vector<std::optional<double>>*> complete{};
   for (const auto& row : scores) {
     if (row.size() != answer.items) {
-      throw std::invalid_argument("scores: a respondent has " + std::to_string(row.size()) +
-                                  " items; every respondent must have as many as the first one, " +
-                                  std::to_string(answer.items));
+      throw std::invalid_argument(
+          "scores: number of items of a respondent " + std::to_string(row.size()) +
+          "; it must be that of the first respondent, " + std::to_string(answer.items));
     }
     for (const std::optional<double>& score : row) {
       if (score && !std::isfinite(*score)) {

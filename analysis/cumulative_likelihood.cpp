@@ -284,8 +284,8 @@ void OrdinalLikelihood::refuse_impossible() const {
   for (const OrdinalResponse& one : responses_) {
     if (one.category >= model_.categories) {
       throw std::invalid_argument("responses: category " + std::to_string(one.category) +
-                                  " is not one of " + std::to_string(model_.categories) +
-                                  ", which are numbered from 0");
+                                  "; it must be less than the number of categories, " +
+                                  std::to_string(model_.categories));
     }
   }
 }

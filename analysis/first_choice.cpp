@@ -62,9 +62,9 @@ ChoiceProbabilities probabilities_at(const Eigen::VectorXd& mean) {
 
 LuceWorths luce_worths(std::span<const std::uint64_t> counts, std::size_t reference) {
   if (reference >= counts.size()) {
-    throw std::invalid_argument("reference is " + std::to_string(reference) + " of " +
-                                std::to_string(counts.size()) +
-                                " alternatives; it must be below their number");
+    throw std::invalid_argument("reference is " + std::to_string(reference) +
+                                "; it must be less than the number of alternatives, " +
+                                std::to_string(counts.size()));
   }
   LuceWorths worths{};
   worths.half_added = std::find(counts.begin(), counts.end(), 0U) != counts.end();

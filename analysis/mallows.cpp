@@ -65,8 +65,8 @@ MallowsFit mallows_fit(std::span<const std::size_t> right, std::size_t items, do
     throw std::invalid_argument("right is empty; at least one assignment is needed");
   for (const std::size_t one : right) {
     if (one > items) {
-      throw std::invalid_argument("right is " + std::to_string(one) + " of " +
-                                  std::to_string(items) + " items; it cannot exceed their number");
+      throw std::invalid_argument("right is " + std::to_string(one) + " and items is " +
+                                  std::to_string(items) + "; right must not exceed items");
     }
   }
   const auto n = static_cast<double>(right.size());

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <charconv>
-#include <cstddef>
-#include <string_view>
 
 namespace asperity {
 
@@ -23,6 +21,10 @@ std::string fixed(double number, int decimals) {
   const bool is_less_than_nothing =
       whole.starts_with('-') && whole.find_first_not_of("-0.") == std::string_view::npos;
   return std::string(is_less_than_nothing ? whole.substr(1) : whole);
+}
+
+std::string counted(std::size_t number, std::string_view one, std::string_view several) {
+  return std::to_string(number) + ' ' + std::string(number == 1 ? one : several);
 }
 
 }  // namespace asperity

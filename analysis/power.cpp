@@ -344,9 +344,8 @@ MatchingPower mallows_power(const MatchingPlan& plan, double theta) {
 
 MatchingPower known_items_power(const MatchingPlan& plan, std::size_t known) {
   if (known > plan.items) {
-    throw std::invalid_argument("known is " + std::to_string(known) + " of " +
-                                std::to_string(plan.items) +
-                                " items; it cannot exceed their number");
+    throw std::invalid_argument("known is " + std::to_string(known) + " and items is " +
+                                std::to_string(plan.items) + "; known must not exceed items");
   }
   std::vector<double> alternative(known, 0.0);
   const std::vector<double> rest =

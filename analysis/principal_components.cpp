@@ -116,9 +116,9 @@ ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
   }
   for (const Eigen::VectorXd& one : of_noise) {
     if (one.size() != eigenvalues.size()) {
-      throw std::invalid_argument("of_noise: a data set has " + std::to_string(one.size()) +
-                                  " components; it must have " +
-                                  std::to_string(eigenvalues.size()));
+      throw std::invalid_argument(
+          "of_noise: number of components of a data set " + std::to_string(one.size()) +
+          "; it must be that of the eigenvalues, " + std::to_string(eigenvalues.size()));
     }
   }
   ParallelAnalysis answer{.limits = Eigen::VectorXd::Zero(eigenvalues.size()),

@@ -22,7 +22,8 @@ constexpr double kNotMoreLikely = 1e-3;  // sums of floats
 std::vector<double> steps_between(double low, double high, std::size_t count, bool in_ratios) {
   if (!(low <= high) || (in_ratios && !(low > 0.0))) {
     throw std::invalid_argument(
-        "family: a range is empty, or steps of equal ratio do not begin above 0");
+        "family: a range is empty, or steps of equal ratio do not begin above 0; every range must "
+        "be ascending, and one in equal ratios must begin above 0");
   }
   if (low == high) return {low};
   std::vector<double> values(count);

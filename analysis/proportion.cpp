@@ -21,9 +21,8 @@ void refuse_impossible_count(const HitCount& count) {
     throw std::invalid_argument("trials is 0; a proportion needs at least one trial");
   }
   if (count.hits > count.trials) {
-    throw std::invalid_argument("hits is " + std::to_string(count.hits) + " of " +
-                                std::to_string(count.trials) +
-                                " trials; it cannot exceed their number");
+    throw std::invalid_argument("hits is " + std::to_string(count.hits) + " and trials is " +
+                                std::to_string(count.trials) + "; hits must not exceed trials");
   }
 }
 

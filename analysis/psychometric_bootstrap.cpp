@@ -73,9 +73,9 @@ ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks
   std::vector<PsychometricBlock> resampled(blocks.begin(), blocks.end());
   for (const std::vector<std::uint64_t>& hits : resamples) {
     if (hits.size() != blocks.size()) {
-      throw std::invalid_argument("resamples: a row has " + std::to_string(hits.size()) +
-                                  " counts; it must have one per block, " +
-                                  std::to_string(blocks.size()));
+      throw std::invalid_argument(
+          "resamples: number of counts in a row " + std::to_string(hits.size()) +
+          "; it must be the number of blocks, " + std::to_string(blocks.size()));
     }
     for (std::size_t i = 0; i < hits.size(); ++i) {
       resampled[i].hits = hits[i];

@@ -72,9 +72,8 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
   std::vector<PsychometricBlock> kept;
   for (const PsychometricBlock& block : blocks) {
     if (block.hits > block.trials) {
-      throw std::invalid_argument("hits is " + std::to_string(block.hits) + " of " +
-                                  std::to_string(block.trials) +
-                                  " trials; it cannot exceed their number");
+      throw std::invalid_argument("hits is " + std::to_string(block.hits) + " and trials is " +
+                                  std::to_string(block.trials) + "; hits must not exceed trials");
     }
     if (!std::isfinite(block.x) || (is_weibull(model.shape) && block.x < 0.0)) {
       throw std::invalid_argument("x is " + number_text(block.x) +

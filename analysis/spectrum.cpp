@@ -176,9 +176,9 @@ std::vector<Complex> real_spectrum(std::span<const double> signal) {
 PowerSpectrum welch_spectrum(std::span<const double> signal, const WelchWindows& windows) {
   const std::size_t length = windows.length;
   if (length < 2 || signal.size() < length) {
-    throw std::invalid_argument(
-        "windows.length is " + std::to_string(length) + " with " + std::to_string(signal.size()) +
-        " samples; it must be at least 2 and at most the number of samples");
+    throw std::invalid_argument("windows.length is " + std::to_string(length) +
+                                "; it must be at least 2 and at most the number of samples, " +
+                                std::to_string(signal.size()));
   }
   if (!(windows.rate_Hz > 0.0)) {
     throw std::invalid_argument("rate_Hz must be positive");
@@ -256,10 +256,10 @@ std::optional<double> dominant_wavelength_m(const HeightSamples& samples) {
                                 "; a dominant wavelength requires at least 16 rows and columns");
   }
   if (samples.heights_m.size() != samples.rows * samples.columns) {
-    throw std::invalid_argument("heights_m: " + std::to_string(samples.heights_m.size()) +
-                                " heights; their number must be rows times columns, " +
-                                std::to_string(samples.rows) + " times " +
-                                std::to_string(samples.columns));
+    throw std::invalid_argument("heights_m: number of heights " +
+                                std::to_string(samples.heights_m.size()) +
+                                "; it must be rows times columns, " + std::to_string(samples.rows) +
+                                " times " + std::to_string(samples.columns));
   }
   if (!(samples.pitch_m > 0.0)) {
     throw std::invalid_argument("pitch_m must be positive");

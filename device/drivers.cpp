@@ -49,7 +49,8 @@ Driver simulated_driver() {
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             if (options.hand == nullptr) {
               throw std::invalid_argument(
-                  "the simulated device needs a virtual hand to hold it, and there is none");
+                  "the simulated device needs a virtual hand to hold it, and there is none; choose "
+                  "another device");
             }
             return std::make_unique<SimulatedDevice>(
                 *options.hand,
@@ -87,7 +88,8 @@ void DriverRegistry::add(Driver driver) {
         "\"; it must consist of letters a to z, digits and _, and begin with a letter");
   }
   if (find(driver.id) != nullptr) {
-    throw std::invalid_argument("there are two drivers \"" + driver.id + "\"");
+    throw std::invalid_argument("there are two drivers \"" + driver.id +
+                                "\"; each needs its own id");
   }
   drivers_.push_back(std::move(driver));
 }

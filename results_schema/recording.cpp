@@ -91,7 +91,7 @@ void refuse_bad_header(const RecordingHeader& header) {
     }
   }
   if (!Json::accept(header.context_json)) {
-    throw std::invalid_argument("context_json is not JSON");
+    throw std::invalid_argument("context_json is not JSON; it must be a JSON text");
   }
 }
 

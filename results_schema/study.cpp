@@ -427,7 +427,8 @@ std::int64_t Study::add_protocol(const ProtocolRow& protocol) {
   const std::string sha256 = sha256_of(protocol.source);
   if (!protocol.source_sha256.empty() && protocol.source_sha256 != sha256) {
     throw ResultsError("the protocol " + protocol.name + " does not have the SHA-256 " +
-                           protocol.source_sha256 + " that is stated for it, but " + sha256,
+                           protocol.source_sha256 + " that is stated for it, but " + sha256 +
+                           "; store the text whose SHA-256 is stated",
                        store_->folder);
   }
   Transaction transaction(database);
@@ -467,9 +468,9 @@ ProtocolRow Study::protocol(std::int64_t id) const {
   for (ProtocolRow& row : protocols()) {
     if (row.id == id) return std::move(row);
   }
-  throw ResultsError(
-      "the study " + store_->folder.string() + " has no protocol with the id " + std::to_string(id),
-      store_->folder);
+  throw ResultsError("the study " + store_->folder.string() + " has no protocol with the id " +
+                         std::to_string(id) + "; run asperity verify on the study",
+                     store_->folder);
 }
 
 void Study::remember_solution(const std::string& key, const std::string& solution_json) {

@@ -343,7 +343,8 @@ std::int64_t Study::session_of(std::int64_t attempt_id) const {
     Statement statement(database, "SELECT session_id FROM attempt WHERE id = ?");
     if (!statement.bind(attempt_id).step()) {
       throw ResultsError("the study " + database.folder().string() +
-                             " has no attempt with the id " + std::to_string(attempt_id),
+                             " has no attempt with the id " + std::to_string(attempt_id) +
+                             "; run asperity verify on the study",
                          database.folder());
     }
     std::int64_t session_id = 0;

@@ -17,6 +17,8 @@ constexpr std::array kModes{SessionMode::run, SessionMode::pilot, SessionMode::s
 constexpr std::array kStates{SessionState::open, SessionState::completed, SessionState::stopped,
                              SessionState::crashed};
 
+constexpr const char* kVerify = "; run asperity verify on the study";
+
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
   throw ResultsError("the study " + folder.string() + " " + why, folder);
 }
@@ -28,7 +30,7 @@ std::string named(std::int64_t session_id) {
 SessionState state_of(Database& database, std::int64_t session_id) {
   Statement statement(database, "SELECT state FROM session WHERE id = ?");
   if (!statement.bind(session_id).step()) {
-    refuse(database.folder(), "has no session with the id " + std::to_string(session_id));
+    refuse(database.folder(), "has no session with the id " + std::to_string(session_id) + kVerify);
   }
   std::string state;
   statement.read(state);
@@ -175,8 +177,8 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   if (last.bind(participant_id).step()) last.read(next);
   if (session.session != 0 && session.session != next) {
     refuse(database.folder(), "cannot begin session " + std::to_string(session.session) +
-                                  " of participant " + session.participant +
-                                  ": the next one is session " + std::to_string(next));
+                                  " of participant " + session.participant + "; begin session " +
+                                  std::to_string(next) + ", the next one");
   }
   insert_session(database, session, next, participant_id);
   const std::int64_t id = database.last_row_id();
@@ -254,7 +256,8 @@ std::int64_t Study::add_session(
   Transaction transaction(database);
   Statement protocol_name(database, "SELECT name FROM protocol WHERE id = ?");
   if (!protocol_name.bind(session.protocol_id).step()) {
-    refuse(store_->folder, "has no protocol with the id " + std::to_string(session.protocol_id));
+    refuse(store_->folder,
+           "has no protocol with the id " + std::to_string(session.protocol_id) + kVerify);
   }
   std::string name;
   protocol_name.read(name);
@@ -275,7 +278,7 @@ SessionRow Study::session(std::int64_t id) const {
   return store_->read([id](Database& database) {
     Statement statement(database, std::string(kSelectSessions) + "WHERE session.id = ?");
     if (!statement.bind(id).step()) {
-      refuse(database.folder(), "has no session with the id " + std::to_string(id));
+      refuse(database.folder(), "has no session with the id " + std::to_string(id) + kVerify);
     }
     SessionRow row;
     read_session(statement, row);
@@ -369,20 +372,22 @@ void Study::end_segment(std::int64_t session_id, int segment, std::int64_t time_
       .run();
   if (sqlite3_changes(database.handle()) != 1) {
     refuse(store_->folder,
-           "has no segment " + std::to_string(segment) + " in " + named(session_id));
+           "has no segment " + std::to_string(segment) + " in " + named(session_id) + kVerify);
   }
   transaction.commit();
 }
 
 void Study::end_session(std::int64_t session_id, SessionState state, const std::string& ended_utc) {
   if (state == SessionState::open) {
-    throw std::invalid_argument("state: a session ends as completed, stopped or crashed");
+    throw std::invalid_argument(
+        "state: a session cannot end as open; it must end as completed, stopped or crashed");
   }
   Database& database = store_->writable();
   Transaction transaction(database);
   if (state_of(database, session_id) != SessionState::open) {
     refuse(store_->folder, "cannot end " + named(session_id) + ", which is " +
-                               text_of(state_of(database, session_id)) + " already");
+                               text_of(state_of(database, session_id)) +
+                               " already; a session can be ended only once");
   }
   set_state(database, session_id, state, ended_utc);
   transaction.commit();

@@ -165,8 +165,9 @@ TableFile::~TableFile() = default;
 
 void TableFile::add(const std::vector<Cell>& row) {
   if (row.size() != state_->columns) {
-    throw std::invalid_argument("row: it has " + std::to_string(row.size()) + " cells for " +
-                                std::to_string(state_->columns) + " columns");
+    throw std::invalid_argument("row: number of cells " + std::to_string(row.size()) +
+                                "; it must be the number of columns, " +
+                                std::to_string(state_->columns));
   }
   const char separator = state_->format == Format::csv ? ',' : '\t';
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -179,8 +180,9 @@ void TableFile::add(const std::vector<Cell>& row) {
 
 void TableFile::add(double first, const std::vector<float>& rest) {
   if (rest.size() + 1 != state_->columns) {
-    throw std::invalid_argument("rest: it has " + std::to_string(rest.size()) + " numbers for " +
-                                std::to_string(state_->columns - 1) + " columns");
+    throw std::invalid_argument("rest: number of values " + std::to_string(rest.size()) +
+                                "; it must be the number of columns after the first, " +
+                                std::to_string(state_->columns - 1));
   }
   append_number(state_->buffer, first);
   for (const float number : rest) {

@@ -220,20 +220,26 @@ TidyTable::TidyTable(std::vector<Column> columns, std::string name) : name_(std:
   };
   for (Column& column : columns) {
     if (!made_.empty() && rows_in(column.cells) != rows()) {
-      refuse_column(column, " is not as long as the first one");
+      refuse_column(column,
+                    " is not as long as the first one; all columns must have the same length");
     }
     if (const auto* const labels = std::get_if<LabelColumn>(&column.cells)) {
       const bool has_names =
           std::all_of(labels->codes.begin(), labels->codes.end(), [labels](std::size_t code) {
             return code < labels->names.size() || code == LabelColumn::kMissing;
           });
-      if (!has_names) refuse_column(column, " has a code without a name");
+      if (!has_names) {
+        refuse_column(
+            column, " has a code without a name; every code must be less than the number of names");
+      }
     } else {
       const NumberColumn& numbers = std::get<NumberColumn>(column.cells);
       const bool is_finite = std::all_of(
           numbers.begin(), numbers.end(),
           [](const std::optional<double>& number) { return !number || std::isfinite(*number); });
-      if (!is_finite) refuse_column(column, " has a number that is not finite");
+      if (!is_finite) {
+        refuse_column(column, " has a number that is not finite; all must be finite");
+      }
     }
     add_column(std::move(column.name));
     made_.push_back(std::move(column.cells));
@@ -386,7 +392,7 @@ LabelColumn TidyTable::labels(std::string_view column, std::vector<std::string> 
     if (code == LabelColumn::kMissing) continue;
     if (code_of[code] == LabelColumn::kMissing) {
       std::string sentence =
-          std::string(column) + " is \"" + found.names[code] + "\", which is not one of";
+          std::string(column) + " is \"" + found.names[code] + "\"; it must be one of:";
       for (std::size_t i = 0; i < labels.names.size(); ++i) {
         sentence += (i > 0 ? ", " : " ") + labels.names[i];
       }

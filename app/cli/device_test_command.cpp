@@ -112,7 +112,7 @@ void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& op
       what_measuring_does(capability.model + ' ' + capability.serial, options.force_N).english();
   if (agrees(what + "\n  Ctrl-C sets the force to zero at once.", is_agreed, stop)) return;
   throw std::runtime_error(stop.stop_requested()
-                               ? "nothing was measured: stopped on request"
+                               ? "nothing was measured: the test was stopped on request"
                                : "nothing was measured: the answer was not \"yes\"");
 }
 
@@ -213,7 +213,7 @@ void add_device_test(CLI::App& program, Job& job) {
         say(fixed(100.0 * news.done, 0) + " %: " + news.what);
       };
       const auto [profile, file] = measure_device(*device, order, interrupt.token());
-      if (file) say("stored as " + file->string());
+      if (file) say("the profile is stored as " + file->string());
       if (options->json) {
         std::cout << json_text_of(profile);
       } else {

@@ -122,7 +122,7 @@ void add_export(CLI::App& program, Job& job) {
                                [&progress](double fraction) { progress.show(fraction); });
       }
       if (interrupt.token().stop_requested()) {
-        say("asperity: stopped before everything was written; the incomplete export was removed");
+        say("asperity: the export was stopped; the incomplete export was removed");
         return 1;
       }
       say_what_was_written(options->out, outcome.files);

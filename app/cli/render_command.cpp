@@ -65,8 +65,8 @@ void require_material(const Material& material) {
 void tell_limits(const ForceRenderer& renderer, std::size_t ticks) {
   for (const NamedCount& limit : renderer.limits()) {
     if (limit.ticks == 0 || limit.name == "contact") continue;
-    std::cerr << limit.name << " in " << limit.ticks << " of " << ticks
-              << " ticks: see \"Counted conditions\" in docs/models/pd_gradient.md\n";
+    std::cerr << limit.name << ", number of ticks: " << limit.ticks << " of " << ticks
+              << "; see \"Counted conditions\" in docs/models/pd_gradient.md\n";
   }
 }
 

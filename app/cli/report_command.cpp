@@ -56,7 +56,7 @@ void add_report(CLI::App& program, Job& job) {
             interrupt.token());
       }
       if (!written) {
-        say("asperity: stopped; no report was written");
+        say("asperity: the command was stopped; no report was written");
         return 1;
       }
       say("the report is in " + options->out);

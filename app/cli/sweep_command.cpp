@@ -71,10 +71,11 @@ int run_sweep(SweepOptions options) {
   }
   const std::size_t asked = order.values.size() * order.spacings_m.size();
   if (!sweep.is_complete) {
-    say(sweep.rows.empty() ? "asperity: stopped before the first row"
-                           : "asperity: stopped; " + options.out + " contains " +
-                                 std::to_string(sweep.rows.size()) + " of " +
-                                 std::to_string(asked) + " rows; repeat the command to continue");
+    say(sweep.rows.empty()
+            ? "asperity: the sweep was stopped before its first row; repeat the command to begin it"
+            : "asperity: the sweep was stopped; rows in " + options.out + ": " +
+                  std::to_string(sweep.rows.size()) + " of " + std::to_string(asked) +
+                  "; repeat the command to continue it");
     return 1;
   }
   std::cout << options.out << ": " << counted(sweep.rows.size(), "row") << ", "

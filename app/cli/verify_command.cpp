@@ -36,7 +36,7 @@ void add_verify(CLI::App& program, Job& job) {
                               [&progress](double fraction) { progress.show(fraction); });
       }
       if (interrupt.token().stop_requested()) {
-        say("asperity: stopped before everything was verified");
+        say("asperity: the verification was stopped before it was complete");
         return 1;
       }
       for (const std::string& problem : result.problems) say("asperity: " + problem);

@@ -117,7 +117,8 @@ StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
     if (record.trouble.empty()) record.trouble = device_.complaint();
     throw PhrasedError(loss_of(record, device_.capability().pacing));
   }
-  if (stop_.stop_requested()) throw DeviceStageStopped("stopped on request; the force is zero");
+  if (stop_.stop_requested())
+    throw DeviceStageStopped("the test of the device was stopped on request; the force is zero");
   const auto first = std::find_if(
       record.ticks.begin(), record.ticks.end(),
       [](const TickRecord& tick) { return tick.has(TickFlag::first_of_presentation); });

@@ -48,7 +48,8 @@ MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
     test.limits.emplace(name, limit);
   }
   MeasuredDevice measured{.profile = test_device(device, test, stop)};
-  if (stop.stop_requested()) throw DeviceStageStopped("stopped on request; the force is zero");
+  if (stop.stop_requested())
+    throw DeviceStageStopped("the test of the device was stopped on request; the force is zero");
   if (order.study) {
     const std::filesystem::path file = profile_path(*order.study, measured.profile);
     make_folders(file.parent_path());

@@ -52,8 +52,8 @@ Phrase with_warning(const Phrase& note, const FoundNumbers& found) {
   if (too_few == nullptr || too_few->word != "TRUE") return note;
   return phrase(
              "Figures",
-             "%1 Too few confusions: %2 of %3 pairs were never confused, and their distances are "
-             "set by the ½ added to every count.")
+             "%1 Too few confusions (pairs that were never confused: %2 of %3): the distances of "
+             "these pairs are set by the ½ added to every count.")
       .with(note, fixed(found.value("scm.pairs.never").value_or(0.0), 0),
             fixed(found.value("scm.pairs").value_or(0.0), 0));
 }

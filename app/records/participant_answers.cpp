@@ -74,14 +74,16 @@ std::string next_virtual_label(const std::vector<ParticipantRow>& participants) 
 std::optional<Phrase> complaint_about_answer(const Question& question, const std::string& answer) {
   if (answer.empty()) {
     if (question.optional) return {};
-    return phrase("ParticipantAnswers", "\"%1\" has not been answered.").with(question.prompt);
+    return phrase("ParticipantAnswers", "\"%1\" has not been answered; enter an answer.")
+        .with(question.prompt);
   }
   switch (question.form) {
     case Question::Form::text:
       return {};
     case Question::Form::choice:
       if (std::count(question.options.begin(), question.options.end(), answer) > 0) return {};
-      return phrase("ParticipantAnswers", "\"%1\" is not one of the answers to \"%2\".")
+      return phrase("ParticipantAnswers",
+                    "\"%1\" is not one of the answers to \"%2\"; choose one of them.")
           .with(answer, question.prompt);
     case Question::Form::number:
       break;

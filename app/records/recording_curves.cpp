@@ -71,7 +71,7 @@ void add_to_path(std::vector<PathPoint>& path, const TickRecord& record) {
 
 RecordingCurves curves_of(std::span<const TickRecord> records, double rate_Hz,
                           std::int64_t begin_ns) {
-  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz is not positive");
+  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz must be positive");
   RecordingCurves curves{};
   std::map<std::uint64_t, SurfaceCurves> surfaces{};
   for (const TickRecord& record : records) {

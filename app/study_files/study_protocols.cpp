@@ -51,10 +51,11 @@ int sessions_of(const Study& study, const std::string& name, const std::string& 
 void require_never_run(const Study& study, const std::filesystem::path& file) {
   const int sessions = sessions_of_protocol(study, file);
   if (sessions == 0) return;
-  throw PhrasedError(phrase("StudyProtocols",
-                            "Stored sessions of %1 (%2) refer to its name and its text. Duplicate "
-                            "the protocol, and change the copy.")
-                         .with(file.filename().string(), std::to_string(sessions)));
+  throw PhrasedError(
+      phrase("StudyProtocols",
+             "Sessions of %1 are stored (number: %2); they refer to its name and its "
+             "text. Duplicate the protocol, and change the copy.")
+          .with(file.filename().string(), std::to_string(sessions)));
 }
 
 /// "height_3" → "height": the base name for the numbers of further copies.

@@ -298,8 +298,9 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
     }
     if (described.tool) sentence += " under the tool \"" + described.tool->name + '"';
     sentence += " violates the assumption " + std::string(count.name) + " of " + described.model +
-                " in " + std::to_string(count.ticks) + " of " + std::to_string(contact) +
-                " ticks of contact; in these ticks its force differs from the declared force";
+                " (ticks of contact: " + std::to_string(count.ticks) + " of " +
+                std::to_string(contact) +
+                "); where it does, its force differs from the declared force";
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
     const std::string correction =
         count.name == "fine_detail" && has_bodies ? why_too_fine(stimulus) : "";

@@ -12,11 +12,15 @@ namespace asperity {
 namespace {
 
 const LibraryProtocol& library_protocol(std::string_view name, std::string_view language) {
+  std::string names{};
   for (const LibraryProtocol& protocol : library_protocols(language)) {
     if (protocol.name == name) return protocol;
+    names += (names.empty() ? "" : ", ") + std::string(protocol.name);
   }
-  throw std::invalid_argument("the library has no protocol \"" + std::string(name) +
-                              "\" in the language \"" + std::string(language) + "\"");
+  throw std::invalid_argument(
+      "the library has no protocol \"" + std::string(name) + "\" in the language \"" +
+      std::string(language) + "\"; " +
+      (names.empty() ? "use the language en or de" : "choose one of: " + names));
 }
 
 }  // namespace

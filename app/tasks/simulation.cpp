@@ -331,9 +331,10 @@ SimulationResult Simulation::run() {
   }
   if (failure_) std::rethrow_exception(failure_);
   if (stop_.stop_requested()) {
-    throw PhrasedError(phrase("Simulation",
-                              "stopped on request; every completed trial is stored; to resume, add "
-                              "--resume to the same arguments"));
+    throw PhrasedError(
+        phrase("Simulation",
+               "the simulation was stopped on request; every completed trial is stored; "
+               "to resume it, add --resume to the same arguments"));
   }
   result_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return result_;

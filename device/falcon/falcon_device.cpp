@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "analysis/number_text.h"
 #include "device/units_in_use.h"
 
 namespace asperity {
@@ -166,7 +167,7 @@ Driver falcon_driver() {
                 try {
                   if (!options.firmware.empty()) {
                     const std::size_t bytes = falcon::read_firmware(options.firmware).size();
-                    survey.found = "firmware of " + std::to_string(bytes) + " bytes in " +
+                    survey.found = "firmware of " + counted(bytes, "byte", "bytes") + " in " +
                                    options.firmware.string();
                   }
                 } catch (const std::exception& error) {

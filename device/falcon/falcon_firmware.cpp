@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/number_text.h"
 #include "device/falcon/falcon_frame.h"
 
 namespace asperity::falcon {
@@ -110,8 +111,8 @@ Firmware read_firmware(const std::filesystem::path& file) {
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (error || bytes == 0 || bytes > kLargest_bytes) {
-    throw std::runtime_error(file.string() + " has " + std::to_string(error ? 0 : bytes) +
-                             " bytes and is not the firmware of a Falcon, which has about 8000 "
+    throw std::runtime_error(file.string() + " has " + counted(error ? 0 : bytes, "byte", "bytes") +
+                             " and is not the firmware of a Falcon, which has about 8000 "
                              "bytes; name the file that came with the device's software");
   }
   const Firmware firmware{std::istreambuf_iterator<char>(stream), {}};

@@ -65,7 +65,7 @@ void require_no_stop(const std::stop_token& stop) {
 
 FalconLine::FalconLine(LineSettings settings, const std::stop_token& stop)
     : settings_(std::move(settings)), answers_(settings_.velocity) {
-  if (!settings_.clock) throw std::invalid_argument("LineSettings::clock is missing");
+  if (!settings_.clock) throw std::invalid_argument("LineSettings::clock is missing; set it");
   open(stop);
   thread_ = std::jthread([this](const std::stop_token& ended) { converse(ended); });
 }

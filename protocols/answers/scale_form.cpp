@@ -32,7 +32,8 @@ std::vector<AnsweredItem> items_of(const TrialQuestion& question, const ScaleFor
                                    const ScalePoint& answer) {
   if (answer.step < 0 || answer.step > form.steps()) {
     throw std::out_of_range("the scale of the question " + question.name + " has no step " +
-                            std::to_string(answer.step));
+                            std::to_string(answer.step) + "; it must be from 0 to " +
+                            std::to_string(form.steps()));
   }
   const double value = form.value_at(answer.step);
   return {{.answer = number_text(value), .number = value}};

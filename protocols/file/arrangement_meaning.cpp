@@ -113,9 +113,9 @@ void Meaning::check_strokes_of_visit(const Block& block, const Exploration& expl
   }
   if (exploration.strokes.maximum &&
       of_all_visits + block.arrangement.minimum_visits > *exploration.strokes.maximum) {
-    report(place, "the exploration " + in_quotes(exploration.name) + " permits at most " +
-                      digits(*exploration.strokes.maximum) +
-                      " strokes, and the stroke that has begun at the end of a visit counts; state "
+    report(place, "the exploration " + in_quotes(exploration.name) +
+                      " permits no more strokes than " + digits(*exploration.strokes.maximum) +
+                      ", and the stroke that has begun at the end of a visit counts; state "
                       "fewer strokes, or raise its maximum");
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/number_text.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/meaning_checks.h"
 #include "protocols/plan/level_tracks.h"
@@ -219,8 +220,9 @@ void Meaning::check_track_starts(const Block& block, const std::string& pointer)
     const std::size_t trials = most_trials_of(protocol_, without);
     if (static_cast<std::size_t>(catch_trials->every) > trials) {
       report(pointer + "/procedure/catch_trials/every",
-             "the tracks of this block have at most " + std::to_string(trials) +
-                 " trials, so that a session may have no catch trial; state that number or less");
+             "the tracks of this block have at most " + counted(trials, "trial", "trials") +
+                 ", so that a session may have no catch trial; " +
+                 (trials < 2 ? "allow more trials in the tracks" : "state that number or less"));
       return;
     }
   }

@@ -117,7 +117,7 @@ std::string procedure_text(const Protocol::Block& block) {
   }
   if (const auto target = procedure.target(first)) text += " (" + per_cent(*target) + ")";
   text += procedure.has_fixed_length(first) ? ", " : ", at most ";
-  text += std::to_string(procedure.most_trials(first)) + " trials";
+  text += counted(procedure.most_trials(first), "trial", "trials");
   if (tracks.size() > 1) {
     text += " × " + std::to_string(tracks.size());
     text += block.order == Block::Order::fixed ? " tracks" : " interleaved tracks";
@@ -134,8 +134,8 @@ std::string design_of(const Protocol& protocol, const Block& block, const Plan& 
   if (block.procedure) {
     text += procedure_text(block);
   } else {
-    text += "constant stimuli, " + std::to_string(block.vary->levels().size()) + " levels × " +
-            std::to_string(block.repetitions) + " presentations";
+    text += "constant stimuli, " + counted(block.vary->levels().size(), "level", "levels") + " × " +
+            counted(static_cast<std::size_t>(block.repetitions), "presentation", "presentations");
   }
   Block alone = block;
   alone.vary.reset();

@@ -260,7 +260,8 @@ const Run& Course::run_of(int block_ordinal) const {
     const auto* const run = std::get_if<BlockRun>(&unit);
     if (run != nullptr && run->ordinal == block_ordinal) return *run->run;
   }
-  throw std::out_of_range("the session has no block " + std::to_string(block_ordinal));
+  throw std::out_of_range("the session has no block " + std::to_string(block_ordinal) +
+                          "; use the ordinal of one of its blocks");
 }
 
 std::size_t Course::trials_before_last_outcome() const noexcept {

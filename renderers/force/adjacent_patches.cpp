@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -102,8 +104,11 @@ AdjacentPatches::AdjacentPatches(std::span<const AdjacentPatch> patches,
                                  const SurfacePatch& workspace, const Material& material,
                                  double blend_m)
     : flat_(workspace, material, parameters_of_friction(patches)), blend_m_(blend_m) {
-  if (patches.empty()) throw std::invalid_argument("there must be at least one patch");
-  if (!(blend_m > 0.0)) throw std::invalid_argument("the width of the blend must be positive");
+  if (patches.empty())
+    throw std::invalid_argument("patches is empty; at least one patch is needed");
+  if (!(blend_m > 0.0)) {
+    throw std::invalid_argument("blend_m is " + number_text(blend_m) + "; it must be positive");
+  }
   for (std::size_t i = 0; i < patches.size(); ++i) {
     require_place(patches, i, workspace, blend_m);
     const SurfacePatch& place = patches[i].inputs.patch;

@@ -34,7 +34,7 @@ void require_roles(const ModelDeclaration& declaration) {
     }
     if (!taken.insert(asset.role).second) {
       throw std::invalid_argument("AssetDeclaration::role \"" + asset.role + "\" of the model " +
-                                  declaration.id + " is taken");
+                                  declaration.id + " is taken; choose another role");
     }
   }
 }
@@ -124,7 +124,7 @@ void ModelRegistry::add(ForceModel model) {
                                 "digits and underscores");
   }
   if (find(id) != nullptr) {
-    throw std::invalid_argument("ModelDeclaration::id \"" + id + "\" is taken");
+    throw std::invalid_argument("ModelDeclaration::id \"" + id + "\" is taken; choose another id");
   }
   require_roles(model.declaration);
   models_.push_back(std::move(model));

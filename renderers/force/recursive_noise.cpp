@@ -17,7 +17,8 @@ RecursiveNoise::RecursiveNoise(const Settings& settings, const Random& noise)
       sd_(settings.sd),
       steps_per_m_(settings.steps_per_m) {
   if (order_ > kMostCoefficients) {
-    throw std::invalid_argument("RecursiveNoise::Settings::coefficients must be at most 4");
+    throw std::invalid_argument(
+        "RecursiveNoise::Settings::coefficients must have at most 4 entries");
   }
   const std::optional<Predictors> predictors = stationary_predictors(settings.coefficients);
   if (!predictors) {

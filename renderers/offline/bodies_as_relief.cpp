@@ -41,7 +41,8 @@ BodiesAsRelief bodies_as_relief(const RendererInputs& bodies, const ReliefStroke
   BodiesAsRelief relief{};
   relief.point = models.find("height_map");
   if (relief.point == nullptr) {
-    throw std::runtime_error("this program has no force model height_map");
+    throw std::runtime_error(
+        "the force model height_map is missing; register it with the other models");
   }
   RendererInputs& inputs = relief.inputs;
   inputs.material = bodies.material;

@@ -58,7 +58,8 @@ Length length_of(const Drag& stroke) {
       length.spacings /= 2;
     if (takes_m() > stroke.reach_m) {
       throw std::invalid_argument("Drag::reach_m is " + number_text(stroke.reach_m) +
-                                  ", and the stroke is " + number_text(takes_m()) + " m long");
+                                  " m; it must be at least the length of the stroke, " +
+                                  number_text(takes_m()) + " m");
     }
   }
   return length;

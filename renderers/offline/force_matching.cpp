@@ -111,8 +111,9 @@ const Parameter& amplitude_of(const ModelDeclaration& declaration) {
   for (const Parameter& parameter : declaration.parameters) {
     if (parameter.name == declaration.amplitude_parameter) return parameter;
   }
-  throw std::invalid_argument("the force model " + declaration.id +
-                              " declares no amplitude parameter to solve for");
+  throw std::invalid_argument(
+      "the force model " + declaration.id +
+      " declares no amplitude parameter to solve for; use a model that declares one");
 }
 
 }  // namespace

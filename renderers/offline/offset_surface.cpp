@@ -30,7 +30,8 @@ double period_of(const HeightField& field, Tiling tiling) {
     case Tiling::bounded:
       break;
   }
-  throw std::invalid_argument("an offset surface needs a tiling that repeats, not Tiling::bounded");
+  throw std::invalid_argument(
+      "tiling is Tiling::bounded; an offset surface needs a tiling that repeats");
 }
 
 bool changes_across(const HeightField& field) {
@@ -71,7 +72,7 @@ OffsetSurface::OffsetSurface(const HeightField& field, const RigidTip& tip,
   if (samples > static_cast<double>(kMostSamples)) {
     throw std::invalid_argument("pitch_m is " + number_text(sampling.pitch_m) +
                                 ", and a period of " + number_text(period_m_) +
-                                " m would have too many samples");
+                                " m would have too many samples; increase pitch_m");
   }
   const auto period = static_cast<std::size_t>(samples);
   pitch_m_ = period_m_ / samples;

@@ -80,7 +80,7 @@ void require_strokes(const TextureRecording& recording, const std::string& name)
     };
     const std::size_t count = stroke.time_s.size();
     if (count < kFewestSamplesOfStroke) {
-      complain("has " + std::to_string(count) + " samples; record at least " +
+      complain("has " + counted(count, "sample", "samples") + "; record at least " +
                std::to_string(kFewestSamplesOfStroke));
     }
     for (std::size_t j = 1; j < count; ++j) {
@@ -123,7 +123,7 @@ TextureRecording texture_recording_in(std::string_view tsv, const std::string& n
     const std::vector<std::string_view> cells = cells_of(line);
     if (cells.size() != kColumns.size()) {
       refuse_line(name, line_number,
-                  "the row has " + std::to_string(cells.size()) + " cells; it needs " +
+                  "the row has " + counted(cells.size(), "cell", "cells") + "; it needs " +
                       std::to_string(kColumns.size()));
     }
     std::array<double, kColumns.size()> row{};

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -59,8 +61,8 @@ WavSamples wav_samples_in(std::string_view bytes, const std::string& name) {
     const std::size_t size = unsigned_at(bytes, at + 4, 4);
     at += kChunkHeading_bytes;
     if (size > bytes.size() - at) {
-      refuse("the file ends within a chunk of " + std::to_string(size) +
-             " bytes; copy or export the file again");
+      refuse("the file ends within a chunk of " + counted(size, "byte", "bytes") +
+             "; copy or export the file again");
     }
     const std::string_view chunk = bytes.substr(at, size);
     if (id == "fmt " && size >= 16) {
@@ -83,11 +85,10 @@ WavSamples wav_samples_in(std::string_view bytes, const std::string& name) {
   const bool is_pcm =
       format.code == kPcm && (format.bits == 16 || format.bits == 24 || format.bits == 32);
   if (!is_pcm && !(format.code == kFloat && format.bits == 32)) {
-    refuse(
-        "the samples have the format " + std::to_string(format.code) + " with " +
-        std::to_string(format.bits) +
-        " bits, which is not PCM of 16, 24 or 32 bits nor 32-bit floating point; convert the file "
-        "to one of these");
+    refuse("the samples have the format " + std::to_string(format.code) + " with " +
+           counted(format.bits, "bit", "bits") +
+           ", which is not PCM of 16, 24 or 32 bits nor 32-bit floating point; convert the file "
+           "to one of these");
   }
   if (format.channels != 1) {
     refuse("the file has " + std::to_string(format.channels) +

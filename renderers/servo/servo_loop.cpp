@@ -124,7 +124,8 @@ ServoLoop::~ServoLoop() {
 }
 
 void ServoLoop::present(Presentation presentation) {
-  if (!presentation.renderer) throw std::invalid_argument("Presentation::renderer is missing");
+  if (!presentation.renderer)
+    throw std::invalid_argument("Presentation::renderer is missing; set it");
   if (presentation.id == 0) throw std::invalid_argument("Presentation::id must not be 0");
   if (inbox_.load(std::memory_order_acquire) != nullptr) {
     throw std::logic_error("a presentation is already waiting for the servo loop");

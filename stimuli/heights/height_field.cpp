@@ -94,9 +94,9 @@ HeightField::HeightField(const Grid& grid, std::vector<float> heights_m)
   const std::size_t count = heights_m_.size();
   if (count % grid.columns != 0 || count / grid.columns != grid.rows) {
     throw std::invalid_argument("heights_m of a height field of " + std::to_string(grid.rows) +
-                                " by " + std::to_string(grid.columns) + " contains " +
-                                std::to_string(count) +
-                                " heights; it must contain rows · columns.");
+                                " by " + std::to_string(grid.columns) +
+                                ": the number of heights is " + std::to_string(count) +
+                                "; it must be rows · columns.");
   }
   double sum_m = 0.0;
   float low_m = heights_m_.front();
@@ -104,7 +104,7 @@ HeightField::HeightField(const Grid& grid, std::vector<float> heights_m)
   for (const float height_m : heights_m_) {
     if (!std::isfinite(height_m)) {
       throw std::invalid_argument(
-          "heights_m of a height field contains a height that is not finite.");
+          "heights_m of a height field contains a height that is not finite; all must be finite.");
     }
     sum_m += static_cast<double>(height_m);
     low_m = std::min(low_m, height_m);

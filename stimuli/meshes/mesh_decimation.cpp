@@ -417,9 +417,9 @@ class Simplification final {
 SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
                              const std::string& name, const std::function<void(double)>& progress) {
   if (triangles < kFewestTriangles) {
-    throw std::invalid_argument(
-        name + " cannot be simplified to " + std::to_string(triangles) +
-        " triangles: a closed mesh has at least 4. Request at least that many.");
+    throw std::invalid_argument(name + " cannot be simplified to " +
+                                counted(triangles, "triangle", "triangles") +
+                                ": a closed mesh has at least 4. Request at least that many.");
   }
   if (triangles > mesh.triangles.size()) {
     throw std::invalid_argument(name + " cannot be simplified to " + std::to_string(triangles) +

@@ -89,8 +89,8 @@ ReadMesh decode_content(std::string_view content, const MeshReading& reading,
   if (!text && content.size() >= binary_stl_bytes(0)) {
     const std::size_t triangles = binary_stl_triangles(content);
     sentence += " If it is a binary STL, it is damaged: its header states " +
-                std::to_string(triangles) + " triangles, which take " +
-                std::to_string(binary_stl_bytes(triangles)) + " bytes, and it has " +
+                counted(triangles, "triangle", "triangles") + ", for which the file needs " +
+                std::to_string(binary_stl_bytes(triangles)) + " bytes; it has " +
                 std::to_string(content.size()) + ".";
   }
   throw std::invalid_argument(sentence);

@@ -239,9 +239,9 @@ class Body final {
   void read_list(const Property& list, std::size_t item, bool wanted) {
     const double length = next(*list.length_type, item);
     if (!(length >= 0.0) || length > static_cast<double>(numbers_.rest_bytes())) {
-      throw std::invalid_argument(name_ + " has a list of " + number_text(length) +
-                                  " entries in its " + element_->name + ' ' +
-                                  std::to_string(item + 1) + ". " + kExportAgain);
+      throw std::invalid_argument(name_ + " states a list of the length " + number_text(length) +
+                                  " in its " + element_->name + ' ' + std::to_string(item + 1) +
+                                  ", which the file does not contain. " + kExportAgain);
     }
     if (wanted) corners_.clear();
     for (auto i = static_cast<std::size_t>(length); i > 0; --i) {
@@ -263,9 +263,10 @@ class Body final {
   }
 
   [[noreturn]] void cut_off(std::size_t item) const {
-    throw std::invalid_argument(name_ + " is truncated: it ends after " + std::to_string(item) +
-                                " of the " + std::to_string(element_->count) + " items of \"" +
-                                element_->name + "\" that its header states. " + kExportAgain);
+    throw std::invalid_argument(name_ + " is truncated: its header states " +
+                                std::to_string(element_->count) + " as the number of \"" +
+                                element_->name + "\", and the file contains " +
+                                std::to_string(item) + ". " + kExportAgain);
   }
 
   Numbers& numbers_;

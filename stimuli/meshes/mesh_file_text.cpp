@@ -28,7 +28,7 @@ std::size_t next_count(MeshText& text, std::string_view word, const char* what) 
   const std::int64_t count = text.integer_in(word);
   // An item occupies at least two bytes, a digit and the end of its line.
   if (count < 0 || static_cast<std::size_t>(count) > text.rest_bytes()) {
-    text.refuse("the file states " + std::string(word) + ' ' + what +
+    text.refuse("the file states " + std::string(word) + " as the number of " + what +
                 " but is too short for them.");
   }
   return static_cast<std::size_t>(count);
@@ -87,8 +87,8 @@ ReadMesh decode_off(std::string_view content, const MeshReading& reading, const 
   for (std::size_t i = 0; i < vertices; ++i) {
     word = next_item(text);
     if (word.empty()) {
-      text.refuse("the file ends after " + std::to_string(i) + " of " + std::to_string(vertices) +
-                  " vertices.");
+      text.refuse("the file states " + std::to_string(vertices) +
+                  " as the number of vertices but ends after " + std::to_string(i) + ".");
     }
     const double x = text.number_in(word);
     const double y = text.number_in(text.word());
@@ -99,8 +99,8 @@ ReadMesh decode_off(std::string_view content, const MeshReading& reading, const 
   for (std::size_t i = 0; i < faces; ++i) {
     word = next_item(text);
     if (word.empty()) {
-      text.refuse("the file ends after " + std::to_string(i) + " of " + std::to_string(faces) +
-                  " faces.");
+      text.refuse("the file states " + std::to_string(faces) +
+                  " as the number of faces but ends after " + std::to_string(i) + ".");
     }
     const std::int64_t count = text.integer_in(word);
     corners.clear();

@@ -11,6 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 namespace {
@@ -35,7 +37,7 @@ struct Device {
 struct SurfaceSearch::Scene {
   explicit Scene(const TriangleMesh& searched) : mesh(searched) {
     if (mesh.triangles.empty())
-      throw std::invalid_argument("a mesh without triangles has no surface");
+      throw std::invalid_argument("the mesh has no triangles; a search needs at least one");
     glm::dvec3 low_m = mesh.vertices_m[mesh.triangles[0][0]];
     glm::dvec3 high_m = low_m;
     for (const glm::dvec3& point_m : mesh.vertices_m) {
@@ -69,8 +71,8 @@ struct SurfaceSearch::Scene {
     if (const RTCError error = rtcGetDeviceError(device.device); error != RTC_ERROR_NONE) {
       rtcReleaseScene(scene);
       throw std::runtime_error("Embree cannot build a search tree of " +
-                               std::to_string(mesh.triangles.size()) + " triangles (error code " +
-                               std::to_string(error) +
+                               counted(mesh.triangles.size(), "triangle", "triangles") +
+                               " (error code " + std::to_string(error) +
                                "); simplify the mesh, or close other programs");
     }
   }

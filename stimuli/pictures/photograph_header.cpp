@@ -239,7 +239,7 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
   file.refuse_wrong_size(facts);
   if (sample_format != 1 || (facts.bits_per_channel != 8 && facts.bits_per_channel != 16)) {
     file.refuse("is a TIFF with " + std::to_string(facts.bits_per_channel) +
-                (sample_format == 3 ? "-bit floating-point numbers" : " bits per channel") +
+                (sample_format == 3 ? "-bit floating-point numbers" : "-bit channels") +
                 "; save it with whole numbers of 8 or 16 bits.");
   }
   if (facts.channels < 1 || facts.channels > 4) {

@@ -1,4 +1,4 @@
-// Holds the text of a number to reading back.
+// Holds the text of a number to reading back, and the text of a count to the noun that it needs.
 
 #include "analysis/number_text.h"
 
@@ -29,6 +29,13 @@ TEST(Fixed, HasNoSignWhereNothingIsLeft) {
   EXPECT_EQ(fixed(-0.0, 1), "0.0");
   EXPECT_EQ(fixed(-0.0006, 3), "-0.001");
   EXPECT_EQ(fixed(-10.0, 0), "-10");
+}
+
+TEST(Counted, ChoosesTheNoun) {
+  EXPECT_EQ(counted(0, "vertex", "vertices"), "0 vertices");
+  EXPECT_EQ(counted(1, "vertex", "vertices"), "1 vertex");
+  EXPECT_EQ(counted(2, "vertex", "vertices"), "2 vertices");
+  EXPECT_EQ(counted(21, "trial", "trials"), "21 trials");
 }
 
 TEST(NumberText, NamesWhatIsNoNumber) {

@@ -707,12 +707,13 @@ TEST(Recognition, MapsOnlyWhatWasFelt) {
   EXPECT_EQ(std::get<std::string>(tree.rows[0][2]), "stone");
   EXPECT_THAT(outcome.remarks,
               testing::Contains(
-                  says("(between textures that were presented: 3): 5 of 6 pairs of textures")));
+                  says("(between textures that were presented: 3; pairs of textures that were "
+                       "never confused: 5 of 6)")));
   EXPECT_EQ(finding_of(outcome, "similarity", "scm.p").word, "too_few_confusions");
   EXPECT_FALSE(finding_of(outcome, "similarity", "scm.G2").value.has_value());
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "The textures confused most often are metal / stone: one with the other in 3 of 8 "
-            "responses.");
+            "The textures confused most often are metal / stone: one with the other "
+            "(responses: 3 of 8).");
   EXPECT_THAT(question_of(outcome, "information").answer.english(),
               HasSubstr("with so few responses"));
   EXPECT_NO_THROW(question_of(outcome, "right"));
@@ -771,9 +772,9 @@ TEST(Recognition, TellsAConfusionInOneDirectionThatIsLargerThanThatOfEveryPair) 
                                                    {"brick", "gravel"},
                                                    {"brick", "brick"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "The textures confused most often are metal / stone: one with the other in 1 of 4 "
-            "responses. Counted in one direction only, the most frequent confusion is brick "
-            "identified as gravel: in 2 of 3 responses.");
+            "The textures confused most often are metal / stone: one with the other "
+            "(responses: 1 of 4). Counted in one direction only, the most frequent confusion is "
+            "brick identified as gravel (responses: 2 of 3).");
 }
 
 // Brick was called wood as often as gravel: the pair that is named already hides neither.
@@ -782,7 +783,7 @@ TEST(Recognition, NamesEveryMostFrequentConfusionInOneDirection) {
       analyze_answers({{"brick", "wood"}, {"brick", "gravel"}, {"wood", "wood"}, {"wood", "wood"}});
   EXPECT_EQ(
       question_of(outcome, "confusions").answer.english(),
-      "Only brick / wood were presented: one was confused with the other in 1 of 4 responses. "
+      "Only brick / wood were presented: one was confused with the other (responses: 1 of 4). "
       "Counted in one direction only, these confusions are the most frequent: brick identified as "
       "gravel, brick identified as wood, each in 50 % of the responses to the texture presented.");
 }

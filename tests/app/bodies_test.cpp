@@ -281,7 +281,7 @@ TEST_F(Bodies, WithATileThatDoesNotCloseGiveAWarningWithBothNumbersAndTheRemedy)
   for (const char* said :
        {"the stimulus \"felt_grain_pd_gradient_ball\" with the texture \"grain\" "
         "(stimuli/grain.png)",
-        "under the tool \"ball\"", "the assumption fine_detail of pd_gradient in ",
+        "under the tool \"ball\"", "the assumption fine_detail of pd_gradient (ticks of contact: ",
         "samples of 100 µm (cell_m) represent wavelengths of 800 µm and longer", "a cell_m of"}) {
     EXPECT_THAT(found[0].message, HasSubstr(said));
   }

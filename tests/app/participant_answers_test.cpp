@@ -49,7 +49,8 @@ TEST(AnswerOfAParticipant, IsHeldToItsQuestion) {
   const Question age{
       .prompt = "How old are you?", .form = Question::Form::number, .minimum = 18, .maximum = 120};
   EXPECT_FALSE(complaint_about_answer(age, "18"));
-  EXPECT_EQ(complaint_about_answer(age, ""), "\"How old are you?\" has not been answered.");
+  EXPECT_EQ(complaint_about_answer(age, ""),
+            "\"How old are you?\" has not been answered; enter an answer.");
   EXPECT_EQ(complaint_about_answer(age, "17.5"),
             "The answer to \"How old are you?\" must be 18 or more.");
   EXPECT_TRUE(complaint_about_answer(age, "121"));

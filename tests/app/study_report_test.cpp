@@ -202,7 +202,7 @@ TEST(StudyReport, NamesSessionsThatWereExcludedOrNotFinishedAndWhy) {
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
               HasSubstr("Three participants began four sessions, three of which were completed."));
-  EXPECT_THAT(words, HasSubstr("Session 2 of p3 was stopped after 0 of 1 trials."));
+  EXPECT_THAT(words, HasSubstr("Session 2 of p3 was stopped after 0 of 1 trial."));
   EXPECT_THAT(words, HasSubstr("One session was excluded:\nSession 1 of p2: fell asleep <twice> & "
                                "left (decided by ab)."));
   EXPECT_THAT(words, Not(HasSubstr("by mistake")));

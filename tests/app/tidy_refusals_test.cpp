@@ -189,7 +189,7 @@ TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
       "t.csv:3:2: a response time must be above 0 s; leave the cell empty where there is none");
   EXPECT_THAT(
       family_refusal("response_times", columns + "A,1.5,c\n", R"({"factors": {"tip": ["a"]}})"),
-      HasSubstr("tip is \"c\", which is not one of a"));
+      HasSubstr("tip is \"c\"; it must be one of: a"));
   EXPECT_EQ(word_of(findings_of("response_times", columns + "A,,a\n", "{}"), "status"), "no_data");
   EXPECT_EQ(word_of(findings_of("response_times", columns + "A,2,a\n", "{}"), "geomean.status"),
             "too_few");
@@ -207,8 +207,8 @@ TEST(TidyRefusals, NameATrialThatStandsTwice) {
   EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),
             "the option \"blocks\" must be a whole number above 0");
   EXPECT_EQ(family_refusal("learning", "subject,trial,correct,items\nA,1,3,2\n", "{}"),
-            "t.csv:2:3: 3 correct of 2 items is not a proportion; correct the counts, or leave out "
-            "rows without items");
+            "t.csv:2:3: correct is 3 and items is 2; items must be at least 1, and correct at most "
+            "items: correct the counts, or leave out rows without items");
   EXPECT_EQ(
       word_of(findings_of("learning", columns + "A,1,1.5\nA,2,1\n", "{}"), "half.ratio.status"),
       "too_few");
@@ -225,8 +225,8 @@ TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
             "no_item_variance");
   EXPECT_EQ(word_of(findings_of("glmm", columns, "{}"), "glmm.status"), "no_data");
   EXPECT_EQ(family_refusal("glmm", columns + "A,x,4,3\n", "{}"),
-            "t.csv:2:3: 4 correct of 3 trials is not a proportion; correct the counts, or leave "
-            "out rows without trials");
+            "t.csv:2:3: correct is 4 and trials is 3; trials must be at least 1, and correct at most "
+            "trials: correct the counts, or leave out rows without trials");
   EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"random": ["texture"]})"),
               HasSubstr("\"random\" names \"texture\"; it must be subject, item, or both"));
   EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"link": "log"})"),

@@ -161,7 +161,7 @@ TEST(Study, NumbersTheSessionsOfAParticipant) {
   SessionRow second = some_session(protocol_id, "B");
   second.session = 3;
   EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(second, {}); }),
-              HasSubstr("of participant B: the next one is session 2"));
+              HasSubstr("of participant B; begin session 2, the next one"));
   second.session = 2;
   study.add_session(second, some_plan(1));
   EXPECT_THAT(

@@ -148,7 +148,7 @@ TEST(TidyTable, TakesOnlyTheNamesThatAreGivenInTheirOrder) {
                           [](const TidyTable& read) {
                             read.labels("choice", {"metal", "wood"});
                           }),
-            "file.csv:3:1: choice is \"metl\", which is not one of metal, wood");
+            "file.csv:3:1: choice is \"metl\", it must be one of: metal, wood");
 }
 
 TEST(TidyTable, MayBeMovedWithItsCells) {

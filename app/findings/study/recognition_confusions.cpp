@@ -131,8 +131,8 @@ Phrase with_larger_confusions(const Phrase& answer, const std::vector<ConfusedPa
         .with(answer, confusions_text(largest), percent(first.share()));
   }
   return phrase("Analysis",
-                "%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 "
-                "responses.")
+                "%1 Counted in one direction only, the most frequent confusion is %2 "
+                "(responses: %3 of %4).")
       .with(answer, confusions_text(largest), std::to_string(first.times),
             std::to_string(first.answers));
 }
@@ -160,12 +160,12 @@ void ask_confusions(const GatheredAnswers& gathered, const std::vector<JudgedAns
   } else if (pictures.felt.size() == 2) {
     answer =
         phrase("Analysis",
-               "Only %1 were presented: one was confused with the other in %2 of %3 responses.")
+               "Only %1 were presented: one was confused with the other (responses: %2 of %3).")
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() == 1) {
     answer =
         phrase("Analysis",
-               "The textures confused most often are %1: one with the other in %2 of %3 responses.")
+               "The textures confused most often are %1: one with the other (responses: %2 of %3).")
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() <= kMostNamedConfusions) {
     Phrase names = first.names;

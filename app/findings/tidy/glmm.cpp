@@ -84,8 +84,10 @@ CrossedTable crossed_table(const TidyInput& input) {
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(
           row, "correct",
-          std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
-              " trials is not a proportion; correct the counts, or leave out rows without trials");
+          "correct is " + std::to_string(hits[row]) + " and trials is " +
+              std::to_string(trials[row]) +
+              "; trials must be at least 1, and correct at most trials: correct the counts, or "
+              "leave out rows without trials");
     }
     read.responses.push_back({.count = {.hits = hits[row], .trials = trials[row]},
                               .participant = participants.codes[row],

@@ -48,9 +48,10 @@ Groups read_groups(const TidyInput& input) {
     }
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
-                   std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
-                       " trials is not a proportion; correct the counts, or leave out participants "
-                       "without trials");
+                   "correct is " + std::to_string(hits[row]) + " and trials is " +
+                       std::to_string(trials[row]) +
+                       "; trials must be at least 1, and correct at most trials: correct the "
+                       "counts, or leave out participants without trials");
     }
     const HitCount count{.hits = hits[row], .trials = trials[row]};
     const bool is_second = group.codes[row] == 1;

@@ -221,8 +221,10 @@ std::vector<HitCount> results_in(const TidyTable& table) {
     if (items[row] == 0 || correct[row] > items[row]) {
       table.refuse(
           row, "correct",
-          std::to_string(correct[row]) + " correct of " + std::to_string(items[row]) +
-              " items is not a proportion; correct the counts, or leave out rows without items");
+          "correct is " + std::to_string(correct[row]) + " and items is " +
+              std::to_string(items[row]) +
+              "; items must be at least 1, and correct at most items: correct the counts, or leave "
+              "out rows without items");
     }
     results.push_back({.hits = correct[row], .trials = items[row]});
   }

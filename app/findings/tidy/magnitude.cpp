@@ -126,8 +126,8 @@ std::vector<std::vector<std::size_t>> resampled_people(const TidyTable& table,
     for (std::size_t row = 0; row < rows.size(); ++row) {
       if (places[row] < 1 || places[row] > participants) {
         table.refuse(row, column,
-                     "participant " + std::to_string(places[row]) + " is not one of " +
-                         std::to_string(participants));
+                     "the number of the participant is " + std::to_string(places[row]) +
+                         "; it must be from 1 to " + std::to_string(participants));
       }
       rows[row].push_back(static_cast<std::size_t>(places[row] - 1));
     }

@@ -56,7 +56,8 @@ void add_replicates(std::span<const CellRows> cells, std::size_t participants,
   findings.word("replicates", "", "unequal",
                 other->participant + " has " + values_of(other->rows) + " in the cell " +
                     other->cell + ", while " + std::to_string(most->second) + " of " +
-                    std::to_string(cells.size()) + " cells have " + values_of(most->first) +
+                    std::to_string(cells.size()) +
+                    (most->second == 1 ? " cells has " : " cells have ") + values_of(most->first) +
                     (others > 1 ? "; " + std::to_string(others) + " cells differ from these" : "") +
                     ". The values of a cell are averaged: check whether a row " +
                     (other->rows > most->first ? "occurs twice"

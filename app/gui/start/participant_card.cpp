@@ -193,11 +193,11 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
   const QString begun = text_of_time(row.started_utc);
   QString text{};
   if (goes_on) {
-    text = made_up ? tr("Session %1, on a simulated clock, will be resumed: %2 of its %3 trials "
-                        "are completed and stored.")
+    text = made_up ? tr("Session %1, on a simulated clock, will be resumed; trials completed and "
+                        "stored: %2 of %3.")
                          .arg(row.session)
-                   : tr("Session %1, begun %2, will be resumed: %3 of its %4 trials are completed "
-                        "and stored.")
+                   : tr("Session %1, begun %2, will be resumed; trials completed and stored: %3 of "
+                        "%4.")
                          .arg(row.session)
                          .arg(begun);
     text = text.arg(session->trials_done).arg(session->trials);
@@ -210,7 +210,7 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
   }
   unfinished_text_->set_state(goes_on ? State::fine : State::look, text);
   go_on_->setVisible(!goes_on);
-  go_on_->setText(tr("Resume session %1 (%2 of %3 trials completed)")
+  go_on_->setText(tr("Resume session %1 (trials completed: %2 of %3)")
                       .arg(row.session)
                       .arg(session->trials_done)
                       .arg(session->trials));

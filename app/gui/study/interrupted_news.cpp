@@ -16,10 +16,10 @@ QString news_text(const InterruptedSession& session, const QString& study) {
       study.isEmpty()
           ? QCoreApplication::translate(
                 "asperity::InterruptedNews",
-                "Session %1 of %2 was interrupted: %3 of its %4 trials are completed and stored.")
+                "Session %1 of %2 was interrupted; trials completed and stored: %3 of %4.")
           : QCoreApplication::translate("asperity::InterruptedNews",
-                                        "Session %1 of %2 in the study “%5” was interrupted: %3 of "
-                                        "its %4 trials are completed and stored.");
+                                        "Session %1 of %2 in the study “%5” was interrupted; "
+                                        "trials completed and stored: %3 of %4.");
   const QString filled =
       text.arg(session.row.session).arg(participant).arg(session.trials_done).arg(session.trials);
   return study.isEmpty() ? filled : filled.arg(study);

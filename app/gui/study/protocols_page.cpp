@@ -26,7 +26,7 @@ namespace asperity {
 
 namespace {
 
-QString counted(int count, const QString& one, const QString& many) {
+QString count_text(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
 }
 
@@ -36,11 +36,11 @@ QString overview_facts(const ProtocolOverview& overview) {
   QStringList facts{text_of_kind(protocol.kind),
                     ProtocolsPage::tr("version %1").arg(text(protocol.version))};
   if (overview.is_valid()) {
-    const QString trials = counted(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
-                                   ProtocolsPage::tr("%1 trials"));
+    const QString trials = count_text(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
+                                      ProtocolsPage::tr("%1 trials"));
     facts << QStringList{
         is_length_estimated(protocol) ? ProtocolsPage::tr("about %1").arg(trials) : trials,
-        counted(overview.blocks, ProtocolsPage::tr("1 block"), ProtocolsPage::tr("%1 blocks")),
+        count_text(overview.blocks, ProtocolsPage::tr("1 block"), ProtocolsPage::tr("%1 blocks")),
         ProtocolsPage::tr("about %1").arg(text_of_duration(overview.check.cost.total_s))};
   }
   if (protocol.sessions > 1) {
@@ -73,7 +73,7 @@ QStandardItem* validity_cell(const ProtocolOverview& overview) {
     return cell;
   }
   QStandardItem* cell = text_cell(
-      "▲ " + counted(problems, ProtocolsPage::tr("1 problem"), ProtocolsPage::tr("%1 problems")),
+      "▲ " + count_text(problems, ProtocolsPage::tr("1 problem"), ProtocolsPage::tr("%1 problems")),
       problems);
   cell->setForeground(theme().look);
   return cell;

@@ -222,8 +222,8 @@ void SessionsPage::show_selected() {
     reason_->setText(tr("This study is read-only: no session can be stored."));
   } else {
     reason_->setText((session->planned_is_estimated
-                          ? tr("%1 of about %2 trials are completed and stored.")
-                          : tr("%1 of %2 trials are completed and stored."))
+                          ? tr("Trials completed and stored: %1 of about %2.")
+                          : tr("Trials completed and stored: %1 of %2."))
                          .arg(session->done_trials)
                          .arg(session->planned_trials));
   }

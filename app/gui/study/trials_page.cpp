@@ -303,7 +303,7 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   const QString started = has_made_up_dates(session.row)
                               ? tr("on a simulated clock")
                               : tr("started %1").arg(text_of_time(session.row.started_utc));
-  summary_->setText(tr("%1 %2 · %3 · %4 of %5 trials in %6 · %7 · device %8 · asperity %9")
+  summary_->setText(tr("%1 %2 · %3 · trials: %4 of %5 in %6 · %7 · device %8 · asperity %9")
                         .arg(text(session.protocol_name), text(session.protocol_version),
                              text_of_session_state(session))
                         .arg(session.done_trials)

@@ -8,8 +8,8 @@
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>Only %1 were presented: one was confused with the other in %2 of %3 responses.</source>
-        <translation>Nur %1 wurden dargeboten: In %2 von %3 Antworten wurde die eine Textur mit der anderen verwechselt.</translation>
+        <source>Only %1 were presented: one was confused with the other (responses: %2 of %3).</source>
+        <translation>Nur %1 wurden dargeboten: Die eine Textur wurde mit der anderen verwechselt (Antworten: %2 von %3).</translation>
     </message>
     <message>
         <source>%1 interrupted</source>
@@ -568,12 +568,12 @@
         <translation>Am häufigsten wurden %1 und %2 verwechselt; Anzahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
     </message>
     <message>
-        <source>%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 responses.</source>
-        <translation>%1 Wird nur eine Richtung gezählt, ist %2 die häufigste Verwechslung: in %3 von %4 Antworten.</translation>
+        <source>%1 Counted in one direction only, the most frequent confusion is %2 (responses: %3 of %4).</source>
+        <translation>%1 Wird nur eine Richtung gezählt, ist %2 die häufigste Verwechslung (Antworten: %3 von %4).</translation>
     </message>
     <message>
-        <source>The textures confused most often are %1: one with the other in %2 of %3 responses.</source>
-        <translation>Am häufigsten verwechselt wurden %1: die eine mit der anderen in %2 von %3 Antworten.</translation>
+        <source>The textures confused most often are %1: one with the other (responses: %2 of %3).</source>
+        <translation>Am häufigsten verwechselt wurden %1: die eine mit der anderen (Antworten: %2 von %3).</translation>
     </message>
     <message>
         <source>%1 Counted in one direction only, %2 confusions are the most frequent: each in %3 of the responses to the texture presented.</source>
@@ -1028,8 +1028,8 @@
         <translation>%1 Verhältnisse der Rauheit sind aus den Mittelwerten der logarithmierten Schätzungen der Versuchspersonen berechnet; das Verhältnis zweier Stufen hat ein t-basiertes Konfidenzintervall, das der Extreme mehrerer Stufen hat keines.</translation>
     </message>
     <message>
-        <source>Similarities, MDS configuration and dendrogram are based on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
-        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
+        <source>Similarities, MDS configuration and dendrogram are based on too few confusions (between textures that were presented: %1; pairs of textures that were never confused: %2 of %3). The dissimilarities of these pairs are set by the ½ that is added to every count.</source>
+        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1; nie verwechselte Paare von Texturen: %2 von %3). Die Unähnlichkeiten dieser Paare sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
     </message>
     <message>
         <source>With one participant there is no CI.</source>
@@ -3972,8 +3972,8 @@
         <translation>Reiz</translation>
     </message>
     <message>
-        <source>%1 Too few confusions: %2 of %3 pairs were never confused, and their distances are set by the ½ added to every count.</source>
-        <translation>%1 Zu wenige Verwechslungen: %2 von %3 Paaren wurden nie verwechselt, und ihre Abstände sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
+        <source>%1 Too few confusions (pairs that were never confused: %2 of %3): the distances of these pairs are set by the ½ added to every count.</source>
+        <translation>%1 Zu wenige Verwechslungen (nie verwechselte Paare: %2 von %3): Die Abstände dieser Paare sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
     </message>
     <message>
         <source>Dendrogram of the confusions</source>
@@ -4903,12 +4903,12 @@
 <context>
     <name>ParticipantAnswers</name>
     <message>
-        <source>&quot;%1&quot; has not been answered.</source>
-        <translation>„%1“ wurde nicht beantwortet.</translation>
+        <source>&quot;%1&quot; has not been answered; enter an answer.</source>
+        <translation>„%1“ wurde nicht beantwortet; eine Antwort eingeben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not one of the answers to &quot;%2&quot;.</source>
-        <translation>„%1“ ist keine der Antworten auf „%2“.</translation>
+        <source>&quot;%1&quot; is not one of the answers to &quot;%2&quot;; choose one of them.</source>
+        <translation>„%1“ ist keine der Antworten auf „%2“; eine davon wählen.</translation>
     </message>
     <message>
         <source>The answer to &quot;%1&quot; must be a number.</source>
@@ -5835,8 +5835,8 @@
         <translation>Diese Sitzung fortsetzen; eine neue kann beginnen, sobald diese vollständig ist.</translation>
     </message>
     <message>
-        <source>%1 has completed %2 of %3 planned sessions.</source>
-        <translation>%1 hat %2 von %3 geplanten Sitzungen abgeschlossen.</translation>
+        <source>%1 has completed all planned sessions (%2 of %3).</source>
+        <translation>%1 hat alle geplanten Sitzungen abgeschlossen (%2 von %3).</translation>
     </message>
     <message>
         <source>Choose another participant.</source>
@@ -6412,8 +6412,8 @@
 <context>
     <name>Simulation</name>
     <message>
-        <source>stopped on request; every completed trial is stored; to resume, add --resume to the same arguments</source>
-        <translation>auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert, die Simulation kann fortgesetzt werden</translation>
+        <source>the simulation was stopped on request; every completed trial is stored; to resume it, add --resume to the same arguments</source>
+        <translation>die Simulation wurde auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
     </message>
     <message>
         <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored; resume with --resume</source>
@@ -6569,8 +6569,8 @@
 <context>
     <name>StudyProtocols</name>
     <message>
-        <source>Stored sessions of %1 (%2) refer to its name and its text. Duplicate the protocol, and change the copy.</source>
-        <translation>Gespeicherte Sitzungen von %1 (%2) beziehen sich auf Namen und Text. Das Protokoll duplizieren und die Kopie ändern.</translation>
+        <source>Sessions of %1 are stored (number: %2); they refer to its name and its text. Duplicate the protocol, and change the copy.</source>
+        <translation>Von %1 sind Sitzungen gespeichert (Anzahl: %2); sie beziehen sich auf Namen und Text. Das Protokoll duplizieren und die Kopie ändern.</translation>
     </message>
     <message>
         <source>“%1” cannot be the name of a protocol. Use lower-case letters, digits and underscores, beginning with a letter.</source>
@@ -8263,12 +8263,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzungen zeigen</translation>
     </message>
     <message>
-        <source>Session %1 of %2 was interrupted: %3 of its %4 trials are completed and stored.</source>
-        <translation>Sitzung %1 von %2 wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
+        <source>Session %1 of %2 was interrupted; trials completed and stored: %3 of %4.</source>
+        <translation>Sitzung %1 von %2 wurde unterbrochen; Durchgänge abgeschlossen und gespeichert: %3 von %4.</translation>
     </message>
     <message>
-        <source>Session %1 of %2 in the study “%5” was interrupted: %3 of its %4 trials are completed and stored.</source>
-        <translation>Sitzung %1 von %2 in der Studie „%5“ wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
+        <source>Session %1 of %2 in the study “%5” was interrupted; trials completed and stored: %3 of %4.</source>
+        <translation>Sitzung %1 von %2 in der Studie „%5“ wurde unterbrochen; Durchgänge abgeschlossen und gespeichert: %3 von %4.</translation>
     </message>
     <message>
         <source>Other sessions were interrupted as well; they are listed on the Sessions page.</source>
@@ -9042,16 +9042,16 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
     </message>
     <message>
-        <source>Session %1, on a simulated clock, will be resumed: %2 of its %3 trials are completed and stored.</source>
-        <translation>Sitzung %1, mit simulierter Uhr, wird fortgesetzt: %2 von %3 Durchgängen sind abgeschlossen und gespeichert.</translation>
+        <source>Session %1, on a simulated clock, will be resumed; trials completed and stored: %2 of %3.</source>
+        <translation>Sitzung %1, mit simulierter Uhr, wird fortgesetzt; Durchgänge abgeschlossen und gespeichert: %2 von %3.</translation>
     </message>
     <message>
-        <source>Session %1, begun %2, will be resumed: %3 of its %4 trials are completed and stored.</source>
-        <translation>Sitzung %1, begonnen %2, wird fortgesetzt: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
+        <source>Session %1, begun %2, will be resumed; trials completed and stored: %3 of %4.</source>
+        <translation>Sitzung %1, begonnen %2, wird fortgesetzt; Durchgänge abgeschlossen und gespeichert: %3 von %4.</translation>
     </message>
     <message>
-        <source>Resume session %1 (%2 of %3 trials completed)</source>
-        <translation>Sitzung %1 fortsetzen (%2 von %3 Durchgängen abgeschlossen)</translation>
+        <source>Resume session %1 (trials completed: %2 of %3)</source>
+        <translation>Sitzung %1 fortsetzen (Durchgänge abgeschlossen: %2 von %3)</translation>
     </message>
     <message>
         <source>No group is chosen.</source>
@@ -10717,8 +10717,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Sitzung läuft, hier oder in einem anderen Programm.</translation>
     </message>
     <message>
-        <source>%1 of %2 trials are completed and stored.</source>
-        <translation>%1 von %2 Durchgängen sind abgeschlossen und gespeichert.</translation>
+        <source>Trials completed and stored: %1 of %2.</source>
+        <translation>Durchgänge abgeschlossen und gespeichert: %1 von %2.</translation>
     </message>
     <message>
         <source>excluded</source>
@@ -10773,8 +10773,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 von etwa %2</translation>
     </message>
     <message>
-        <source>%1 of about %2 trials are completed and stored.</source>
-        <translation>%1 von etwa %2 Durchgängen sind abgeschlossen und gespeichert.</translation>
+        <source>Trials completed and stored: %1 of about %2.</source>
+        <translation>Durchgänge abgeschlossen und gespeichert: %1 von etwa %2.</translation>
     </message>
 </context>
 <context>
@@ -11683,8 +11683,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>begonnen %1</translation>
     </message>
     <message>
-        <source>%1 %2 · %3 · %4 of %5 trials in %6 · %7 · device %8 · asperity %9</source>
-        <translation>%1 %2 · %3 · %4 von %5 Durchgängen in %6 · %7 · Gerät %8 · asperity %9</translation>
+        <source>%1 %2 · %3 · trials: %4 of %5 in %6 · %7 · device %8 · asperity %9</source>
+        <translation>%1 %2 · %3 · Durchgänge: %4 von %5 in %6 · %7 · Gerät %8 · asperity %9</translation>
     </message>
     <message>
         <source>The session is running, and its experimenter is blind: until it ends, only its own window shows its data, as far as the blinding permits.</source>

@@ -32,7 +32,8 @@ std::string pdf_of(const Report& report, const std::stop_token& stop,
     for (std::size_t page = 0; page < pages.count(); ++page) {
       if (stop.stop_requested()) break;
       if (page > 0 && !writer.newPage())
-        throw std::runtime_error("the page of the PDF is too small for its margins");
+        throw std::runtime_error(
+            "a further page of the PDF cannot be created; write the report as .html");
       pages.draw(page, painter);
       if (progress) {
         progress(kLayoutShare + (1.0 - kLayoutShare) * static_cast<double>(page + 1) /

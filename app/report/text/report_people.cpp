@@ -68,8 +68,10 @@ std::string reported_session_name(const ReportedSession& session) {
 }
 
 std::string state_text(const ReportedSession& session) {
-  const std::string done = " after " + done_trials_text(session) + " trials";
-  if (session.is_running) return "is running (" + done_trials_text(session) + " trials done)";
+  const std::string trials =
+      done_trials_text(session) + (session.planned_trials == 1 ? " trial" : " trials");
+  const std::string done = " after " + trials;
+  if (session.is_running) return "is running (" + trials + " done)";
   switch (session.row.state) {
     case SessionState::open:
       return "was left open" + done;

@@ -108,6 +108,16 @@ std::string cue_name(Cue cue, int number) {
   return name;
 }
 
+namespace {
+
+std::string names_of_cues() {
+  std::string names{};
+  for (const Cue cue : kCues) names += (names.empty() ? "" : ", ") + cue_name(cue, 1);
+  return names;
+}
+
+}  // namespace
+
 MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
     : kind_(settings.noise.kind),
       rate_Hz_(settings.rate_Hz),
@@ -134,7 +144,8 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
           return is_numbered(cue) ? name.starts_with(text_of(cue) + std::string("_"))
                                   : name == text_of(cue);
         })) {
-      throw std::invalid_argument("sound: there is no cue \"" + name + "\"");
+      throw std::invalid_argument("sound: there is no cue \"" + name +
+                                  "\"; use one of: " + names_of_cues());
     }
     Clip clip{};
     if (recording.rate_Hz > 0.0) {

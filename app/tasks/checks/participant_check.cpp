@@ -95,7 +95,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
     check.text =
-        phrase("SessionChecks", "%1 has completed %2 of %3 planned sessions.")
+        phrase("SessionChecks", "%1 has completed all planned sessions (%2 of %3).")
             .with(inputs.participant, std::to_string(completed), std::to_string(protocol.sessions));
     check.remedy = phrase("SessionChecks", "Choose another participant.");
     return check;

@@ -67,14 +67,14 @@ void require(bool holds, const char* field, const char* what) {
 
 CoupledTool::CoupledTool(const Properties& properties) : properties_(properties) {
   const auto is_positive = [](double value, const char* field) {
-    require(std::isfinite(value) && value > 0.0, field, "is not a positive number");
+    require(std::isfinite(value) && value > 0.0, field, "must be a positive number");
   };
   is_positive(properties.mass_kg, "mass_kg");
   is_positive(properties.inertia_kg_m2, "inertia_kg_m2");
   is_positive(properties.stiffness_N_per_m, "stiffness_N_per_m");
   is_positive(properties.angular_stiffness_N_m_per_rad, "angular_stiffness_N_m_per_rad");
   const auto is_damping = [](double value, const char* field) {
-    require(std::isfinite(value) && value >= 0.0, field, "is negative or not a number");
+    require(std::isfinite(value) && value >= 0.0, field, "must be a number of at least 0");
   };
   is_damping(properties.damping_N_s_per_m, "damping_N_s_per_m");
   is_damping(properties.angular_damping_N_m_s_per_rad, "angular_damping_N_m_s_per_rad");

@@ -42,7 +42,8 @@ void require_sound(const ContactFrame& frame) {
   const auto is = [](double value, double wanted) {
     return std::abs(value - wanted) <= kUnitTolerance;  // false for NaN
   };
-  if (!finite(frame.origin_m)) refuse("ContactFrame: origin_m is not a finite point.");
+  if (!finite(frame.origin_m))
+    refuse("ContactFrame: origin_m is not finite; its coordinates must be finite.");
   if (!is(glm::dot(frame.u, frame.u), 1.0) || !is(glm::dot(frame.v, frame.v), 1.0) ||
       !is(glm::dot(frame.u, frame.v), 0.0) ||
       !is(glm::dot(glm::cross(frame.u, frame.v), frame.n), 1.0) ||
@@ -62,34 +63,39 @@ void require_sound(const SamplingGrid& grid) {
 
 void require_sound(const TexturedMesh& mesh) {
   if (mesh.normals.size() != mesh.vertices_m.size()) {
-    refuse("TexturedMesh: " + std::to_string(mesh.vertices_m.size()) + " vertices, but " +
-           std::to_string(mesh.normals.size()) + " normals.");
+    refuse("TexturedMesh: number of vertices " + std::to_string(mesh.vertices_m.size()) +
+           ", of normals " + std::to_string(mesh.normals.size()) + "; they must be equal.");
   }
   if (mesh.places.size() != mesh.triangles.size()) {
-    refuse("TexturedMesh: " + std::to_string(mesh.triangles.size()) +
-           " triangles, but places for " + std::to_string(mesh.places.size()) + ".");
+    refuse("TexturedMesh: number of triangles " + std::to_string(mesh.triangles.size()) +
+           ", of places " + std::to_string(mesh.places.size()) + "; they must be equal.");
   }
   const DisplacementAtlas& atlas = mesh.atlas;
   if (atlas.rows == 0 || atlas.columns == 0 || atlas.values.size() != atlas.rows * atlas.columns) {
     refuse("TexturedMesh: an atlas of " + std::to_string(atlas.rows) + " × " +
-           std::to_string(atlas.columns) + " texels has " + std::to_string(atlas.values.size()) +
-           " values.");
+           std::to_string(atlas.columns) + " texels: number of values " +
+           std::to_string(atlas.values.size()) +
+           "; it must be that of the texels, and at least one.");
   }
-  if (!std::isfinite(atlas.step_m)) refuse("TexturedMesh: the atlas's step_m is not finite.");
+  if (!std::isfinite(atlas.step_m))
+    refuse("TexturedMesh: step_m of the atlas is not finite; it must be finite.");
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
     if (!finite(mesh.vertices_m[i]) || !finite(mesh.normals[i])) {
-      refuse("TexturedMesh: vertex " + std::to_string(i) + " or its normal is not finite.");
+      refuse("TexturedMesh: vertex " + std::to_string(i) +
+             " or its normal is not finite; all must be finite.");
     }
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       if (mesh.triangles[i][corner] >= mesh.vertices_m.size()) {
         refuse("TexturedMesh: triangle " + std::to_string(i) + " refers to vertex " +
-               std::to_string(mesh.triangles[i][corner]) + " of " +
+               std::to_string(mesh.triangles[i][corner]) +
+               "; it must be less than the number of vertices, " +
                std::to_string(mesh.vertices_m.size()) + ".");
       }
       if (!finite(mesh.places[i][corner])) {
-        refuse("TexturedMesh: a place of triangle " + std::to_string(i) + " is not finite.");
+        refuse("TexturedMesh: a place of triangle " + std::to_string(i) +
+               " is not finite; all must be finite.");
       }
     }
   }
@@ -100,13 +106,13 @@ void require_sound(const ContactPatch& patch) {
   const glm::dmat3& rotation = patch.pose.rotation;
   if (!finite(patch.pose.position_m) || !finite(rotation[0]) || !finite(rotation[1]) ||
       !finite(rotation[2])) {
-    refuse("ContactPatch: its pose is not finite.");
+    refuse("ContactPatch: pose is not finite; position and rotation must be finite.");
   }
   for (const std::uint32_t triangle : patch.triangles) {
     if (triangle >= patch.mesh.triangles.size()) {
       refuse("ContactPatch: triangle " + std::to_string(triangle) +
-             " does not exist in a mesh with " + std::to_string(patch.mesh.triangles.size()) +
-             " triangles.");
+             " does not exist; it must be less than the number of triangles of the mesh, " +
+             std::to_string(patch.mesh.triangles.size()) + ".");
     }
   }
 }

@@ -112,7 +112,8 @@ ContactRegions::Body::Body(const TriangleMesh& mesh)
       if (corner >= vertices_m.size()) {
         throw std::invalid_argument("triangle " + std::to_string(normals.size()) +
                                     " of the mesh refers to vertex " + std::to_string(corner) +
-                                    ", and there are only " + std::to_string(vertices_m.size()));
+                                    "; it must be less than the number of vertices, " +
+                                    std::to_string(vertices_m.size()));
       }
     }
     const glm::dvec3 area = glm::cross(vertices_m[corners[1]] - vertices_m[corners[0]],

@@ -130,7 +130,9 @@ bool triangles_intersect(const Corners& a, const Corners& b) noexcept {
 }
 
 ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) throw std::invalid_argument("the mesh has no triangles");
+  if (mesh.triangles.empty()) {
+    throw std::invalid_argument("the mesh has no triangles; at least one is needed");
+  }
   std::vector<glm::dvec3> middles{};
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-std::numeric_limits<double>::infinity());
@@ -138,10 +140,10 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
     Corners corners{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
       if (triangle[corner] >= mesh.vertices_m.size()) {
-        throw std::invalid_argument("triangle " + std::to_string(corners_m_.size()) +
-                                    " of the mesh refers to vertex " +
-                                    std::to_string(triangle[corner]) + ", and there are only " +
-                                    std::to_string(mesh.vertices_m.size()));
+        throw std::invalid_argument(
+            "triangle " + std::to_string(corners_m_.size()) + " of the mesh refers to vertex " +
+            std::to_string(triangle[corner]) + "; it must be less than the number of vertices, " +
+            std::to_string(mesh.vertices_m.size()));
       }
       corners[corner] = mesh.vertices_m[triangle[corner]];
       low = glm::min(low, corners[corner]);

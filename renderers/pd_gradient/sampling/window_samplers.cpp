@@ -63,8 +63,9 @@ std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
   if (sampling.most_samples >= least) return std::nullopt;
   return ParameterConflict{.parameters = {"most_samples", "step_m", "cell_m"},
                            .message = "most_samples is " + std::to_string(sampling.most_samples) +
-                                      "; with a step of " + std::to_string(*cells) +
-                                      " cells it must be at least " + std::to_string(least) + "."};
+                                      "; with a step of " +
+                                      counted(static_cast<std::size_t>(*cells), "cell", "cells") +
+                                      " it must be at least " + std::to_string(least) + "."};
 }
 
 WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,

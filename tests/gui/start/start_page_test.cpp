@@ -246,8 +246,8 @@ TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
 TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
   page->show();
   choose(protocol);
-  EXPECT_TRUE(has_reason("\"How old are you?\" has not been answered."));
-  EXPECT_TRUE(has_reason("\"Which hand?\" has not been answered."));
+  EXPECT_TRUE(has_reason("\"How old are you?\" has not been answered; enter an answer."));
+  EXPECT_TRUE(has_reason("\"Which hand?\" has not been answered; enter an answer."));
   EXPECT_FALSE(has_reason("What do you like?"));
   fill_in();
   EXPECT_FALSE(has_reason("How old are you?"));
@@ -508,13 +508,13 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   run_unfinished("virtual0001");
   page->show();
   choose(protocol, "virtual0001");
-  EXPECT_EQ(find<QPushButton>("resume").text(), "Resume session 1 (1 of 3 trials completed)");
+  EXPECT_EQ(find<QPushButton>("resume").text(), "Resume session 1 (trials completed: 1 of 3)");
   EXPECT_FALSE(page->order().inputs.resume);
   click("resume");
   EXPECT_TRUE(page->order().inputs.resume);
   EXPECT_EQ(page->order().inputs.mode, SessionMode::simulate);
   EXPECT_FALSE(find<QPushButton>("mode_run").isEnabled());
-  EXPECT_TRUE(find<QLabel>("unfinished").text().contains("1 of its 3 trials"));
+  EXPECT_TRUE(find<QLabel>("unfinished").text().contains("trials completed and stored: 1 of 3"));
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(can_start()) << shown_reason();
   EXPECT_EQ(find<QPushButton>("start").text(), "Resume session 1");

@@ -258,7 +258,7 @@ TEST_F(StudyPages, ReportAnInterruptedSessionAndOfferToResumeIt) {
   auto& banner = child<Banner>(window_, "protocols_interrupted");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_EQ(banner.text(),
-            "Session 1 of P012 was interrupted: 3 of its 12 trials are completed and stored.");
+            "Session 1 of P012 was interrupted; trials completed and stored: 3 of 12.");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
   press(banner, "Resume session 1 of P012");
   ASSERT_EQ(wanted.count(), 1);
@@ -280,7 +280,7 @@ TEST_F(StudyPages, ReportAnInterruptedSessionOnTheWelcomePage) {
   window_.close_study();
   auto& banner = child<Banner>(window_, "welcome_interrupted");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
-  EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was interrupted:"))
+  EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was interrupted;"))
       << banner.text().toStdString();
   window_.resize(1280, 720);
   const auto cut = [&]() -> std::string {
@@ -499,7 +499,7 @@ TEST_F(StudyPages, GoOnWithAnUnfinishedSessionOnly) {
   table.selectRow(0);
   ASSERT_TRUE(resume.isEnabled());
   EXPECT_EQ(child<QLabel>(window_, "sessions_reason").text(),
-            "7 of 12 trials are completed and stored.");
+            "Trials completed and stored: 7 of 12.");
   click("sessions_resume");
   ASSERT_EQ(wanted.count(), 1);
   const auto wish = wanted[0][0].value<SessionWish>();
