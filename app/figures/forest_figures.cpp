@@ -34,7 +34,7 @@ struct ForestKind {
   bool is_part = false;  ///< contained in the data of other rows: outlined
 };
 
-Phrase counted(const Phrase& label, std::size_t hits, std::size_t of) {
+Phrase count_phrase(const Phrase& label, std::size_t hits, std::size_t of) {
   return phrase("Figures", "%1 (%2 of %3)").with(label, std::to_string(hits), std::to_string(of));
 }
 
@@ -233,7 +233,7 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
   std::vector<ForestRow> rows{};
   for (const std::vector<Cell>& cells : table.table.rows) {
     ForestRow row{};
-    row.label = counted(label_of_row(columns, cells, hits),
+    row.label = count_phrase(label_of_row(columns, cells, hits),
                         static_cast<std::size_t>(number_of(cells[hits]).value_or(0.0)),
                         static_cast<std::size_t>(number_of(cells[*of]).value_or(0.0)));
     row.share = number_of(cells[*share]);
@@ -343,7 +343,7 @@ std::vector<ForestRow> rows_of(const FoundNumbers& found, const std::string& qua
     }
     if (finding->value) {
       const double hits = *finding->value * static_cast<double>(finding->n);
-      row.label = counted(row.label, static_cast<std::size_t>(std::llround(hits)), finding->n);
+      row.label = count_phrase(row.label, static_cast<std::size_t>(std::llround(hits)), finding->n);
     }
     rows.push_back(std::move(row));
   }
@@ -467,7 +467,7 @@ Figure recognition_forest(const FoundNumbers& found) {
       if (parts_of(one->key).front() == recall->key) trials += one->value.value_or(0.0);
     }
     const double hits = found.value("confusion", recall->key + '|' + recall->key).value_or(0.0);
-    rows.push_back({.label = counted(recall->key, static_cast<std::size_t>(hits),
+    rows.push_back({.label = count_phrase(recall->key, static_cast<std::size_t>(hits),
                                      static_cast<std::size_t>(trials)),
                     .share = recall->value,
                     .interval = interval_of(*recall)});
@@ -475,7 +475,7 @@ Figure recognition_forest(const FoundNumbers& found) {
   const std::optional<double> chance =
       rows.empty() ? std::nullopt : std::optional(1.0 / static_cast<double>(rows.size()));
   if (const Finding* pc = found.find("pc")) {
-    rows.push_back({.label = counted(phrase("Figures", "all together"),
+    rows.push_back({.label = count_phrase(phrase("Figures", "all together"),
                                      static_cast<std::size_t>(found.value("correct").value_or(0.0)),
                                      static_cast<std::size_t>(found.value("n").value_or(0.0))),
                     .share = pc->value,

@@ -178,9 +178,10 @@ SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& i
   throw std::invalid_argument(
       "the force model " + model.declaration.id + " cannot have a texture force of " +
       text_of(target_rms_N) + " N RMS: its " + amplitude.name + " ranges from " +
-      text_of(amplitude.minimum) + " to " + text_of(amplitude.maximum) + " " + amplitude.unit +
-      ", which gives a texture force of " + text_of(rms_N(amplitude.minimum)) + " and " +
-      text_of(rms_N(amplitude.maximum)) + " N RMS; request a force within this range");
+      text_of(amplitude.minimum) + " to " + text_of(amplitude.maximum) +
+      (amplitude.unit == "1" ? "" : " " + amplitude.unit) + ", which gives a texture force of " +
+      text_of(rms_N(amplitude.minimum)) + " and " + text_of(rms_N(amplitude.maximum)) +
+      " N RMS; request a force within this range");
 }
 
 }  // namespace asperity

@@ -77,7 +77,7 @@ TEST_F(StudyProtocols, AreDeletedUnlessTheyWereRun) {
     ADD_FAILURE() << "the protocol of a session was deleted";
   } catch (const PhrasedError& error) {
     EXPECT_THAT(error.what(), HasSubstr("small.json"));
-    EXPECT_THAT(error.what(), HasSubstr("(1)"));
+    EXPECT_THAT(error.what(), HasSubstr("(number: 1)"));
   }
   EXPECT_THROW(rename_protocol(study(), file_, "mine"), PhrasedError);
   EXPECT_TRUE(std::filesystem::exists(file_));

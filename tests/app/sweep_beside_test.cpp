@@ -173,7 +173,7 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
               HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force has 60 mm/s"));
   EXPECT_THAT(
       remark([](SweepOrder& order) { order.stroke.model = all_models().find("height_map"); }),
-      HasSubstr("with the force model height_map (--model), and roughness_force uses pd_gradient"));
+      HasSubstr("the force model height_map (--model), and roughness_force uses pd_gradient"));
   std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
   EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
 }

@@ -130,7 +130,7 @@ TEST_F(OpenHaptics, LeavesADeviceThatThisProgramUsesAlone) {
   EXPECT_EQ(survey.attached[0].serial, "T-17");
   EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("This program uses it"));
   EXPECT_THAT(refusal_of([&] { driver.open("Left Device", options); }),
-              HasSubstr("uses Touch T-17 already"));
+              HasSubstr("This program uses Touch T-17"));
   EXPECT_THAT(calls(), IsEmpty());
   EXPECT_EQ(bench->made_current, made_current);
 }

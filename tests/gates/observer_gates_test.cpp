@@ -29,8 +29,8 @@ TEST(DeafObserver, AnswersByChanceInEveryKind) {
   expect_all_marked_as_guesses(selection);
 
   const GateCounts matching =
-      study.run({"improved_matching", GateObserver::deaf, 26, 3, {102}, kFewStrokes});
-  EXPECT_EQ(matching.trials, 78U);
+      study.run({"improved_matching", GateObserver::deaf, 24, 3, {102}, kFewStrokes});
+  EXPECT_EQ(matching.trials, 72U);
   expect_items_by_chance(matching, 4, kNoMargin);
   expect_by_chance("matched wholly", {matching.whole, matching.trials}, whole_chance(4), kNoMargin);
   expect_all_marked_as_guesses(matching);

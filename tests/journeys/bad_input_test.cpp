@@ -262,7 +262,7 @@ TEST(BadPicture, OrSettingIsRefusedWithItsRange) {
   expect_refused(small.place(), {"texture", photograph, "--out", made, "--width-m", "-1"},
                  {"width_m"});
   expect_refused(small.place(), {"texture", photograph, "--out", made, "--width-m", "4"},
-                 {"width_m is 4 m", "from 0.001 to 1 m", "4 cm 0.04"});
+                 {"width_m is 4 m", "from 0.001 to 1 m", "4 cm are 0.04 m"});
   expect_refused(small.place(),
                  {"texture", photograph, "--out", made, "--width-m", "0.02", "--rms-m", "nan"},
                  {"rms_m"});
@@ -478,7 +478,7 @@ TEST(BadTable, IsRefusedWithItsPlaceAndWhatWouldBeRight) {
 TEST(BadOption, OfATableIsToldFromOneThatTheDataHaveNoUseFor) {
   const std::string table = "id,k,n,p0\na,5,10,0.5\n";
   expect_table_refused("proportion", table, {"nonsense=1"},
-                       {"proportion has no option \"nonsense\"", "it has: conf"});
+                       {"proportion has no option \"nonsense\"", "choose one of: conf"});
   expect_table_refused("proportion", "id,k,n,p0,conf\na,5,10,0.5,0.95\n", {"conf=0.9"},
                        {"\"conf\" is not used", "has a column of that name"});
   expect_table_refused("seedpaper", table, {"conf=0.9"}, {"seedpaper has no option \"conf\""});

@@ -133,7 +133,7 @@ TEST(SolvedAmplitude, RefusesMoreThanAModelReaches) {
     EXPECT_THAT(refusal_of<std::invalid_argument>(
                     [&] { solve_amplitude(model(id), matched_stimulus(), 1000.0); }),
                 testing::AllOf(testing::HasSubstr(id),
-                               testing::HasSubstr("height_scale goes from 0 to 100")));
+                               testing::HasSubstr("height_scale ranges from 0 to 100")));
   }
 }
 
@@ -156,7 +156,7 @@ TEST(SolvedAmplitude, SaysWhatCanBeReachedWhenTheTargetCannot) {
   const std::string said = refusal_of<std::invalid_argument>(
       [] { solve_amplitude(model("lateral_gradient"), matched_stimulus(), 1000.0); });
   EXPECT_THAT(said, testing::HasSubstr("lateral_gradient"));
-  EXPECT_THAT(said, testing::HasSubstr("gain_N goes from 0 to 50 N"));
+  EXPECT_THAT(said, testing::HasSubstr("gain_N ranges from 0 to 50 N"));
   EXPECT_THAT(said, testing::HasSubstr("1000 N"));
   // 50 N · 2πA/L/√2 = 50 · 0.314159 · 0.707107 = 11.1072 N; interpolation costs a little.
   EXPECT_THAT(said, testing::HasSubstr("0 and 11.1"));

@@ -76,7 +76,7 @@ TEST(ModelRegistry, RefusesAMissingToolOrSurface) {
   model.declaration.needs_bodies = true;
   RendererInputs inputs = any_inputs();
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
-              testing::HasSubstr("neither"));
+              testing::HasSubstr("give it both"));
   inputs.tool = std::make_shared<const TexturedMesh>();
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
               testing::HasSubstr("give it the missing surface"));

@@ -542,7 +542,8 @@ TEST(PdGradient, RefusesWhatItCannotRender) {
               testing::HasSubstr("motion_scale"));
   EXPECT_THAT(said([](auto& inputs) { inputs.parameters["step_m"] = 0.15e-3; }),
               testing::HasSubstr("step_m"));
-  EXPECT_THAT(said([](auto& inputs) { inputs.tool = nullptr; }), testing::HasSubstr("no tool"));
+  EXPECT_THAT(said([](auto& inputs) { inputs.tool = nullptr; }),
+              testing::HasSubstr("give it the missing tool"));
   EXPECT_THAT(said([](auto& inputs) { inputs.material.stiffness_N_per_m = 0.0; }),
               testing::HasSubstr("stiffness_N_per_m"));
   EXPECT_THAT(said([](auto& inputs) { inputs.surface = shared(TexturedMesh{}); }),

@@ -77,7 +77,8 @@ TEST(TidyTable, KnowsThreeWaysToWriteNothing) {
 }
 
 TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
-  EXPECT_EQ(table_refusal(""), "file.csv:1:0: the header line is missing; add a line with the names of the columns");
+  EXPECT_EQ(table_refusal(""),
+            "file.csv:1:0: the header line is missing; add a line with the names of the columns");
   EXPECT_EQ(table_refusal("a,b,a\n"),
             "file.csv:1:3: the column name \"a\" occurs twice; rename one of the columns");
   EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name; give it one");
@@ -148,7 +149,7 @@ TEST(TidyTable, TakesOnlyTheNamesThatAreGivenInTheirOrder) {
                           [](const TidyTable& read) {
                             read.labels("choice", {"metal", "wood"});
                           }),
-            "file.csv:3:1: choice is \"metl\", it must be one of: metal, wood");
+            "file.csv:3:1: choice is \"metl\"; it must be one of: metal, wood");
 }
 
 TEST(TidyTable, MayBeMovedWithItsCells) {
