@@ -2,6 +2,7 @@
 
 #include "analysis/filters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -167,6 +168,31 @@ std::vector<double> filtered(ButterworthFilter filter, std::span<const double> s
     out.push_back(filter.next(sample));
   }
   return out;
+}
+
+std::vector<double> filtered_without_delay(const LowPass& band, double rate_Hz,
+                                           std::span<const double> signal) {
+  ButterworthFilter filter(band, rate_Hz);
+  if (signal.empty()) return {};
+  const std::size_t last = signal.size() - 1;
+  const std::size_t margin =
+      std::min(last, static_cast<std::size_t>(std::ceil(rate_Hz / band.cutoff_Hz)));
+  std::vector<double> extended;
+  extended.reserve(signal.size() + 2 * margin);
+  for (std::size_t i = margin; i > 0; --i) extended.push_back(2.0 * signal[0] - signal[i]);
+  extended.insert(extended.end(), signal.begin(), signal.end());
+  for (std::size_t i = 1; i <= margin; ++i) {
+    extended.push_back(2.0 * signal[last] - signal[last - i]);
+  }
+  // A filter that starts at rest starts at 0: each pass is about the value with which it begins.
+  for (int pass = 0; pass < 2; ++pass) {
+    filter.reset();
+    const double rest = extended.front();
+    for (double& value : extended) value = rest + filter.next(value - rest);
+    std::reverse(extended.begin(), extended.end());
+  }
+  const auto first = extended.begin() + static_cast<std::ptrdiff_t>(margin);
+  return {first, first + static_cast<std::ptrdiff_t>(signal.size())};
 }
 
 }  // namespace asperity

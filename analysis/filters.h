@@ -1,4 +1,4 @@
-// Butterworth filters that run forward, sample by sample.
+// Butterworth filters that run forward, sample by sample, and over whole signals.
 
 #pragma once
 
@@ -66,5 +66,13 @@ class ButterworthFilter final {
 
 /// The whole signal through the filter, from rest.
 std::vector<double> filtered(ButterworthFilter filter, std::span<const double> signal);
+
+/// The whole signal through a low-pass forward and then backward: without delay, with the gain |H|² of the filter (½ at its
+/// cut-off). Both ends are extended by one period of the cut-off, reflected about the end in time and in value, so that a
+/// signal with a constant slope passes unchanged there too.
+///
+/// Errors: as ButterworthFilter.
+std::vector<double> filtered_without_delay(const LowPass& band, double rate_Hz,
+                                           std::span<const double> signal);
 
 }  // namespace asperity

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "renderers/force/force_renderer.h"
 #include "stimuli/heights/height_field.h"
 #include "stimuli/meshes/textured_mesh.h"
@@ -65,7 +67,10 @@ struct ForceModel {
   /// The band of the texture, from complete parameters. It does not include the harmonics of a force that is not
   /// proportional to the heights, nor the side lobes of noise that is held between its steps.
   std::function<TextureBand(const RendererInputs&)> band{};
-  /// The same in hertz as a formula of the parameters, with v the speed of the hand on the texture in m/s.
+  /// Where a probe is in the cycle of a grating, in cycles from −½ to ½ with a crest at 0, from complete parameters. Empty for a
+  /// model without a cycle.
+  std::function<double(const RendererInputs&, const glm::dvec3& position_m)> crest_phase{};
+  /// The same as `band` in hertz as a formula of the parameters, with v the speed of the hand on the texture in m/s.
   std::string band_formula{};
 };
 

@@ -72,6 +72,29 @@ TEST(ButterworthFilter, ForgetsThePastWhenReset) {
   EXPECT_EQ(filter.next(1.0), first);
 }
 
+// |H|² is ½ at the cut-off and 1/(1 + w⁴) of order 2, w = tan(π·120/rate)/tan(π·30/rate); the phase is 0.
+TEST(FilteredWithoutDelay, HasTheSquaredGainAndNoPhase) {
+  constexpr LowPass kBand{.order = 2, .cutoff_Hz = 30.0};
+  for (const double frequency_Hz : {30.0, 120.0}) {
+    std::vector<double> wave(2000);
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+      wave[i] = std::sin(2.0 * std::numbers::pi * frequency_Hz * static_cast<double>(i) / kRate_Hz);
+    }
+    const double gain = ButterworthFilter(kBand, kRate_Hz).gain(frequency_Hz);
+    const std::vector<double> out = filtered_without_delay(kBand, kRate_Hz, wave);
+    for (std::size_t i = 300; i < 1700; ++i) EXPECT_NEAR(out[i], gain * gain * wave[i], 1e-6);
+  }
+}
+
+TEST(FilteredWithoutDelay, PassesASlopeUnchanged) {
+  std::vector<double> slope(400);
+  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = 7.0 + 0.01 * static_cast<double>(i);
+  const std::vector<double> out =
+      filtered_without_delay({.order = 2, .cutoff_Hz = 30.0}, kRate_Hz, slope);
+  for (std::size_t i = 0; i < slope.size(); ++i) EXPECT_NEAR(out[i], slope[i], 2e-3) << i;
+  EXPECT_TRUE(filtered_without_delay({.order = 2, .cutoff_Hz = 30.0}, kRate_Hz, {}).empty());
+}
+
 TEST(ButterworthFilter, RefusesImpossibleBands) {
   EXPECT_THROW(ButterworthFilter(LowPass{.order = 0, .cutoff_Hz = 10.0}, kRate_Hz),
                std::invalid_argument);
