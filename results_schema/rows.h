@@ -134,6 +134,25 @@ struct VisitRow {
   bool operator==(const VisitRow&) const = default;
 };
 
+/// The detectors of perceived instability of one presentation. Each of the three has a value or the reason why it has none
+/// ("too_short", "no_force", "low_rate", "no_crests").
+struct InstabilityRow {
+  std::optional<double> buzz{};  ///< vibration relative to the texture force
+  std::optional<double> buzz_force_N{};
+  std::optional<std::int64_t> buzz_ns{};
+  std::optional<std::string> no_buzz{};
+  std::optional<double> resting_s{};
+  std::optional<double> alive_force_N{};
+  std::optional<double> alive_plate_force_N{};
+  std::optional<double> alive_motion_m{};
+  std::optional<double> alive_work_J{};  ///< absent without a closed part of the path
+  std::optional<std::string> no_aliveness{};
+  std::optional<double> crest_share{};
+  std::optional<double> slow_s{};
+  std::optional<std::string> no_crest_share{};
+  bool operator==(const InstabilityRow&) const = default;
+};
+
 struct PresentationRow {
   int position = 0;  ///< 1-based
   std::string role{};
@@ -159,6 +178,8 @@ struct PresentationRow {
   std::vector<ModelLimitRow> limits{};               ///< by kind; of a model that watches any
   /// In temporal order; empty also in attempts that were stored before schema version 11.
   std::vector<VisitRow> visits{};
+  /// Absent in attempts that were stored before schema version 13.
+  std::optional<InstabilityRow> instability{};
 };
 
 struct ResponseRow {

@@ -80,7 +80,7 @@ struct StudyWords {
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 12;
+  static constexpr int kSchemaVersion = 13;
 
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);

@@ -18,6 +18,8 @@ void insert_presentations(Database& database, std::int64_t attempt_id,
                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement asset(database, "INSERT INTO presentation_asset VALUES (?, ?, ?, ?)");
   Statement limit(database, "INSERT INTO model_limit VALUES (?, ?, ?, ?)");
+  Statement instability(
+      database, "INSERT INTO instability VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement visit(database, "INSERT INTO visit VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const PresentationRow& row : rows) {
     statement
@@ -31,6 +33,14 @@ void insert_presentations(Database& database, std::int64_t attempt_id,
     }
     for (const ModelLimitRow& each : row.limits) {
       limit.bind(attempt_id, row.position, each.kind, each.ticks).run();
+    }
+    if (const auto& judged = row.instability) {
+      instability
+          .bind(attempt_id, row.position, judged->buzz, judged->buzz_force_N, judged->buzz_ns,
+                judged->no_buzz, judged->resting_s, judged->alive_force_N,
+                judged->alive_plate_force_N, judged->alive_motion_m, judged->alive_work_J,
+                judged->no_aliveness, judged->crest_share, judged->slow_s, judged->no_crest_share)
+          .run();
     }
     int number = 0;
     for (const VisitRow& each : row.visits) {
@@ -170,6 +180,29 @@ void read_visit_rows(Database& database, const std::string& which, std::int64_t 
   }
 }
 
+void read_instability(Database& database, const std::string& which, std::int64_t key,
+                      Attempts& attempts) {
+  Statement statement(
+      database,
+      "SELECT attempt_id, position, buzz, buzz_force_N, buzz_ns, no_buzz, resting_s, "
+      "alive_force_N, alive_plate_force_N, alive_motion_m, alive_work_J, no_aliveness, "
+      "crest_share, slow_s, no_crest_share FROM instability WHERE " +
+          which + " ORDER BY attempt_id, position");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    int position = 0;
+    InstabilityRow row;
+    statement.read(id, position, row.buzz, row.buzz_force_N, row.buzz_ns, row.no_buzz,
+                   row.resting_s, row.alive_force_N, row.alive_plate_force_N, row.alive_motion_m,
+                   row.alive_work_J, row.no_aliveness, row.crest_share, row.slow_s,
+                   row.no_crest_share);
+    for (PresentationRow& presentation : attempts.of(id).presentations) {
+      if (presentation.position == position) presentation.instability = row;
+    }
+  }
+}
+
 void read_responses(Database& database, const std::string& which, std::int64_t key,
                     Attempts& attempts) {
   Statement statement(database,
@@ -258,6 +291,7 @@ std::vector<AttemptRow> read_attempts(Database& database, const std::string& whi
   read_assets(database, hanging, key, attempts);
   read_limits(database, hanging, key, attempts);
   read_visit_rows(database, hanging, key, attempts);
+  read_instability(database, hanging, key, attempts);
   read_responses(database, hanging, key, attempts);
   read_servo(database, hanging, key, attempts);
   read_compliance(database, hanging, key, attempts);

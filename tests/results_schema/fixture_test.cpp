@@ -89,6 +89,13 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   if (GetParam() >= 11) {
     EXPECT_EQ(attempts[2].presentations[0].visits[0].path_m, 0.06);
   }
+  // In an earlier version it is absent, not a row of zeros.
+  ASSERT_EQ(attempts[2].presentations[0].instability.has_value(), GetParam() >= 13);
+  if (GetParam() >= 13) {
+    EXPECT_EQ(attempts[2].presentations[0].instability->buzz, 0.31);
+    EXPECT_EQ(attempts[2].presentations[0].instability->no_crest_share, "no_crests");
+  }
+  EXPECT_FALSE(attempts[2].presentations[1].instability);
   EXPECT_EQ(attempts[2].presentations[0].stiffness_N_per_m.has_value(), GetParam() >= 11);
   EXPECT_EQ(attempts[2].compliance.at(0).p95, 1.2);
   EXPECT_EQ(attempts[2].excluded.value_or("counts").text, GetParam() >= 2 ? "sneezed" : "counts");

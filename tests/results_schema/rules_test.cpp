@@ -243,6 +243,28 @@ std::vector<Forbidden> forbidden_statements() {
        "INSERT INTO visit VALUES (2,1,7,1,0,1,0,NULL,NULL,0,0)"},
       {"spread of a force without its mean",
        "INSERT INTO visit VALUES (2,1,7,0,1,1,0,NULL,0.1,0,0)"},
+      {"update instability", "UPDATE instability SET buzz = 0"},
+      {"delete instability", "DELETE FROM instability"},
+      {"replace instability",
+       "INSERT OR REPLACE INTO instability VALUES "
+       "(2,1,NULL,NULL,NULL,'too_short',NULL,NULL,NULL,NULL,NULL,'too_short',NULL,NULL,'no_crests'"
+       ")"},
+      {"instability of no presentation",
+       "INSERT INTO instability VALUES "
+       "(2,9,NULL,NULL,NULL,'too_short',NULL,NULL,NULL,NULL,NULL,'too_short',NULL,NULL,'no_crests'"
+       ")"},
+      {"neither a buzz nor the reason why there is none",
+       "INSERT INTO instability VALUES "
+       "(2,2,NULL,NULL,NULL,NULL,NULL,NULL,NULL,NULL,NULL,'too_short',NULL,NULL,'no_crests')"},
+      {"a buzz and a reason why there is none",
+       "INSERT INTO instability VALUES "
+       "(2,2,0.1,0.01,7,'too_short',NULL,NULL,NULL,NULL,NULL,'too_short',NULL,NULL,'no_crests')"},
+      {"a buzz without its force",
+       "INSERT INTO instability VALUES "
+       "(2,2,0.1,NULL,7,NULL,NULL,NULL,NULL,NULL,NULL,'too_short',NULL,NULL,'no_crests')"},
+      {"a share of crests above 1",
+       "INSERT INTO instability VALUES "
+       "(2,2,NULL,NULL,NULL,'too_short',NULL,NULL,NULL,NULL,NULL,'too_short',1.5,1,NULL)"},
       {"update recording", "UPDATE recording SET path = 'recordings/other'"},
       {"delete recording", "DELETE FROM recording"},
       {"replace recording",

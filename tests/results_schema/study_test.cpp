@@ -242,6 +242,9 @@ TEST(Study, GivesBackAnAttemptWithAllThatHangsOnIt) {
   EXPECT_TRUE(row.presentations[1].assets.empty());
   EXPECT_TRUE(row.presentations[1].limits.empty());
   EXPECT_TRUE(row.presentations[1].visits.empty());
+  EXPECT_EQ(first.instability, wanted.presentations[0].instability);
+  EXPECT_TRUE(first.instability);
+  EXPECT_FALSE(row.presentations[1].instability);
   EXPECT_EQ(first.seed, "17");
   EXPECT_EQ(first.onset_ns, wanted.onset_ns);
   EXPECT_EQ(first.contact_ns, wanted.onset_ns + 1);
