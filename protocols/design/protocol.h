@@ -94,6 +94,13 @@ struct Exploration {
   Guidance guidance = Guidance::experimenter;
 };
 
+/// The consequence of a vibration that the force model does not contain (docs/instability.md).
+struct InstabilityRule {
+  enum class OnExcess { flag, repeat_now };
+  double buzz_max = 0.0;  ///< relative to the texture force
+  OnExcess on = OnExcess::flag;
+};
+
 /// A texture as it is presented to participants: felt (a height field), seen (a picture), or both.
 struct Texture {
   std::string name{};
@@ -241,6 +248,7 @@ struct Protocol {
   double force_limit_N = 5.0;
   int maximum_missed_deadlines = 50;  ///< in contact, per attempt; more make the attempt invalid
   int maximum_lost_records = 0;
+  std::optional<InstabilityRule> instability{};
   /// Maximum age of the device's profile for a session with a participant; absent: no profile is needed.
   std::optional<double> profile_maximum_age_days{};
   bool refuses_rehearsal_warnings = false;  ///< of unrenderable stimuli and unmet device limits

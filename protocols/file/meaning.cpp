@@ -11,6 +11,7 @@ namespace asperity {
 std::vector<Diagnostic> Meaning::check() {
   check_head();
   check_device_limits();
+  check_instability();
   check_senses();
   check_textures();
   check_bodies();

@@ -473,6 +473,14 @@ void read_setting(const json& root, Protocol& protocol) {
       protocol.device_limits[item] = limit.get<double>();
     });
   }
+  if (const auto found = root.find("instability"); found != root.end()) {
+    using OnExcess = InstabilityRule::OnExcess;
+    InstabilityRule rule{};
+    read(*found, "buzz_max", rule.buzz_max);
+    read_choice(*found, "on", rule.on,
+                {{"flag", OnExcess::flag}, {"repeat_now", OnExcess::repeat_now}});
+    protocol.instability = rule;
+  }
   if (const auto found = root.find("surface"); found != root.end()) {
     SurfacePatch& patch = protocol.patch;
     if (const auto centre = found->find("centre_m"); centre != found->end()) {

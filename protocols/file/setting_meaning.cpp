@@ -61,6 +61,15 @@ void Meaning::check_keys_of_format_2() {
   }
 }
 
+void Meaning::check_instability() {
+  // Vibration is judged from 150 Hz to half the rate.
+  constexpr double kLowestRate_Hz = 300.0;
+  if (!protocol_.instability || protocol_.rate_Hz > kLowestRate_Hz) return;
+  report("/instability", "vibration above 150 Hz cannot be judged at a servo rate of " +
+                             digits(protocol_.rate_Hz) +
+                             " Hz: set device.rate_Hz above 300, or remove this key");
+}
+
 void Meaning::check_device_limits() {
   const auto rate_Hz = protocol_.device_limits.find("rate_Hz");
   if (rate_Hz == protocol_.device_limits.end()) return;

@@ -211,6 +211,15 @@ const Fault kForm[] = {
      "greater than 0"},
     {"too_strong", R"("force_limit_N": 5)", R"("force_limit_N": 500)", "500",
      "/device/force_limit_N", "at most 20"},
+    {"no_buzz_max", R"("device": {"rate_Hz": 1000,)",
+     R"("instability": {"on": "flag"}, "device": {"rate_Hz": 1000,)", R"({"on": "flag"})",
+     "/instability", R"(the key "buzz_max" is missing)"},
+    {"buzz_of_zero", R"("device": {"rate_Hz": 1000,)",
+     R"("instability": {"buzz_max": 0}, "device": {"rate_Hz": 1000,)", "0}",
+     "/instability/buzz_max", "greater than 0"},
+    {"buzz_misspelt", R"("device": {"rate_Hz": 1000,)",
+     R"("instability": {"buzz_max": 0.4, "on": "repeat"}, "device": {"rate_Hz": 1000,)",
+     R"("repeat"})", "/instability/on", R"("repeat_now")"},
     {"negative_limit", R"("force_limit_N": 5)",
      R"("force_limit_N": 5, "limits": {"friction_N": -0.2})", "-0.2", "/device/limits/friction_N",
      "at least 0. Expected here: Largest friction"},
@@ -242,6 +251,9 @@ const Fault kForm[] = {
 };
 
 const Fault kMeaning[] = {
+    {"buzz_at_a_low_rate", R"("device": {"rate_Hz": 1000,)",
+     R"("instability": {"buzz_max": 0.4}, "device": {"rate_Hz": 250,)", R"({"buzz_max": 0.4})",
+     "/instability", "above 150 Hz cannot be judged at a servo rate of 250 Hz"},
     {"own_kind_in_format_1", R"("repetitions": 3)", R"("repetitions": 3, "kind": "selection")",
      R"("asperity.protocol/1")", "/format", "requires the format"},
     {"question_order_without_questions", R"("repetitions": 3)",
@@ -461,7 +473,8 @@ INSTANTIATE_TEST_SUITE_P(Syntax, PlantedInSelection, testing::ValuesIn(kSyntax),
 INSTANTIATE_TEST_SUITE_P(Form, PlantedInSelection, testing::ValuesIn(kForm), fault_name);
 INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInSelection, testing::ValuesIn(kMeaning), fault_name);
 INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInMatching, testing::ValuesIn(kMatching), fault_name);
-INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInRecognition, testing::ValuesIn(kRecognition), fault_name);
+INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInRecognition, testing::ValuesIn(kRecognition),
+                         fault_name);
 
 TEST(PlantedFaults, AreReportedAllAtOnce) {
   std::string text = test::example_selection();

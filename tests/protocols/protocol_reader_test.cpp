@@ -25,6 +25,20 @@ TEST(ProtocolReader, ReadsAMinimalSelection) {
   }
 }
 
+TEST(ProtocolReader, ReadsTheConsequenceOfAVibration) {
+  const auto rule_in = [](const std::string& instability) {
+    std::string text = test::example_selection();
+    text.insert(text.find("\"device\""), instability);
+    return read_protocol(text, "example.json", test::example_models()).instability;
+  };
+  EXPECT_FALSE(rule_in(""));
+  const auto flags = rule_in(R"("instability": {"buzz_max": 0.5}, )");
+  EXPECT_EQ(flags.value().buzz_max, 0.5);
+  EXPECT_EQ(flags->on, InstabilityRule::OnExcess::flag);
+  const auto repeats = rule_in(R"("instability": {"buzz_max": 0.4, "on": "repeat_now"}, )");
+  EXPECT_EQ(repeats.value().on, InstabilityRule::OnExcess::repeat_now);
+}
+
 Protocol with_environment(const std::string& environment) {
   std::string text = test::example_selection();
   text.insert(text.find("\"device\""), "\"environment\": " + environment + ", ");
