@@ -16,9 +16,14 @@ namespace {
 
 constexpr double kLeastPlanted_N = 0.020;
 
+/// A stroke that cannot be judged counts as one without a vibration.
+double ratio_of(const PerceivedInstability& judged) {
+  return judged.buzz ? judged.buzz->ratio : 0.0;
+}
+
 double buzz_in(const SeriesStroke& each) {
   const auto records = planted_stroke(*each.model, each.inputs, each.stroke);
-  return perceived_instability(*each.model, each.inputs, {records, 1, 1000.0}).buzz.value().ratio;
+  return ratio_of(perceived_instability(*each.model, each.inputs, {records, 1, 1000.0}));
 }
 
 struct Judged {
@@ -33,13 +38,26 @@ std::vector<double> ratios_of(const std::vector<Judged>& all) {
   return ratios;
 }
 
-int run(std::uint64_t clean_strokes, std::uint64_t planted_strokes, std::uint64_t seed) {
+/// All models, those of a point ("point"), or the one with this id.
+std::vector<ForceModel> chosen_models(const std::string& chosen) {
   const ModelRegistry registry = built_in_models();
+  std::vector<ForceModel> models = registry.models();
+  std::erase_if(models, [&chosen](const ForceModel& model) {
+    if (chosen == "point") return model.declaration.needs_bodies;
+    return !chosen.empty() && model.declaration.id != chosen;
+  });
+  return models;
+}
+
+int run(std::uint64_t clean_strokes, std::uint64_t planted_strokes, std::uint64_t seed,
+        const std::string& chosen) {
+  const std::vector<ForceModel> models = chosen_models(chosen);
   std::vector<Judged> clean{};
+  int not_judged = 0;
   std::map<std::string, double> worst{};
   std::map<std::string, std::pair<double, int>> cost_s{};
   for (std::uint64_t i = 0; i < clean_strokes; ++i) {
-    const SeriesStroke each = stroke_of_series(registry.models(), i, seed);
+    const SeriesStroke each = stroke_of_series(models, i, seed);
     const auto records = planted_stroke(*each.model, each.inputs, each.stroke);
     const auto began = std::chrono::steady_clock::now();
     const auto judged = perceived_instability(*each.model, each.inputs, {records, 1, 1000.0});
@@ -48,10 +66,11 @@ int run(std::uint64_t clean_strokes, std::uint64_t planted_strokes, std::uint64_
     auto& cost = cost_s[each.model->declaration.id];
     cost.first += took.count();
     ++cost.second;
-    clean.push_back({label, judged.buzz.value().ratio});
-    worst[label] = std::max(worst[label], judged.buzz->ratio);
+    if (!judged.buzz) ++not_judged;
+    clean.push_back({label, ratio_of(judged)});
+    worst[label] = std::max(worst[label], ratio_of(judged));
   }
-  std::printf("clean strokes: %zu\n", clean.size());
+  std::printf("clean strokes: %zu, of which not judged: %d\n", clean.size(), not_judged);
   for (const auto& [label, ratio] : worst)
     std::printf("  greatest %-40s %.3f\n", label.c_str(), ratio);
   for (const auto& [model, cost] : cost_s) {
@@ -62,7 +81,7 @@ int run(std::uint64_t clean_strokes, std::uint64_t planted_strokes, std::uint64_
   std::map<double, std::vector<double>> planted{};
   std::map<std::string, double> least{};
   for (std::uint64_t i = 0; i < planted_strokes; ++i) {
-    SeriesStroke each = stroke_of_series(registry.models(), i, seed + 1);
+    SeriesStroke each = stroke_of_series(models, i, seed + 1);
     const auto records = planted_stroke(*each.model, each.inputs, each.stroke);
     const double texture_N =
         recorded_texture_force_rms_N(*each.model, each.inputs, {records, 1, 1000.0}, {})
@@ -107,5 +126,5 @@ int main(int argc, char** argv) {
   const auto number = [&](int index, std::uint64_t otherwise) {
     return index < argc ? std::strtoull(argv[index], nullptr, 10) : otherwise;
   };
-  return asperity::run(number(1, 2000), number(2, 500), number(3, 1));
+  return asperity::run(number(1, 2000), number(2, 500), number(3, 1), argc > 4 ? argv[4] : "");
 }

@@ -73,17 +73,17 @@ inline RendererInputs stimulus_of_stroke(const ForceModel& model, std::uint64_t 
 /// The records of a closed loop at 1 kHz, presentation 1, with the ramp of the beginning.
 inline std::vector<TickRecord> planted_stroke(const ForceModel& model, const RendererInputs& inputs,
                                               const PlantedStroke& stroke) {
-  constexpr double kRate_Hz = 1000.0;
+  constexpr double kStrokeRate_Hz = 1000.0;
   const auto renderer = make_renderer(model, inputs);
   VirtualHand hand(stroke.habits, Random(stroke.seed));
   SimulatedDevice device(hand, simulated_settings(stroke.device).value());
   device.set_limits({.force_N = 8.0});
   hand.stroke();
-  const auto ticks = std::llround(stroke.duration_s * kRate_Hz);
+  const auto ticks = std::llround(stroke.duration_s * kStrokeRate_Hz);
   std::vector<TickRecord> records{};
   for (std::int64_t tick = 1; tick <= ticks; ++tick) {
     TickRecord record{};
-    record.probe = rounded_for_recording(device.read(tick * period_ns_of(kRate_Hz)).value());
+    record.probe = rounded_for_recording(device.read(tick * period_ns_of(kStrokeRate_Hz)).value());
     record.presentation = 1;
     record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
     record.gain = 1.0;
@@ -91,11 +91,11 @@ inline std::vector<TickRecord> planted_stroke(const ForceModel& model, const Ren
       record.flags |= static_cast<std::uint32_t>(TickFlag::first_of_presentation);
       renderer->reset(record.probe);
     }
-    const RenderedTick rendered = renderer->tick(record.probe, 1.0 / kRate_Hz);
+    const RenderedTick rendered = renderer->tick(record.probe, 1.0 / kStrokeRate_Hz);
     record.rendered = rendered.wrench;
     record.penetration_m = rendered.penetration_m;
     Wrench wanted = rendered.wrench;
-    const double time_s = static_cast<double>(tick) / kRate_Hz;
+    const double time_s = static_cast<double>(tick) / kStrokeRate_Hz;
     if (stroke.planted && time_s >= stroke.planted->from_s &&
         time_s < stroke.planted->from_s + stroke.planted->duration_s) {
       const double phase_rad = 2.0 * std::numbers::pi * stroke.planted->frequency_Hz * time_s +
@@ -103,7 +103,7 @@ inline std::vector<TickRecord> planted_stroke(const ForceModel& model, const Ren
       wanted.force_N +=
           stroke.planted->amplitude_N * std::sin(phase_rad) * stroke.planted->direction;
     }
-    record.sent = device.push(wanted, 1.0 / kRate_Hz).value().wrench;
+    record.sent = device.push(wanted, 1.0 / kStrokeRate_Hz).value().wrench;
     records.push_back(record);
   }
   return records;
