@@ -22,8 +22,10 @@ void add_verify(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "verify", "Check a study: every hash and constraint, and the plans against their seeds.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
-  command->add_flag("--replay", options->replay,
-                    "Also replay every recorded hand movement through its force models");
+  command->add_flag(
+      "--replay", options->replay,
+      "Also replay every recorded hand movement through its force models, and compare the "
+      "stored detectors of perceived instability");
   command->callback([options, &job] {
     job = [options] {
       const InterruptWatch interrupt;

@@ -455,6 +455,7 @@ AttemptRow Conductor::make_attempt(const Trial& trial, AttemptPurpose purpose,
                            .purpose = purpose,
                            .explored_wrongly = tally_->explored_wrongly(trial.ordinal),
                            .earlier_estimate = tally_->earlier_estimate(trial),
+                           .repeated_for_buzz = tally_->repeated_for_buzz(trial.ordinal),
                            .record = settings_.record};
   course_.update([&order](SessionSnapshot& snapshot) {
     snapshot.trial = order.trial.ordinal;
@@ -504,8 +505,10 @@ void Conductor::make_ahead(const Trial& trial, int attempt) {
   try {
     std::vector<NextTrial> next = possible_after(trial);
     const Exploration& exploration = exploration_of(protocol_, trial);
-    if (exploration.on_failure == Exploration::OnFailure::repeat_now &&
-        exploration.maximum_repeats > 0) {
+    const bool repeats_for_buzz =
+        protocol_.instability && protocol_.instability->on == InstabilityRule::OnExcess::repeat_now;
+    if (repeats_for_buzz || (exploration.on_failure == Exploration::OnFailure::repeat_now &&
+                             exploration.maximum_repeats > 0)) {
       next.push_back({.trial = trial, .attempt = attempt + 1});
     }
     upcoming_.make_ahead(std::move(next));

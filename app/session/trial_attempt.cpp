@@ -35,6 +35,8 @@ constexpr double kPatience_s = 5.0;
 // The ratio of two numbers for one stimulus above which a confirmation is required: a typing error
 // is likely.
 constexpr double kDoubtfulRatio = 10.0;
+// A session stops after a third technical failure in a row; before this, the attempt is kept and flagged.
+constexpr int kMostRepeatsForBuzz = 2;
 
 std::optional<std::int64_t> first_contact_ns(const std::vector<PresentationRow>& surfaces) {
   std::optional<std::int64_t> first_ns{};
@@ -357,6 +359,14 @@ void TrialAttempt::lift_and_take_back(std::size_t index) {
     surfaces_.put_back(rig.loop().collect());
   }
   read_visits(course_.recorder().records());
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const bool was_felt =
+        i == index || trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
+    if (!was_felt) continue;
+    instability_.begin(trial_.presentations[i].position, surfaces_.stimulus(i),
+                       surfaces_.inputs_as_felt(i), course_.recorder().records(),
+                       course_.protocol().rate_Hz);
+  }
   // Side by side there is no interval that would begin here.
   const std::vector<VisitRow>& visits = visits_.visits(static_cast<int>(index) + 1);
   if (!visits.empty()) lifted_ns_ = std::min(lifted_ns_, visits.back().offset_ns);
@@ -459,6 +469,7 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.achieved_texture_force_N = recorded_texture_force_rms_N(
         *prepared.model, surfaces_.inputs_as_felt(i), {records, id, rate_Hz},
         {request.band_low_Hz, request.band_high_Hz});
+    presentation.instability = instability_.take(planned.position);
     for (const NamedCount& limit : surfaces_.limits(i)) {
       presentation.limits.push_back(
           {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
@@ -519,6 +530,7 @@ void TrialAttempt::judge() {
   if (servo.saturated_ticks > 0) {
     flags = phrase_of(Reason::force_limited).with(std::to_string(servo.saturated_ticks));
   }
+  if (judge_buzz(flags)) return;
   Phrase failures{};
   for (const ComplianceRow& compliance : row_.compliance) {
     if (compliance.passed.value_or(true)) continue;
@@ -544,6 +556,21 @@ void TrialAttempt::judge() {
     row_.flagged = true;
     row_.flag_reason = stored(flags);
   }
+}
+
+bool TrialAttempt::judge_buzz(Phrase& flags) {
+  const Phrase excessive = excessive_buzz(course_.protocol(), row_.presentations);
+  if (excessive.empty()) return false;
+  const bool ask_again =
+      course_.protocol().instability->on == InstabilityRule::OnExcess::repeat_now &&
+      order_.repeated_for_buzz < kMostRepeatsForBuzz;
+  if (ask_again) {
+    row_.valid = false;
+    row_.invalid_reason = stored(excessive);
+    return true;
+  }
+  flags = with_semicolon(flags, excessive);
+  return false;
 }
 
 void TrialAttempt::take_surface_away() {

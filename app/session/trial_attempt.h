@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/attempt_instability.h"
 #include "app/session/rig/visit_reader.h"
 #include "app/session/session_course.h"
 #include "app/session/stimulus_builder.h"
@@ -28,6 +29,8 @@ struct AttemptOrder {
   int explored_wrongly = 0;
   /// Of the same stimulus by the same participant, where a number is requested.
   std::optional<double> earlier_estimate{};
+  /// Earlier attempts at this trial that were repeated because a force vibrated.
+  int repeated_for_buzz = 0;
   bool record = true;  ///< keep the tick records
 };
 
@@ -107,6 +110,8 @@ class TrialAttempt final {
   void measure(const std::vector<TickRecord>& records);
   void store_answers();
   void judge();
+  /// Flags the attempt because of a vibration, or makes it invalid (true).
+  bool judge_buzz(Phrase& flags);
   void take_surface_away();
   /// The question requires sight: it has pictures to choose from or to compare with.
   bool has_to_be_seen() const;
@@ -123,6 +128,7 @@ class TrialAttempt final {
   Random random_{0};  ///< the stream of the attempt
   TrialSurfaces surfaces_;
   VisitReader visits_;
+  AttemptInstability instability_{};
   std::size_t records_read_ = 0;  ///< by visits_
   std::int64_t lifted_ns_ = 0;    ///< the last contact before the surfaces were changed
   std::set<int> cut_short_{};     ///< positions of visits that ended before their exposure

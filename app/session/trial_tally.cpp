@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
 
 namespace asperity {
@@ -120,6 +121,15 @@ int TrialTally::explored_wrongly(int trial) const {
       std::count_if(attempts_.begin(), attempts_.end(), [trial](const AttemptRow& attempt) {
         return attempt.trial == trial && !is_refresher(attempt) &&
                attempt.outcome == AttemptOutcome::not_compliant && !failed_technically(attempt);
+      }));
+}
+
+int TrialTally::repeated_for_buzz(int trial) const {
+  const std::string code = phrase_of(Reason::buzz_too_strong).code();
+  return static_cast<int>(
+      std::count_if(attempts_.begin(), attempts_.end(), [&](const AttemptRow& attempt) {
+        return attempt.trial == trial && !is_refresher(attempt) && !attempt.valid &&
+               attempt.invalid_reason && codes_of(*attempt.invalid_reason).find(code) == 0;
       }));
 }
 

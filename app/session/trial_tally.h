@@ -57,6 +57,8 @@ class TrialTally final {
   enum class Again { at_once, after_others };
   int coming(std::size_t step, int block, int tried, Again again) const;
   int explored_wrongly(int trial) const;
+  /// Attempts at this trial that are invalid because a force vibrated (Reason::buzz_too_strong).
+  int repeated_for_buzz(int trial) const;
   /// The last number given to the stimulus of this trial, in any trial of the session.
   std::optional<double> earlier_estimate(const Trial& trial) const;
 

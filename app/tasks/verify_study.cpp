@@ -18,6 +18,7 @@
 
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/program.h"
+#include "app/tasks/verify_instability.h"
 #include "protocols/plan/shown_options.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
@@ -159,6 +160,13 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
         const double tolerance_N =
             exact ? 0.0 : surface.stimulus.model->declaration.replay_tolerance_N + kFloatStep_N;
         (exact ? faults.exact_used : faults.tolerance_used) = true;
+        const auto differing =
+            differing_instability(recorded, surface, exact ? Agreement::exact : Agreement::close);
+        // Forces that differ are reported below, and explain it.
+        if (differing && difference_N <= tolerance_N) {
+          faults.problems.push_back(name + ", surface " + std::to_string(surface.row.position) +
+                                    " (" + surface.row.model + "): " + *differing);
+        }
         if (difference_N <= tolerance_N) continue;
         std::string sentence = name + ", surface " + std::to_string(surface.row.position) + " (" +
                                surface.row.model +

@@ -124,6 +124,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                  [](const Place& at) {
                                    return optional_cell(at.presentation->achieved_texture_force_N);
                                  }))));
+  add_instability(columns);
   for (const auto& [kind, models] : vocabulary.limits) {
     add(missing("the model does not check this assumption",
                 at_least(0, column("limit_" + kind + "_ticks", "integer", "1",

@@ -21,6 +21,8 @@ Columns trial_columns(const StudyVocabulary& vocabulary);
 ExportColumn attempts_of_trial_column();
 Columns attempt_columns();
 Columns presentation_columns(const StudyVocabulary& vocabulary);
+/// The detectors of perceived instability, added to the columns of a presentation.
+void add_instability(Columns& columns);
 Columns response_columns(const StudyVocabulary& vocabulary);
 Columns servo_columns();
 Columns visit_columns();

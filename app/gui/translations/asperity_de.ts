@@ -5549,6 +5549,10 @@
         <source>practice trials are being repeated, and they do not count</source>
         <translation>es werden Übungsdurchgänge wiederholt, die nicht zählen</translation>
     </message>
+    <message>
+        <source>unexplained vibration of surface %1: %2 times the texture force, at most %3 allowed</source>
+        <translation>nicht erklärte Vibration von Oberfläche %1: das %2-Fache der Texturkraft, höchstens das %3-Fache erlaubt</translation>
+    </message>
 </context>
 <context>
     <name>Rehearsal</name>
@@ -8655,6 +8659,30 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Event</source>
         <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Force at rest, N</source>
+        <translation>Kraft in Ruhe, N</translation>
+    </message>
+    <message>
+        <source>At crests</source>
+        <translation>Auf Kämmen</translation>
+    </message>
+    <message>
+        <source>Greatest vibration above 150 Hz that the force model does not explain, relative to the texture force. Values above 0.4 are rare in stable strokes.</source>
+        <translation>Stärkste Vibration über 150 Hz, die das Kraftmodell nicht erklärt, im Verhältnis zur Texturkraft. Werte über 0,4 sind bei stabilen Strichen selten.</translation>
+    </message>
+    <message>
+        <source>RMS of the force on the resting hand in 2 to 20 Hz.</source>
+        <translation>Effektivwert der Kraft auf die ruhende Hand zwischen 2 und 20 Hz.</translation>
+    </message>
+    <message>
+        <source>Proportion of slow contact near the crests of a grating; 30 % for an even motion.</source>
+        <translation>Anteil des langsamen Kontakts nahe den Kämmen eines Gitters; 30 % bei gleichmäßiger Bewegung.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,111 @@
+// The detectors of perceived instability in a session: stored, judged, and found again in the recording.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/records/recorded_attempt.h"
+#include "app/tasks/verify_instability.h"
+#include "app/words/coded_phrases.h"
+#include "device/simulated_models.h"
+#include "tests/app/scripted_session.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+class InstabilityOfSession : public SessionTest {
+ protected:
+  /// Friction that the simulated model of this device cannot render (docs/models/limits.md), on a plate without texture.
+  void begin_with_vibration(const std::optional<InstabilityRule>& rule) {
+    begin(small_protocol());
+    protocol_.instability = rule;
+    protocol_.material.friction = 1.0;
+    protocol_.explorations.at("short").normal_force_N.target = 2.0;
+    protocol_.blocks.at("main").presented.pop_back();
+    for (auto& [name, stimulus] : protocol_.stimuli) {
+      stimulus.parameters["friction_law"] = {ParameterValue{std::string("rounded")}, ""};
+      stimulus.parameters["height_scale"] = {ParameterValue{0.0}, ""};
+    }
+    session_.course.emplace(protocol_, Allocation{.seed = 7});
+    RigSettings settings{};
+    settings.device = as_model("falcon", {});
+    rig_ = std::make_unique<WatchedRig>(settings, 0);
+  }
+};
+
+TEST_F(InstabilityOfSession, IsStoredForEverySurfaceAndFoundAgainInTheRecording) {
+  begin(small_protocol());
+  run();
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 3U);
+  for (const AttemptRow& row : rows) {
+    EXPECT_FALSE(row.flagged);
+    const Trial& trial = session_.course->plan().trials.at(static_cast<std::size_t>(row.trial - 1));
+    RecordedAttempt recorded = recorded_attempt(*study_, session_.row, trial, row, *builder_);
+    for (RecordedSurface& surface : recorded.surfaces) {
+      ASSERT_TRUE(surface.row.instability);
+      EXPECT_LT(surface.row.instability->buzz.value(), 0.4);
+      EXPECT_EQ(surface.row.instability->no_buzz, std::nullopt);
+      EXPECT_EQ(surface.row.instability->no_crest_share, "no_crests");
+      EXPECT_EQ(differing_instability(recorded, surface, Agreement::exact), std::nullopt);
+      *surface.row.instability->buzz += 0.1;
+      EXPECT_THAT(differing_instability(recorded, surface, Agreement::close).value_or(""),
+                  HasSubstr("the stored value of buzz is "));
+      surface.row.instability.reset();  // of a study before schema version 13
+      EXPECT_EQ(differing_instability(recorded, surface, Agreement::exact), std::nullopt);
+    }
+  }
+}
+
+TEST_F(InstabilityOfSession, FlagsAnAttemptWithMoreVibrationThanAllowed) {
+  begin_with_vibration(InstabilityRule{.buzz_max = 0.4});
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 3U);
+  for (const AttemptRow& row : rows) {
+    EXPECT_TRUE(row.valid);
+    EXPECT_TRUE(row.flagged);
+    EXPECT_THAT(row.flag_reason.value().text, HasSubstr("unexplained vibration of surface 1: "));
+    EXPECT_THAT(row.flag_reason->text, HasSubstr("times the texture force, at most 0.4 allowed"));
+    EXPECT_THAT(codes_of(*row.flag_reason), HasSubstr("buzz_too_strong"));
+  }
+}
+
+TEST_F(InstabilityOfSession, RepeatsAnAttemptWithMoreVibrationThanAllowedTwiceAndThenFlagsIt) {
+  begin_with_vibration(
+      InstabilityRule{.buzz_max = 0.02, .on = InstabilityRule::OnExcess::repeat_now});
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 9U);  // of each of the three trials two that do not count
+  for (const AttemptRow& row : rows) {
+    EXPECT_GT(row.presentations.at(0).instability.value().buzz.value(), 0.02);
+    EXPECT_EQ(row.valid, row.attempt == 3) << row.trial;
+    EXPECT_EQ(row.flagged, row.attempt == 3) << row.trial;
+    const auto& reason = row.valid ? row.flag_reason : row.invalid_reason;
+    EXPECT_THAT(codes_of(reason.value()), HasSubstr("buzz_too_strong"));
+  }
+}
+
+TEST_F(InstabilityOfSession, JudgesNothingWithoutALimit) {
+  begin_with_vibration({});
+  run();
+  for (const AttemptRow& row : attempts()) {
+    EXPECT_FALSE(row.flagged);
+    EXPECT_GT(row.presentations.at(0).instability.value().buzz.value(), 0.4);
+  }
+}
+
+TEST_F(InstabilityOfSession, IsAbsentForASurfaceThatWasNotRemoved) {
+  begin(small_protocol());
+  rig_->at_pass = [this] {
+    if (rig_->loop().status().presentation == 2) rig_->emergency_stop();
+  };
+  run();
+  const AttemptRow row = attempts().at(0);
+  EXPECT_TRUE(row.presentations.at(0).instability);
+  EXPECT_FALSE(row.presentations.at(1).instability);
+}
+
+}  // namespace
+}  // namespace asperity
