@@ -99,6 +99,21 @@ Autoregression burg_autoregression(std::span<const std::vector<double>> segments
   return model;
 }
 
+Autoregression autoregression_of_covariance(std::span<const double> covariance) {
+  if (covariance.size() < 2) {
+    throw std::invalid_argument("an autoregression needs at least two covariances");
+  }
+  Autoregression model{.innovation_variance = covariance[0]};
+  for (std::size_t k = 1; k < covariance.size(); ++k) {
+    double error = covariance[k];
+    for (std::size_t j = 0; j + 1 < k; ++j) {
+      error -= model.coefficients[j] * covariance[k - 1 - j];
+    }
+    step_up(model, model.innovation_variance > 0.0 ? error / model.innovation_variance : 0.0);
+  }
+  return model;
+}
+
 Autoregression yule_walker_autoregression(std::span<const std::vector<double>> segments,
                                           std::size_t order) {
   require_enough(segments, order);
@@ -113,15 +128,7 @@ Autoregression yule_walker_autoregression(std::span<const std::vector<double>> s
     }
   }
   for (double& c : covariance) c /= static_cast<double>(count);
-  Autoregression model{.innovation_variance = covariance[0]};
-  for (std::size_t k = 1; k <= order; ++k) {
-    double error = covariance[k];
-    for (std::size_t j = 0; j + 1 < k; ++j) {
-      error -= model.coefficients[j] * covariance[k - 1 - j];
-    }
-    step_up(model, model.innovation_variance > 0.0 ? error / model.innovation_variance : 0.0);
-  }
-  return model;
+  return autoregression_of_covariance(covariance);
 }
 
 void shrink_poles(Autoregression& model, double rho) {

@@ -47,6 +47,11 @@ std::optional<Predictors> stationary_predictors(std::span<const double> coeffici
 Autoregression burg_autoregression(std::span<const std::vector<double>> segments,
                                    std::size_t order);
 
+/// The model with the covariances c_0 … c_p of a stationary process, by the Levinson recursion; of order p.
+///
+/// Errors: std::invalid_argument for fewer than two covariances.
+Autoregression autoregression_of_covariance(std::span<const double> covariance);
+
 /// The coefficients that solve the Yule–Walker equations with the biased autocovariances c_k = Σ m_i·m_{i+k}/n, by the
 /// Levinson recursion. Errors and signals as for Burg's method.
 Autoregression yule_walker_autoregression(std::span<const std::vector<double>> segments,
