@@ -18,49 +18,6 @@ constexpr double kSameSpeed = 1.1;
 constexpr std::size_t kMostLines = 4096;  // more would need tables that no cache holds
 constexpr double kSmallest_N = 1e-12;     // of which a logarithm is taken
 
-/// A stroke in equal steps of its axis.
-struct EvenStroke {
-  double step = 0.0;
-  std::vector<double> force{};  ///< at a normal force of 1 N, without trend
-  double speed_m_per_s = 0.0;
-
-  double length() const { return step * static_cast<double>(force.size()); }
-};
-
-// In as many steps as it has samples, so that a stroke of constant speed keeps its samples.
-EvenStroke even(const RecordedStroke& stroke, SpectrumAxis axis, double force_exponent) {
-  const std::vector<double>& at = axis == SpectrumAxis::spatial ? stroke.path_m : stroke.time_s;
-  const std::size_t count = at.size();
-  EvenStroke result{.step = (at.back() - at.front()) / static_cast<double>(count - 1),
-                    .force = std::vector<double>(count),
-                    .speed_m_per_s = stroke.speed_m_per_s()};
-  const double scale = std::pow(stroke.mean_normal_N(), -force_exponent);
-  std::size_t after = 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double place = at.front() + static_cast<double>(i) * result.step;
-    while (after + 1 < count && at[after] < place) ++after;
-    const double gap = at[after] - at[after - 1];
-    const double part = gap > 0.0 ? std::clamp((place - at[after - 1]) / gap, 0.0, 1.0) : 1.0;
-    result.force[i] = scale * (stroke.force_N[after - 1] +
-                               part * (stroke.force_N[after] - stroke.force_N[after - 1]));
-  }
-  // The least-squares line: a trend would leak into all lines.
-  const double middle = 0.5 * static_cast<double>(count - 1);
-  double mean = 0.0;
-  double product = 0.0;
-  double square = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = static_cast<double>(i) - middle;
-    mean += result.force[i] / static_cast<double>(count);
-    product += x * result.force[i];
-    square += x * x;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    result.force[i] -= mean + product / square * (static_cast<double>(i) - middle);
-  }
-  return result;
-}
-
 // Adds the mean square of each band (k ± ½)·spacing, times a weight.
 void add_powers(const EvenStroke& stroke, double spacing, double weight, std::span<double> power) {
   const std::vector<std::complex<double>> spectrum = real_spectrum(stroke.force);
@@ -90,7 +47,7 @@ RecordedSpectra::RecordedSpectra(const TextureRecording& recording, SpectrumAxis
   double shortest = std::numeric_limits<double>::infinity();
   double highest = 0.0;
   for (const RecordedStroke& stroke : recording.strokes) {
-    strokes.push_back(even(stroke, axis, force_exponent));
+    strokes.push_back(even_stroke(stroke, axis, force_exponent));
     shortest = std::min(shortest, strokes.back().length());
     highest = std::max(highest, kHighest / strokes.back().step);
   }

@@ -5,12 +5,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "renderers/recordings/even_stroke.h"
 #include "renderers/recordings/texture_recording.h"
 
 namespace asperity {
-
-/// Whether the lines of a spectrum are waves per metre of the path, or per second.
-enum class SpectrumAxis { spatial, temporal };
 
 /// One-sided amplitude spectra of a texture at the speeds of its recording.
 ///

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <set>
 #include <stdexcept>
 
 #include "analysis/number_text.h"
+#include "renderers/recordings/number_table.h"
 
 namespace asperity {
 namespace {
@@ -19,40 +18,24 @@ constexpr std::array<std::string_view, 5> kColumns{"stroke", "time_s", "path_m",
                                                    "force_N"};
 constexpr const char* kColumnNames = "stroke time_s path_m normal_force_N force_N";
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells{};
-  while (true) {
-    const std::size_t tab = line.find('\t');
-    cells.push_back(line.substr(0, tab));
-    if (tab == std::string_view::npos) return cells;
-    line.remove_prefix(tab + 1);
-  }
-}
-
-[[noreturn]] void refuse_line(const std::string& name, std::size_t line,
-                              const std::string& problem) {
-  throw std::invalid_argument(name + ':' + std::to_string(line) + ": " + problem);
-}
-
 /// For each of kColumns, its place in the table.
-std::array<std::size_t, kColumns.size()> places_of(std::string_view heading,
+std::array<std::size_t, kColumns.size()> places_of(const std::vector<std::string>& columns,
                                                    const std::string& name) {
-  const std::vector<std::string_view> cells = cells_of(heading);
   std::array<std::size_t, kColumns.size()> places{};
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const auto found = std::find(cells.begin(), cells.end(), kColumns[i]);
-    if (found == cells.end()) {
-      refuse_line(name, 1,
-                  "the column " + std::string(kColumns[i]) +
-                      " is missing; a recorded texture has the tab-separated columns " +
-                      kColumnNames);
+    const auto found = std::find(columns.begin(), columns.end(), kColumns[i]);
+    if (found == columns.end()) {
+      refuse_table_line(name, 1,
+                        "the column " + std::string(kColumns[i]) +
+                            " is missing; a recorded texture has the tab-separated columns " +
+                            kColumnNames);
     }
-    places[i] = static_cast<std::size_t>(found - cells.begin());
+    places[i] = static_cast<std::size_t>(found - columns.begin());
   }
-  if (cells.size() != kColumns.size()) {
-    refuse_line(name, 1,
-                std::string("a recorded texture has only the columns ") + kColumnNames +
-                    "; remove the others");
+  if (columns.size() != kColumns.size()) {
+    refuse_table_line(name, 1,
+                      std::string("a recorded texture has only the columns ") + kColumnNames +
+                          "; remove the others");
   }
   return places;
 }
@@ -106,56 +89,31 @@ void require_strokes(const TextureRecording& recording, const std::string& name)
 TextureRecording texture_recording_in(std::string_view tsv, const std::string& name) {
   TextureRecording recording{};
   std::array<std::size_t, kColumns.size()> places{};
+  const NumberTable table = number_table_in(
+      tsv, name,
+      [&](const std::vector<std::string>& columns) { places = places_of(columns, name); });
   std::set<double> finished{};
   double current = 0.0;
-  std::size_t line_number = 0;
-  while (!tsv.empty()) {
-    const std::size_t end = std::min(tsv.find('\n'), tsv.size());
-    std::string_view line = tsv.substr(0, end);
-    tsv.remove_prefix(std::min(end + 1, tsv.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    ++line_number;
-    if (line_number == 1) {
-      places = places_of(line, name);
-      continue;
-    }
-    if (line.empty()) continue;
-    const std::vector<std::string_view> cells = cells_of(line);
-    if (cells.size() != kColumns.size()) {
-      refuse_line(name, line_number,
-                  "the row has " + counted(cells.size(), "cell", "cells") + "; it needs " +
-                      std::to_string(kColumns.size()));
-    }
-    std::array<double, kColumns.size()> row{};
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string_view cell = cells[places[i]];
-      const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), row[i]);
-      if (read.ec != std::errc() || read.ptr != cell.data() + cell.size() ||
-          !std::isfinite(row[i])) {
-        refuse_line(name, line_number,
-                    "the column " + std::string(kColumns[i]) + " needs a finite number, not \"" +
-                        std::string(cell) + '"');
-      }
-    }
-    if (recording.strokes.empty() || row[0] != current) {
+  for (const NumberTable::Row& row : table.rows) {
+    const auto cell = [&](std::size_t i) { return row.cells[places[i]]; };
+    if (recording.strokes.empty() || cell(0) != current) {
       if (!recording.strokes.empty()) finished.insert(current);
-      if (finished.contains(row[0])) {
-        refuse_line(
-            name, line_number,
-            "stroke " + number_text(row[0]) +
+      if (finished.contains(cell(0))) {
+        refuse_table_line(
+            name, row.line,
+            "stroke " + number_text(cell(0)) +
                 " has rows in two places; keep the rows of a stroke together, or number the "
                 "second one as another stroke");
       }
-      current = row[0];
+      current = cell(0);
       recording.strokes.emplace_back();
     }
     RecordedStroke& stroke = recording.strokes.back();
-    stroke.time_s.push_back(row[1]);
-    stroke.path_m.push_back(row[2]);
-    stroke.normal_N.push_back(row[3]);
-    stroke.force_N.push_back(row[4]);
+    stroke.time_s.push_back(cell(1));
+    stroke.path_m.push_back(cell(2));
+    stroke.normal_N.push_back(cell(3));
+    stroke.force_N.push_back(cell(4));
   }
-  if (line_number == 0) places_of({}, name);
   require_strokes(recording, name);
   return recording;
 }
