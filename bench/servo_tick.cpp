@@ -24,8 +24,6 @@
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/friction.h"
-#include "renderers/models/recorded.h"
-#include "renderers/recordings/relief_recording.h"
 #include "renderers/servo/servo_loop.h"
 #include "renderers/servo/servo_thread.h"
 #include "stimuli/heights/synthetic_surface.h"
@@ -116,9 +114,15 @@ void add_bodies(RendererInputs& inputs) {
 RendererInputs stimulus(const std::shared_ptr<const HeightField>& field) {
   RendererInputs inputs;
   inputs.height_field = field;
-  static const auto kRecording =
-      std::make_shared<const std::string>(tsv_of(recording_of_relief(*field)));
-  inputs.assets = {{kRecordingRole, kRecording}};
+  static const auto kFiles = [&field] {
+    RendererInputs of_relief;
+    const ModelRegistry registry = built_in_models();
+    for (const ForceModel& model : registry.models()) {
+      add_files_of_relief(of_relief, model, *field);
+    }
+    return of_relief.assets;
+  }();
+  inputs.assets = kFiles;
   inputs.seed = 1;
   return inputs;
 }

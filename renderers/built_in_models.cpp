@@ -4,6 +4,7 @@
 
 #include "renderers/models/auto_regressive.h"
 #include "renderers/models/bump_map.h"
+#include "renderers/models/data_driven.h"
 #include "renderers/models/filtered_noise.h"
 #include "renderers/models/height_map.h"
 #include "renderers/models/lateral_gradient.h"
@@ -31,6 +32,7 @@ ModelRegistry built_in_models() {
   registry.add(filtered_noise_model());
   registry.add(auto_regressive_model());
   registry.add(recorded_model());
+  registry.add(data_driven_model());
   return registry;
 }
 

@@ -148,6 +148,14 @@ std::unique_ptr<ForceRenderer> ModelRegistry::make(std::string_view id,
                               "\"; choose one of: " + known);
 }
 
+void add_files_of_relief(RendererInputs& inputs, const ForceModel& model,
+                         const HeightField& field) {
+  if (!model.files_of_relief) return;
+  for (auto& [role, content] : model.files_of_relief(field)) {
+    inputs.assets[role] = std::make_shared<const std::string>(std::move(content));
+  }
+}
+
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {
   std::vector<ModelDeclaration> declarations{};
   for (const ForceModel& model : models.models()) declarations.push_back(model.declaration);

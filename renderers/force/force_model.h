@@ -54,6 +54,9 @@ struct ForceModel {
   /// The parameters that a texture sample suggests, for a model that takes them from the sample's statistics (for
   /// example a sinusoid's amplitude and wavelength). Empty for other models.
   std::function<ParameterValues(const HeightField&, const Material&)> suggested_by{};
+  /// The content of the model's files for a relief, by role: what a probe that slides over it without friction would have
+  /// recorded. Throws std::invalid_argument for a relief that is too narrow. Empty for a model without files.
+  std::function<std::map<std::string, std::string>(const HeightField&)> files_of_relief{};
   /// The parameter values with which the force without friction is conservative: a closed path in contact changes the
   /// hand's energy by zero. An empty set: conservative for all values. nullopt: for no values; a closed path can then
   /// add energy in one direction and remove it in the other.
@@ -118,6 +121,9 @@ class ModelRegistry final {
 /// The band of a model that renders the heights of its height field: the finest wave has two samples.
 TextureBand band_of_height_field(const RendererInputs& inputs);
 inline constexpr const char* kBandOfHeightField = "v/(2*pitch of the height field)";
+
+/// Adds the files of a model that a relief suggests (ForceModel::files_of_relief), if there are any.
+void add_files_of_relief(RendererInputs& inputs, const ForceModel& model, const HeightField& field);
 
 /// The declarations of all models, against which a protocol is checked.
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,7 @@
 #include "renderers/force/servo_low_pass.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/recordings/recorded_spectra.h"
+#include "renderers/recordings/relief_recording.h"
 
 namespace asperity {
 namespace {
@@ -293,6 +295,11 @@ ForceModel recorded_model() {
                                   "the forces of strokes over a texture at two speeds or more, a "
                                   "table that asperity texture-recording writes"}}},
       .make = make_recorded,
+      .files_of_relief =
+          [](const HeightField& field) {
+            return std::map<std::string, std::string>{
+                {kRecordingRole, tsv_of(recording_of_relief(field))}};
+          },
       .band =
           [](const RendererInputs& inputs) {
             const double band = spectra_of(inputs).band();

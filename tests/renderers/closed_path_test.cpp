@@ -76,6 +76,7 @@ ParameterValues loud(const ForceModel& model) {
   if (model.declaration.id == "stochastic") {
     return {{"noise_sd_N", 1.0}, {"velocity_threshold_m_per_s", 0.0}};
   }
+  if (model.declaration.id == "data_driven") return {{"gain", 30.0}};
   if (model.declaration.id == "bump_map") return {{"height_scale", 3.0}};
   return {};
 }

@@ -121,6 +121,7 @@ TEST(ModelDeclarations, GiveTheBandAtASpeed) {
   EXPECT_NEAR(band("filtered_noise", {}), 300.0, 1e-9);
   EXPECT_NEAR(band("auto_regressive", {}), 300.0, 1e-9);
   EXPECT_NEAR(band("recorded", {}), 15.0, 4.0);  // waves of 4 mm, in lines of 62.5/m
+  EXPECT_NEAR(band("data_driven", {}), 500.0, 1e-9);
   EXPECT_NEAR(band("pd_gradient", {}), 300.0, 1e-9);
   const ForceModel& sinusoid = *registry.find("sinusoid");
   RendererInputs scaled = declared_inputs(sinusoid, {{"wavelength_m", 0.0015}});
@@ -152,7 +153,7 @@ TEST(ModelDeclarations, HaveABandForEveryModelAndItsFormulaInTermsOfItsParameter
   for (const ForceModel& model : registry.models()) {
     ASSERT_TRUE(model.band) << model.declaration.id;
     EXPECT_GT(band_Hz(model, declared_inputs(model, {}), 0.06), 0.0) << model.declaration.id;
-    bool names_one = model.declaration.needs_height_field;
+    bool names_one = model.declaration.needs_height_field || !model.declaration.assets.empty();
     for (const Parameter& parameter : model.declaration.parameters) {
       names_one = names_one || model.band_formula.find(parameter.name) != std::string::npos;
     }
@@ -163,7 +164,8 @@ TEST(ModelDeclarations, HaveABandForEveryModelAndItsFormulaInTermsOfItsParameter
 /// Texture of the path passes a low-pass that belongs to the rate, and is the same in third octaves (the models' own tests).
 bool is_low_passed(const ForceModel& model) {
   const std::string& id = model.declaration.id;
-  return id == "filtered_noise" || id == "auto_regressive" || id == "recorded";
+  return id == "filtered_noise" || id == "auto_regressive" || id == "recorded" ||
+         id == "data_driven";
 }
 
 // What no noise drawn in every tick passes, and no filter whose coefficients belong to one rate.

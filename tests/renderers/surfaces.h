@@ -13,8 +13,6 @@
 #include "device/probe_state.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
-#include "renderers/models/recorded.h"
-#include "renderers/recordings/relief_recording.h"
 
 namespace asperity {
 
@@ -52,11 +50,17 @@ inline std::shared_ptr<const HeightField> level(float height_m) {
                                              std::vector<float>(256, height_m));
 }
 
-/// The files of the models that need one: a recording of the grating.
+/// The files of the models that need one: those of the grating.
 inline std::map<std::string, std::shared_ptr<const std::string>, std::less<>> files_of_models() {
-  static const auto kRecording =
-      std::make_shared<const std::string>(tsv_of(recording_of_relief(*grating())));
-  return {{kRecordingRole, kRecording}};
+  static const auto kFiles = [] {
+    RendererInputs inputs;
+    const ModelRegistry registry = built_in_models();
+    for (const ForceModel& model : registry.models()) {
+      add_files_of_relief(inputs, model, *grating());
+    }
+    return inputs.assets;
+  }();
+  return kFiles;
 }
 
 /// The built-in models that touch a plane with a point: what compares models with each other

@@ -242,7 +242,8 @@ void ForceComparison::make_renderers() {
             if (order.model->declaration.needs_bodies) {
               add_bodies(model.stroked.inputs, *plate, ball_m);
             }
-            add_recording(model.stroked.inputs, order.model->declaration);
+            add_files_of_relief(model.stroked.inputs, *order.model,
+                                *model.stroked.inputs.height_field);
             model.stroked.renderer = make_renderer(*order.model, model.stroked.inputs);
           } catch (const std::invalid_argument& error) {
             model.complaint = QString::fromUtf8(error.what());

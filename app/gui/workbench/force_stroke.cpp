@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderers/models/recorded.h"
-#include "renderers/recordings/relief_recording.h"
 #include "renderers/servo/servo_time.h"
 #include "stimuli/meshes/solid_body.h"
 
@@ -43,14 +41,6 @@ void add_bodies(RendererInputs& inputs, FieldPlate& plate, double ball_diameter_
   inputs.surface = plate.mesh();
   inputs.tool = std::make_shared<const TexturedMesh>(
       placed(body_mesh(SphereShape{.diameter_m = ball_diameter_m}, nullptr), BodyRole::tool));
-}
-
-void add_recording(RendererInputs& inputs, const ModelDeclaration& model) {
-  for (const AssetDeclaration& asset : model.assets) {
-    if (asset.role != kRecordingRole) continue;
-    inputs.assets[asset.role] =
-        std::make_shared<const std::string>(tsv_of(recording_of_relief(*inputs.height_field)));
-  }
 }
 
 void ForceStroke::set_models(std::vector<StrokedModel> models, double depth_m) {

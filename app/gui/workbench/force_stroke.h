@@ -46,9 +46,6 @@ class FieldPlate final {
 /// What a model with two bodies needs besides: the plate, and a ball whose lowest point is the tip.
 void add_bodies(RendererInputs& inputs, FieldPlate& plate, double ball_diameter_m);
 
-/// The recording of the relief, for a model that plays one.
-void add_recording(RendererInputs& inputs, const ModelDeclaration& model);
-
 /// Every model gets the same path, tick by tick, by the rule of the servo loop: the forces are those
 /// that `along_path` gives for `path()`.
 class ForceStroke final {

@@ -25,7 +25,7 @@ std::vector<StrokedModel> every_model(const ModelRegistry& registry) {
     StrokedModel stroked{.id = model.declaration.id,
                          .inputs = stroke_inputs(plate.field(), {}, {})};
     if (model.declaration.needs_bodies) add_bodies(stroked.inputs, plate, 0.005);
-    add_recording(stroked.inputs, model.declaration);
+    add_files_of_relief(stroked.inputs, model, *stroked.inputs.height_field);
     stroked.renderer = make_renderer(model, stroked.inputs);
     models.push_back(std::move(stroked));
   }

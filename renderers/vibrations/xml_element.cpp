@@ -1,0 +1,128 @@
+// Implements the reading of XML elements.
+
+#include "renderers/vibrations/xml_element.h"
+
+#include <algorithm>
+
+#include "renderers/recordings/number_table.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kDeepest = 32;
+constexpr const char* kSpaces = " \t\r\n";
+
+class XmlReader final {
+ public:
+  XmlReader(std::string_view xml, const std::string& name) : rest_(xml), name_(name) {}
+
+  XmlElement root() {
+    skip_to_element();
+    if (!rest_.starts_with('<')) {
+      refuse_here("the file is not XML; choose the file of a texture's models");
+    }
+    XmlElement element = read_element(0);
+    skip_to_element();
+    if (!rest_.empty()) refuse_here("there is text after the root element; copy the file again");
+    return element;
+  }
+
+ private:
+  [[noreturn]] void refuse_here(const std::string& problem) const {
+    refuse_table_line(name_, line_, problem);
+  }
+
+  std::string_view take(std::size_t count) {
+    const std::string_view taken = rest_.substr(0, count);
+    line_ += static_cast<std::size_t>(std::count(taken.begin(), taken.end(), '\n'));
+    rest_.remove_prefix(taken.size());
+    return taken;
+  }
+
+  /// What stands before `mark`, which is taken as well.
+  std::string_view take_until(std::string_view mark) {
+    const std::size_t at = rest_.find(mark);
+    if (at == std::string_view::npos) {
+      refuse_here("the file ends before \"" + std::string(mark) + "\"; copy the file again");
+    }
+    const std::string_view taken = take(at);
+    take(mark.size());
+    return taken;
+  }
+
+  /// Comments and processing instructions; false where neither begins.
+  bool skip_note() {
+    if (rest_.starts_with("<!--")) {
+      take_until("-->");
+    } else if (rest_.starts_with("<?")) {
+      take_until("?>");
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void skip_to_element() {
+    do {
+      take(std::min(rest_.find_first_not_of(kSpaces), rest_.size()));
+    } while (skip_note());
+  }
+
+  XmlElement read_element(std::size_t depth) {
+    if (depth > kDeepest) refuse_here("the elements are nested too deeply");
+    XmlElement element{.line = line_};
+    take(1);
+    if (rest_.starts_with('!')) {
+      refuse_here("document types and CDATA are not read; save the file without them");
+    }
+    std::string_view mark = take_until(">");
+    const bool is_empty = mark.ends_with('/');
+    if (is_empty) mark.remove_suffix(1);
+    element.name = std::string(mark.substr(0, mark.find_first_of(kSpaces)));
+    if (element.name.empty() || element.name.front() == '/') {
+      refuse_here("there is a mark \"<" + std::string(mark) + ">\" where an element should begin");
+    }
+    if (is_empty) return element;
+    while (true) {
+      element.text += take(std::min(rest_.find('<'), rest_.size()));
+      if (rest_.empty()) {
+        refuse_here("the element " + element.name + " of line " + std::to_string(element.line) +
+                    " is not closed; copy the file again");
+      }
+      if (rest_.starts_with("</")) break;
+      if (!skip_note()) element.children.push_back(read_element(depth + 1));
+    }
+    take(2);
+    std::string_view closed = take_until(">");
+    closed = closed.substr(0, closed.find_first_of(kSpaces));
+    if (closed != element.name) {
+      refuse_here("the element " + element.name + " of line " + std::to_string(element.line) +
+                  " is closed as " + std::string(closed) + "; copy the file again");
+    }
+    const std::size_t first = element.text.find_first_not_of(kSpaces);
+    element.text =
+        first == std::string::npos
+            ? std::string()
+            : element.text.substr(first, element.text.find_last_not_of(kSpaces) + 1 - first);
+    return element;
+  }
+
+  std::string_view rest_{};
+  const std::string& name_;
+  std::size_t line_ = 1;
+};
+
+}  // namespace
+
+const XmlElement* XmlElement::child(std::string_view child_name) const noexcept {
+  for (const XmlElement& each : children) {
+    if (each.name == child_name) return &each;
+  }
+  return nullptr;
+}
+
+XmlElement xml_root_in(std::string_view xml, const std::string& name) {
+  return XmlReader(xml, name).root();
+}
+
+}  // namespace asperity
