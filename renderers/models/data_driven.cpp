@@ -15,6 +15,7 @@
 #include "analysis/band_limited.h"
 #include "analysis/line_spectrum.h"
 #include "analysis/random.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/surface_contact.h"
@@ -270,7 +271,7 @@ std::vector<Parameter> parameters_of_vibration() {
        .meaning = "Whether the logarithm of the variance is interpolated between models, or the "
                   "variance, as in the toolkit, whose sets have silent models"},
       device_step_parameter()};
-  add_friction_parameters(parameters);
+  add_layer_parameters(parameters);
   return parameters;
 }
 

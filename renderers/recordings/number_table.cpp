@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
