@@ -10,13 +10,15 @@ namespace asperity {
 namespace {
 
 void require_enough(std::span<const std::vector<double>> segments, std::size_t order) {
-  if (order == 0) throw std::invalid_argument("the order of an autoregression must be positive");
-  if (segments.empty()) throw std::invalid_argument("an autoregression needs a signal");
+  if (order == 0) throw std::invalid_argument("order is 0; it must be at least 1");
+  if (segments.empty())
+    throw std::invalid_argument("segments is empty; an autoregression needs at least one segment");
   for (const std::vector<double>& segment : segments) {
     if (segment.size() > 2 * order) continue;
-    throw std::invalid_argument("an autoregression of order " + std::to_string(order) +
-                                " needs more than " + std::to_string(2 * order) +
-                                " samples, and there are " + std::to_string(segment.size()));
+    throw std::invalid_argument(
+        "segments: an autoregression of order " + std::to_string(order) + " needs more than " +
+        std::to_string(2 * order) + " samples in each segment, and the number in one of them is " +
+        std::to_string(segment.size()) + "; choose a lower order or longer segments");
   }
 }
 

@@ -184,7 +184,8 @@ PairProblem problem_of(ScaleBlocker blocker) {
     case ScaleBlocker::never_win:
       return PairProblem::never_win;
   }
-  throw std::invalid_argument("blocker is not one of never_compared, never_lose and never_win");
+  throw std::invalid_argument(
+      "blocker is not a ScaleBlocker; it must be never_compared, never_lose or never_win");
 }
 
 LogParameter parameter_at(const ConditionalLogit& fit, std::size_t place) {
@@ -310,7 +311,7 @@ std::optional<Davidson> davidson(const Comparisons& counts) {
 PairAnswer paired_model(std::span<const Comparison> comparisons, std::size_t items,
                         const PairTerms& terms) {
   if (items < 2) {
-    throw std::invalid_argument("items: " + std::to_string(items) + "; it must be at least 2");
+    throw std::invalid_argument("items is " + std::to_string(items) + "; it must be at least 2");
   }
   const Comparisons counts = count_comparisons(comparisons, items);
   // A tie is a draw: neither of both always wins.
@@ -351,7 +352,7 @@ LogParameter difference_of(const Abilities& abilities, const AbilityPair& pair) 
   const auto i = static_cast<Eigen::Index>(pair.first);
   const auto j = static_cast<Eigen::Index>(pair.second);
   if (i >= abilities.value.size() || j >= abilities.value.size()) {
-    throw std::invalid_argument("pair: items " + std::to_string(pair.first) + " and " +
+    throw std::invalid_argument("pair: the items are " + std::to_string(pair.first) + " and " +
                                 std::to_string(pair.second) + "; each must be below " +
                                 std::to_string(abilities.value.size()));
   }

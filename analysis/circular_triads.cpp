@@ -24,7 +24,7 @@ double most_circular_triads(std::size_t items) {
 
 void refuse_few_items(std::size_t items) {
   if (items < 3) {
-    throw std::invalid_argument("number of items: " + std::to_string(items) +
+    throw std::invalid_argument("items is " + std::to_string(items) +
                                 "; circular triads require at least 3");
   }
 }
@@ -69,7 +69,7 @@ Consistency consistency(std::span<const std::size_t> wins) {
   const std::size_t pairs = wins.size() * (wins.size() - 1) / 2;
   const std::size_t sum = std::accumulate(wins.begin(), wins.end(), std::size_t{0});
   if (sum != pairs) {
-    throw std::invalid_argument("wins: sum " + std::to_string(sum) +
+    throw std::invalid_argument("wins: the sum is " + std::to_string(sum) +
                                 "; it must be the number of pairs, " + std::to_string(pairs));
   }
   const double circular = circular_triads_of(wins);
@@ -104,7 +104,7 @@ WinsOfJudge wins_of_judge(std::span<const Comparison> of_one_judge, std::size_t 
 IntegerDistribution circular_triad_distribution(std::size_t items) {
   refuse_few_items(items);
   if (items > kMostItemsForExactTriads) {
-    throw std::invalid_argument("items: " + std::to_string(items) + "; it must be at most " +
+    throw std::invalid_argument("items is " + std::to_string(items) + "; it must be at most " +
                                 std::to_string(kMostItemsForExactTriads));
   }
   WinsCounts counts{{{0}, 1.0}};
@@ -124,8 +124,9 @@ TriadTest triad_test(std::size_t circular_triads, std::size_t items) {
   const auto d = static_cast<double>(circular_triads);
   const double most = most_circular_triads(items);
   if (d > most) {
-    throw std::invalid_argument("circular_triads: " + std::to_string(circular_triads) + " among " +
-                                std::to_string(items) + " items; there are at most " +
+    throw std::invalid_argument("circular_triads is " + std::to_string(circular_triads) +
+                                " and items is " + std::to_string(items) +
+                                "; circular_triads must be at most " +
                                 std::to_string(static_cast<std::size_t>(most)));
   }
   TriadTest test{.exact = items <= kMostItemsForExactTriads};
@@ -145,7 +146,7 @@ TriadTest triad_test(std::size_t circular_triads, std::size_t items) {
 std::optional<JudgesAgreement> judges_agreement(const Comparisons& counts) {
   const Eigen::Index items = counts.wins.rows();
   if (items < 2) {
-    throw std::invalid_argument("counts: number of items " + std::to_string(items) +
+    throw std::invalid_argument("counts: the number of items is " + std::to_string(items) +
                                 "; agreement requires at least 2");
   }
   const double m = counts.wins(0, 1) + counts.wins(1, 0);

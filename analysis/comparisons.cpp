@@ -12,8 +12,9 @@ Comparisons count_comparisons(std::span<const Comparison> comparisons, std::size
   for (const Comparison& one : comparisons) {
     const bool judged = !one.winner || *one.winner == one.first || *one.winner == one.second;
     if (one.first >= items || one.second >= items || one.first == one.second || !judged) {
-      throw std::invalid_argument("comparisons: each must be of two different items below " +
-                                  std::to_string(items) + ", and won by one of them or tied");
+      throw std::invalid_argument(
+          "comparisons: one is invalid; each must be of two different items below " +
+          std::to_string(items) + ", and won by one of them or tied");
     }
     const auto a = static_cast<Eigen::Index>(one.first);
     const auto b = static_cast<Eigen::Index>(one.second);

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 bool is_inside(const AskedBand& band, double value) noexcept {
@@ -92,7 +94,8 @@ std::int64_t StrokeCutter::reached_ns() const noexcept {
 std::vector<StrokePassage> strokes_along(std::span<const double> position_m,
                                          double least_length_m) {
   if (!(least_length_m > 0.0)) {
-    throw std::invalid_argument("least_length_m must be positive");
+    throw std::invalid_argument("least_length_m is " + number_text(least_length_m) +
+                                "; it must be above 0");
   }
   std::vector<StrokePassage> strokes;
   StrokeCutter cutter(least_length_m);

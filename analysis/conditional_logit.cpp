@@ -12,6 +12,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 void ChoiceData::add(double count, std::span<const Term> terms) {
@@ -177,8 +179,8 @@ std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data) {
 Eigen::MatrixXd clustered_covariance(const ConditionalLogit& fit, const ChoiceData& data,
                                      std::span<const std::size_t> clusters) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters: number of entries " + std::to_string(clusters.size()) +
-                                ", of strata " + std::to_string(data.strata()) +
+    throw std::invalid_argument("clusters has " + counted(clusters.size(), "entry", "entries") +
+                                ", and data has " + counted(data.strata(), "stratum", "strata") +
                                 "; clusters must have one entry per stratum");
   }
   const Eigen::MatrixXd scores = data.slopes(fit.coefficients, clusters).scores;
@@ -189,8 +191,8 @@ std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const 
                                              std::span<const std::size_t> clusters,
                                              const Eigen::MatrixXd& combinations) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters: number of entries " + std::to_string(clusters.size()) +
-                                ", of strata " + std::to_string(data.strata()) +
+    throw std::invalid_argument("clusters has " + counted(clusters.size(), "entry", "entries") +
+                                ", and data has " + counted(data.strata(), "stratum", "strata") +
                                 "; clusters must have one entry per stratum");
   }
   if (std::set<std::size_t>(clusters.begin(), clusters.end()).size() < kFewestClusters) return {};

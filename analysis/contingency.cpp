@@ -81,7 +81,7 @@ class AllTables final {
 
 std::optional<double> exact_independence_test(const CountMatrix& table) {
   if (table.size() > 0 && table.minCoeff() < 0) {
-    throw std::invalid_argument("table must not contain negative counts");
+    throw std::invalid_argument("table contains a negative count; all counts must be at least 0");
   }
   if (table.size() == 0) return 1.0;
   return AllTables(table).tail();

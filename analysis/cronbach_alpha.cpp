@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "analysis/intraclass.h"
+#include "analysis/number_text.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -19,15 +20,15 @@ CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>>
     throw std::invalid_argument("scores is empty; at least one respondent is needed");
   CronbachAlpha answer{.items = scores.front().size()};
   if (answer.items < 2) {
-    throw std::invalid_argument("scores: number of items " + std::to_string(answer.items) +
-                                "; it must be at least 2");
+    throw std::invalid_argument("scores has " + counted(answer.items, "item", "items") +
+                                "; at least 2 are needed");
   }
   std::vector<const std::vector<std::optional<double>>*> complete{};
   for (const auto& row : scores) {
     if (row.size() != answer.items) {
       throw std::invalid_argument(
-          "scores: number of items of a respondent " + std::to_string(row.size()) +
-          "; it must be that of the first respondent, " + std::to_string(answer.items));
+          "scores: a respondent has " + counted(row.size(), "item", "items") +
+          "; the number must be that of the first respondent, " + std::to_string(answer.items));
     }
     for (const std::optional<double>& score : row) {
       if (score && !std::isfinite(*score)) {

@@ -264,12 +264,13 @@ void OrdinalLikelihood::refuse_impossible() const {
   if (responses_.empty())
     throw std::invalid_argument("responses is empty; at least one response is needed");
   if (model_.categories < 2) {
-    throw std::invalid_argument("categories: " + std::to_string(model_.categories) +
+    throw std::invalid_argument("categories is " + std::to_string(model_.categories) +
                                 "; it must be at least 2");
   }
   const auto rows = static_cast<Eigen::Index>(responses_.size());
   if (model_.design.rows() != rows) {
-    throw std::invalid_argument("design: number of rows " + std::to_string(model_.design.rows()) +
+    throw std::invalid_argument("design: the number of rows is " +
+                                std::to_string(model_.design.rows()) +
                                 "; it must be the number of responses, " + std::to_string(rows));
   }
   if (!model_.design.allFinite())
@@ -283,7 +284,7 @@ void OrdinalLikelihood::refuse_impossible() const {
   }
   for (const OrdinalResponse& one : responses_) {
     if (one.category >= model_.categories) {
-      throw std::invalid_argument("responses: category " + std::to_string(one.category) +
+      throw std::invalid_argument("responses: a category is " + std::to_string(one.category) +
                                   "; it must be less than the number of categories, " +
                                   std::to_string(model_.categories));
     }

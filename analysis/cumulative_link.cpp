@@ -286,7 +286,7 @@ ChiSquaredStatistic likelihood_ratio(const CumulativeLinkFit& smaller,
   }
   if (larger.parameters <= smaller.parameters) {
     throw std::invalid_argument(
-        "larger: number of parameters " + std::to_string(larger.parameters) +
+        "larger: the number of parameters is " + std::to_string(larger.parameters) +
         "; it must exceed that of the smaller model, " + std::to_string(smaller.parameters));
   }
   const double gain = larger.log_likelihood - smaller.log_likelihood;

@@ -21,7 +21,9 @@ Eigen::MatrixXd conditional_probabilities(const ConfusionCounts& counts) {
 
 void refuse_impossible_matrix(const Dissimilarities& d) {
   if (d.rows() != d.cols() || d.rows() < 2) {
-    throw std::invalid_argument("dissimilarities must be a square matrix with at least 2 rows");
+    throw std::invalid_argument("dissimilarities has the size " + std::to_string(d.rows()) + " × " +
+                                std::to_string(d.cols()) +
+                                "; it must be a square matrix with at least 2 rows");
   }
   if (!d.allFinite() || d.minCoeff() < 0.0 || d.diagonal().maxCoeff() > 0.0 || d != d.transpose()) {
     throw std::invalid_argument(
@@ -74,7 +76,7 @@ double joined_distance(Linkage linkage, const Sizes& sizes, double from_first, d
     case Linkage::single:
       return std::min(from_first, from_second);
   }
-  throw std::invalid_argument("linkage must be average, complete or single");
+  throw std::invalid_argument("linkage is not a Linkage; it must be average, complete or single");
 }
 
 }  // namespace

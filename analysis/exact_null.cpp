@@ -233,7 +233,7 @@ RelabellingTest relabelling_test(const CountMatrix& counts, Random random) {
   if (counts.cols() < 1)
     throw std::invalid_argument("counts has no column; at least one label is needed");
   if (counts.size() > 0 && counts.minCoeff() < 0) {
-    throw std::invalid_argument("counts must not be negative");
+    throw std::invalid_argument("counts contains a negative count; all must be at least 0");
   }
   constexpr double kMostSteps = 2e7;
   constexpr std::int64_t kLargestTotal = 65535;

@@ -84,7 +84,8 @@ LuceWorths luce_worths(std::span<const std::uint64_t> counts, std::size_t refere
 
 std::vector<double> first_choice_means(std::span<const double> shares) {
   const auto count = static_cast<Eigen::Index>(shares.size());
-  if (count < 2) throw std::invalid_argument("shares must have at least two alternatives");
+  if (count < 2)
+    throw std::invalid_argument("shares has fewer than two alternatives; at least two are needed");
   const Eigen::VectorXd goal = Eigen::Map<const Eigen::VectorXd>(shares.data(), count);
   if (!(goal.minCoeff() > 0.0 && std::abs(goal.sum() - 1.0) < 1e-9)) {
     throw std::invalid_argument("shares must be positive and sum to 1; their sum is " +

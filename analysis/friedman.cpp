@@ -34,8 +34,11 @@ std::vector<double> midranks(std::span<const double> numbers) {
 
 FriedmanTest friedman_test(const Eigen::MatrixXd& judgements) {
   if (judgements.cols() < 2)
-    throw std::invalid_argument("judgements must have at least two columns, one per item");
-  if (!judgements.allFinite()) throw std::invalid_argument("judgements must be finite");
+    throw std::invalid_argument(
+        "judgements has fewer than two columns; it must have one per item, and at least two");
+  if (!judgements.allFinite())
+    throw std::invalid_argument(
+        "judgements contains a number that is not finite; all must be finite");
   const auto n = static_cast<double>(judgements.rows());
   const auto k = static_cast<double>(judgements.cols());
   Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(judgements.cols());

@@ -111,9 +111,9 @@ IntraclassCorrelation test_of(double targets, double error, double df1, double d
 
 std::optional<Reliability> reliability_of(const Eigen::MatrixXd& ratings, double confidence) {
   if (ratings.rows() < 2 || ratings.cols() < 2) {
-    throw std::invalid_argument("ratings: number of targets " + std::to_string(ratings.rows()) +
-                                ", of raters " + std::to_string(ratings.cols()) +
-                                "; at least 2 of each are needed");
+    throw std::invalid_argument("ratings: the number of targets is " +
+                                std::to_string(ratings.rows()) + " and that of raters is " +
+                                std::to_string(ratings.cols()) + "; at least 2 of each are needed");
   }
   if (!ratings.allFinite())
     throw std::invalid_argument("ratings: a rating is not finite; all must be finite");

@@ -11,7 +11,8 @@ std::optional<double> slope_over_trials(std::span<const TrialResult> results) {
   double mean_result = 0.0;
   for (const TrialResult& one : results) {
     if (!std::isfinite(one.trial) || !std::isfinite(one.result)) {
-      throw std::invalid_argument("results: every trial and result must be a finite number");
+      throw std::invalid_argument(
+          "results contains a number that is not finite; every trial and result must be finite");
     }
     mean_trial += one.trial / n;
     mean_result += one.result / n;

@@ -39,13 +39,16 @@ struct ParticipantSums {
 void refuse_unusable(const GroupedMeasurements& data) {
   const Eigen::Index rows = data.y.size();
   if (data.design.rows() != rows || static_cast<Eigen::Index>(data.participant.size()) != rows) {
-    throw std::invalid_argument("design, y and participant must have the same number of rows");
+    throw std::invalid_argument(
+        "design, y and participant differ in their number of rows; it must be the same");
   }
   if (!data.design.allFinite() || !data.y.allFinite()) {
-    throw std::invalid_argument("design and y must be finite");
+    throw std::invalid_argument(
+        "design or y contains a number that is not finite; all must be finite");
   }
   if (data.design.cols() == 0 || (data.design.col(0).array() != 1.0).any()) {
-    throw std::invalid_argument("the first column of the design must be 1");
+    throw std::invalid_argument(
+        "design: the first column, of the intercept, is not 1 in every row; it must be 1");
   }
 }
 

@@ -61,7 +61,7 @@ LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index co
 
 LeastSquares least_squares(const MagnitudeCurves& curves, Eigen::Index coefficients) {
   if (curves.log10.rows() < 2) {
-    throw std::invalid_argument("log10: number of participants " +
+    throw std::invalid_argument("log10: the number of participants is " +
                                 std::to_string(curves.log10.rows()) + "; at least 2 are needed");
   }
   return least_squares_of_any(curves, coefficients);
@@ -477,7 +477,8 @@ std::optional<PeakShift> peak_shift(const TwoConditions& conditions) {
   const QuadraticFit& first = conditions.first;
   const QuadraticFit& second = conditions.second;
   if (first.participants.size() != second.participants.size()) {
-    throw std::invalid_argument("first and second must have the same participants");
+    throw std::invalid_argument(
+        "first and second have different participants; they must have the same ones");
   }
   const std::optional<double> peak_1 = first.mean.peak();
   const std::optional<double> peak_2 = second.mean.peak();

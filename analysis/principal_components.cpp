@@ -15,8 +15,8 @@ namespace {
 
 void refuse_impossible_table(const TableSize& size) {
   if (size.rows < 3 || size.columns < 2) {
-    throw std::invalid_argument("values: number of rows " + std::to_string(size.rows) +
-                                ", of columns " + std::to_string(size.columns) +
+    throw std::invalid_argument("values has the size " + std::to_string(size.rows) + " × " +
+                                std::to_string(size.columns) +
                                 "; at least 3 rows and 2 columns are needed");
   }
 }
@@ -111,14 +111,14 @@ ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
   if (of_noise.empty())
     throw std::invalid_argument("of_noise is empty; at least one data set is needed");
   if (!(percentile > 0.0 && percentile < 1.0)) {
-    throw std::invalid_argument("percentile: " + number_text(percentile) +
+    throw std::invalid_argument("percentile is " + number_text(percentile) +
                                 "; it must lie between 0 and 1");
   }
   for (const Eigen::VectorXd& one : of_noise) {
     if (one.size() != eigenvalues.size()) {
       throw std::invalid_argument(
-          "of_noise: number of components of a data set " + std::to_string(one.size()) +
-          "; it must be that of the eigenvalues, " + std::to_string(eigenvalues.size()));
+          "of_noise: a data set has " + counted(one.size(), "component", "components") +
+          "; the number must be that of the eigenvalues, " + std::to_string(eigenvalues.size()));
     }
   }
   ParallelAnalysis answer{.limits = Eigen::VectorXd::Zero(eigenvalues.size()),

@@ -210,7 +210,8 @@ ProcedureBootstrap bootstrap_procedure(std::span<const PsychometricBlock> all,
   const std::vector<PsychometricBlock> blocks = answered_blocks(
       all, {.shape = family.shape, .gamma = family.gamma, .lambda = family.lambda.low});
   if (distinct_levels(blocks, family.shape).size() < 2) {
-    throw std::invalid_argument("blocks: a threshold needs at least two levels with trials");
+    throw std::invalid_argument(
+        "blocks has fewer than two levels with trials; a threshold needs at least two");
   }
   FamilyLikelihood likelihood(family);
   const FamilyFit own = likelihood.fit(blocks);

@@ -7,6 +7,7 @@
 
 #include <boost/math/distributions/binomial.hpp>
 
+#include "analysis/number_text.h"
 #include "analysis/psychometric_maximum.h"
 #include "analysis/random.h"
 #include "analysis/seed_of_tests.h"
@@ -74,8 +75,8 @@ ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks
   for (const std::vector<std::uint64_t>& hits : resamples) {
     if (hits.size() != blocks.size()) {
       throw std::invalid_argument(
-          "resamples: number of counts in a row " + std::to_string(hits.size()) +
-          "; it must be the number of blocks, " + std::to_string(blocks.size()));
+          "resamples: a row has " + counted(hits.size(), "count", "counts") +
+          "; the number must be that of the blocks, " + std::to_string(blocks.size()));
     }
     for (std::size_t i = 0; i < hits.size(); ++i) {
       resampled[i].hits = hits[i];

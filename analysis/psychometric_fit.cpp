@@ -108,7 +108,8 @@ std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBloc
         "status is ok");
   }
   if (question.model.slope) {
-    throw std::invalid_argument("slope: limits leave no standard error; use maximise_psychometric");
+    throw std::invalid_argument(
+        "slope has limits, which leave no standard error; use maximise_psychometric");
   }
   normal_limit(question.confidence);  // throws for a confidence outside (0, 1)
   const PsychometricLikelihood data(blocks, question.model);

@@ -51,7 +51,8 @@ StandardCurve standard_curve(PsychometricShape shape, double t) {
     case PsychometricShape::weibull:
       return gumbel_curve(t);
   }
-  throw std::invalid_argument("shape must be logistic, normal, gumbel or weibull");
+  throw std::invalid_argument(
+      "shape is not a PsychometricShape; it must be logistic, normal, gumbel or weibull");
 }
 
 double standard_quantile(PsychometricShape shape, double F) {
@@ -69,7 +70,8 @@ double standard_quantile(PsychometricShape shape, double F) {
     case PsychometricShape::weibull:
       return std::log(-std::log1p(-F));
   }
-  throw std::invalid_argument("shape must be logistic, normal, gumbel or weibull");
+  throw std::invalid_argument(
+      "shape is not a PsychometricShape; it must be logistic, normal, gumbel or weibull");
 }
 
 bool is_weibull(PsychometricShape shape) { return shape == PsychometricShape::weibull; }

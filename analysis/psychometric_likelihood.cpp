@@ -67,7 +67,8 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
   refuse_rate(model.lambda, "lambda");
   refuse_rate(model.greatest_lambda, "greatest_lambda");
   if (model.gamma.value_or(0.0) + model.lambda.value_or(0.0) >= 1.0) {
-    throw std::invalid_argument("the sum of gamma and lambda must be below 1");
+    throw std::invalid_argument(
+        "gamma and lambda have a sum of at least 1; their sum must be below 1");
   }
   std::vector<PsychometricBlock> kept;
   for (const PsychometricBlock& block : blocks) {
@@ -120,7 +121,8 @@ PsychometricLikelihood::PsychometricLikelihood(std::span<const PsychometricBlock
     : model_(model), blocks_(answered_blocks(blocks, model)) {
   levels_ = distinct_levels(blocks_, model.shape);
   if (levels_.size() < 2) {
-    throw std::invalid_argument("blocks: a slope needs at least two levels with trials");
+    throw std::invalid_argument(
+        "blocks has fewer than two levels with trials; a slope needs at least two");
   }
   double gap = kNoBound;
   for (std::size_t i = 1; i < levels_.size(); ++i) {
@@ -135,7 +137,8 @@ PsychometricLikelihood::PsychometricLikelihood(std::span<const PsychometricBlock
       model.lambda.value_or(model.greatest_lambda);
   if (model.slope) {
     if (!(model.slope->least > 0.0 && model.slope->least < model.slope->greatest)) {
-      throw std::invalid_argument("slope: limits need 0 < least < greatest");
+      throw std::invalid_argument(
+          "slope: its limits are not in order; they must satisfy 0 < least < greatest");
     }
     bounds_.low(1) = std::log(model.slope->least);
     bounds_.high(1) = std::log(model.slope->greatest);

@@ -77,8 +77,8 @@ RelabelledMatching::RelabelledMatching(std::span<const RepeatedTrial> trials) {
     const std::size_t items = group.items.size();
     if (items > kMostExchanged) {
       throw std::invalid_argument("trials: a set has " + std::to_string(items) +
-                                  " items; at most " + std::to_string(kMostExchanged) +
-                                  " are possible");
+                                  " items, and at most " + std::to_string(kMostExchanged) +
+                                  " are possible; present fewer items in a trial");
     }
     group.chosen =
         CountMatrix::Zero(static_cast<Eigen::Index>(items), static_cast<Eigen::Index>(items));

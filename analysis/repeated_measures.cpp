@@ -30,19 +30,21 @@ void refuse_no_table(const RepeatedMeasures& data) {
   }
   if (data.levels.empty() || static_cast<std::size_t>(data.y.cols()) != cells ||
       !data.y.allFinite()) {
-    throw std::invalid_argument("y: number of columns " + std::to_string(data.y.cols()) +
+    throw std::invalid_argument("y: the number of columns is " + std::to_string(data.y.cols()) +
                                 "; it must have one per cell, " + std::to_string(cells) +
                                 ", and all its values must be finite");
   }
   const auto participants = static_cast<std::size_t>(data.y.rows());
   if (participants <= data.groups) {
-    throw std::invalid_argument("y: number of participants " + std::to_string(participants) +
-                                ", of groups " + std::to_string(data.groups) +
+    throw std::invalid_argument("y: the number of participants is " + std::to_string(participants) +
+                                " and that of groups is " + std::to_string(data.groups) +
                                 "; an error term requires more participants than groups");
   }
   if (data.groups > 1) {
     if (data.group.size() != participants) {
-      throw std::invalid_argument("group must name the group of each participant");
+      throw std::invalid_argument(
+          "group has an entry that is not a group, or not one entry per participant; it must have "
+          "the group of each");
     }
     for (std::size_t group = 0; group < data.groups; ++group) {
       if (std::count(data.group.begin(), data.group.end(), group) == 0) {
@@ -134,7 +136,7 @@ double within_squares(const Grouped& z, SumsOfSquares type) {
       return z.means.colwise().mean().squaredNorm() * groups * groups /
              z.sizes.cwiseInverse().sum();
   }
-  throw std::invalid_argument("type must be type_2 or type_3");
+  throw std::invalid_argument("type is not one of SumsOfSquares; it must be type_2 or type_3");
 }
 
 // Differences between the groups, weighted by their sizes: the same for both types.

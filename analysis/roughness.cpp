@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/filters.h"
+#include "analysis/number_text.h"
 #include "analysis/spectrum.h"
 
 namespace asperity {
@@ -20,7 +21,7 @@ void refuse_unusable_record(std::span<const double> record, double rate_Hz) {
     throw std::invalid_argument("the record is empty; roughness needs at least one sample");
   }
   if (!(rate_Hz > 0.0)) {
-    throw std::invalid_argument("rate_Hz must be positive");
+    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
   }
 }
 
@@ -94,7 +95,7 @@ std::optional<double> acceleration_roughness_dB(std::span<const double> accelera
   const auto waking = static_cast<std::size_t>(0.010 * rate_Hz);
   if (acceleration_m_per_s2.size() <= waking) {
     throw std::invalid_argument(
-        "the record must be longer than the 10 ms in which the filter settles");
+        "the record is not longer than the 10 ms in which the filter settles; use a longer one");
   }
   const std::vector<double> passed =
       filtered(ButterworthFilter(LowPass{.order = 4, .cutoff_Hz = 300.0}, rate_Hz),
@@ -117,7 +118,8 @@ double pacinian_power(std::span<const double> acceleration_m_per_s2, double rate
 }
 
 HeldToolRecord::HeldToolRecord(double rate_Hz) : rate_Hz_(rate_Hz) {
-  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz must be positive");
+  if (!(rate_Hz > 0.0))
+    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
 }
 
 void HeldToolRecord::reserve(std::size_t samples) {

@@ -181,7 +181,7 @@ PowerSpectrum welch_spectrum(std::span<const double> signal, const WelchWindows&
                                 std::to_string(signal.size()));
   }
   if (!(windows.rate_Hz > 0.0)) {
-    throw std::invalid_argument("rate_Hz must be positive");
+    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
   }
   std::vector<double> density(length / 2 + 1);
   std::vector<double> tapered(length);
@@ -222,7 +222,7 @@ double band_power(const PowerSpectrum& spectrum, const FrequencyBand& band) noex
 
 double band_rms(std::span<const double> signal, double rate_Hz, double low_Hz, double high_Hz) {
   if (!(rate_Hz > 0.0)) {
-    throw std::invalid_argument("rate_Hz must be positive");
+    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
   }
   if (!(low_Hz >= 0.0 && low_Hz <= high_Hz)) {
     throw std::invalid_argument("low_Hz is " + number_text(low_Hz) + " and high_Hz " +
@@ -256,13 +256,14 @@ std::optional<double> dominant_wavelength_m(const HeightSamples& samples) {
                                 "; a dominant wavelength requires at least 16 rows and columns");
   }
   if (samples.heights_m.size() != samples.rows * samples.columns) {
-    throw std::invalid_argument("heights_m: number of heights " +
-                                std::to_string(samples.heights_m.size()) +
-                                "; it must be rows times columns, " + std::to_string(samples.rows) +
-                                " times " + std::to_string(samples.columns));
+    throw std::invalid_argument(
+        "heights_m has " + counted(samples.heights_m.size(), "height", "heights") +
+        "; the number must be rows times columns, " + std::to_string(samples.rows) + " times " +
+        std::to_string(samples.columns));
   }
   if (!(samples.pitch_m > 0.0)) {
-    throw std::invalid_argument("pitch_m must be positive");
+    throw std::invalid_argument("pitch_m is " + number_text(samples.pitch_m) +
+                                "; it must be above 0");
   }
   const Patch patch = tapered_centre(samples);
   if (patch.flat) {

@@ -4,24 +4,30 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
 #include "analysis/summary.h"
 
 namespace asperity {
 namespace {
 
 void refuse_invalid(const Staircase& staircase) {
-  if (staircase.steps.empty()) throw std::invalid_argument("steps must have a value");
+  if (staircase.steps.empty()) throw std::invalid_argument("step is empty; give at least one size");
   for (const double step : staircase.steps) {
     if (!(step_length(staircase.scale, step) > 0.0)) {
-      throw std::invalid_argument("steps must be above 0, and above 1 on the ratio scale");
+      throw std::invalid_argument("step contains " + number_text(step) +
+                                  "; every step must be above 0, and above 1 on the ratio scale");
     }
   }
-  if (!(staircase.up_over_down > 0.0)) throw std::invalid_argument("up_over_down must be above 0");
+  if (!(staircase.up_over_down > 0.0))
+    throw std::invalid_argument("step_up_ratio (up_over_down) is " +
+                                number_text(staircase.up_over_down) + "; it must be above 0");
   if (!(staircase.start >= staircase.lowest && staircase.start <= staircase.highest)) {
-    throw std::invalid_argument("start must lie between the bounds");
+    throw std::invalid_argument("start is " + number_text(staircase.start) +
+                                "; it must lie between the bounds, min and max");
   }
   if (staircase.scale != LevelScale::linear && !(staircase.start > 0.0)) {
-    throw std::invalid_argument("start must be above 0 on this scale");
+    throw std::invalid_argument("start is " + number_text(staircase.start) +
+                                "; it must be above 0 on this scale");
   }
 }
 

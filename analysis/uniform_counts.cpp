@@ -17,8 +17,8 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 double total_of(std::span<const std::uint64_t> counts) {
   if (counts.size() < 2) {
-    throw std::invalid_argument("counts: number of alternatives " + std::to_string(counts.size()) +
-                                "; at least 2 are needed");
+    throw std::invalid_argument("counts: the number of alternatives is " +
+                                std::to_string(counts.size()) + "; at least 2 are needed");
   }
   return static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
 }

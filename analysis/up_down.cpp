@@ -3,12 +3,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
 void refuse_empty(const UpDownRule& rule) {
-  if (rule.up == 0) throw std::invalid_argument("up must be 1 or more");
-  if (rule.down == 0) throw std::invalid_argument("down must be 1 or more");
+  if (rule.up == 0) throw std::invalid_argument("up is 0; it must be at least 1");
+  if (rule.down == 0) throw std::invalid_argument("down is 0; it must be at least 1");
 }
 
 double chance_of_down(const UpDownRule& rule, double p) {
@@ -39,7 +41,8 @@ UpDownRun::Outcome UpDownRun::respond(bool is_correct) noexcept {
 double balanced_performance(const UpDownRule& rule, double up_over_down) {
   refuse_empty(rule);
   if (!(up_over_down > 0.0) || !std::isfinite(up_over_down)) {
-    throw std::invalid_argument("up_over_down must be finite and above 0");
+    throw std::invalid_argument("up_over_down is " + number_text(up_over_down) +
+                                "; it must be finite and above 0");
   }
   const double sought = up_over_down / (1.0 + up_over_down);
   if (rule.up == 1) return std::pow(sought, 1.0 / static_cast<double>(rule.down));

@@ -85,30 +85,32 @@ bool PointerDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
 }
 
 Driver pointer_driver() {
-  return {.id = "mouse",
-          .name = "Mouse or tablet",
-          .summary =
-              "Mouse or tablet in a window: moves and presses the probe; it exerts no force.",
-          .has_motors = false,
-          .find =
-              [](const DriverOptions& options) {
-                DriverSurvey survey{};
-                if (options.pointer == nullptr) {
-                  survey.hindrance = "It receives its input from a window, and there is none here.";
-                } else {
-                  survey.attached.push_back({.model = "pointer of a window"});
-                }
-                return survey;
-              },
-          .open = [](const std::string&,
-                     const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+  return {
+      .id = "mouse",
+      .name = "Mouse or tablet",
+      .summary = "Mouse or tablet in a window: moves and presses the probe; it exerts no force.",
+      .has_motors = false,
+      .find =
+          [](const DriverOptions& options) {
+            DriverSurvey survey{};
             if (options.pointer == nullptr) {
-              throw std::runtime_error(
-                  "the device \"mouse\" receives its input from a window, and there is none; "
-                  "choose another device");
+              survey.hindrance =
+                  "It receives its input from a window, and there is none here: run the session in "
+                  "the program's windows.";
+            } else {
+              survey.attached.push_back({.model = "pointer of a window"});
             }
-            return std::make_unique<PointerDevice>(*options.pointer);
-          }};
+            return survey;
+          },
+      .open = [](const std::string&,
+                 const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+        if (options.pointer == nullptr) {
+          throw std::runtime_error(
+              "the device \"mouse\" receives its input from a window, and there is none; "
+              "choose another device");
+        }
+        return std::make_unique<PointerDevice>(*options.pointer);
+      }};
 }
 
 }  // namespace asperity

@@ -139,7 +139,8 @@ VendorLibrary::VendorLibrary(std::string product, const std::vector<std::filesys
     // Otherwise the loader found something else amiss: a file that it cannot use, or one that itself needs another.
     const std::string not_found = name.string() + ": cannot open shared object file: No such file";
     if (words.compare(0, not_found.size(), not_found) != 0) {
-      throw std::runtime_error(product_ + " cannot be loaded: " + words + ".");
+      throw std::runtime_error(product_ + " cannot be loaded: " + words +
+                               ". Install it again, or name its library with --library FILE.");
     }
     tried += (tried.empty() ? "" : ", ") + name.string();
   }

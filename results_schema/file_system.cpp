@@ -60,6 +60,14 @@ void fail_on_file(const std::filesystem::path& path, const std::string& what, in
     reason += "; check the permissions of the file and of its folder";
   } else if (error_number == ENOENT) {
     reason += "; check the path";
+  } else if (error_number == EISDIR) {
+    reason += "; name a file, not a folder";
+  } else if (error_number == EEXIST) {
+    reason += "; name another file, or remove this one";
+  } else if (error_number == EROFS) {
+    reason += "; choose a folder that can be written to";
+  } else {
+    reason += "; fix the problem, then try again";
   }
   throw ResultsError("the file " + path.string() + " cannot be " + what + ": " + reason, path,
                      error_number);

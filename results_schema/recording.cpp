@@ -83,11 +83,13 @@ Json json_of(const RecordingHeader& header) {
 void refuse_bad_header(const RecordingHeader& header) {
   constexpr double kFastest_Hz = 1e6;
   if (!(header.rate_Hz > 0.0 && header.rate_Hz <= kFastest_Hz)) {
-    throw std::invalid_argument("rate_Hz must be above 0 and at most 1000000");
+    throw std::invalid_argument("rate_Hz is " + Json(header.rate_Hz).dump() +
+                                "; it must be above 0 and at most 1000000");
   }
   for (const RecordingColumn& column : header.columns) {
     if (column.name.empty() || column.name == "time_ns") {
-      throw std::invalid_argument("every column needs a name other than time_ns");
+      throw std::invalid_argument("a column has the name \"" + column.name +
+                                  "\"; every column needs a name other than time_ns");
     }
   }
   if (!Json::accept(header.context_json)) {
@@ -289,7 +291,8 @@ class Reader {
                                   .meaning = column.at("meaning").get<std::string>()});
       }
       if (header.columns.empty() || header.columns.front().name != "time_ns") {
-        fail("must have time_ns as its first column; restore the file from a copy of the study");
+        fail(
+            "does not have time_ns as its first column; restore the file from a copy of the study");
       }
       header.columns.erase(header.columns.begin());
       header.context_json = json.at("context").dump();

@@ -57,7 +57,7 @@ void refuse_network(const std::filesystem::path& folder) {
 std::vector<int> counts_of(Database& database, const std::string& protocol_name, int rows,
                            const std::optional<SessionMode>& mode,
                            const std::optional<std::string>& group) {
-  if (rows < 1) throw std::invalid_argument("the number of rows must be at least 1");
+  if (rows < 1) throw std::invalid_argument("the number of rows is 0; it must be at least 1");
   std::optional<std::string> mode_text;
   if (mode) mode_text = text_of(*mode);
   Statement statement(database,
@@ -380,7 +380,7 @@ void Study::end_segment(std::int64_t session_id, int segment, std::int64_t time_
 void Study::end_session(std::int64_t session_id, SessionState state, const std::string& ended_utc) {
   if (state == SessionState::open) {
     throw std::invalid_argument(
-        "state: a session cannot end as open; it must end as completed, stopped or crashed");
+        "state is open, and a session cannot end as open; end it as completed, stopped or crashed");
   }
   Database& database = store_->writable();
   Transaction transaction(database);

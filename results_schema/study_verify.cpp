@@ -65,7 +65,7 @@ void check_references(Database& database, Findings& findings) {
     std::string parent;
     keys.read(table, row, parent);
     findings.push_back("study.sqlite: a row of " + table + " refers to a row of " + parent +
-                       " that does not exist");
+                       " that does not exist; restore the study from a copy");
   }
 }
 
@@ -81,8 +81,10 @@ void check_seal(const std::filesystem::path& study, const SealWatch& watch, Find
 void check_protocols(const Study& study, Findings& findings) {
   for (const ProtocolRow& row : study.protocols()) {
     if (sha256_of(row.source) != row.source_sha256) {
-      findings.push_back("protocol " + row.name + " " + row.version +
-                         ": the SHA-256 of its source differs from the stored one");
+      findings.push_back(
+          "protocol " + row.name + " " + row.version +
+          ": the SHA-256 of its source differs from the stored one; restore the study "
+          "from a copy");
     }
   }
 }
@@ -241,11 +243,14 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
     if (!std::filesystem::is_regular_file(path, error)) {
       const bool is_absent = !error || error == std::errc::no_such_file_or_directory ||
                              error == std::errc::not_a_directory;
-      findings.push_back(start + (is_absent ? "the file is missing"
-                                            : "the file cannot be read: " + error.message()));
+      findings.push_back(
+          start +
+          (is_absent ? "the file is missing; restore it from a copy of the study"
+                     : "the file cannot be read: " + error.message() + "; check its permissions"));
     } else if (sha256_of_file(path) != file.sha256) {
-      findings.push_back(start + "it has changed since its row was written (its SHA-256 differs)" +
-                         (file.is_recording ? place_of_damage(path) : ""));
+      findings.push_back(
+          start + "it has changed since its row was written (its SHA-256 differs)" +
+          (file.is_recording ? place_of_damage(path) : "; restore it from a copy of the study"));
     }
   } catch (const ResultsError& error) {
     findings.push_back(start + error.what());

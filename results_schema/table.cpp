@@ -47,8 +47,8 @@ std::string tsv_of(const Table& table, std::size_t* replaced) {
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const auto& cells = table.rows[row];
     if (cells.size() != table.columns.size()) {
-      throw std::invalid_argument("rows: number of cells in row " + std::to_string(row + 1) +
-                                  ": " + std::to_string(cells.size()) +
+      throw std::invalid_argument("rows: the number of cells in row " + std::to_string(row + 1) +
+                                  " is " + std::to_string(cells.size()) +
                                   "; it must be the number of columns, " +
                                   std::to_string(table.columns.size()));
     }

@@ -165,7 +165,7 @@ TableFile::~TableFile() = default;
 
 void TableFile::add(const std::vector<Cell>& row) {
   if (row.size() != state_->columns) {
-    throw std::invalid_argument("row: number of cells " + std::to_string(row.size()) +
+    throw std::invalid_argument("row: the number of cells is " + std::to_string(row.size()) +
                                 "; it must be the number of columns, " +
                                 std::to_string(state_->columns));
   }
@@ -180,7 +180,7 @@ void TableFile::add(const std::vector<Cell>& row) {
 
 void TableFile::add(double first, const std::vector<float>& rest) {
   if (rest.size() + 1 != state_->columns) {
-    throw std::invalid_argument("rest: number of values " + std::to_string(rest.size()) +
+    throw std::invalid_argument("rest: the number of values is " + std::to_string(rest.size()) +
                                 "; it must be the number of columns after the first, " +
                                 std::to_string(state_->columns - 1));
   }

@@ -18,7 +18,8 @@ namespace asperity {
 inline void add_asset(RendererInputs& inputs, const ModelDeclaration& model,
                       const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) throw WrongUsage("--asset " + text + ": write ROLE=FILE");
+  if (equals == std::string::npos)
+    throw WrongUsage("--asset " + text + " has no \"=\"; write ROLE=FILE");
   const std::string role = text.substr(0, equals);
   if (std::none_of(model.assets.begin(), model.assets.end(),
                    [&role](const AssetDeclaration& asset) { return asset.role == role; })) {

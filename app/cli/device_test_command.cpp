@@ -112,8 +112,10 @@ void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& op
       what_measuring_does(capability.model + ' ' + capability.serial, options.force_N).english();
   if (agrees(what + "\n  Ctrl-C sets the force to zero at once.", is_agreed, stop)) return;
   throw std::runtime_error(stop.stop_requested()
-                               ? "nothing was measured: the test was stopped on request"
-                               : "nothing was measured: the answer was not \"yes\"");
+                               ? "nothing was measured: the test was stopped on request; to "
+                                 "measure the device, repeat the command"
+                               : "nothing was measured: the answer was not \"yes\"; to measure the "
+                                 "device, repeat the command and type yes");
 }
 
 Table table_of(const DeviceProfile& profile) {

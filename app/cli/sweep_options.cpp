@@ -75,8 +75,14 @@ std::vector<double> values_of(VariedQuantity varied, const std::string& text) {
 std::vector<double> spacings_of(const std::string& text) {
   constexpr const char* kExpected = "write FROM:TO:COUNT, in metres, such as 0.0005:0.008:40";
   const std::vector<double> numbers = numbers_of("--spacings", text, ':', kExpected);
-  if (numbers.size() != 3 || numbers[2] != std::floor(numbers[2]) || numbers[2] > 10000.0) {
-    throw WrongUsage("--spacings " + text + ": " + kExpected);
+  if (numbers.size() != 3) {
+    throw WrongUsage("--spacings " + text + " has " + counted(numbers.size(), "number", "numbers") +
+                     " instead of three; " + kExpected);
+  }
+  constexpr int kMostSpacings = 10000;
+  if (numbers[2] != std::floor(numbers[2]) || numbers[2] < 2.0 || numbers[2] > kMostSpacings) {
+    throw WrongUsage("--spacings " + text + ": COUNT is " + number_text(numbers[2]) +
+                     "; it must be a whole number from 2 to " + std::to_string(kMostSpacings));
   }
   for (const double spacing_m : {numbers[0], numbers[1]}) {
     require_unit("--spacings " + text, spacing_m, kGivenSpacing);
@@ -91,7 +97,10 @@ std::vector<double> spacings_of(const std::string& text) {
 HandModel hand_of(const std::string& text) {
   constexpr const char* kExpected = "write M_kg,B_N_s_per_m,K_N_per_m, such as 0.05,3,200";
   const std::vector<double> numbers = numbers_of("--hand", text, ',', kExpected);
-  if (numbers.size() != 3) throw WrongUsage("--hand " + text + ": " + kExpected);
+  if (numbers.size() != 3) {
+    throw WrongUsage("--hand " + text + " has " + counted(numbers.size(), "number", "numbers") +
+                     " instead of three; " + kExpected);
+  }
   return {.mass_kg = numbers[0], .damping_N_s_per_m = numbers[1], .stiffness_N_per_m = numbers[2]};
 }
 
@@ -107,7 +116,8 @@ void take_texture(SweepOrder& order, const std::string& text) {
   pieces.erase(pieces.begin());
   for (const std::string& piece : pieces) {
     if (piece.find('=') == std::string::npos) {
-      throw WrongUsage("--texture " + text + ": write KIND[,NAME=VALUE…] or FILE.png");
+      throw WrongUsage("--texture " + text + ": \"" + piece +
+                       "\" has no value; write KIND[,NAME=VALUE…] or FILE.png");
     }
   }
   for (const SurfaceDeclaration& surface : synthetic_surfaces()) {

@@ -32,14 +32,14 @@ const char* varied_text(VariedQuantity varied) {
 /// Rows without a measure to fit whose stroke was complete: nothing moved the tool.
 void say_unmoved(const Sweep& sweep, SweepMeasure measure, std::size_t unmoved) {
   const RoughnessStroke& stroke = sweep.order.stroke;
-  std::string why = "the acceleration has no power in that band";
+  std::string why = "the acceleration has no power in that band; choose another --measure";
   if (measure == SweepMeasure::max_accel || measure == SweepMeasure::rms_accel) {
     why = "the tool was not accelerated";
     if (stroke.mode == DragMode::constant_height) {
-      why +=
-          "; at constant height only a force along the stroke accelerates it, and " +
-          stroke.model->declaration.id +
-          " has none with these parameters; with --drag constant_force the texture lifts the tool";
+      why += "; at constant height only a force along the stroke accelerates it, and " +
+             stroke.model->declaration.id +
+             " has none with these parameters; use --drag constant_force, with which the texture "
+             "lifts the tool";
     }
   }
   say("not fitted: " + counted(unmoved, "row") + " with a complete stroke whose " +
@@ -122,10 +122,11 @@ void say_absent_numbers(const Sweep& sweep, SweepMeasure measure) {
   }
   if (is_at_end) {
     say("greatest_at_mm n/a: the greatest value is at the first or the last spacing; the maximum "
-        "may lie outside the range of spacings");
+        "may lie outside the range of spacings: widen --spacings");
   }
   if (has_no_top) {
-    say("parabola_peak_mm n/a: the parabola has no maximum within the range of spacings");
+    say("parabola_peak_mm n/a: the parabola has no maximum within the range of spacings; choose "
+        "other --spacings");
   }
 }
 

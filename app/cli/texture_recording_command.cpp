@@ -51,7 +51,8 @@ struct TextureRecordingOptions {
 
 TextureRecording recording_of_wavs(const TextureRecordingOptions& options) {
   if (options.speeds_m_per_s.size() != options.wavs.size()) {
-    throw WrongUsage("there are " + counted(options.wavs.size(), "WAV file") + " and " +
+    throw WrongUsage("--wav names " + counted(options.wavs.size(), "file") +
+                     ", and --speed-m-per-s gives " +
                      counted(options.speeds_m_per_s.size(), "speed") +
                      "; give --speed-m-per-s once for each --wav, in the same order");
   }

@@ -113,7 +113,8 @@ void add_withdraw(CLI::App& program, Job& job) {
       Study study = Study::open(options->study, Access::read_write);
       const WithdrawalRow counts = study.counts_of_participant(options->label);
       if (options->deletes && !is_confirmed(options->label, options->confirmed, counts)) {
-        say("asperity: the label was not repeated; nothing was deleted");
+        say("asperity: the label was not repeated, and nothing was deleted; to delete the data, "
+            "repeat the command and type the label");
         return 1;
       }
       const OutputsOfParticipant outputs = outputs_of_participant(study, options->label);

@@ -60,7 +60,7 @@ void tell_unknown(const SoughtDevice& device, const Warn& warn) {
   const std::string real(model_stood_for(device.wanted.which.model));
   warn("these properties of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
        " models, are unknown: " + listed_traits(missing).english() +
-       "; no stimulus was compared with them");
+       "; no stimulus was compared with them. Measure the real device as soon as it is available");
 }
 
 void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
@@ -225,7 +225,9 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
     }
   }
   if (!device.wanted.has_motors) {
-    warn(name + " exerts no force: no stimulus was compared with it");
+    warn(name +
+         " exerts no force: no stimulus was compared with it; to compare them, name a device with "
+         "motors");
   }
   return comparison;
 }

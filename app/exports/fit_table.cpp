@@ -82,20 +82,22 @@ void FitTable::add(const ExportPlace& at) {
 std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
   if (!has_choices_) {
     return phrase("FitTable",
-                  "%1 was not written: no completed session has choices that count in analyses.")
+                  "%1 was not written: no completed session has choices that count in analyses. "
+                  "Complete a session, then export again.")
         .with(name);
   }
   if (curves_.empty()) {
     return phrase("FitTable",
-                  "%1 was not written: no factor of the trials has numeric levels. The levels of "
-                  "the factor column are repetitions.")
+                  "%1 was not written: no factor of the trials has numeric levels (those of the "
+                  "factor column are repetitions). Use the other tables, or vary a factor with "
+                  "numeric levels.")
         .with(name);
   }
   if (std::none_of(curves_.begin(), curves_.end(),
                    [](const auto& curve) { return curve.second.size() > 1; })) {
-    return phrase(
-               "FitTable",
-               "%1 was not written: no participant has choices at two levels of a numeric factor.")
+    return phrase("FitTable",
+                  "%1 was not written: no participant has choices at two levels of a numeric "
+                  "factor. Complete more trials, then export again.")
         .with(name);
   }
   return {};

@@ -105,12 +105,14 @@ Figure biplot_figure(const FoundNumbers& found) {
     figure.instead =
         none != nullptr && !none->status.empty()
             ? phrase("Figures", "There are no components: %1.").with(none->status)
-            : phrase("Figures", "There are fewer than two components: a biplot requires two.");
+            : phrase("Figures",
+                     "There are fewer than two components, and a biplot requires two; add scales.");
     return figure;
   }
   if (!(found.value("eigenvalue", kSecond).value_or(0.0) > 0.0)) {
-    figure.instead = phrase(
-        "Figures", "The mean ratings vary along one component only: there is no second axis.");
+    figure.instead = phrase("Figures",
+                            "The mean ratings vary along one component only, so that there is no "
+                            "second axis; add scales or items.");
     return figure;
   }
   // Scores of unit variance: their products with the loadings, over all components, are the standardised ratings.

@@ -57,7 +57,8 @@ Figure figure_of(const Confusions& confusions) {
     }
   }
   if (!(all > 0.0)) {
-    figure.instead = phrase("Figures", "There are no responses and therefore no confusions.");
+    figure.instead = phrase(
+        "Figures", "There are no responses and therefore no confusions; collect responses first.");
   }
   return figure;
 }

@@ -78,8 +78,9 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
       std::any_of(figure.series.begin(), figure.series.end(),
                   [](const FigureSeries& series) { return !series.points.empty(); });
   if (!has_points) {
-    figure.instead =
-        phrase("Figures", "There are no responses from which to compute a proportion.");
+    figure.instead = phrase(
+        "Figures",
+        "There are no responses from which to compute a proportion; collect responses first.");
     return;
   }
   std::erase_if(figure.series, [](const FigureSeries& series) { return series.points.empty(); });

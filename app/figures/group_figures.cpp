@@ -83,8 +83,9 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   if (!has_both) {
     for (Figure* figure : {&both, &less}) {
       figure->series.clear();
-      figure->instead =
-          phrase("Figures", "Fewer than two groups have responses: no comparison is possible.");
+      figure->instead = phrase("Figures",
+                               "Fewer than two groups have responses, so that no comparison is "
+                               "possible; collect responses of both groups.");
     }
     return {both, less};
   }
@@ -124,7 +125,9 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   }
   if (less.y.places.empty()) {
     less.series.clear();
-    less.instead = phrase("Figures", "The difference of means was not computed.");
+    less.instead =
+        phrase("Figures",
+               "The difference of means could not be computed; add participants to both groups.");
     return {both, less};
   }
   if (!has_interval(less)) {

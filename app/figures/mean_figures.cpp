@@ -76,7 +76,9 @@ Figure rating_figure(const FoundNumbers& found) {
     hold(interval.value_or(FigureSpan{*mean->value, *mean->value}), is_first, figure.x);
   }
   if (points.points.empty()) {
-    figure.instead = phrase("Figures", "No participant rated every item: there are no means.");
+    figure.instead = phrase(
+        "Figures",
+        "No participant rated every item, so that there are no means; add the missing ratings.");
     return figure;
   }
   widen(figure.x);
@@ -108,7 +110,9 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
     const Finding* status = found.find("status");
     figure.instead = status != nullptr
                          ? phrase("Figures", "There are no means: %1.").with(status->status)
-                         : phrase("Figures", "There are no means: there are no measurements.");
+                         : phrase("Figures",
+                                  "There are no means, because there are no measurements; collect "
+                                  "measurements first.");
     return figure;
   }
   const Factors within = input.options.levels("within");

@@ -144,7 +144,8 @@ Figure power_figure(const TidyInput& input, const FoundNumbers& found) {
                      "not monotonic. The dashed line is the conventional power of 80 %.")};
   const std::vector<PlannedPoint> plans = planned_in(input, found);
   if (plans.empty()) {
-    figure.instead = phrase("Figures", "No power was computed for any plan.");
+    figure.instead =
+        phrase("Figures", "No power was computed for any plan; add a plan to the table.");
     return figure;
   }
   std::map<std::vector<std::string>, std::set<double>> sizes{};

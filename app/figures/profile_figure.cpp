@@ -245,7 +245,9 @@ Figure profile_figure(const NamedTable& ratings, const NamedTable* shown) {
   const bool has_mean = std::any_of(means.begin(), means.end(),
                                     [](const RatedMean& mean) { return mean.mean.has_value(); });
   if (!has_mean) {
-    figure.instead = phrase("Figures", "No participant rated every item: there are no means.");
+    figure.instead = phrase(
+        "Figures",
+        "No participant rated every item, so that there are no means; add the missing ratings.");
     return figure;
   }
   std::vector<std::string> items{};

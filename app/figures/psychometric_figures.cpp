@@ -64,7 +64,9 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
     most = std::max(most, trials[row]);
   }
   if (most == 0) {
-    figure.instead = phrase("Figures", "No level has trials: there are no proportions correct.");
+    figure.instead = phrase(
+        "Figures",
+        "No level has trials, so that there are no proportions correct; collect responses first.");
     return figure;
   }
   const FigureSpan own{low, high};

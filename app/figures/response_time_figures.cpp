@@ -109,7 +109,7 @@ Figure course_figure(const FoundNumbers& found) {
     line.push_back({.x = place, .y = *block->value});
   }
   if (blocks.empty()) {
-    figure.instead = phrase("Figures", "No trial has a result.");
+    figure.instead = phrase("Figures", "No trial has a result; collect responses first.");
     return figure;
   }
   figure.x.name = phrase("Figures", "trials of a participant, as numbered in the plan");
@@ -131,7 +131,8 @@ Figure response_times_figure(const FoundNumbers& found) {
                 .title = phrase("Figures", "Response times by condition"),
                 .shape = FigureShape::rows};
   if (means.empty()) {
-    figure.instead = phrase("Figures", "No trial has a stored response time.");
+    figure.instead =
+        phrase("Figures", "No trial has a stored response time; collect responses first.");
     return figure;
   }
   const auto singles = singles_by_condition(found.all("subject.geomean"));
@@ -185,7 +186,8 @@ Figure contact_times_figure(const FoundNumbers& found) {
                 .shape = FigureShape::rows};
   const std::vector<Finding> medians = of_contact("median");
   if (medians.empty()) {
-    figure.instead = phrase("Figures", "No trial has a stored contact time.");
+    figure.instead =
+        phrase("Figures", "No trial has a stored contact time; collect trials with contact first.");
     return figure;
   }
   const std::vector<Finding> own = of_contact("subject.value");

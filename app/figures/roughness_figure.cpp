@@ -109,9 +109,11 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
   }
   if (probes.empty()) {
     const Finding* status = found.find("status");
-    figure.instead = status != nullptr
-                         ? phrase("Figures", "There is no curve: %1.").with(status->status)
-                         : phrase("Figures", "There is no curve: there are no estimates.");
+    figure.instead =
+        status != nullptr
+            ? phrase("Figures", "There is no curve: %1.").with(status->status)
+            : phrase("Figures",
+                     "There is no curve, because there are no estimates; collect estimates first.");
     return figure;
   }
   const double first = std::log10(x.low);

@@ -14,9 +14,12 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
   std::erase_if(items, [](const Finding* item) { return !item->value; });
   if (items.empty()) {
     const Finding* status = found.find(choice.status);
-    figure.instead = status != nullptr
-                         ? phrase("Figures", "There is no scale: %1.").with(status->status)
-                         : phrase("Figures", "There is no scale: there are no judgements.");
+    figure.instead =
+        status != nullptr
+            ? phrase("Figures", "There is no scale: %1.").with(status->status)
+            : phrase(
+                  "Figures",
+                  "There is no scale, because there are no judgements; collect judgements first.");
     return figure;
   }
   std::stable_sort(items.begin(), items.end(),

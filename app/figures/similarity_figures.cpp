@@ -77,7 +77,9 @@ Figure dendrogram(const FoundNumbers& found) {
                 .shape = FigureShape::rows};
   const std::optional<Distances> read = distances_of(found, "hclust.shepard.average.cophenetic");
   if (!read) {
-    figure.instead = phrase("Figures", "There are no confusions from which to make a dendrogram.");
+    figure.instead =
+        phrase("Figures",
+               "There are no confusions from which to make a dendrogram; collect responses first.");
     return figure;
   }
   // Heights at which items are first joined already form a tree; single linkage recovers it.
@@ -108,8 +110,9 @@ Figure dendrogram(const FoundNumbers& found) {
     highest = std::max(highest, join.height);
   }
   if (!(highest > 0.0)) {
-    figure.instead =
-        phrase("Figures", "All dissimilarities are 0: there are no distances to show.");
+    figure.instead = phrase("Figures",
+                            "All dissimilarities are 0, so that there are no distances to show; "
+                            "collect more responses.");
     return figure;
   }
   figure.x = {.name = dissimilarity_axis(), .low = 0.0, .high = 1.05 * highest};
@@ -124,14 +127,15 @@ Figure similarity_map(const FoundNumbers& found) {
       .shape = FigureShape::square};
   const std::optional<Distances> read = distances_of(found, "mds.shepard.dist2d");
   if (read && !(read->matrix.maxCoeff() > 0.0)) {
-    figure.instead =
-        phrase("Figures", "All dissimilarities are 0: there are no distances to show.");
+    figure.instead = phrase("Figures",
+                            "All dissimilarities are 0, so that there are no distances to show; "
+                            "collect more responses.");
     return figure;
   }
   if (!read) {
-    figure.instead = phrase(
-        "Figures",
-        "The dissimilarities span fewer than two dimensions: there is no configuration to show.");
+    figure.instead = phrase("Figures",
+                            "The dissimilarities span fewer than two dimensions, so that there is "
+                            "no configuration to show; collect more responses or add stimuli.");
     return figure;
   }
   figure.note =

@@ -129,7 +129,8 @@ std::size_t series_of_condition(const Figure& estimates, const std::string& cond
   std::string names{};
   for (const std::string& name : there) names += (names.empty() ? "" : ", ") + name;
   throw std::runtime_error("the study has no estimates for the condition " + condition +
-                           "; choose a condition with estimates: " + names);
+                           (names.empty() ? "; collect estimates first"
+                                          : "; choose a condition with estimates: " + names));
 }
 
 }  // namespace
@@ -194,7 +195,9 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
     }
   }
   if (all.empty()) {
-    figure.instead = phrase("Figures", "There is no curve: the tool was not moved.");
+    figure.instead = phrase(
+        "Figures",
+        "There is no curve, because the tool was not moved; use a stroke with a length above 0.");
     return figure;
   }
   const auto [left, right] = std::minmax_element(
@@ -232,9 +235,10 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
                          const std::vector<std::string>& conditions, SweepMeasure measure) {
   const std::vector<SweepCurve> curves = curves_of(sweep, measure);
   if (curves.size() != conditions.size()) {
-    throw std::runtime_error("levels of the sweep: " + std::to_string(curves.size()) +
-                             ", conditions: " + std::to_string(conditions.size()) +
-                             "; give a level for each condition");
+    throw std::runtime_error("the number of levels of the sweep is " +
+                             std::to_string(curves.size()) + " and that of conditions " +
+                             std::to_string(conditions.size()) +
+                             "; name one condition for each level");
   }
   std::vector<std::size_t> places{};
   for (const std::string& condition : conditions) {

@@ -57,7 +57,7 @@ Figure tracks_figure(std::span<const TrackTrial> trials, const std::string& unit
                      "Filled symbols: correct responses; open symbols: incorrect ones. Rings: "
                      "reversals, after which the level changes its direction.")};
   if (trials.empty()) {
-    figure.instead = phrase("Figures", "No track has a trial.");
+    figure.instead = phrase("Figures", "No track has a trial; collect responses first.");
     return figure;
   }
   double low = trials.front().level;

@@ -30,7 +30,10 @@ Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called) {
       });
   Phrase kept{};
   if (!failed.empty()) {
-    kept = phrase("DeviceTest", "The device did not meet every limit: %1.").with(failed);
+    kept = phrase("DeviceTest",
+                  "The device did not meet every limit: %1. Repair it and measure it again, or "
+                  "choose another device.")
+               .with(failed);
   } else if (kept_some) {
     kept = open.empty() ? phrase("DeviceTest", "The device met every limit.")
                         : phrase("DeviceTest", "The device met every limit that was measured.");
@@ -39,7 +42,8 @@ Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called) {
   }
   if (open.empty()) return kept;
   const Phrase unseen =
-      phrase("DeviceTest", "Not measured, although a limit applies: %1.").with(open);
+      phrase("DeviceTest", "Not measured, although a limit applies: %1. Measure the device again.")
+          .with(open);
   return kept.empty() ? unseen : Phrase("%1 %2").with(kept, unseen);
 }
 

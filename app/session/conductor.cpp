@@ -155,7 +155,8 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   study_.end_session(session_.row.id, end.state, rig_.clock().utc());
   if (end.state != SessionState::completed && !end.as_the_protocol_says) {
     publish_trouble(
-        phrase("Troubles", "%1 Every completed trial is stored.").with(end.reason.as_sentence()),
+        phrase("Troubles", "%1 Every completed trial is stored, and the session can be resumed.")
+            .with(end.reason.as_sentence()),
         SessionTrouble::Remedy::try_again);
   }
   course_.play(Cue::finished);
@@ -174,7 +175,9 @@ void Conductor::end_after(const std::exception& error) noexcept {
   try {
     course_.set_masking(false);
     course_.set_guiding_tones(false);
-    publish_trouble(phrase("Troubles", "%1; the force is zero, and every completed trial is stored")
+    publish_trouble(phrase("Troubles",
+                           "%1; the force is zero, and every completed trial is stored; fix the "
+                           "problem, then resume the session")
                         .with(phrase_of(error))
                         .as_sentence(),
                     SessionTrouble::Remedy::try_again);

@@ -72,7 +72,9 @@ std::optional<Phrase> record_output(const Study& study, OutputKind kind,
                      .path = std::filesystem::absolute(path).lexically_normal().string(),
                      .program_version = program_version()});
   } catch (const std::exception& error) {
-    return phrase("StudyOutputs", "%1 is complete, but the study does not list it: %2")
+    return phrase("StudyOutputs",
+                  "%1 is complete, but the study does not list it; keep a note of it in case a "
+                  "participant withdraws. The reason is: %2")
         .with(path.string(), phrase_of(error));
   }
   return {};

@@ -345,8 +345,9 @@ std::vector<double> usual_values(VariedQuantity varied) {
 std::vector<double> logarithmic_spacings(double from_m, double to_m, int count) {
   if (!(from_m > 0.0 && to_m > from_m && std::isfinite(to_m)) || count < 2) {
     throw std::invalid_argument(
-        "the first spacing must be above 0, the last spacing above the first, and the number of "
-        "spacings at least 2");
+        "the first spacing is " + number_text(from_m) + " m, the last one is " + number_text(to_m) +
+        " m, and their number is " + std::to_string(count) +
+        "; the first must be above 0, the last above the first, and the number at least 2");
   }
   std::vector<double> spacings_m{};
   for (int i = 0; i < count; ++i) {

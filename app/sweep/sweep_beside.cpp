@@ -329,8 +329,9 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
       lowest_m = std::min(lowest_m.value_or(height_m), height_m);
       highest_m = std::max(highest_m.value_or(height_m), height_m);
     } catch (const std::exception& error) {
-      remarks.push_back("the heights of the textures of " + protocol.name +
-                        " are unknown and were not compared: " + error.what());
+      remarks.push_back(
+          "the heights of the textures of " + protocol.name +
+          " are unknown and were not compared with those of the sweep: " + error.what());
       return;
     }
   }
@@ -341,7 +342,8 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
                                  ? height_text(*highest_m)
                                  : height_text(*lowest_m) + " to " + height_text(*highest_m);
   remarks.push_back("the height of the textures from trough to crest is " + height_text(here_m) +
-                    " in the sweep (--texture) and " + theirs + " in " + protocol.name);
+                    " in the sweep and " + theirs + " in " + protocol.name +
+                    "; for the same height, change --texture");
 }
 
 void compare_spacings(const SweepOrder& order, const Protocol& protocol,
@@ -371,7 +373,7 @@ void compare_spacings(const SweepOrder& order, const Protocol& protocol,
   if (is_alike(*first, *shortest, kSameNumber) && is_alike(*last, *longest, kSameNumber)) return;
   remarks.push_back(protocol.name + ' ' + both +
                     ": the figure shows the common spacings only, but the peak of the parabola is "
-                    "computed from all of them");
+                    "computed from all of them; for the same range, change --spacings");
 }
 
 void compare_material(const SweepOrder& order, const Protocol& protocol,
@@ -380,13 +382,14 @@ void compare_material(const SweepOrder& order, const Protocol& protocol,
   const Material& there = protocol.material;
   if (!is_alike(here.stiffness_N_per_m, there.stiffness_N_per_m, kSameNumber)) {
     remarks.push_back("the stiffness of the surface is " + number_text(here.stiffness_N_per_m) +
-                      " N/m in the sweep (--stiffness-n-per-m) and " +
-                      number_text(there.stiffness_N_per_m) + " N/m in " + protocol.name);
+                      " N/m in the sweep and " + number_text(there.stiffness_N_per_m) + " N/m in " +
+                      protocol.name + "; for the same stiffness, use --stiffness-n-per-m " +
+                      number_text(there.stiffness_N_per_m));
   }
   if (!is_alike(here.friction, there.friction, kSameNumber)) {
     remarks.push_back("the friction coefficient of the surface is " + number_text(here.friction) +
-                      " in the sweep (--friction) and " + number_text(there.friction) + " in " +
-                      protocol.name);
+                      " in the sweep and " + number_text(there.friction) + " in " + protocol.name +
+                      "; for the same friction, use --friction " + number_text(there.friction));
   }
 }
 
@@ -403,8 +406,8 @@ void compare_models(const SweepOrder& order, const Protocol& protocol,
     }
   }
   if (felt.empty() || felt == std::set<std::string>{here}) return;
-  remarks.push_back("the sweep uses the force model " + here + " (--model), and " + protocol.name +
-                    " uses " + listed({felt.begin(), felt.end()}));
+  remarks.push_back("the sweep uses the force model " + here + ", and " + protocol.name + " uses " +
+                    listed({felt.begin(), felt.end()}) + "; for the same model, change --model");
 }
 
 /// Compares the quantities that neither of the two varies.
@@ -419,16 +422,17 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
     if (has_none) continue;
     const QuantityByCondition by_condition(protocol, quantity);
     const double here = fixed_level(order, quantity);
-    const std::string sweep = "the sweep has " + quantity_text(quantity, here) + " (" +
-                              option_of(quantity) + "), and " + protocol.name + ' ';
+    const std::string sweep =
+        "the sweep has " + quantity_text(quantity, here) + ", and " + protocol.name + ' ';
+    const std::string remedy = std::string("; for the same value, change ") + option_of(quantity);
     if (const auto band = by_condition.band_without(here)) {
-      remarks.push_back(sweep + "requests " + level_text(quantity, *band));
+      remarks.push_back(sweep + "requests " + level_text(quantity, *band) + remedy);
     }
     const std::vector<double> theirs = by_condition.numbers();
     if (theirs.empty() || (theirs.size() == 1 && is_alike(theirs.front(), here, kSameNumber))) {
       continue;
     }
-    remarks.push_back(sweep + "has " + quantities_text(quantity, theirs));
+    remarks.push_back(sweep + "has " + quantities_text(quantity, theirs) + remedy);
   }
 }
 

@@ -55,8 +55,9 @@ void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonito
                           .options = {"yes", "no"}};
   if (monitor != nullptr) monitor->show(scene_of_form(question));
   if (respondent.answer(question, wait) != "yes") {
-    throw PhrasedError(
-        phrase("RunSession", "the participant did not agree to take part; nothing was stored"));
+    throw PhrasedError(phrase("RunSession",
+                              "the participant did not agree to take part, and nothing was stored; "
+                              "run the session with another participant"));
   }
 }
 

@@ -23,14 +23,17 @@ const std::vector<RemarkWords>& all_remarks() {
               "the handle moved away by more than %1 mm, and the force was switched off")},
       {DeviceRemark::along, "device_test_along_axis", phrase("DeviceTest", "along %1 %2")},
       {DeviceRemark::not_measured, "device_test_not_measured",
-       phrase("DeviceTest", "Not measured: %1.")},
+       phrase("DeviceTest",
+              "Not measured: %1. If this value is needed, fix the cause and measure the device "
+              "again.")},
       {DeviceRemark::of_this_computer, "device_test_simulated",
        phrase("DeviceTest",
               "Measured on a simulated device: the value characterises this computer.")},
       {DeviceRemark::nothing_felt, "device_test_no_surface",
        phrase("DeviceTest", "No surface was presented.")},
       {DeviceRemark::did_not_run, "device_test_loop_did_not_run",
-       phrase("DeviceTest", "The servo loop did not run: %1")},
+       phrase("DeviceTest",
+              "The servo loop did not run: %1. Fix the cause, then measure the device again.")},
       {DeviceRemark::force_of_nothing, "device_test_force_without_surface",
        phrase("DeviceTest", "Largest force sent without a surface.")},
       {DeviceRemark::noise, "device_test_position_noise",
@@ -94,15 +97,20 @@ const std::vector<RemarkWords>& all_remarks() {
       {DeviceRemark::nothing_moves_it, "device_test_no_push_moved",
        phrase("DeviceTest", "no push up to %1 N moved the handle")},
       {DeviceRemark::nobody_moved_it, "device_test_workspace_not_explored",
-       phrase("DeviceTest", "The handle was not moved along the borders of its workspace.")},
+       phrase("DeviceTest",
+              "The handle was not moved along the borders of its workspace; measure the device "
+              "again, and move the handle along them.")},
       {DeviceRemark::no_readings, "device_test_no_readings",
-       phrase("DeviceTest", "There were no readings.")},
+       phrase("DeviceTest",
+              "There were no readings of the position; check the cable, and measure the device "
+              "again.")},
       {DeviceRemark::share_reached, "device_test_workspace_reached",
        phrase("DeviceTest",
               "The smallest fraction of the declared workspace that the handle reached along an "
               "axis.")},
       {DeviceRemark::not_known, "device_test_unknown_trait",
-       phrase("DeviceTest", "Unknown for %1, which the simulated device models.")},
+       phrase("DeviceTest",
+              "Unknown for %1, which the simulated device models; measure the real device.")},
   };
   return kRemarks;
 }

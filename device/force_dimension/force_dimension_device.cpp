@@ -332,7 +332,8 @@ std::string ForceDimensionDevice::trouble() const {
   const std::uint64_t saturated = saturated_.load();
   if (saturated > 0) {
     tell("The motors of " + who + " exerted less force than requested on " +
-         std::to_string(saturated) + (saturated == 1 ? " occasion." : " occasions."));
+         std::to_string(saturated) + (saturated == 1 ? " occasion" : " occasions") +
+         ". If this recurs, lower the forces that the protocol requests.");
   }
   return sentences;
 }

@@ -35,7 +35,8 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
     }
     if (one_is_used) {
       device.hindrance =
-          "The model of this device cannot be read while another Force Dimension device is in use.";
+          "The model of this device cannot be read while another Force Dimension device is in use: "
+          "close that one, then search again.";
       survey.attached.push_back(device);
       continue;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <vector>
@@ -40,7 +41,9 @@ Inverse3Shutdown Inverse3Shutdown::over(int file, std::string_view message) {
   frame.insert(frame.end(), message.begin(), message.end());
   Inverse3Shutdown zero{.file = file, .length = frame.size()};
   if (frame.size() > zero.frame.size()) {
-    throw std::length_error("the message for the Inverse Service is too long for its frame");
+    throw std::length_error("the message for the Inverse Service takes a frame of " +
+                            std::to_string(frame.size()) + " bytes; it must have at most " +
+                            std::to_string(zero.frame.size()) + ": shorten the message");
   }
   std::copy(frame.begin(), frame.end(), zero.frame.begin());
   return zero;

@@ -61,21 +61,23 @@ std::string HdFunctions::name_of(const Error& error) const {
     case 0x0200:
       return "HD_WARM_MOTORS (its motors are warm: let them cool)";
     case 0x0201:
-      return "HD_EXCEEDED_MAX_FORCE (more force was requested than it can exert)";
+      return "HD_EXCEEDED_MAX_FORCE (more force was requested than it can exert: lower "
+             "force_limit_N of the protocol)";
     case 0x0202:
-      return "HD_EXCEEDED_MAX_FORCE_IMPULSE (the force changed too fast for it)";
+      return "HD_EXCEEDED_MAX_FORCE_IMPULSE (the force changed too fast for it: lower the "
+             "stiffness or the amplitude of the texture)";
     case 0x0203:
-      return "HD_EXCEEDED_MAX_VELOCITY (it was moved too fast)";
+      return "HD_EXCEEDED_MAX_VELOCITY (it was moved too fast: move it more slowly)";
     case 0x0204:
-      return "HD_FORCE_ERROR (its force failed)";
+      return "HD_FORCE_ERROR (its force failed: check its power and its cable)";
     case 0x0300:
-      return "HD_DEVICE_FAULT (the device reports a fault)";
+      return "HD_DEVICE_FAULT (the device reports a fault: switch it off and on)";
     case 0x0301:
-      return "HD_DEVICE_ALREADY_INITIATED (another session or program uses it)";
+      return "HD_DEVICE_ALREADY_INITIATED (another session or program uses it: end that one first)";
     case 0x0302:
       return "HD_COMM_ERROR (it does not respond: check its power and its cable)";
     case 0x0304:
-      return "HD_TIMER_ERROR (its clock failed)";
+      return "HD_TIMER_ERROR (its clock failed: open the device again)";
     default: {
       const char* words = hdGetErrorString(error.code);
       return words == nullptr ? "error " + std::to_string(error.code) : words;

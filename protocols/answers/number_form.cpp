@@ -17,7 +17,9 @@ std::vector<std::string> problems_with(const TrialQuestion&, const NumberForm&,
                                        const AnsweredItem& stored) {
   const std::optional<double> number = stored_number(stored.answer);
   if (number && *number > 0.0 && number == stored.number) return {};
-  return {"the response is not a number above 0, or differs from the number stored with it"};
+  return {
+      "the response is not a number above 0, or differs from the number stored with it; restore "
+      "the study from a copy"};
 }
 
 std::string label_of(const TrialQuestion&, const NumberForm&, const std::string& stored) {

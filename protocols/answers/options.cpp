@@ -21,10 +21,13 @@ std::vector<std::string> problems_with_option(const TrialQuestion& question,
   const bool is_option =
       std::any_of(question.options.begin(), question.options.end(),
                   [&stored](const Option& option) { return option.value == stored.answer; });
-  if (!is_option) problems.emplace_back("the response is not among the options of the trial");
+  if (!is_option)
+    problems.emplace_back(
+        "the response is not among the options of the trial; restore the study from a copy");
   if (is_correct(question, stored.item, stored.answer) != stored.correct) {
     problems.emplace_back(
-        "the response is not marked correct or incorrect as in the planned trial");
+        "the response is not marked correct or incorrect as in the planned trial; restore the "
+        "study from a copy");
   }
   return problems;
 }

@@ -42,7 +42,9 @@ std::vector<AnsweredItem> items_of(const TrialQuestion& question, const ScaleFor
 std::vector<std::string> problems_with(const TrialQuestion&, const ScaleForm& form,
                                        const AnsweredItem& stored) {
   if (stored_step(form, stored.answer) && stored_number(stored.answer) == stored.number) return {};
-  return {"the response is not a point of the scale, or differs from the number stored with it"};
+  return {
+      "the response is not a point of the scale, or differs from the number stored with it; "
+      "restore the study from a copy"};
 }
 
 std::string label_of(const TrialQuestion&, const ScaleForm& form, const std::string& stored) {

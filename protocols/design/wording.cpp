@@ -82,7 +82,7 @@ std::string unknown_name(std::string_view what, const std::string& name,
   const std::string guess = did_you_mean(name, declared);
   return "there is no " + std::string(what) + " " + in_quotes(name) +
          (!guess.empty()     ? guess
-          : declared.empty() ? "; none is declared"
+          : declared.empty() ? "; none is declared: declare it, or remove the name"
                              : "; declared: " + one_of(declared));
 }
 

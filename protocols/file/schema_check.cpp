@@ -167,7 +167,7 @@ std::string sentence(const std::string& description, const json& schema, const j
     } else {
       wanted = type_in_words(type.get<std::string>());
     }
-    return shown(value) + " is not " + wanted + purpose;
+    return shown(value) + " is not permitted here: write " + wanted + purpose;
   }
   if (starts("Expected number")) {
     const bool low = description.find("greater") != std::string::npos;
@@ -180,14 +180,14 @@ std::string sentence(const std::string& description, const json& schema, const j
            shown_bound(bound) + purpose;
   }
   if (starts("Failed to match regex")) {
-    return shown(value) + " does not have the required form" + purpose;
+    return shown(value) + " does not have the required form; correct it" + purpose;
   }
   if (starts("Array should contain")) {
     const bool few = schema.contains("minItems") && value.size() < schema.at("minItems");
     return std::to_string(value.size()) +
            (value.size() == 1 ? " entry is too " : " entries are too ") +
-           (few ? "few: at least " + schema.at("minItems").dump()
-                : "many: at most " + schema.at("maxItems").dump()) +
+           (few ? "few: write at least " + schema.at("minItems").dump()
+                : "many: write at most " + schema.at("maxItems").dump()) +
            purpose;
   }
   if (starts("String should be no fewer")) return "this text is empty; enter a text" + purpose;

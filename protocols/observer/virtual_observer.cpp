@@ -10,7 +10,10 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
+#include "analysis/number_text.h"
 #include "analysis/roughness.h"
 
 namespace asperity {
@@ -21,8 +24,8 @@ double evidence(const ForceFeatures& felt, const ForceFeatures& expected) {
   return -0.5 * squared_distance(felt, expected);
 }
 
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
+void require(bool holds, std::string_view what) {
+  if (!holds) throw std::invalid_argument(std::string(what));
 }
 
 }  // namespace
@@ -38,8 +41,10 @@ NumberHabit number_habit_of(Random person) {
 
 VirtualObserver::VirtualObserver(const ObserverDeclaration& declaration, Random random)
     : declaration_(declaration), random_(random) {
-  require(declaration.feature_noise >= 0.0, "feature_noise must be at least 0");
-  require(declaration.lapse >= 0.0 && declaration.lapse <= 1.0, "lapse must be between 0 and 1");
+  require(declaration.feature_noise >= 0.0,
+          "feature_noise is " + number_text(declaration.feature_noise) + "; it must be at least 0");
+  require(declaration.lapse >= 0.0 && declaration.lapse <= 1.0,
+          "lapse is " + number_text(declaration.lapse) + "; it must be from 0 to 1");
 }
 
 bool VirtualObserver::lapses() {
@@ -74,7 +79,7 @@ std::size_t VirtualObserver::best_of(std::span<const double> evidences) {
 
 std::size_t VirtualObserver::select(std::span<const ForceFeatures> felt,
                                     const ForceFeatures& expected) {
-  require(!felt.empty(), "a selection needs at least one felt surface");
+  require(!felt.empty(), "felt is empty; a selection needs at least one felt surface");
   std::vector<double> evidences{};
   for (const ForceFeatures& each : felt) evidences.push_back(evidence(perceived(each), expected));
   evidences.front() += declaration_.position_bias;
@@ -83,7 +88,7 @@ std::size_t VirtualObserver::select(std::span<const ForceFeatures> felt,
 
 std::size_t VirtualObserver::recognise(const ForceFeatures& felt,
                                        std::span<const ForceFeatures> expected) {
-  require(!expected.empty(), "a recognition needs at least one expectation");
+  require(!expected.empty(), "expected is empty; a recognition needs at least one expectation");
   const ForceFeatures noisy = perceived(felt);
   std::vector<double> evidences{};
   for (const ForceFeatures& each : expected) evidences.push_back(evidence(noisy, each));
@@ -95,7 +100,7 @@ std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> f
                                                 std::span<const ForceFeatures> expected) {
   constexpr std::size_t kMost = 8;  // all 8! = 40 320 assignments are evaluated
   require(!felt.empty() && felt.size() == expected.size() && felt.size() <= kMost,
-          "match needs as many felt surfaces as expectations, 1 to 8");
+          "felt and expected must have the same number of entries, from 1 to 8");
   const std::size_t n = felt.size();
   std::vector<ForceFeatures> noisy{};
   for (const ForceFeatures& each : felt) noisy.push_back(perceived(each));
@@ -171,7 +176,7 @@ double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& h
 }
 
 std::size_t VirtualObserver::guess(std::size_t options) {
-  require(options > 0, "a guess needs at least one option");
+  require(options > 0, "options is 0; a guess needs at least one option");
   return static_cast<std::size_t>(random_.below(options));
 }
 

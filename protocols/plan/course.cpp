@@ -292,7 +292,10 @@ std::vector<Trial> Course::possible_next() const {
 }
 
 void Course::advance(const TrialOutcome& outcome) {
-  if (!tracks_) throw std::logic_error("the plan of the session is complete");
+  if (!tracks_)
+    throw std::logic_error(
+        "Course::advance must not be called: the plan of the session is complete, and no trial "
+        "follows; call it only while the course has a next trial");
   std::optional<LevelAnswer> answer{};
   if (outcome.answer) {
     const Dimension& dimension = *tracks_->run().block->vary;

@@ -48,7 +48,7 @@ void require_place(std::span<const AdjacentPatch> patches, std::size_t index,
                    const SurfacePatch& workspace, double blend_m) {
   const SurfacePatch& patch = patches[index].inputs.patch;
   if (std::abs(patch.centre_m.z - workspace.centre_m.z) > kSame_m) {
-    refuse(index, "must lie in the plane of the workspace");
+    refuse(index, "does not lie in the plane of the workspace; give its centre the same z");
   }
   for (int axis = 0; axis < 2; ++axis) {
     if (lowest_of(patch)[axis] < lowest_of(workspace)[axis] - kSame_m ||
@@ -56,7 +56,8 @@ void require_place(std::span<const AdjacentPatch> patches, std::size_t index,
       refuse(index, "extends beyond the workspace; make it smaller");
     }
     if (2.0 * blend_m > patch.extent_m[axis]) {
-      refuse(index, "must be at least twice as wide as its blend");
+      refuse(index,
+             "is less than twice as wide as its blend; make it wider, or the blend narrower");
     }
   }
   for (std::size_t other = 0; other < index; ++other) {

@@ -18,12 +18,13 @@ RecursiveNoise::RecursiveNoise(const Settings& settings, const Random& noise)
       steps_per_m_(settings.steps_per_m) {
   if (order_ > kMostCoefficients) {
     throw std::invalid_argument(
-        "RecursiveNoise::Settings::coefficients must have at most 4 entries");
+        "RecursiveNoise::Settings::coefficients has more than 4 entries; at most 4 are possible");
   }
   const std::optional<Predictors> predictors = stationary_predictors(settings.coefficients);
   if (!predictors) {
     throw std::invalid_argument(
-        "RecursiveNoise::Settings::coefficients must be those of a stationary process");
+        "RecursiveNoise::Settings::coefficients are not those of a stationary process; choose "
+        "coefficients whose roots are inside the unit circle");
   }
   std::copy(settings.coefficients.begin(), settings.coefficients.end(), coefficients_.begin());
   gain_ = sd_ * std::sqrt(predictors->error_variance.back());

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "analysis/random.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"
@@ -24,8 +25,9 @@ std::vector<double> recursion_of(const ParameterValues& parameters) {
   const double length_m = number_of(parameters, "noise_length_m");
   if (peak_m <= 0.0) return {r};
   if (peak_m < 2.0 * length_m) {
-    throw std::invalid_argument(
-        "peak_wavelength_m must be at least twice noise_length_m, or 0 for a low-pass");
+    throw std::invalid_argument("filtered_noise: peak_wavelength_m is " + number_text(peak_m) +
+                                "; it must be at least twice noise_length_m, " +
+                                number_text(2.0 * length_m) + ", or 0 for a low-pass");
   }
   return {2.0 * r * std::cos(2.0 * std::numbers::pi * length_m / peak_m), -r * r};
 }

@@ -5,13 +5,15 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
 #include "renderers/servo/servo_time.h"
 
 namespace asperity {
 
 std::vector<RenderedTick> along_path(ForceRenderer& renderer, std::span<const ProbeState> path,
                                      double rate_Hz) {
-  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz must be positive");
+  if (!(rate_Hz > 0.0))
+    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
   std::vector<RenderedTick> ticks;
   ticks.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {

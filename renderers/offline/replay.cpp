@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
 #include "renderers/servo/servo_time.h"
 
 namespace asperity {
 
 std::vector<RenderedTick> replay(ForceRenderer& renderer, std::span<const TickRecord> records,
                                  double rate_Hz) {
-  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz must be positive");
+  if (!(rate_Hz > 0.0))
+    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
   std::vector<RenderedTick> ticks;
   ticks.reserve(records.size());
   bool was_asked = false;

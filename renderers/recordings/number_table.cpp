@@ -48,7 +48,8 @@ NumberTable number_table_in(
     }
     if (cells.size() != table.columns.size()) {
       refuse_table_line(name, line_number,
-                        "the row has " + counted(cells.size(), "cell", "cells") + "; it needs " +
+                        "the row has " + counted(cells.size(), "cell", "cells") +
+                            "; give it one cell for each of the columns, " +
                             std::to_string(table.columns.size()));
     }
     NumberTable::Row row{.line = line_number, .cells = std::vector<double>(cells.size())};
@@ -58,8 +59,8 @@ NumberTable number_table_in(
       if (read.ec != std::errc() || read.ptr != cell.data() + cell.size() ||
           !std::isfinite(row.cells[i])) {
         refuse_table_line(name, line_number,
-                          "the column " + table.columns[i] + " needs a finite number, not \"" +
-                              std::string(cell) + '"');
+                          "the column " + table.columns[i] + " has \"" + std::string(cell) +
+                              "\", which is not a finite number; correct it");
       }
     }
     table.rows.push_back(std::move(row));

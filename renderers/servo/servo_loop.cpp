@@ -126,7 +126,8 @@ ServoLoop::~ServoLoop() {
 void ServoLoop::present(Presentation presentation) {
   if (!presentation.renderer)
     throw std::invalid_argument("Presentation::renderer is missing; set it");
-  if (presentation.id == 0) throw std::invalid_argument("Presentation::id must not be 0");
+  if (presentation.id == 0)
+    throw std::invalid_argument("Presentation::id is 0; set it to another number");
   if (inbox_.load(std::memory_order_acquire) != nullptr) {
     throw std::logic_error("a presentation is already waiting for the servo loop");
   }

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 namespace {
@@ -84,7 +86,8 @@ Neighbours neighbours(double u, std::size_t count, Tiling tiling) noexcept {
 HeightField::HeightField(const Grid& grid, std::vector<float> heights_m)
     : grid_(grid), heights_m_(std::move(heights_m)) {
   if (!std::isfinite(grid.pitch_m) || grid.pitch_m <= 0.0) {
-    throw std::invalid_argument("pitch_m of a height field must be a positive length in metres.");
+    throw std::invalid_argument("pitch_m of a height field is " + number_text(grid.pitch_m) +
+                                "; it must be a positive length in metres.");
   }
   if (grid.rows < 2 || grid.columns < 2) {
     throw std::invalid_argument("rows and columns of a height field must each be at least 2; got " +

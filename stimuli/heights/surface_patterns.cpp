@@ -61,7 +61,8 @@ Heights make_cones(const ParameterValues& values, const SurfaceCanvas& canvas) {
   const double top_share =
       number_of(values, "top_diameter_m") / number_of(values, "base_diameter_m");
   if (top_share >= 1.0) {
-    throw std::invalid_argument("cones: top_diameter_m must be smaller than base_diameter_m.");
+    throw std::invalid_argument(
+        "cones: top_diameter_m is not smaller than base_diameter_m; make it smaller.");
   }
   const double shift_m = number_of(values, "jitter") * spacing_m;
   Random random = Random(canvas.seed).split("cones");
@@ -93,7 +94,7 @@ Heights make_noise(const ParameterValues& values, const SurfaceCanvas& canvas) {
   const double exponent = number_of(values, "exponent");
   if (lowest_per_m >= highest_per_m) {
     throw std::invalid_argument(
-        "noise: shortest_wavelength_m must be shorter than longest_wavelength_m.");
+        "noise: shortest_wavelength_m is not shorter than longest_wavelength_m; make it shorter.");
   }
   Heights heights_m = spectral_noise(canvas, "noise", [&](const Wavenumber& at) {
     const double wavenumber_per_m = std::hypot(at.x_per_m, at.y_per_m);

@@ -427,7 +427,8 @@ std::optional<std::string> warning_of(const BakeReport& report) {
 BakedMesh bake_texture(const TriangleMesh& original, const TriangleMesh& simplified,
                        const BakeSettings& settings, const Workers& workers) {
   if (original.triangles.empty() || simplified.triangles.empty()) {
-    throw std::invalid_argument("the original and the simplified mesh must have triangles.");
+    throw std::invalid_argument(
+        "the original or the simplified mesh has no triangles; use meshes with triangles.");
   }
   return Baking(original, simplified, settings, workers).run();
 }

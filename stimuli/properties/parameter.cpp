@@ -90,8 +90,8 @@ ParameterValues complete_values(std::string_view of, const std::vector<Parameter
 double number_of(const ParameterValues& values, std::string_view name) {
   const auto found = values.find(name);
   if (found == values.end() || !std::holds_alternative<double>(found->second)) {
-    throw std::invalid_argument("No number is given for the parameter " + std::string(name) +
-                                "; give one.");
+    throw std::invalid_argument("The parameter " + std::string(name) +
+                                " has no number; set it to a number.");
   }
   return std::get<double>(found->second);
 }
@@ -99,8 +99,8 @@ double number_of(const ParameterValues& values, std::string_view name) {
 const std::string& choice_of(const ParameterValues& values, std::string_view name) {
   const auto found = values.find(name);
   if (found == values.end() || !std::holds_alternative<std::string>(found->second)) {
-    throw std::invalid_argument("No choice is given for the parameter " + std::string(name) +
-                                "; give one.");
+    throw std::invalid_argument("The parameter " + std::string(name) +
+                                " has no choice; set it to one of its choices.");
   }
   return std::get<std::string>(found->second);
 }

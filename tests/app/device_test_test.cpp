@@ -106,7 +106,7 @@ TEST(DeviceTest, LeavesOutOfAStandInWhatIsNotKnownOfTheRealOne) {
     EXPECT_FALSE(item(delta, name).value) << name;
     EXPECT_TRUE(item(delta, name).by_axis.empty()) << name;
     EXPECT_EQ(item(delta, name).text.english(),
-              "Unknown for delta.3, which the simulated device models.");
+              "Unknown for delta.3, which the simulated device models; measure the real device.");
   }
   EXPECT_EQ(item(delta, "friction_N").limit, 0.5) << "it is open whether it is kept";
   EXPECT_TRUE(delta.responses.empty()) << "they are its virtual hand's";
@@ -186,7 +186,7 @@ TEST(DeviceProfile, SaysWhichLimitsWereKeptAndWhichNobodyLookedAt) {
   const DeviceItem open{.name = "workspace_reached", .limit = 0.8};
   profile.items.push_back(open);
   EXPECT_EQ(verdict_on(profile).english(),
-            "Not measured, although a limit applies: workspace_reached.");
+            "Not measured, although a limit applies: workspace_reached. Measure the device again.");
   EXPECT_TRUE(profile.has_open_limit());
   profile.items = {{.name = "limiter", .status = Status::pass}, {.name = "latency_s"}};
   EXPECT_EQ(verdict_on(profile).english(), "The device met every limit.");
@@ -194,14 +194,15 @@ TEST(DeviceProfile, SaysWhichLimitsWereKeptAndWhichNobodyLookedAt) {
   profile.items.push_back(open);
   EXPECT_EQ(verdict_on(profile).english(),
             "The device met every limit that was measured. Not measured, although a limit applies: "
-            "workspace_reached.");
+            "workspace_reached. Measure the device again.");
   EXPECT_EQ(verdict_on(profile, [](const std::string& item) { return '<' + item + '>'; }).english(),
             "The device met every limit that was measured. Not measured, although a limit applies: "
-            "<workspace_reached>.");
+            "<workspace_reached>. Measure the device again.");
   profile.items.front().status = Status::fail;
   EXPECT_EQ(verdict_on(profile).english(),
-            "The device did not meet every limit: limiter. Not measured, although a limit applies: "
-            "workspace_reached.");
+            "The device did not meet every limit: limiter. Repair it and measure it again, or "
+            "choose another device. Not measured, although a limit applies: workspace_reached. "
+            "Measure the device again.");
 }
 
 // 50 g on 2000 N/m, 1 N·s/m: √(2000 / 0.05) / 2π = 31.8 Hz, and a peak ten times as high as the mass.

@@ -533,7 +533,7 @@ TEST_F(FeelingAgain, IsRefusedWhereTheProtocolDoesNotAllowIt) {
   press(1.0, Kind::next);
   press(1.1, Kind::surface, 2);
   look(1.5, [](const ParticipantScene& scene) {
-    EXPECT_EQ(scene.cue, "The surfaces cannot be felt again.");
+    EXPECT_EQ(scene.cue, "The surfaces cannot be felt again. Please answer without feeling them.");
     EXPECT_EQ(scene.cue_number, 2U);
   });
   const Reply reply = ask(trial, 2.0);
@@ -1141,9 +1141,9 @@ TEST_F(DeviceButtons, GivePicturesToOneSurfaceAfterTheOther) {
   confirm();  // C gets 3
   confirm();  // and that is the answer
   EXPECT_EQ(options_of(ask(matching())), (Options{1, 0, 2}));
-  EXPECT_THAT(sound_.cues(), testing::ElementsAre("option 1", "option 2", "surface 2", "option 1",
-                                                  "surface 3", "option 1", "option 2", "option 3",
-                                                  "question"));
+  EXPECT_THAT(sound_.cues(),
+              testing::ElementsAre("option 1", "option 2", "surface 2", "option 1", "surface 3",
+                                   "option 1", "option 2", "option 3", "question"));
 }
 
 TEST_F(DeviceButtons, AnswerTheChoicesOfAForm) {

@@ -123,7 +123,7 @@ TEST(ResponseTimes, AreARemarkWhereNoneIsStored) {
   const AnalysisOutcome outcome = analyze_recognition_of({{timed_trial(1, "metal", {})}});
   EXPECT_THROW(times_in(outcome), std::runtime_error);
   EXPECT_TRUE(std::any_of(outcome.remarks.begin(), outcome.remarks.end(), [](const Phrase& one) {
-    return one.english() == "No trial has a stored response time.";
+    return one.english() == "No trial has a stored response time; collect responses first.";
   }));
 }
 

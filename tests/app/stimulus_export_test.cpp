@@ -239,12 +239,15 @@ TEST_P(NoCounts, HaveNoFileAndTheExportSaysWhy) {
 INSTANTIATE_TEST_SUITE_P(
     Reasons, NoCounts,
     testing::Values(NothingToFit{R"({"texture": "stone", "column": 1})", SessionState::completed,
-                                 "no factor of the trials has numeric levels. The levels of the "
-                                 "factor column are repetitions."},
+                                 "no factor of the trials has numeric levels (those of the factor "
+                                 "column are repetitions). Use the other tables, or vary a factor "
+                                 "with numeric levels."},
                     NothingToFit{R"({"spacing_m": 0.01})", SessionState::completed,
-                                 "no participant has choices at two levels of a numeric factor."},
+                                 "no participant has choices at two levels of a numeric factor. "
+                                 "Complete more trials, then export again."},
                     NothingToFit{R"({"spacing_m": 0.01})", SessionState::stopped,
-                                 "no completed session has choices that count in analyses."}));
+                                 "no completed session has choices that count in analyses. "
+                                 "Complete a session, then export again."}));
 
 TEST(Export, StatesThatAStudyWithoutSessionsHasNoFilesForOtherPrograms) {
   MadeUpStudy made;

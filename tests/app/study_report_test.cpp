@@ -15,6 +15,7 @@
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/tidy/finding_list.h"
 #include "app/records/session_conditions.h"
 #include "app/report/text/report_numbers.h"
 #include "app/report/text/report_sections.h"
@@ -259,7 +260,8 @@ TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
   trials[0].phase = "practice";
   made.add_session("p1", protocol, trials);
   const Report report = study_report(made.study(), {});
-  EXPECT_THAT(words_of(report.chapters.at(1)), HasSubstr("There are no responses yet."));
+  EXPECT_THAT(words_of(report.chapters.at(1)),
+              HasSubstr("There are no responses yet; run a session first."));
   EXPECT_THAT(words_of(report.chapters.at(1)),
               HasSubstr("No attempt at a trial of the main phase is stored. One attempt belongs to "
                         "practice and is not included in the results."));
@@ -934,7 +936,7 @@ TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) 
     finding.status = status;
     return finding;
   };
-  const char* undefined = "this number is not defined for these data";
+  const char* undefined = kNotDefined;
   AnalysisOutcome outcome{};
   outcome.findings = {without("pooled.quad.vs.linear.F", "s1", "roughness", undefined),
                       without("peak.se.log10.pooledOLS", "s3", "roughness", undefined),

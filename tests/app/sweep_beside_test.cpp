@@ -152,17 +152,17 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
     const std::vector<std::string> remarks = beside(order, force).remarks;
     return remarks.size() == 1 ? remarks.front() : std::to_string(remarks.size()) + " remarks";
   };
-  EXPECT_THAT(
-      remark([](SweepOrder& order) {
-        order.texture.values = {{"amplitude_m", 2e-4}};
-      }),
-      HasSubstr(
-          "from trough to crest is 0.4 mm in the sweep (--texture) and 0.2 mm in roughness_force"));
-  EXPECT_THAT(
-      remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
-      HasSubstr("1000 N/m in the sweep (--stiffness-n-per-m) and 3000 N/m in roughness_force"));
+  EXPECT_THAT(remark([](SweepOrder& order) {
+                order.texture.values = {{"amplitude_m", 2e-4}};
+              }),
+              HasSubstr("from trough to crest is 0.4 mm in the sweep and 0.2 mm in "
+                        "roughness_force; for the same height, change --texture"));
+  EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
+              HasSubstr("1000 N/m in the sweep and 3000 N/m in roughness_force; for the same "
+                        "stiffness, use --stiffness-n-per-m 3000"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.friction = 0.0; }),
-              HasSubstr("is 0 in the sweep (--friction) and 0.2 in roughness_force"));
+              HasSubstr("is 0 in the sweep and 0.2 in roughness_force; for the same friction, use "
+                        "--friction 0.2"));
   EXPECT_THAT(remark([](SweepOrder& order) {
                 order.spacings_m = {0.0005, 0.008};
               }),
@@ -194,8 +194,8 @@ TEST_F(SweepBesideTest, SaysThatItIsOutsideABandWithoutATarget) {
   EXPECT_THAT(remarks_at(0.04, band), IsEmpty());
   EXPECT_THAT(remarks_at(0.08, band), IsEmpty());
   EXPECT_THAT(remarks_at(0.1, band),
-              ElementsAre("the sweep has 100 mm/s (--exploratory-speed-m-per-s), and "
-                          "roughness_force requests 40 mm/s to 80 mm/s"));
+              ElementsAre("the sweep has 100 mm/s, and roughness_force requests 40 mm/s to 80 "
+                          "mm/s; for the same value, change --exploratory-speed-m-per-s"));
   EXPECT_THAT(remarks_at(0.1, {{"minimum", 0.12}}), ElementsAre(HasSubstr("120 mm/s or more")));
   EXPECT_THAT(remarks_at(0.1, {{"maximum", 0.08}}), ElementsAre(HasSubstr("80 mm/s or less")));
 }

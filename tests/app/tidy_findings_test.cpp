@@ -68,7 +68,7 @@ TEST(FamilyOptions, AreRefusedInSentences) {
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.texts("items"); }),
             "the option \"items\" is missing and has no default; give it a value");
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.number("target"); }),
-            "the option \"target\" must be a number");
+            "the option \"target\" is not a number; set it to a number");
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.confidence(); }),
             "the option \"conf\" is 95; it must lie between 0 and 1");
   EXPECT_THAT(refusal_of<std::runtime_error>([] { FamilyOptions::of_json("{", "o.json"); }),
@@ -238,7 +238,7 @@ TEST(TableFindings, SayWhyThereIsNoNumber) {
   const TidyInput input = input_of("id,k,n,p0\nnobody,0,0,0.5\n", "{}");
   const TableFindings findings{.kind = "proportion", .findings = proportion_findings(input)};
   EXPECT_THAT(reading_text_of(findings),
-              HasSubstr("! no_data: there are no trials: nothing can be estimated"));
+              HasSubstr("! no_data: n is 0, so that nothing can be estimated"));
 }
 
 TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
@@ -255,13 +255,14 @@ TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
               ranking_findings(input_of("subject,trial,item,rank\nx,1,a,1\nx,1,b,1\n",
                                         R"({"items": ["a", "b"]})"));
             }),
-            "table.csv:3:4: the rank occurs twice in its trial; give each item its own rank, or "
+            "table.csv:3:4: the rank 1 occurs twice in its trial; give each item its own rank, or "
             "analyse tied items with the family \"rating\"");
-  EXPECT_EQ(refusal_of<std::runtime_error>([] {
-              selection_findings(input_of("subject,sample,choice\nx,1,a\n",
-                                          R"({"renderers": ["a", "b"], "target": "c"})"));
-            }),
-            "the option \"target\" must be one of two or more \"renderers\", not \"c\"");
+  EXPECT_EQ(
+      refusal_of<std::runtime_error>([] {
+        selection_findings(input_of("subject,sample,choice\nx,1,a\n",
+                                    R"({"renderers": ["a", "b"], "target": "c"})"));
+      }),
+      "the option \"target\" is \"c\", which \"renderers\" does not name; choose one of them");
 }
 
 TEST(TidyFamilies, AnswerOneParticipantAndOneRow) {

@@ -82,21 +82,22 @@ TEST(TidyRefusals, NameTheTrackAndTheOptionOfItsRule) {
   EXPECT_EQ(refusal("a,1,1\na,1,0\n", one),
             "t.csv:3:2: the track a already has a trial 1; number the trials of a track in order");
   EXPECT_EQ(refusal("a,1,2\n", one),
-            "t.csv:2:3: the response must be 1 (correct) or 0 (incorrect), or empty");
+            "t.csv:2:3: response is 2; it must be 1 (correct) or 0 (incorrect), or empty");
   EXPECT_THAT(refusal(",1,1\n", one), HasSubstr("t.csv:2:1"));
   EXPECT_EQ(refusal("a,1,1\n", "{}"),
             "the option \"tracks\" is missing and has no default; give it a value");
-  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": 3})"), HasSubstr("must be an object"));
+  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": 3})"), HasSubstr("is empty or not an object"));
   EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": 3}})"),
-              HasSubstr("\"tracks.a\" must be an object of options"));
+              HasSubstr("\"tracks.a\" is not an object; set it to options with their values"));
   EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": {"start": 5}}})"),
               HasSubstr("tracks.a: the option \"scale\" is missing"));
   EXPECT_EQ(refusal("a,1,1\n", R"({"tracks": {"a": {)" + rule + R"(, "min": 6}}})"),
-            "tracks.a: start must lie between the bounds; correct the rule");
+            "tracks.a: start is 5; it must lie between the bounds, min and max; correct the rule");
   EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": {)" + rule + R"(, "discrad": 6}}})"),
               HasSubstr("tracks.a: there is no option \"discrad\"; did you mean \"discard\"?"));
-  EXPECT_THAT(refusal("a,1,1\n", R"({"tracks": {"a": {)" + rule + R"(, "even": 1}}})"),
-              HasSubstr("tracks.a: the option \"even\" must be true or false"));
+  EXPECT_THAT(
+      refusal("a,1,1\n", R"({"tracks": {"a": {)" + rule + R"(, "even": 1}}})"),
+      HasSubstr("tracks.a: the option \"even\" is neither true nor false; set it to one of them"));
   EXPECT_EQ(word_of(findings_of("staircase", "track,trial,response\na,1,1\n", one), "threshold"),
             "insufficient_reversals");
 }
@@ -111,7 +112,8 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
                            R"({"items": ["a", "b"]})"),
             "")
       << "no score is none";
-  const std::string once = "; there must be one row per participant, with one group";
+  const std::string once =
+      "; there must be one row per participant, with one group. Remove or rename one of the rows";
   EXPECT_EQ(
       family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
       "t.csv:4:1: \"A\" occurs a second time" + once);
@@ -120,25 +122,29 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
       "t.csv:4:1: \"A\" occurs a second time" + once);
   EXPECT_EQ(family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
             "t.csv:3:1: \"A\" occurs a second time" + once);
-  EXPECT_EQ(family_refusal("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,2,2,0.5\n", "[]"),
-            "t.csv:4:1: \"x\" occurs a second time; there must be one row per count of hits");
-  EXPECT_EQ(family_refusal("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n",
-                           "[]"),
-            "t.csv:3:1: \"x\" occurs a second time; there must be one row per plan");
+  EXPECT_EQ(
+      family_refusal("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,2,2,0.5\n", "[]"),
+      "t.csv:4:1: \"x\" occurs a second time; there must be one row per count of hits. Remove "
+      "or rename one of the rows");
+  EXPECT_EQ(
+      family_refusal("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n",
+                     "[]"),
+      "t.csv:3:1: \"x\" occurs a second time; there must be one row per plan. Remove or rename "
+      "one of the rows");
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
                            "A,2,x,x,M\nA,2,y,y,M\n",
                            "[]"),
-            "t.csv:4:5: A is in two groups; a participant must be in one");
-  const std::string times =
-      "the number of trials differs between rows of the same trial; it must be the same in all of "
-      "them";
+            "t.csv:4:5: A is in the groups \"F\" and \"M\"; enter one group for each participant");
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
-            "t.csv:3:5: " + times);
-  EXPECT_EQ(family_refusal("ranking", "subject,trial,item,rank,times\nA,1,a,1,2\nA,1,b,2,3\n",
-                           R"({"items": ["a", "b"]})"),
-            "t.csv:3:5: " + times);
+            "t.csv:3:5: times is 3, but 2 in the rows before it of the same trial; enter the same "
+            "number in all of them");
+  EXPECT_EQ(
+      family_refusal("ranking", "subject,trial,item,rank,times\nA,1,a,1,2\nA,1,b,2,3\n",
+                     R"({"items": ["a", "b"]})"),
+      "t.csv:3:5: times is 3, but 2 in another row of the same trial; enter the same number in "
+      "all of them");
 }
 
 // Repetitions begin anew in every session and block, and an attempt without an estimate is none.
@@ -186,7 +192,8 @@ TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
   const std::string columns = "subject,time_s,tip\n";
   EXPECT_EQ(
       family_refusal("response_times", columns + "A,1.5,a\nA,0,b\n", "{}"),
-      "t.csv:3:2: a response time must be above 0 s; leave the cell empty where there is none");
+      "t.csv:3:2: time_s is 0; a response time must be above 0 s. Correct it, or leave the cell "
+      "empty where there is none");
   EXPECT_THAT(
       family_refusal("response_times", columns + "A,1.5,c\n", R"({"factors": {"tip": ["a"]}})"),
       HasSubstr("tip is \"c\"; it must be one of: a"));
@@ -205,7 +212,7 @@ TEST(TidyRefusals, NameATrialThatStandsTwice) {
   EXPECT_EQ(family_refusal("learning", columns + "A,0,1.5\n", "{}"),
             "t.csv:2:2: trial is 0; number the trials from 1");
   EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),
-            "the option \"blocks\" must be a whole number above 0");
+            "the option \"blocks\" is 1.5; it must be a whole number above 0");
   EXPECT_EQ(family_refusal("learning", "subject,trial,correct,items\nA,1,3,2\n", "{}"),
             "t.csv:2:3: correct is 3 and items is 2; items must be at least 1, and correct at most "
             "items: correct the counts, or leave out rows without items");
@@ -235,7 +242,7 @@ TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
 
 TEST(TidyRefusals, SayWhichOptionIsWrong) {
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\n", R"({"within": "s"})"),
-              HasSubstr("\"within\" must be an object of factors with their levels, like "
+              HasSubstr("\"within\" is not an object; set it to the factors with their levels, as "
                         "{\"spacing\": [1, 2, 4]}"));
   EXPECT_THAT(family_refusal("psyfit", "condition,x,n,k\nc,1,4,2\n",
                              R"({"shape": "cauchy", "gamma": 0, "lambda": 0, "pt": 0.5})"),
@@ -246,14 +253,14 @@ TEST(TidyRefusals, SayWhichOptionIsWrong) {
                                  std::string(performance) + '}'),
               "the option \"pt\" is " + std::string(performance) +
                   "; the performance at the threshold must lie between gamma and 1 - lambda, which "
-                  "are 0.5 and 0.98");
+                  "are 0.5 and 0.98. Choose a value between them");
   }
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\nA,b,1\nB,a,2\nB,b,4\n",
                              R"({"within": {"s": ["a", "b"]}, "type": 1})"),
               HasSubstr("\"type\" is 1"));
   EXPECT_THAT(
       family_refusal("group", "subject,group,correct,trials\nA,a,3,4\n", R"({"groups": ["a"]})"),
-      HasSubstr("must name two groups; it names 1"));
+      HasSubstr("must name two groups, not 1; name the two groups to compare"));
 }
 
 TEST(TidyRefusals, AreWordsWhereOnePersonOrNobodyAnswered) {
@@ -304,14 +311,15 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
       "participants");
   EXPECT_EQ(why(findings_of("selection", "subject,sample,choice\nA,1,a\nB,1,a\n", choices),
                 "subj.t.p.two"),
-            "NA: all participants have the same proportion");
+            "NA: all participants have the same proportion: add participants");
   EXPECT_EQ(why(findings_of("rating", "subject,item,score\nA,a,2\nA,b,2\nB,a,3\nB,b,3\n",
                             R"({"items": ["a", "b"]})"),
                 "friedman.p"),
-            "NA: all items are tied in every row: there is no order to test");
+            "NA: all items are tied in every row, so that there is no order to test: add rows in "
+            "which they differ");
   EXPECT_EQ(why(findings_of("recognition", "subject,stimulus,response\nA,y,y\nB,y,x\n", kLabels),
                 "recall"),
-            "NA: this stimulus was never presented");
+            "NA: this stimulus was never presented: add trials, or remove it from labels");
 }
 
 // Two columns of the same name in the options are two things with one name: every number of them is wrong.

@@ -351,7 +351,9 @@ TEST(BadProtocol, IsReportedWithAllThatIsWrongWithItFromTheFirstLineToTheLast) {
   replace("\"title\": ", "\"title\": 3, \"x-title\": ");
   write_text(protocol, text);
   const Outcome refused = asperity({"check", protocol, "--study", small.study()});
-  EXPECT_NE(refused.err.find("3 is not text in quotation marks"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("3 is not permitted here: write text in quotation marks"),
+            std::string::npos)
+      << refused.err;
   EXPECT_NE(refused.err.find("stimuli/walnut.png is not in the study"), std::string::npos)
       << refused.err;
 
@@ -593,7 +595,7 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
   expect_wrong(rendering, {"--friction", "-0.1"},
                "asperity: --friction is -0.1; it must be at least 0\n");
   expect_wrong(rendering, {"--asset", "vibrations"},
-               "asperity: --asset vibrations: write ROLE=FILE\n");
+               "asperity: --asset vibrations has no \"=\"; write ROLE=FILE\n");
   expect_wrong(rendering, {"--asset", "vibrations=f"},
                "asperity: --asset vibrations=f: the force model sinusoid needs no asset "
                "\"vibrations\"; asperity models lists those that it needs\n");

@@ -147,6 +147,12 @@ TEST(Sweep, RefusesWhatMakesNoSense) {
     return asperity(sweep_into(out, all));
   };
   EXPECT_EQ(outcome({"--spacings", "0.001:0.004"}).status, 2);
+  EXPECT_THAT(outcome({"--spacings", "0.001:0.004"}).err, HasSubstr("has 2 numbers instead of"));
+  for (const char* count : {"40.5", "20000", "1"}) {
+    EXPECT_THAT(outcome({"--spacings", "0.001:0.004:" + std::string(count)}).err,
+                HasSubstr("COUNT is " + std::string(count) +
+                          "; it must be a whole number from 2 to 10000"));
+  }
   EXPECT_EQ(outcome({"--values", "0.001,much"}).status, 2);
   EXPECT_EQ(outcome({"--hand", "0.05,3"}).status, 2);
   EXPECT_EQ(outcome({"--texture", "sinusoid,spacing_m=0.002"}).status, 2);
@@ -326,7 +332,7 @@ TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
   EXPECT_THAT(still.err, HasSubstr("not fitted: 3 rows with a complete stroke whose max_accel is "
                                    "0: the tool was not accelerated"));
   EXPECT_THAT(still.err,
-              HasSubstr("height_map has none with these parameters; with --drag constant_force"));
+              HasSubstr("height_map has none with these parameters; use --drag constant_force"));
   EXPECT_THAT(still.err, testing::Not(HasSubstr("see the column status")));
 }
 

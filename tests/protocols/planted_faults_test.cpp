@@ -230,7 +230,7 @@ const Fault kForm[] = {
      R"("colour")", "/device/limits/colour", R"("lateness_p99_s")"},
     {"limit_in_words", R"("force_limit_N": 5)",
      R"("force_limit_N": 5, "limits": {"latency_s": "3 ms"})", R"("3 ms")",
-     "/device/limits/latency_s", "is not a number"},
+     "/device/limits/latency_s", "write a number"},
     {"bad_name", R"("stone": {)", R"("Stone": {)", R"("Stone")", "/textures/Stone",
      "lower-case letters"},
     {"empty_list", R"("levels": ["metal", "stone"])", R"("levels": [])", "[]",
@@ -726,7 +726,8 @@ TEST(Problems, NameTypesInPlainEnglish) {
   text.replace(at, text.find('"', at + title.size()) + 1 - at, R"("title": 3)");
   const std::vector<Diagnostic> problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_THAT(problems[0].message, testing::StartsWith("3 is not text in quotation marks"));
+  EXPECT_THAT(problems[0].message,
+              testing::StartsWith("3 is not permitted here: write text in quotation marks"));
 }
 
 /// What is doubted of the library's protocol of three forces with one text in place of another.

@@ -64,7 +64,8 @@ TEST(TextureRecording, RefusesATableWithItsLineAndTheCorrection) {
   EXPECT_THAT(refusal_of_table(replaced_once(table, "force_N\n", "force_N\tnote\n")),
               HasSubstr("has only the columns"));
   EXPECT_THAT(refusal_of_table(replaced_once(table, "\n1\t0\t", "\n1\tnan\t")),
-              StartsWith("felt.tsv:2: the column time_s needs a finite number, not \"nan\""));
+              StartsWith("felt.tsv:2: the column time_s has \"nan\", which is not a finite "
+                         "number; correct it"));
   EXPECT_THAT(refusal_of_table(replaced_once(table, "\n1\t0\t", "\n1\t")),
               StartsWith("felt.tsv:2: the row has 4 cells"));
   EXPECT_THAT(refusal_of_table(table + "1\t9\t9\t1\t0\n"),

@@ -52,9 +52,10 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
             .with(std::to_string(gathered.sources)));
   }
   if (!gathered.declared_alike) {
-    outcome.remarks.push_back(phrase(
-        "Analysis",
-        "These files declare different tests: no test counts as declared before data collection."));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "These files declare different tests, so that no test counts as declared before "
+               "data collection; give a changed protocol a new version."));
   }
   if (count.unfinished_sessions > 0) {
     outcome.remarks.push_back(
@@ -101,7 +102,8 @@ std::string names_in(const Study& study) {
   }
   std::string text{};
   for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + '"';
-  return text.empty() ? "it has no sessions" : "choose a protocol that has sessions: " + text;
+  return text.empty() ? "it has no sessions; run one first"
+                      : "choose a protocol that has sessions: " + text;
 }
 
 /// Whether one of the tests is a test of this kind; so every test of a kind that this program does not have.
@@ -135,7 +137,8 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     outcome.answers = gathered.answers.size();
     remark_on_counts(gathered, outcome);
     if (gathered.answers.empty()) {
-      outcome.remarks.push_back(phrase("Analysis", "There are no responses yet."));
+      outcome.remarks.push_back(
+          phrase("Analysis", "There are no responses yet; run a session first."));
     } else if (const StudyAnalysis* const analysis = find_analysis(gathered.kind)) {
       analysis->analyze(gathered, outcome);
       // Only next to results.
@@ -146,7 +149,9 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
       }
     } else {
       outcome.remarks.push_back(
-          phrase("Analysis", "This program has no analysis for protocols of the kind \"%1\".")
+          phrase("Analysis",
+                 "This program has no analysis for protocols of the kind \"%1\"; export the tables "
+                 "and analyse them with another program.")
               .with(gathered.kind));
     }
   }

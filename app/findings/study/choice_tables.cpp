@@ -26,7 +26,7 @@ void add_worth_scale(const WorthScale& scale, std::span<const std::string> items
           ? phrase("Analysis",
                    "95 % CI: t intervals based on CR2 standard errors with the participants as "
                    "clusters and Satterthwaite's degrees of freedom.")
-          : phrase("Analysis", "No CI: at least %1 participants are needed.")
+          : phrase("Analysis", "No CI: at least %1 participants are needed; add participants.")
                 .with(std::to_string(kFewestClusters));
   NamedTable table{"scale",
                    scale.title,

@@ -199,7 +199,8 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
     outcome.remarks.push_back(
         phrase("Analysis",
                "The protocol does not state the judgement and the parameter that is varied with "
-               "its value in the standard: thresholds cannot be estimated."));
+               "its value in the standard, so that thresholds cannot be estimated; state them in a "
+               "new version of the protocol."));
     return;
   }
   std::vector<DiscriminationResults> all{};

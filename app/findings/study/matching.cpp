@@ -51,9 +51,10 @@ std::vector<HitCount> items_of_people(const GatheredAnswers& gathered,
 void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<MatchedTrial> assignments = matched_trials(gathered, outcome);
   if (assignments.empty()) {
-    outcome.remarks.push_back(phrase("Analysis",
-                                     "No response assigns each picture to exactly one surface: the "
-                                     "matchings are not analysed."));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "No response assigns each picture to exactly one surface, so that the matchings are "
+               "not analysed; ask participants to assign every picture."));
     return;
   }
   add_matching_tables(gathered, assignments, outcome);

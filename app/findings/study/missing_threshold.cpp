@@ -87,15 +87,16 @@ WhyNoThreshold slope_at_bound() {
 }
 
 WhyNoThreshold slope_at_limit() {
-  return {"slope_at_limit",
-          phrase("MissingThreshold",
-                 "the slope is at a limit of the fit, because the responses do not determine it: "
-                 "more trials are needed")};
+  return {"slope_at_limit", phrase("MissingThreshold",
+                                   "the slope is at a limit of the fit, because the responses do "
+                                   "not determine it: add trials")};
 }
 
 WhyNoThreshold why_not_fitted(const DiscriminationTask& task, const Finding* status) {
   if (status == nullptr || status->word == "ok") {
-    return {"not_defined", phrase("MissingThreshold", "no threshold is defined for these data")};
+    return {"not_defined",
+            phrase("MissingThreshold",
+                   "no threshold is defined for these data: add trials at several levels")};
   }
   return task.is_performance ? why_not_performance(*status) : why_not_comparison(*status);
 }

@@ -187,11 +187,11 @@ void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOut
 void add_pair_scale(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
   const std::vector<std::string>& items = study.choices.items;
   if (found.find(kLogWorth, items.front()) == nullptr) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "The items cannot be placed on a scale by maximum likelihood: some of them were "
-               "always or never chosen in the comparisons with the others, or were never compared "
-               "with them, so that their distance has no finite estimate."));
+    outcome.remarks.push_back(phrase(
+        "Analysis",
+        "The items cannot be placed on a scale by maximum likelihood: some of them were always or "
+        "never chosen in the comparisons with the others, or were never compared with them, so "
+        "that their distance has no finite estimate. Collect more comparisons of these items."));
     return;
   }
   add_worth_scale(
@@ -435,8 +435,9 @@ void ask_consistency(const ConsistencyOfPeople& people, AnalysisOutcome& outcome
 void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const Selection choices(gathered);
   if (choices.items.size() < 2) {
-    outcome.remarks.push_back(
-        phrase("Analysis", "Fewer than two items were presented: no comparison is possible."));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "Fewer than two items were presented, so that no comparison "
+                                     "is possible; present at least two items."));
     return;
   }
   const PairedStudy study(choices);
@@ -529,7 +530,8 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
                               "For each pair, exact sign-flip (randomisation) test of each "
                               "participant's difference between the two counts (both labels "
                               "exchanged within a participant); ties are left out."),
-             .nothing_chosen = phrase("Analysis", "No choice was made between two items."),
+             .nothing_chosen = phrase(
+                 "Analysis", "No choice was made between two items; collect responses first."),
              .test = "pairs"},
             tests, found_pairs, outcome);
   ask_position(2,

@@ -111,7 +111,8 @@ void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcom
       kResponseTimes, kResponseTimes, response_times_table(gathered, std::move(factors)));
   const FoundNumbers found(findings);
   if (found.find("geomean") == nullptr) {
-    outcome.remarks.push_back(phrase("Analysis", "No trial has a stored response time."));
+    outcome.remarks.push_back(
+        phrase("Analysis", "No trial has a stored response time; collect responses first."));
     return;
   }
   keep_findings(findings, outcome);

@@ -146,7 +146,7 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
         phrase("Analysis",
                "The models cannot be placed on a scale: one of them was always or never chosen "
                "when it was presented, or was never presented with the others, so that its "
-               "distance has no finite estimate."));
+               "distance has no finite estimate. Collect more choices with this model."));
     return;
   }
   add_worth_scale(

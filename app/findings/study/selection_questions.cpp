@@ -130,7 +130,7 @@ void ask_scale(const Selection& selection, const FoundNumbers& scale, const Phra
     add_question(outcome, "preference", question,
                  phrase("Analysis",
                         "The scale cannot be estimated: a model was always or never chosen, or the "
-                        "trials do not link all models."),
+                        "trials do not link all models. Collect more choices."),
                  method, "shares", nullptr);
     return;
   }
@@ -271,8 +271,9 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
           .with(proportion);
   const StudyTests::Test* test = tests.find("preference");
   if (most.mean == nullptr || test == nullptr) {
-    add_question(outcome, "preference", question, phrase("Analysis", "There are no choices yet."),
-                 method, "shares", nullptr);
+    add_question(outcome, "preference", question,
+                 phrase("Analysis", "There are no choices yet; run a session first."), method,
+                 "shares", nullptr);
     return;
   }
   const Phrase shares = most_often(most, selection.items.size());
@@ -309,7 +310,8 @@ PairWords words_of_pairs(const Selection& selection, const std::string& test) {
                    "participant), on the trials in which both were presented.");
   return {.question = question,
           .method = method,
-          .nothing_chosen = phrase("Analysis", "No choice was made between two models."),
+          .nothing_chosen =
+              phrase("Analysis", "No choice was made between two models; collect responses first."),
           .test = test};
 }
 

@@ -1,5 +1,6 @@
 // Scales on which the same items have values: principal components of their correlations.
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,6 +14,20 @@ namespace asperity {
 namespace {
 
 std::string component_name(Eigen::Index component) { return "C" + std::to_string(component + 1); }
+
+/// Which item has no score, and on which scale.
+std::string first_missing_score(const Eigen::MatrixXd& values,
+                                const std::vector<std::string>& items,
+                                const std::vector<std::string>& scales) {
+  for (Eigen::Index item = 0; item < values.rows(); ++item) {
+    for (Eigen::Index scale = 0; scale < values.cols(); ++scale) {
+      if (!std::isnan(values(item, scale))) continue;
+      return "the item \"" + items[static_cast<std::size_t>(item)] +
+             "\" has no score on the scale \"" + scales[static_cast<std::size_t>(scale)] + '"';
+    }
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -40,7 +55,7 @@ std::vector<Finding> components_findings(const TidyInput& input) {
   const auto n = static_cast<std::size_t>(rows);
   const Basis basis{.n = n,
                     .method = "principal components of the correlations of the scales over the items"};
-  const auto refuse = [&](const char* word, const char* status) {
+  const auto refuse = [&](const char* word, const std::string& status) {
     findings.word("eigenvalue", "", word, status, basis);
     return findings.take();
   };
@@ -49,12 +64,16 @@ std::vector<Finding> components_findings(const TidyInput& input) {
         "too_few",
         "principal components require at least three items and two scales: add items or scales");
   }
-  if (values.hasNaN())
-    return refuse("incomplete",
-                  "an item has no score on a scale: each item needs a score on each scale");
+  if (values.hasNaN()) {
+    return refuse("incomplete", first_missing_score(values, items.names, scales.names) +
+                                    ": enter the score, or leave this item or this scale out");
+  }
+  if (const std::optional<Eigen::Index> constant = constant_column(values)) {
+    return refuse("no_variance", "all items have the same score on the scale \"" +
+                                     scales.names[static_cast<std::size_t>(*constant)] +
+                                     "\": leave this scale out");
+  }
   const std::optional<PrincipalComponents> found = principal_components(values);
-  if (!found)
-    return refuse("no_variance", "all items have the same score on a scale: leave this scale out");
   const ParallelAnalysis noise = parallel_analysis(found->eigenvalues, rows);
   const Basis limit{.n = n,
                     .method = "parallel analysis: 95th percentile of " +

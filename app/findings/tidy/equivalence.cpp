@@ -91,8 +91,8 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
                                double confidence) {
   const std::vector<std::string> names = options.texts("groups");
   if (names.size() != 2) {
-    throw std::runtime_error("the option \"groups\" must name two groups; it names " +
-                             std::to_string(names.size()));
+    throw std::runtime_error("the option \"groups\" must name two groups, not " +
+                             std::to_string(names.size()) + "; name the two groups to compare");
   }
   const LabelColumn groups = table.labels("group", names);
   const std::vector<std::optional<double>> values = table.numbers("value");
@@ -101,7 +101,7 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
   ComparedMeans made{.comparison = {.method = names[0] + " − " + names[1] + ", Welch"}};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (groups.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "the group is missing; enter a group for every participant");
+      table.refuse(row, "group", "the group is missing; enter " + names[0] + " or " + names[1]);
     }
     if (!values[row]) {
       ++made.comparison.incomplete;
@@ -211,15 +211,19 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
   }
   Basis basis{.n = comparison.n, .method = comparison.method};
   if (comparison.n == 0 || std::isnan(comparison.difference)) {
-    findings.word("diff", "", "no_data",
-                  "a sample has no participants, so that no comparison is possible", basis);
+    findings.word(
+        "diff", "", "no_data",
+        "a sample has no participant with a value, so that no comparison is possible: add "
+        "participants with a value",
+        basis);
     return findings.take();
   }
   if (!comparison.estimate) {
     findings.number("diff", "", comparison.difference, basis);
     findings.word("tost.p", "", "undefined_zero_variance",
                   "the standard error of the difference is undefined: a sample has one "
-                  "participant, or all participants of each sample have the same value",
+                  "participant, or all participants of each sample have the same value; add "
+                  "participants",
                   basis);
     return findings.take();
   }

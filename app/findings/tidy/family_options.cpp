@@ -39,7 +39,7 @@ OptionValue value_of(const Json& json) {
 
 double option_number(const OptionValue& option, const std::string& name) {
   if (const auto* number = std::get_if<double>(&option.value)) return *number;
-  refuse_option(name, "must be a number");
+  refuse_option(name, "is not a number; set it to a number");
 }
 
 // Levels and names that look like numbers are accepted without quotes.
@@ -47,7 +47,7 @@ std::string option_text(const OptionValue& option, const std::string& name) {
   if (const auto* text = std::get_if<std::string>(&option.value)) return *text;
   if (const auto* number = std::get_if<double>(&option.value)) return number_text(*number);
   if (const auto* truth = std::get_if<bool>(&option.value)) return *truth ? "TRUE" : "FALSE";
-  refuse_option(name, "must be text");
+  refuse_option(name, "is a list or an object; set it to one text");
 }
 
 template <class Item>
@@ -213,7 +213,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
   if (option == nullptr) return factors;
   const auto* object = std::get_if<OptionValue::Object>(&option->value);
   if (object == nullptr) {
-    refuse_option(name, "must be an object of factors with their levels, like {\"" +
+    refuse_option(name, "is not an object; set it to the factors with their levels, as {\"" +
                             std::string(name == "between" ? "group\": [\"a\", \"b\"]"
                                                           : "spacing\": [1, 2, 4]") +
                             "}");
@@ -228,19 +228,23 @@ bool FamilyOptions::truth_or(const std::string& name, bool otherwise) const {
   const OptionValue* option = find(name);
   if (option == nullptr) return otherwise;
   if (const auto* truth = std::get_if<bool>(&option->value)) return *truth;
-  refuse_option(name, "must be true or false");
+  refuse_option(name, "is neither true nor false; set it to one of them");
 }
 
 std::vector<std::pair<std::string, FamilyOptions>> FamilyOptions::objects(
     const std::string& name) const {
   const auto* items = std::get_if<OptionValue::Object>(&at(name).value);
   if (items == nullptr || items->empty()) {
-    refuse_option(name, "must be an object with the options of each item, like {\"a\": {…}}");
+    refuse_option(name,
+                  "is empty or not an object; set it to names with their options, as {\"a\": {…}}");
   }
   std::vector<std::pair<std::string, FamilyOptions>> all{};
   for (const auto& [item, value] : *items) {
     const auto* options = std::get_if<OptionValue::Object>(&value.value);
-    if (options == nullptr) refuse_option(name + '.' + item, "must be an object of options");
+    if (options == nullptr) {
+      refuse_option(name + '.' + item,
+                    "is not an object; set it to options with their values, as {\"start\": 10}");
+    }
     FamilyOptions of_item{};
     of_item.options_ = *options;
     all.emplace_back(item, std::move(of_item));

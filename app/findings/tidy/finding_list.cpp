@@ -72,7 +72,7 @@ void add_mean_share(const std::string& quantity, const std::string& key,
                     const MeanShareQuestion& question, FindingList& findings) {
   Basis basis{.n = participants.size(),
               .method = method + "; t interval on the logit scale",
-              .undefined = "there are no participants"};
+              .undefined = "there are no participants: add participants"};
   double mean = kUndefined;
   if (!participants.empty()) {
     std::vector<double> shares{};
@@ -104,10 +104,11 @@ bool add_geometric_mean(const std::string& quantity, const std::string& key,
 void add_no_interval(const std::string& quantity, const std::string& key, std::size_t n,
                      FindingList& findings) {
   const bool is_alone = n < 2;
-  findings.word(quantity + ".status", key, is_alone ? "too_few" : "undefined_zero_variance",
-                is_alone ? "an interval over participants needs at least 2 participants"
-                         : "all participants have the same value, so there is no interval",
-                {.n = n, .method = "interval of a mean over participants"});
+  findings.word(
+      quantity + ".status", key, is_alone ? "too_few" : "undefined_zero_variance",
+      is_alone ? "an interval over participants needs at least 2 participants: add participants"
+               : "all participants have the same value, so there is no interval: add participants",
+      {.n = n, .method = "interval of a mean over participants"});
 }
 
 void add_cohen_h(std::string quantity, std::string key, const HitCount& count,

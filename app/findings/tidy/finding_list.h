@@ -25,7 +25,9 @@ inline std::string both(const std::string& a, const std::string& b) { return a +
 inline constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 /// The status of a missing number, where no further reason is known.
-inline constexpr const char* kNotDefined = "this number is not defined for these data";
+inline constexpr const char* kNotDefined =
+    "this number is not defined for these data, usually because they are too few or do not vary: "
+    "add participants or trials";
 
 /// The basis of a number.
 struct Basis {

@@ -96,7 +96,7 @@ CrossedTable crossed_table(const TidyInput& input) {
       const std::size_t level = codes[factor].codes[row];
       if (level == LabelColumn::kMissing) {
         table.refuse(row, read.factors[factor].name,
-                     "the level is missing; enter a level of each factor for every response");
+                     "the level of " + read.factors[factor].name + " is missing; enter it");
       }
       if (level == 0) continue;
       read.model.design(static_cast<Eigen::Index>(row),
@@ -130,7 +130,8 @@ ProblemWords crossed_problem_words(CrossedProblem problem) {
     case CrossedProblem::no_maximum:
       return {"no_maximum",
               "the intercepts of participants and items can predict every response, so that the "
-              "likelihood has no maximum"};
+              "likelihood has no maximum: collect more responses, or fit with the option "
+              "random=subject or random=item"};
     case CrossedProblem::no_participant_variance:
       return {
           "no_participant_variance",
@@ -144,7 +145,7 @@ ProblemWords crossed_problem_words(CrossedProblem problem) {
     case CrossedProblem::no_variance:
       return {"no_variance",
               "both standard deviations are estimated as 0: neither participants nor items differ "
-              "more than expected by chance"};
+              "more than expected by chance; use the family proportion, or group for two groups"};
   }
   return {"", ""};
 }
@@ -292,7 +293,7 @@ std::vector<Finding> glmm_findings(const TidyInput& input) {
   const CrossedTable table = crossed_table(input);
   if (table.responses.empty()) {
     FindingList findings{};
-    findings.word("glmm.status", "", "no_data", "the table has no rows: there are no responses");
+    findings.word("glmm.status", "", "no_data", "the table has no rows: add the responses");
     return findings.take();
   }
   return CrossedFindings(input, table).findings();

@@ -33,8 +33,9 @@ struct Groups {
 Groups read_groups(const TidyInput& input) {
   Groups groups{.names = input.options.texts("groups")};
   if (groups.names.size() != 2) {
-    throw std::runtime_error("the option \"groups\" must name two groups; it names " +
-                             std::to_string(groups.names.size()));
+    throw std::runtime_error("the option \"groups\" must name two groups, not " +
+                             std::to_string(groups.names.size()) +
+                             "; name the two groups to compare");
   }
   const TidyTable& table = input.table();
   refuse_repeated(table, "subject", "one row per participant, with one group");
@@ -44,7 +45,8 @@ Groups read_groups(const TidyInput& input) {
   const std::vector<std::uint64_t> trials = table.counts("trials");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (group.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "the group is missing; enter a group for every participant");
+      table.refuse(row, "group",
+                   "the group is missing; enter " + groups.names[0] + " or " + groups.names[1]);
     }
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
@@ -211,7 +213,7 @@ class GroupComparison final {
       list_.word(
           "welch.t", "", "undefined_zero_variance",
           "a group has a single participant, or all participants of each group have the same "
-          "proportion: t is undefined",
+          "proportion, so that t is undefined: add participants, or use perm.p.two",
           basis("Welch's t over participants"));
     }
     const SplitTest splits = permutation_test(samples);
@@ -238,7 +240,8 @@ class GroupComparison final {
     if (!fixed) {
       list_.word(
           "glm.status", "", "separated",
-          "a group has only correct or only incorrect responses: its odds have no finite estimate",
+          "a group has only correct or only incorrect responses, so that its odds have no finite "
+          "estimate: use or.haldane",
           basis("logistic regression"));
       return;
     }
@@ -247,7 +250,8 @@ class GroupComparison final {
     const auto clustered = [this](const std::string& key, double error) {
       Basis own = basis("participants as clusters (CR0)");
       own.undefined =
-          "a group has one participant: a standard error over participants needs two in each group";
+          "a group has one participant, and a standard error over participants needs two in each "
+          "group: add participants";
       list_.number("glm.se.cluster", key, error, own);
     };
     clustered("intercept", fixed->cluster_standard_error.intercept);
@@ -301,8 +305,9 @@ std::vector<Finding> group_findings(const TidyInput& input) {
   for (std::size_t i = 0; i < 2; ++i) {
     if ((i == 0 ? groups.first : groups.second).empty()) {
       FindingList list{};
-      list.word("status", groups.names[i], "no_data",
-                "this group has no participants: no comparison is possible");
+      list.word(
+          "status", groups.names[i], "no_data",
+          "this group has no participants, so that no comparison is possible: add participants");
       return list.take();
     }
   }

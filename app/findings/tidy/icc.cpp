@@ -95,7 +95,8 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
   const std::optional<Reliability> reliability = reliability_of(rated.complete, confidence);
   if (!reliability) {
     findings.word("icc", "", "undefined_zero_variance",
-                  "all targets have the same ratings, so that reliability cannot be estimated",
+                  "all targets have the same ratings, so that reliability cannot be estimated: add "
+                  "targets that differ",
                   basis);
     return findings.take();
   }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "analysis/t_test.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
@@ -75,7 +76,8 @@ class TrialBlocks final {
   TrialBlocks(std::uint64_t last, const FamilyOptions& options) : last_(last) {
     const double most = options.number_or("blocks", kMostBlocks);
     if (!(most >= 1.0) || most != std::round(most)) {
-      throw std::runtime_error("the option \"blocks\" must be a whole number above 0");
+      throw std::runtime_error("the option \"blocks\" is " + number_text(most) +
+                               "; it must be a whole number above 0");
     }
     width_ = static_cast<std::uint64_t>(std::ceil(static_cast<double>(last) / most));
     width_ = std::max<std::uint64_t>(width_, 1);

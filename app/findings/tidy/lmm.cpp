@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/linear_mixed.h"
+#include "analysis/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/mixed_rows.h"
 #include "app/findings/tidy/tidy_families.h"
@@ -185,20 +186,23 @@ NoFitWords no_fit_words(NoLinearMixed why) {
     case NoLinearMixed::too_few_participants:
       return {"too_few_participants",
               "the model requires at least 2 participants, and more than there are fixed effects "
-              "between participants"};
+              "between participants: add participants, or remove such effects"};
     case NoLinearMixed::too_few_rows:
       return {"too_few_rows",
               "the model requires several measurements of a participant, and more measurements "
-              "than fixed effects"};
+              "than fixed effects: add measurements, or remove fixed effects"};
     case NoLinearMixed::dependent_effects:
-      return {"dependent_effects", "a fixed effect is a combination of the others"};
+      return {"dependent_effects",
+              "a fixed effect is a combination of the others: remove one of them"};
     case NoLinearMixed::no_participant_variance:
-      return {"no_participant_variance",
-              "the variance between participants is estimated as 0 (singular fit)"};
+      return {
+          "no_participant_variance",
+          "the variance between participants is estimated as 0 (singular fit): add participants "
+          "or measurements, or use a model without random intercepts"};
     case NoLinearMixed::no_residual_variance:
       return {"no_residual_variance",
               "participants and fixed effects determine every measurement, so that there is no "
-              "error variance"};
+              "error variance: add measurements, or remove fixed effects"};
   }
   return {"", ""};
 }
@@ -218,13 +222,15 @@ class MixedFindings final {
     list_.count("n.left_out", "", table_.left_out,
                 basis("rows without a measurement, a level or the number of a covariate"));
     for (const std::string& term : table_.dependent) {
-      list_.word("lmm.beta", term, "dependent",
-                 "cannot be distinguished from the effects before it, or does not vary: it is not in "
-                 "the model",
-                 basis(method_));
+      list_.word(
+          "lmm.beta", term, "dependent",
+          "cannot be distinguished from the effects before it, or does not vary, so that it is "
+          "not in the model: remove it, or one of the effects before it",
+          basis(method_));
     }
     for (const std::string& key : table_.without_rows) {
-      list_.word("lmm.beta", key, "no_data", "the level has no measurement", basis(method_));
+      list_.word("lmm.beta", key, "no_data",
+                 "the level has no measurement: add one, or remove the level", basis(method_));
     }
     const std::variant<LinearMixedFit, NoLinearMixed> answer = linear_mixed(table_.data);
     if (const auto* const why = std::get_if<NoLinearMixed>(&answer)) {
@@ -325,7 +331,9 @@ std::vector<Finding> findings_of(const MixedRows& rows) {
   const MixedTable table = mixed_table(rows);
   if (table.data.participant.empty()) {
     FindingList findings{};
-    findings.word("lmm.status", "", "no_data", "no row has a measurement and all its predictors");
+    findings.word("lmm.status", "", "no_data",
+                  "no row has a measurement and all its predictors: "
+                  "complete the rows, or remove predictors");
     return findings.take();
   }
   return MixedFindings(table, rows.confidence).findings();
@@ -347,7 +355,9 @@ std::vector<Finding> lmm_findings(const TidyInput& input) {
   if (rows.is_logarithmic) {
     read.visit([&table](std::size_t at, const MixedRows::Row& row) {
       if (has_all_values(row) && !(*row.y > 0.0)) {
-        table.refuse(at, "y", "y is not above 0; with scale=log, all values must be above 0");
+        table.refuse(at, "y",
+                     "y is " + number_text(*row.y) +
+                         "; it must be above 0 with scale=log. Correct it, or use scale=linear");
       }
     });
   }

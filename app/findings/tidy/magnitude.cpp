@@ -39,6 +39,12 @@ ZeroRule zero_rule_of(const std::string& name) {
                            "\"; it must be exclude or halfmin");
 }
 
+std::string spacings_text(const std::vector<double>& numbers) {
+  std::string text{};
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);
+  return text;
+}
+
 /// Numbers in canonical form, other names unchanged: 0.50 and 0.5 are one probe.
 std::string probe_name(std::string_view text) {
   const TidyTable one("p\n" + std::string(text) + '\n', "");
@@ -65,10 +71,13 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
       continue;
     }
     if (*values[row] < 0.0) {
-      table.refuse(row, "estimate", "the estimate is negative; it must be at least 0");
+      table.refuse(row, "estimate",
+                   "estimate is " + number_text(*values[row]) + "; it must be at least 0");
     }
     if (!(spacings[row] > 0.0)) {
-      table.refuse(row, "spacing", "a spacing must be positive: its logarithm is the abscissa");
+      table.refuse(row, "spacing",
+                   "spacing is " + number_text(spacings[row]) +
+                       "; it must be above 0, because its logarithm is the abscissa");
     }
     read.zeros += *values[row] == 0.0 ? 1 : 0;
     const auto level = std::lower_bound(levels.begin(), levels.end(), spacings[row]);
@@ -149,9 +158,11 @@ class MagnitudeList final {
                                          .levels = read_.spacings.size()});
     participants(cells);
     if (cells.complete.empty()) {
-      list_.word("status", "", "no_data",
-                 "no participant has an estimate in every cell: nothing can be compared",
-                 basis("participants with an estimate in every cell"));
+      list_.word(
+          "status", "", "no_data",
+          "no participant has an estimate in every cell, so that nothing can be compared: add "
+          "the missing estimates",
+          basis("participants with an estimate in every cell"));
       return list_.take();
     }
     const std::vector<Eigen::MatrixXd> normalised = normalise(cells);
@@ -186,10 +197,11 @@ class MagnitudeList final {
     for (const std::size_t one : cells.incomplete) {
       incomplete += (incomplete.empty() ? "" : ";") + read_.participants[one];
     }
-    list_.word(
-        "subjects.incomplete", "", incomplete.empty() ? "none" : incomplete,
-        incomplete.empty() ? "ok" : "these participants have an empty cell and were left out",
-        basis("participants left out"));
+    list_.word("subjects.incomplete", "", incomplete.empty() ? "none" : incomplete,
+               incomplete.empty() ? "ok"
+                                  : "these participants have an empty cell and were left out: "
+                                    "add the missing estimates to include them",
+               basis("participants left out"));
     n_ = cells.complete.size();
     for (const std::size_t one : cells.complete) names_.push_back(read_.participants[one]);
     list_.count("n.subjects", "", n_, basis("participants with an estimate in every cell"));
@@ -237,8 +249,9 @@ class MagnitudeList final {
     const double standard = input_.options.number("standard_spacing");
     const auto found = std::find(read_.spacings.begin(), read_.spacings.end(), standard);
     if (found == read_.spacings.end()) {
-      throw std::runtime_error("the option \"standard_spacing\" is " + number_text(standard) +
-                               "; it must be a spacing of the table");
+      throw std::runtime_error(
+          "the option \"standard_spacing\" is " + number_text(standard) +
+          "; it must be one of the spacings of the table: " + spacings_text(read_.spacings));
     }
     return normalised_to_standard(
         cells, {.level = static_cast<std::size_t>(found - read_.spacings.begin()),
@@ -310,7 +323,7 @@ class MagnitudeList final {
   void curves(const std::vector<Eigen::MatrixXd>& normalised) {
     if (read_.spacings.size() < 3) {
       list_.word("status", "", "too_few_spacings",
-                 "a curve needs at least three spacings: present more", basis("spacings"));
+                 "a curve needs at least three spacings: present more spacings", basis("spacings"));
       return;
     }
     Eigen::VectorXd x(static_cast<Eigen::Index>(read_.spacings.size()));
@@ -357,9 +370,10 @@ class MagnitudeList final {
       number("exponent.p", probe, test->p,
              "exponent against 0, two-sided t test over participants");
     } else {
-      list_.word("exponent.t", probe, "undefined_zero_variance",
-                 "all participants have the same exponent, so that t is undefined",
-                 basis("t over participants"));
+      list_.word(
+          "exponent.t", probe, "undefined_zero_variance",
+          "all participants have the same exponent, so that t is undefined: add participants",
+          basis("t over participants"));
     }
     number("intercept.mean", probe, law.intercept, "log₁₀R at x = 0, mean over participants");
     number("pooled.linear.slope", probe, law.pooled_slope, "line through the means");
@@ -391,9 +405,10 @@ class MagnitudeList final {
       number("quad.c.p", probe, test->p,
              "curvature of the parabola against 0, two-sided t test over participants");
     } else {
-      list_.word("quad.c.t", probe, "undefined_zero_variance",
-                 "all participants have the same curvature, so that t is undefined",
-                 basis("curvature of the parabola against 0, t over participants"));
+      list_.word(
+          "quad.c.t", probe, "undefined_zero_variance",
+          "all participants have the same curvature, so that t is undefined: add participants",
+          basis("curvature of the parabola against 0, t over participants"));
     }
     for (const auto& [name, end] : {std::pair{std::string("low"), fit.ends[0]},
                                     std::pair{std::string("high"), fit.ends[1]}}) {
@@ -436,8 +451,11 @@ class MagnitudeList final {
   void peak(const std::string& probe, const QuadraticFit& fit) {
     switch (fit.status) {
       case PeakStatus::no_maximum:
-        list_.word("peak.status", probe, "no_maximum", "the mean parabola opens upwards",
-                   basis("peak"));
+        list_.word(
+            "peak.status", probe, "no_maximum",
+            "the mean parabola opens upwards, so that there is no peak: present a wider range of "
+            "spacings",
+            basis("peak"));
         return;
       case PeakStatus::outside_range:
         list_.word("peak.status", probe, "outside_range",
@@ -465,9 +483,10 @@ class MagnitudeList final {
              "from the residuals of the means; a check only");
     }
     list_.word("peak.fieller", probe, fit.fieller ? "bounded" : "unbounded",
-               fit.fieller ? "ok"
-                           : "the curvature is not significantly different from 0: the peak has no "
-                             "finite interval",
+               fit.fieller
+                   ? "ok"
+                   : "the curvature is not significantly different from 0, so that the peak "
+                     "has no finite interval: add participants or spacings",
                basis("Fieller's set"));
     if (fit.peak && fit.fieller) {
       number("peak.fieller.lower", probe, std::pow(10.0, fit.fieller->low), "Fieller's interval");
@@ -479,7 +498,8 @@ class MagnitudeList final {
                  const std::vector<std::vector<std::size_t>>& resamples) {
     const std::optional<PeakBootstrap> boot = bootstrap_peak(fit, resamples, confidence_);
     if (!boot) {
-      list_.word("boot.valid", probe, "NA", "fewer than two resamples have a maximum",
+      list_.word("boot.valid", probe, "NA",
+                 "fewer than two resamples have a maximum: use more resamples, or add participants",
                  basis("resampled participants"));
       return;
     }

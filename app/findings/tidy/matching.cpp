@@ -104,8 +104,10 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     item.felt = felt.codes[row];
     if (trial.items > 1 && trial.times != times[row]) {
       table.refuse(row, "times",
-                   "the number of trials differs between rows of the same trial; it must be the "
-                   "same in all of them");
+                   "times is " + std::to_string(times[row]) + ", but " +
+                       std::to_string(trial.times) +
+                       " in the rows before it of the same trial; enter the same number in all of "
+                       "them");
     }
     trial.times = times[row];
     if (chosen.codes[row] != LabelColumn::kMissing) item.chosen = label_of[chosen.codes[row]];
@@ -118,8 +120,9 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     if (group.empty()) group = groups[row];
     if (!groups[row].empty() && groups[row] != group) {
       table.refuse(row, "group",
-                   participants.names[participants.codes[row]] +
-                       " is in two groups; a participant must be in one");
+                   participants.names[participants.codes[row]] + " is in the groups \"" + group +
+                       "\" and \"" + std::string(groups[row]) +
+                       "\"; enter one group for each participant");
     }
   }
 }
@@ -155,7 +158,7 @@ Matching matching_in(const TidyInput& input) {
   read_rows(table, felt, read);
   std::erase_if(read.trials, [](const TidyTrial& trial) { return trial.times == 0; });
   if (read.trials.empty())
-    throw std::runtime_error(table.name() + " has no trials; add at least one");
+    throw std::runtime_error(table.name() + " has no trial with times above 0; add at least one");
   find_chances(read);
   read.items = read.trials.front().items;
   read.equal_size =
@@ -383,7 +386,8 @@ void add_relabelled_permutations(const Matching& read, FindingList& findings) {
   } else {
     findings.word("perfect.relabel.p.greater", "", "not_testable",
                   "trials of a participant share some but not all items, so that no relabelling of "
-                  "the pictures exchanges all items of a trial",
+                  "the pictures exchanges all items of a trial: use the results of single items "
+                  "(texture.relabel)",
                   {.n = participants.size()});
   }
   for (const std::size_t label : read.felt) {

@@ -36,7 +36,7 @@ OrdinalTable ordinal_table(const TidyTable& table, const std::vector<std::string
   std::set<std::size_t> people{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (codes.codes[row] == LabelColumn::kMissing)
-      table.refuse(row, "item", "the item is missing; enter an item in every row");
+      table.refuse(row, "item", "the item is missing; enter it, or remove the row");
     if (!scores[row]) continue;
     const auto category =
         std::lower_bound(made.categories.begin(), made.categories.end(), *scores[row]);
@@ -69,23 +69,25 @@ struct Problem {
 Problem problem_in_words(CumulativeLinkProblem problem) {
   switch (problem) {
     case CumulativeLinkProblem::unused_category:
-      return {"unused_category", "a category has no response; leave it out"};
+      return {"unused_category", "a category has no response: leave this category out"};
     case CumulativeLinkProblem::separated:
       return {"separated",
-              "the items predict the categories completely, so that an effect is infinite; more "
-              "participants are needed"};
+              "the items predict the categories completely, so that an effect is infinite: add "
+              "participants"};
     case CumulativeLinkProblem::no_participant_variance:
     case CumulativeLinkProblem::no_item_variance:
     case CumulativeLinkProblem::no_variance:
-      return {"no_variance", "the variance of the participants' intercepts is estimated as 0"};
+      return {"no_variance",
+              "the variance of the participants' intercepts is estimated as 0: add participants or "
+              "responses"};
     case CumulativeLinkProblem::unbounded_variance:
       return {"unbounded_variance",
-              "the participants differ so much that their variance cannot be estimated; more "
-              "responses per participant are needed"};
+              "the participants differ so much that their variance cannot be estimated: collect "
+              "more responses per participant"};
     case CumulativeLinkProblem::not_converged:
       break;
   }
-  return {"not_converged", "no maximum of the likelihood was found"};
+  return {"not_converged", "no maximum of the likelihood was found: collect more responses"};
 }
 
 }  // namespace
@@ -93,7 +95,8 @@ Problem problem_in_words(CumulativeLinkProblem problem) {
 std::vector<Finding> ordinal_findings(const TidyInput& input) {
   const std::vector<std::string> items = input.options.texts("items");
   if (items.size() < 2) {
-    throw std::runtime_error("the option \"items\" must name at least two items");
+    throw std::runtime_error("the option \"items\" must name at least two items, not " +
+                             std::to_string(items.size()) + "; add the others");
   }
   const double confidence = input.options.confidence();
   const OrdinalTable table = ordinal_table(input.table(), items);
@@ -107,19 +110,23 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
       .method =
           "cumulative link mixed model (proportional odds, logit link), items as fixed "
           "effects, participants as random intercepts, Laplace approximation"};
-  const auto refuse = [&](const char* word, const char* status) {
+  const auto refuse = [&](const char* word, const std::string& status) {
     findings.word("lr.chisq", "", word, status, basis);
     findings.word("lr.p", "", word, status, basis);
     return findings.take();
   };
   if (table.categories.size() < 2) {
-    return refuse("one_category", "all responses are the same, so that no model can be fitted");
+    return refuse("one_category",
+                  "all responses are the same, so that no model can be fitted: collect "
+                  "responses in at least two categories");
   }
   const Eigen::MatrixXd design = design_of_items(table.responses, items.size());
   for (Eigen::Index item = 0; item < design.cols(); ++item) {
     const bool has_first = design.rowwise().sum().minCoeff() == 0.0;
     if (design.col(item).sum() == 0.0 || !has_first) {
-      return refuse("too_few", "an item has no response; leave it out");
+      const std::size_t without = has_first ? static_cast<std::size_t>(item) + 1 : 0;
+      return refuse("too_few", "the item \"" + items[without] +
+                                   "\" has no response: remove it from the option \"items\"");
     }
   }
   const auto fitted = [&](const Eigen::MatrixXd& effects, bool participants_vary) {

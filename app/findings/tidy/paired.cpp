@@ -34,7 +34,8 @@ Paired paired_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   Paired read{.items = input.options.texts("items")};
   if (read.items.size() < 2) {
-    throw std::runtime_error("the option \"items\" must name at least two items");
+    throw std::runtime_error("the option \"items\" must name at least two items, not " +
+                             std::to_string(read.items.size()) + "; add the others");
   }
   if (std::find(read.items.begin(), read.items.end(), kTie) != read.items.end()) {
     throw std::runtime_error(
@@ -60,7 +61,10 @@ Paired paired_in(const TidyInput& input) {
     if (one.first == LabelColumn::kMissing || one.second == LabelColumn::kMissing ||
         one.first == one.second) {
       table.refuse(row, "second",
-                   "first or second is missing, or both are the same; enter two different items");
+                   one.first == LabelColumn::kMissing || one.second == LabelColumn::kMissing
+                       ? std::string("first or second is missing; enter both items")
+                       : "first and second are both \"" + read.items[one.first] +
+                             "\"; enter two different items");
     }
     if (winner.codes[row] < read.items.size()) {
       one.winner = winner.codes[row];
@@ -153,7 +157,7 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
   } else {
     findings.word("bt.order.status", "first", "not_estimable",
                   "the order of presentation is confounded with the items, or determines the "
-                  "winner completely",
+                  "winner completely: present each pair in both orders",
                   {.n = n, .method = order});
   }
 }
@@ -219,7 +223,7 @@ void add_pair_model(const Paired& read, FindingList& findings) {
   if (!full.model) {
     findings.word("model.status", "", "not_estimable",
                   "some items always or never won, or were never compared with the others, so that "
-                  "the scale has no finite estimate",
+                  "the scale has no finite estimate: collect more comparisons, or use bt.firth",
                   {.n = n, .method = method});
     return;
   }
@@ -301,7 +305,7 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
   } else {
     findings.word("bt.status", "", "not_estimable",
                   "some items never lost to the others, or were never compared with them, so that "
-                  "the scale has no finite estimate; see bt.firth",
+                  "the scale has no finite estimate: collect more comparisons, or use bt.firth",
                   {.n = n, .method = "Bradley–Terry"});
   }
   if (const auto firth = firth_bradley_terry(read.counts)) {
@@ -311,9 +315,11 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
                     "Bradley–Terry with Firth's bias reduction, relative to " + read.items.front()),
         findings);
   } else {
-    findings.word("bt.firth.status", "", "not_estimable",
-                  "the comparisons do not connect all items: there is no common scale",
-                  {.n = n, .method = "Bradley–Terry with Firth's bias reduction"});
+    findings.word(
+        "bt.firth.status", "", "not_estimable",
+        "the comparisons do not connect all items, so that there is no common scale: compare "
+        "each item with at least one of the others",
+        {.n = n, .method = "Bradley–Terry with Firth's bias reduction"});
   }
   add_thurstone(read, findings);
   add_davidson(read, findings);

@@ -57,8 +57,8 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
     refuse_wrong(table, row, count, chance, confidence);
     const Basis basis{.n = count.trials};
     if (count.trials == 0) {
-      findings.word("status", id, "no_data", "there are no trials: nothing can be estimated",
-                    basis);
+      findings.word("status", id, "no_data",
+                    "n is 0, so that nothing can be estimated: leave this row out", basis);
       continue;
     }
     findings.word("status", id, "ok", "ok", basis);

@@ -76,7 +76,8 @@ void refuse_unreachable(double performance, const PsychometricModel& model) {
   throw std::runtime_error("the option \"pt\" is " + number_text(performance) +
                            "; the performance at the threshold must lie between gamma and 1 - "
                            "lambda, which are " +
-                           number_text(low) + " and " + number_text(high));
+                           number_text(low) + " and " + number_text(high) +
+                           ". Choose a value between them");
 }
 
 PsychometricQuestion question_of(const FamilyOptions& options) {
@@ -101,13 +102,13 @@ Word word_of(PsychometricStatus status) {
     case PsychometricStatus::ok:
       return {"ok", "ok"};
     case PsychometricStatus::no_data:
-      return {"no_data", "no level has trials: nothing can be estimated"};
+      return {"no_data", "no level has trials, so that nothing can be estimated: add trials"};
     case PsychometricStatus::all_correct:
       return {"all_correct", "every response is correct: present weaker stimuli"};
     case PsychometricStatus::all_wrong:
       return {"all_wrong", "every response is incorrect: present stronger stimuli"};
     case PsychometricStatus::one_level:
-      return {"one_level", "a slope requires at least two levels: present more"};
+      return {"one_level", "a slope requires at least two levels with trials: present more levels"};
     case PsychometricStatus::separated:
       return {"separated",
               "a step function fits perfectly: present levels between those on either side of the "
@@ -302,7 +303,8 @@ class PsychometricList final {
     }
     Basis estimate = basis("x at the requested performance; delta interval");
     estimate.undefined =
-        "the fitted function does not take the value pt: its gamma or lambda is too large";
+        "the fitted function does not take the value pt: its gamma or lambda is too large; choose "
+        "another pt, or fix gamma and lambda";
     if (fit.precision) {
       estimate.interval = fit.precision->threshold;
       estimate.confidence = question_.confidence;

@@ -34,7 +34,8 @@ struct Rankings {
   double confidence = 0.95;
 };
 
-Ranking ranking_of(const TidyTable& table, std::vector<OfferedItem>& offered) {
+Ranking ranking_of(const TidyTable& table, const std::vector<std::string>& items,
+                   std::vector<OfferedItem>& offered) {
   Ranking ranking{};
   std::set<std::size_t> seen{};
   std::stable_sort(offered.begin(), offered.end(), [](const OfferedItem& a, const OfferedItem& b) {
@@ -43,12 +44,15 @@ Ranking ranking_of(const TidyTable& table, std::vector<OfferedItem>& offered) {
   for (std::size_t i = 0; i < offered.size(); ++i) {
     const OfferedItem& one = offered[i];
     if (!seen.insert(one.item).second) {
-      table.refuse(one.row, "item", "the item occurs twice in its trial; remove one of the rows");
+      table.refuse(
+          one.row, "item",
+          "the item \"" + items[one.item] + "\" occurs twice in its trial; remove one of the rows");
     }
     if (i > 0 && one.rank && one.rank == offered[i - 1].rank) {
       table.refuse(one.row, "rank",
-                   "the rank occurs twice in its trial; give each item its own rank, or analyse "
-                   "tied items with the family \"rating\"");
+                   "the rank " + number_text(*one.rank) +
+                       " occurs twice in its trial; give each item its own rank, or analyse tied "
+                       "items with the family \"rating\"");
     }
     (one.rank ? ranking.ranked : ranking.behind).push_back(one.item);
   }
@@ -59,7 +63,8 @@ Rankings rankings_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   Rankings read{.items = input.options.texts("items")};
   if (read.items.size() < 2) {
-    throw std::runtime_error("the option \"items\" must name at least two items");
+    throw std::runtime_error("the option \"items\" must name at least two items, not " +
+                             std::to_string(read.items.size()) + "; add the others");
   }
   read.confidence = input.options.confidence();
   const LabelColumn participants = table.all_labels("subject");
@@ -73,7 +78,7 @@ Rankings rankings_in(const TidyInput& input) {
   std::vector<std::pair<std::size_t, std::vector<OfferedItem>>> offers{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (items.codes[row] == LabelColumn::kMissing)
-      table.refuse(row, "item", "the item is missing; enter an item in every row");
+      table.refuse(row, "item", "the item is missing; enter it, or remove the row");
     if (ranks[row] && (*ranks[row] < 1.0 || *ranks[row] != std::round(*ranks[row]))) {
       table.refuse(row, "rank",
                    "rank is " + number_text(*ranks[row]) +
@@ -88,14 +93,15 @@ Rankings rankings_in(const TidyInput& input) {
   bool whole = !offers.empty();
   std::size_t trials_in_all = 0;
   for (auto& [participant, offered] : offers) {
-    read.rankings.push_back(ranking_of(table, offered));
+    read.rankings.push_back(ranking_of(table, read.items, offered));
     read.rankings.back().participant = participant;
     read.rankings.back().times = times[offered.front().row];
     for (const OfferedItem& one : offered) {
       if (times[one.row] == read.rankings.back().times) continue;
       table.refuse(one.row, "times",
-                   "the number of trials differs between rows of the same trial; it must be the "
-                   "same in all of them");
+                   "times is " + std::to_string(times[one.row]) + ", but " +
+                       std::to_string(read.rankings.back().times) +
+                       " in another row of the same trial; enter the same number in all of them");
     }
     trials_in_all += read.rankings.back().times;
     whole = whole && read.rankings.back().ranked.size() == read.items.size();
@@ -168,7 +174,8 @@ std::vector<Finding> ranking_findings(const TidyInput& input) {
   } else {
     findings.word("pl.status", "", "not_estimable",
                   "some items were never ranked behind the others, or never ranked with them, so "
-                  "that the scale has no finite estimate",
+                  "that the scale has no finite estimate: collect more rankings, or leave these "
+                  "items out",
                   {.n = n, .method = "Plackett–Luce"});
   }
   if (read.ranks.rows() > 0) {

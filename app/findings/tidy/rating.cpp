@@ -29,7 +29,7 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
   Scores made{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (codes.codes[row] == LabelColumn::kMissing)
-      table.refuse(row, "item", "the item is missing; enter an item in every row");
+      table.refuse(row, "item", "the item is missing; enter it, or remove the row");
     if (!scores[row]) continue;
     const std::size_t person = participants.codes[row];
     const std::size_t item = codes.codes[row];
@@ -84,10 +84,11 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       findings.number("wilcoxon.exact.p.two", key, test.p, basis);
       pairs.push_back(key);
       p.push_back(test.p);
-      findings.number("wilcoxon.rankbiserial", key, test.rank_biserial,
-                      {.n = test.n,
-                       .method = "rank-biserial correlation",
-                       .undefined = "no participant rated the two items differently"});
+      findings.number(
+          "wilcoxon.rankbiserial", key, test.rank_biserial,
+          {.n = test.n,
+           .method = "rank-biserial correlation",
+           .undefined = "no participant rated the two items differently: add participants"});
     }
   }
   const std::vector<double> adjusted = holm_adjusted(p);
@@ -102,7 +103,8 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
 std::vector<Finding> rating_findings(const TidyInput& input) {
   const std::vector<std::string> items = input.options.texts("items");
   if (items.size() < 2) {
-    throw std::runtime_error("the option \"items\" must name at least two items");
+    throw std::runtime_error("the option \"items\" must name at least two items, not " +
+                             std::to_string(items.size()) + "; add the others");
   }
   const Scores given = scores_of(input.table(), items);
   const Eigen::MatrixXd& scores = given.complete;
@@ -111,13 +113,14 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   findings.count("n.complete", "", n, {.n = n, .method = "participants who rated every item"});
   add_left_out(given, findings);
   const FriedmanTest test = friedman_test(scores);
-  add_friedman(test,
-               {.n = n,
-                .none = "no participant rated every item",
-                .one = "agreement requires at least two participants: add participants",
-                .concordance = concordance_interval(scores, input.options.confidence()),
-                .confidence = input.options.confidence()},
-               findings);
+  add_friedman(
+      test,
+      {.n = n,
+       .none = "no participant rated every item: add the missing ratings, or leave out items",
+       .one = "agreement requires at least two participants: add participants",
+       .concordance = concordance_interval(scores, input.options.confidence()),
+       .confidence = input.options.confidence()},
+      findings);
   for (std::size_t i = 0; i < items.size() && n > 0; ++i) {
     const Eigen::VectorXd own = scores.col(static_cast<Eigen::Index>(i));
     add_mean_of_group("mean.score", items[i], std::span(own.data(), n),
@@ -128,7 +131,8 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
     findings.number("mean.rank", items[i], test.mean_rank[i],
                     {.n = n,
                      .method = "within participants, 1 for the lowest rating",
-                     .undefined = "no participant rated every item"});
+                     .undefined = "no participant rated every item: add the missing ratings, or "
+                                  "leave out items"});
   }
   add_pairs(items, scores, findings);
   return findings.take();

@@ -36,7 +36,8 @@ struct Trials {
 Trials read_trials(const TidyInput& input) {
   Trials trials{.labels = input.options.texts("labels")};
   if (trials.labels.size() < 2) {
-    throw std::runtime_error("the option \"labels\" must name at least two stimuli");
+    throw std::runtime_error("the option \"labels\" must name at least two stimuli, not " +
+                             std::to_string(trials.labels.size()) + "; add the others");
   }
   const TidyTable& table = input.table();
   const LabelColumn subjects = table.all_labels("subject");
@@ -46,7 +47,7 @@ Trials read_trials(const TidyInput& input) {
   std::vector<HitCount> participants(subjects.names.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (stimuli.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "stimulus", "the stimulus is missing; enter a stimulus for every trial");
+      table.refuse(row, "stimulus", "the stimulus is missing; enter it, or remove the row");
     }
     if (responses.codes[row] == LabelColumn::kMissing) {
       ++trials.missing;
@@ -189,9 +190,10 @@ class Recognition final {
                  "participants",
                  basis("t over participants"));
     } else {
-      list_.word("subj.t", "", "undefined_zero_variance",
-                 "all participants have the same proportion, so that t is undefined",
-                 basis("t over participants"));
+      list_.word(
+          "subj.t", "", "undefined_zero_variance",
+          "all participants have the same proportion, so that t is undefined: add participants",
+          basis("t over participants"));
     }
     list_.number("pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
                  of_spread("standard error of the proportion correct, participants as clusters"));
@@ -203,7 +205,7 @@ class Recognition final {
       const std::optional<HitCount> hits = recall(trials_.counts, i);
       if (!hits) {
         Basis never = basis("proportion correct of the trials with this stimulus");
-        never.undefined = "this stimulus was never presented";
+        never.undefined = "this stimulus was never presented: add trials, or remove it from labels";
         list_.number("recall", key, kUndefined, never);
         continue;
       }
@@ -288,7 +290,7 @@ class Recognition final {
         of_trials("permutation test of each participant's responses over the trials, " +
                   (test ? way_of_counting(drawn) : std::string("random")));
     permuted.undefined =
-        "no participant has both two different stimuli and two different responses";
+        "no participant has both two different stimuli and two different responses: add trials";
     list_.number("G.perm.p", "", test ? test->p : kUndefined, permuted);
     Basis smallest =
         of_trials("smallest attainable p: that of the largest G among the permutations");
@@ -393,7 +395,9 @@ std::vector<Finding> recognition_findings(const TidyInput& input) {
   if (trials.counts.sum() == 0.0) {
     FindingList list{};
     list.count("n.missing", "", trials.missing);
-    list.word("status", "", "no_data", "no trial has a response: nothing can be estimated");
+    list.word("status", "", "no_data",
+              "no trial has a response, so that nothing can be "
+              "estimated: add responses");
     return list.take();
   }
   return Recognition(trials, input.options.confidence()).findings();

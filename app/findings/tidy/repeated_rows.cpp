@@ -21,7 +21,8 @@ void refuse_repeated(const TidyTable& table, std::string_view column, const std:
     if (name == LabelColumn::kMissing) continue;
     if (seen[name]) {
       table.refuse(row, column,
-                   '"' + labels.names[name] + "\" occurs a second time; there must be " + one_row);
+                   '"' + labels.names[name] + "\" occurs a second time; there must be " + one_row +
+                       ". Remove or rename one of the rows");
     }
     seen[name] = true;
   }

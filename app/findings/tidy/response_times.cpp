@@ -83,7 +83,8 @@ std::vector<Finding> response_times_findings(const TidyInput& input) {
   findings.count("n.untimed", "", untimed,
                  {.n = participants.names.size(), .method = "responses without a response time"});
   if (all.responses() == 0) {
-    findings.word("status", "", "no_data", "no response has a response time",
+    findings.word("status", "", "no_data",
+                  "no response has a response time: enter the response times",
                   {.method = "response times"});
     return findings.take();
   }

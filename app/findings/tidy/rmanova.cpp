@@ -87,8 +87,11 @@ Design read_design(const TidyInput& input) {
   Design design{.within = input.options.levels("within"),
                 .between = input.options.levels("between")};
   if (design.within.empty() || design.between.size() > 1) {
-    throw std::runtime_error(
-        "the options must name at least one factor \"within\" and at most one \"between\"");
+    throw std::runtime_error(design.within.empty()
+                                 ? "the option \"within\" names no factor; name at least one"
+                                 : "the option \"between\" names " +
+                                       std::to_string(design.between.size()) +
+                                       " factors; name at most one");
   }
   design.cells = cell_names(design.within);
   const TidyTable& table = input.table();
@@ -122,9 +125,11 @@ Design read_design(const TidyInput& input) {
       order.push_back(subjects.codes[row]);
     }
     if (person.group != groups[row]) {
-      table.refuse(
-          row, design.between.front().first,
-          subjects.names[subjects.codes[row]] + " is in two groups; a participant must be in one");
+      table.refuse(row, design.between.front().first,
+                   subjects.names[subjects.codes[row]] + " is in the groups \"" +
+                       design.between.front().second[person.group] + "\" and \"" +
+                       design.between.front().second[groups[row]] +
+                       "\"; enter one group for each participant");
     }
     person.sums[cells[row]] += *values[row];
     ++person.counts[cells[row]];
@@ -177,7 +182,9 @@ class AnovaList final {
       dropped += (dropped.empty() ? "" : ";") + one;
     }
     list_.word("subjects.dropped", "", dropped.empty() ? "none" : dropped,
-               dropped.empty() ? "ok" : "these participants have an empty cell and were left out",
+               dropped.empty() ? "ok"
+                               : "these participants have an empty cell and were left out: add "
+                                 "the missing values to include them",
                basis("participants left out"));
     list_.count("n.subjects", "", design_.participants.size(),
                 basis("participants with a value in every cell"));
@@ -299,7 +306,8 @@ class AnovaList final {
     number("p.lower", key, of.p_lower_bound, "F test, corrected with the lower bound of ε");
     if (!of.mauchly) {
       list_.word("mauchly.W", key, "undefined",
-                 "there are fewer participants than contrasts: use the corrected p",
+                 "there are fewer participants than contrasts, so that W is undefined: use the "
+                 "corrected p (p.GG)",
                  basis("Mauchly's test of sphericity"));
       return;
     }
@@ -365,7 +373,9 @@ class AnovaList final {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (scale == "log10" && !(numbers[i] > 0.0)) {
         table.refuse(i, "level",
-                     "the level is not positive; trend_scale log10 requires positive levels");
+                     "the level " + number_text(numbers[i]) +
+                         " is not above 0, as trend_scale log10 requires; correct it, or use "
+                         "trend_scale linear");
       }
       levels(static_cast<Eigen::Index>(i)) = scale == "log10" ? std::log10(numbers[i]) : numbers[i];
     }
@@ -393,7 +403,8 @@ class AnovaList final {
     list_.number(name + (is_pair ? ".diff" : ".estimate"), key, t.mean, shown);
     if (!t.test) {
       list_.word(name + ".t", key, "undefined_zero_variance",
-                 "all participants have the same value, so that t is undefined", basis(method));
+                 "all participants have the same value, so that t is undefined: add participants",
+                 basis(method));
       return;
     }
     list_.number(name + ".t", key, t.test->t, basis(method));

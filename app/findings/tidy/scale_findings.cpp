@@ -77,7 +77,9 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
   const std::size_t n = rows.n;
   const Basis friedman{.n = n,
                        .method = "Friedman's test, corrected for ties",
-                       .undefined = "all items are tied in every row: there is no order to test"};
+                       .undefined =
+                           "all items are tied in every row, so that there is no order to test: "
+                           "add rows in which they differ"};
   if (n < 2) {
     // With a single row, W is 1 and p is constant whatever the data.
     findings.word("friedman.chisq", "", n == 0 ? "no_data" : "undefined_one_row",

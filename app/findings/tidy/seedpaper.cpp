@@ -74,8 +74,8 @@ ChoiceTable choice_table(const TidyTable& table) {
   }
   const auto target = std::find(read.renderers.begin(), read.renderers.end(), kTarget);
   if (target == read.renderers.end() || read.renderers.size() < 2) {
-    throw std::runtime_error(table.name() + " must contain the renderer \"" + kTarget +
-                             "\" and another one");
+    throw std::runtime_error(table.name() + " lacks the renderer \"" + kTarget +
+                             "\" or another one; add the rows of both");
   }
   read.target = target - read.renderers.begin();
   return read;
@@ -221,7 +221,9 @@ RightAnswers read_right_answers(const TidyTable& table) {
   RightAnswers read{.experiments = experiments.names};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (correct[row] > n[row]) {
-      table.refuse(row, "correct", "correct exceeds n; it must be at most n");
+      table.refuse(row, "correct",
+                   "correct is " + std::to_string(correct[row]) + " and n is " +
+                       std::to_string(n[row]) + "; correct must be at most n");
     }
     HitCount& own =
         read.of[{experiments.names[experiments.codes[row]], sexes.names[sexes.codes[row]]}];

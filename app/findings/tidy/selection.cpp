@@ -44,14 +44,19 @@ Choices choices_in(const TidyInput& input) {
   const auto found = std::find(read.renderers.begin(), read.renderers.end(), target);
   if (found == read.renderers.end() || read.renderers.size() < 2) {
     throw std::runtime_error(
-        "the option \"target\" must be one of two or more \"renderers\", not \"" + target + '"');
+        read.renderers.size() < 2
+            ? std::string(
+                  "the option \"renderers\" must name at least two renderers; add the others")
+            : "the option \"target\" is \"" + target +
+                  "\", which \"renderers\" does not name; choose one of them");
   }
   read.target = static_cast<std::size_t>(found - read.renderers.begin());
   read.confidence = input.options.confidence();
   return read;
 }
 
-constexpr const char* kNothingChosen = "no choices were made: nothing can be estimated";
+constexpr const char* kNothingChosen =
+    "no choices were made, so that nothing can be estimated: add choices";
 
 /// The choices of one sample, or of all, treated as independent. Returns the one-sided p of the
 /// target.
@@ -193,10 +198,11 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
                        FindingList& findings) {
   const std::string& target = read.renderers[alternative];
   const auto n = static_cast<std::size_t>(counts.rows());
-  const std::string undefined = n == 0   ? "there are no choices"
+  const std::string undefined = n == 0   ? "no choices were made: add choices"
                                 : n == 1 ? "differences between participants cannot be estimated "
                                            "from one participant: add participants"
-                                         : "all participants have the same proportion";
+                                         : "all participants have the same proportion: add "
+                                           "participants";
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
     findings.number(quantity, key, value, {.n = n, .method = method, .undefined = undefined});
@@ -263,9 +269,10 @@ void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> di
               .method =
                   "Cohen's d_z of the participants' differences of counts; interval from the "
                   "noncentral t distribution",
-              .undefined = numbers.size() < 2 ? "differences between participants cannot be "
-                                                "estimated from one participant: add participants"
-                                              : "all participants have the same difference"};
+              .undefined = numbers.size() < 2
+                               ? "differences between participants cannot be "
+                                 "estimated from one participant: add participants"
+                               : "all participants have the same difference: add participants"};
   if (!t.test) {
     findings.number("signflip.d", key, kNoNumber, basis);
     return;
@@ -282,11 +289,13 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   // 99 % with twelve and twenty.
   constexpr Eigen::Index kFewest = 10;
   const Eigen::MatrixXd judgements = counts.cast<double>();
-  Basis basis{.n = static_cast<std::size_t>(counts.rows()),
-              .method = "Kendall's W of the participants' counts, corrected for ties",
-              .undefined = counts.rows() < 2
-                               ? "agreement requires at least two participants: add participants"
-                               : "no participant chose one alternative more often than another"};
+  Basis basis{
+      .n = static_cast<std::size_t>(counts.rows()),
+      .method = "Kendall's W of the participants' counts, corrected for ties",
+      .undefined =
+          counts.rows() < 2
+              ? "agreement requires at least two participants: add participants"
+              : "no participant chose one alternative more often than another: add participants"};
   if (counts.rows() >= kFewest) basis.interval = concordance_interval(judgements, confidence);
   if (basis.interval) {
     basis.confidence = confidence;

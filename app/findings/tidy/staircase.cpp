@@ -57,7 +57,9 @@ void refuse_unknown(const FamilyOptions& options) {
                                        "scale", "min",    "max",  "discard", "even"};
   for (const std::string& name : options.names()) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw std::runtime_error("there is no option \"" + name + '"' + did_you_mean(name, known));
+    const std::string meant = did_you_mean(name, known);
+    throw std::runtime_error("there is no option \"" + name + '"' +
+                             (meant.empty() ? "; the options are " + listed_words(known) : meant));
   }
 }
 
@@ -113,7 +115,9 @@ std::vector<AnsweredTrack> answered_tracks(
                    "the track \"" + name + "\" has no rule; add it to the option \"tracks\"");
     }
     if (responses[row] && *responses[row] != 0.0 && *responses[row] != 1.0) {
-      table.refuse(row, "response", "the response must be 1 (correct) or 0 (incorrect), or empty");
+      table.refuse(row, "response",
+                   "response is " + number_text(*responses[row]) +
+                       "; it must be 1 (correct) or 0 (incorrect), or empty");
     }
     rows[static_cast<std::size_t>(found - names.begin())].push_back(row);
   }
@@ -193,7 +197,7 @@ class TrackFindings final {
     findings_.count("n.clipped", answered_.name, clipped,
                     basis("moves that a bound shortened or prevented"));
     findings_.word("reversal.trials", answered_.name, trials,
-                   count == 0 ? "the track has no reversal" : "ok",
+                   count == 0 ? "the track has no reversal: run more trials" : "ok",
                    basis("trials of the reversals"));
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "app/findings/found_numbers.h"
 #include "protocols/design/wording.h"
 
@@ -161,13 +162,16 @@ void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
                                  : "at most " + std::to_string(family.most_tables) + " tables";
   throw std::runtime_error(input.tables[family.most_tables].name() + ": " +
                            std::string(family.name) + " takes " + tables + ": " +
-                           std::string(family.tables) + "; combine the data in one table");
+                           std::string(family.tables) +
+                           (family.most_tables == 1 ? "; combine the data in one table"
+                                                    : "; leave out the further tables"));
 }
 
 const TidyTable& TidyInput::table(std::size_t index) const {
   if (index < tables.size()) return tables[index];
-  throw std::runtime_error("this analysis needs more tables; add them after the first. Needed: " +
-                           std::to_string(index + 1) + ", given: " + std::to_string(tables.size()));
+  throw std::runtime_error("this analysis needs at least " + counted(index + 1, "table", "tables") +
+                           ", and the number given is " + std::to_string(tables.size()) +
+                           "; name the others after the first");
 }
 
 std::span<const TidyFamily> tidy_families() { return kFamilies; }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 std::vector<std::optional<double>> logarithms_of_times(const TidyTable& table) {
@@ -11,7 +13,9 @@ std::vector<std::optional<double>> logarithms_of_times(const TidyTable& table) {
     if (!times[row]) continue;
     if (*times[row] <= 0.0) {
       table.refuse(row, "time_s",
-                   "a response time must be above 0 s; leave the cell empty where there is none");
+                   "time_s is " + number_text(*times[row]) +
+                       "; a response time must be above 0 s. Correct it, or leave the cell empty "
+                       "where there is none");
     }
     times[row] = std::log(*times[row]);
   }

@@ -121,7 +121,8 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   connect(analysing_, &TaskLine::cancelWanted, this, [this] {
     analysis_.abandon();
     banner_->show_news(State::look,
-                       tr("The responses were not counted; the previous results are shown."),
+                       tr("Counting the responses was cancelled; the previous results are shown. "
+                          "Count again to update them."),
                        tr("Count again"), [this] { refresh(); });
   });
   connect(writing_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);

@@ -309,7 +309,10 @@ void AttemptPage::export_to(const QString& file) {
       },
       [this, file](const std::optional<std::size_t>& ticks) {
         if (!ticks) {
-          banner().show_news(State::look, tr("Writing %1 was cancelled.").arg(file));
+          banner().show_news(
+              State::look,
+              tr("Writing %1 was cancelled. To write the table, export the recording again.")
+                  .arg(file));
           return;
         }
         banner().show_news(

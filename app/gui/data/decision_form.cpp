@@ -81,15 +81,16 @@ void DecisionForm::keyPressEvent(QKeyEvent* event) {
 void DecisionForm::show_what_is_missing() {
   if (!study_.can_be_written()) {
     write_->setEnabled(false);
-    note_->set_state(State::look, tr("This study is read-only: no decision can be stored."));
+    note_->set_state(State::look, tr("This study is read-only: no decision can be stored. Copy it "
+                                     "to a folder that you may write to."));
     return;
   }
   const bool given = !reason_->currentText().trimmed().isEmpty();
   write_->setEnabled(given);
-  note_->set_state(State::unknown,
-                   given
-                       ? tr("The decision is stored with the time; the data remain unchanged.")
-                       : tr("A reason is required, so that the decision can be understood later."));
+  note_->set_state(
+      State::unknown,
+      given ? tr("The decision is stored with the time; the data remain unchanged.")
+            : tr("Choose or enter a reason, so that the decision can be understood later."));
 }
 
 void DecisionForm::write() {

@@ -70,7 +70,9 @@ void FigureSaver::save(const Figure& figure, double width_mm, const std::filesys
   std::error_code error{};
   if (overwrite == Overwrite::refuse && std::filesystem::exists(file, error)) {
     banner_.show_news(
-        State::look, tr("The file %1 already exists.").arg(shown),
+        State::look,
+        tr("The file %1 already exists. Replace it, or save the figure under another name.")
+            .arg(shown),
         tr("Replace “%1”").arg(QString::fromStdString(file.filename().string())),
         [this, figure, width_mm, file] { save(figure, width_mm, file, Overwrite::allow); });
     return;

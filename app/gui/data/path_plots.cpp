@@ -118,7 +118,7 @@ void PathPlots::show_surfaces(const RecordingCurves& curves, std::optional<int> 
   path_heading_->setText(path);
   spectrum_heading_->setText(spectrum);
   if (!extent_) say(*path_, tr("No surface was presented."));
-  if (highest_ == 0.0) say(*spectrum_, tr("No contact was long enough."));
+  if (highest_ == 0.0) say(*spectrum_, tr("No contact was long enough for a spectrum."));
   spectrum_->yAxis->setRange(highest_ * std::pow(10.0, -kPathDecades), 2.0 * highest_);
   for (QCustomPlot* plot : {path_, spectrum_}) {
     const bool empty = plot->plottableCount() == 0;

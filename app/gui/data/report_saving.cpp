@@ -84,7 +84,10 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
   if (saving_.is_running()) return;
   const std::filesystem::path path = path_of_text(file);
   if (overwrite == Overwrite::refuse && std::filesystem::exists(path)) {
-    banner_.show_news(State::look, tr("%1 already exists. Nothing was written.").arg(file),
+    banner_.show_news(State::look,
+                      tr("%1 already exists; nothing was written. Replace it, or save the report "
+                         "under another name.")
+                          .arg(file),
                       tr("Replace it"), [this, file] { save_to(file, Overwrite::allow); });
     return;
   }
@@ -99,7 +102,8 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
       },
       [this, file](const Saved& saved) {
         if (!saved.is_written) {
-          banner_.show_news(State::look, tr("Writing the report was cancelled."));
+          banner_.show_news(State::look, tr("Writing the report was cancelled, and no report was "
+                                            "written. To write it, save the report again."));
           return;
         }
         banner_.show_news(saved.unrecorded ? State::look : State::fine,

@@ -273,7 +273,8 @@ void DeviceTestPage::connect_run() {
   connect(&run_, &DeviceTestRun::measured, this, &DeviceTestPage::show_measured);
   connect(&run_, &DeviceTestRun::stopped, this, [this](const QString& last_words) {
     end(State::look, last_words.isEmpty()
-                         ? tr("Stopped: the force is zero, and nothing was stored.")
+                         ? tr("Stopped: the force is zero, and nothing was stored. To measure the "
+                              "device, begin the test again.")
                          : tr("Stopped, and nothing was stored: %1").arg(last_words));
   });
   connect(&run_, &DeviceTestRun::failed, this, [this](const QString& sentence) {
@@ -325,7 +326,8 @@ void DeviceTestPage::show_device(const TestedDevice& device) {
   begin_->setEnabled(can_be_kept);
   not_now_->setVisible(!device.is_simulated);
   reason_->setText(can_be_kept ? QString()
-                               : tr("This study is read-only: no profile can be stored."));
+                               : tr("This study is read-only: no profile can be stored. Copy it to "
+                                    "a folder that you may write to."));
   write_what_it_does();
   stack_->setCurrentIndex(0);
   area_->ensureVisible(0, 0);
@@ -381,8 +383,8 @@ void DeviceTestPage::show_found(const Found& found) {
   QStringList beside{};
   if (rows.empty()) {
     beside << tr(
-        "The study has no profile of this device yet. Before a session, its plan is compared with "
-        "the latest profile.");
+        "The study has no profile of this device yet; this test measures one. Before a session, "
+        "its plan is compared with the latest profile.");
   }
   for (const std::string& complaint : found.kept.complaints) {
     beside << tr("Not listed: %1").arg(text(complaint));

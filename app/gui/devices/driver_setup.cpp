@@ -116,7 +116,7 @@ Said said_of(const DriverSurvey& survey, bool is_named) {
   }
   if (!survey.hindrance.empty()) words << sentence_of(survey.hindrance);
   if (survey.attached.empty() && survey.hindrance.empty()) {
-    words << DriverSetup::tr("No device is attached.");
+    words << DriverSetup::tr("No device is attached: connect one, and check that it has power.");
   }
   State state = is_named ? State::fine : State::unknown;
   if (usable > 0) state = State::fine;

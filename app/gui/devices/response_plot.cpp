@@ -105,9 +105,9 @@ void ResponsePlot::show_profile(const DeviceProfile& profile) {
   plot_->setVisible(is_there);
   nothing_->setVisible(!is_there);
   if (!is_there) {
-    nothing_->setText(profile.items.empty()
-                          ? QString()
-                          : tr("No frequency response is stored with this profile."));
+    nothing_->setText(profile.items.empty() ? QString()
+                                            : tr("No frequency response is stored with this "
+                                                 "profile; to measure it, test the device again."));
     return;
   }
   plot_->xAxis->setRange(0.9 * low_Hz, 1.1 * high_Hz);

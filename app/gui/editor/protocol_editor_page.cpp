@@ -426,9 +426,10 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
                                         .arg(text(file_.filename().string())));
   }
   if (!saving.not_looked_up.empty()) {
-    banner().show_news(State::look, tr("Saved. Whether sessions were run with another text of this "
-                                       "version could not be determined: %1")
-                                        .arg(text(saving.not_looked_up)));
+    banner().show_news(State::look,
+                       tr("Saved. If sessions were run with another text of this version, raise "
+                          "the version; whether they were could not be determined: %1")
+                           .arg(text(saving.not_looked_up)));
   }
   watch_file();
   study().announce_change();

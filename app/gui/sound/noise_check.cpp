@@ -217,20 +217,23 @@ QString NoiseCheck::reservation() const {
         .arg(output_.name);
   }
   if (value_.kind == MaskingNoise::Kind::none) return {};
-  if (!value_.measured_dBA) return tr("The level of the noise at the ear was not measured.");
+  if (!value_.measured_dBA)
+    return tr("The level of the noise at the ear was not measured; measure it, and enter it.");
   if (*value_.measured_dBA > kLoudest_dBA) {
-    return tr("The noise was measured at %1 dB(A): levels above %2 dB(A) can damage hearing.")
+    return tr("The noise was measured at %1 dB(A): levels above %2 dB(A) can damage hearing. Lower "
+              "the gain, and measure again.")
         .arg(shown_number(*value_.measured_dBA, 'f', 1))
         .arg(shown_number(kLoudest_dBA, 'f', 0));
   }
   if (value_.declared_dBA &&
       std::abs(*value_.measured_dBA - *value_.declared_dBA) > kNoiseTolerance_dBA) {
-    return tr("The noise was measured at %1 dB(A); the protocol requires %2 dB(A).")
+    return tr("The noise was measured at %1 dB(A); the protocol requires %2 dB(A). Change the "
+              "gain, and measure again.")
         .arg(shown_number(*value_.measured_dBA, 'f', 1))
         .arg(shown_number(*value_.declared_dBA, 'f', 1));
   }
   if (value_.verified_by.empty())
-    return tr("The experimenter who measured the noise has not been entered.");
+    return tr("The experimenter who measured the noise has not been entered; enter the name.");
   return {};
 }
 

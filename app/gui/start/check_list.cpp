@@ -165,7 +165,8 @@ void CheckList::set_progress(double fraction) {
 void CheckList::set_cancelled() {
   set_running(false);
   summary_->setText(
-      tr("The checks were cancelled. The session can start once they have been completed."));
+      tr("The checks were cancelled. Press “Check again”: the session can start once they have "
+         "been completed."));
 }
 
 }  // namespace asperity

@@ -77,9 +77,13 @@ std::string ConsentCard::seen_by() const { return seen_by_->text().trimmed().toS
 
 std::vector<QString> ConsentCard::complaints() const {
   std::vector<QString> complaints{};
-  if (!is_given()) complaints.push_back(tr("The participant has not agreed to the statement yet."));
+  if (!is_given())
+    complaints.push_back(
+        tr("The participant has not agreed to the statement yet; tick the box when the participant "
+           "agrees."));
   if (seen_by().empty())
-    complaints.push_back(tr("The witness of the participant's consent has not been entered."));
+    complaints.push_back(
+        tr("The witness of the participant's consent has not been entered; enter the name."));
   return complaints;
 }
 

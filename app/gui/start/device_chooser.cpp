@@ -322,7 +322,8 @@ void DeviceChooser::show_chosen() {
   if (is_looking || !has_looked_) {
     state_->set_state(State::unknown, tr("Searching for devices…"));
   } else if (!now.is_usable()) {
-    state_->set_state(State::stop, tr("The device cannot be used at present."));
+    state_->set_state(State::stop, tr("The device cannot be used at present: resolve the problem "
+                                      "stated here, or choose another device."));
   } else if (found == nullptr) {
     state_->set_state(State::look, tr("Not tried yet. “Try this device” opens it and runs the "
                                       "servo loop for a third of a second without force."));
@@ -337,7 +338,7 @@ QString DeviceChooser::name() const { return name_of_choice(chosen()); }
 
 QString DeviceChooser::waits_for() const {
   if (chosen().kind != DeviceKind::attached) return {};
-  if (try_task_.is_running()) return tr("The device is being tried.");
+  if (try_task_.is_running()) return tr("The device is being tried; wait for the result.");
   if (survey_task_.is_running() || !has_looked_) return tr("Searching for devices…");
   return {};
 }

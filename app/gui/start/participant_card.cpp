@@ -302,14 +302,14 @@ ParticipantRow ParticipantCard::new_person(const Protocol& protocol) const {
 
 std::vector<QString> ParticipantCard::complaints() const {
   std::vector<QString> complaints{};
-  if (group_->is_missing()) complaints.push_back(tr("No group is chosen."));
+  if (group_->is_missing()) complaints.push_back(tr("No group is chosen; choose one."));
   if (!is_new()) {
-    if (label().empty()) return {tr("No participant is chosen.")};
+    if (label().empty()) return {tr("No participant is chosen; choose one.")};
     return complaints;
   }
   if (is_virtual_) return complaints;
   if (label().empty()) {
-    complaints.push_back(tr("The new participant has no label."));
+    complaints.push_back(tr("The new participant has no label; enter one."));
   } else if (const auto complaint = complaint_about_label(label(), false)) {
     complaints.push_back(tr(
         "The label must consist of 1 to 32 letters and digits (0-9, A-Z, a-z) and must not begin "

@@ -42,10 +42,11 @@ MaskingNoise StartPage::noise() const {
 
 std::vector<QString> StartPage::reasons() const {
   if (read_task_.is_running()) return {tr("The study is being read.")};
-  if (!is_read_) return {tr("The study has not been read.")};
+  if (!is_read_) return {tr("The study has not been read; press “Try again”.")};
   if (chosen() == nullptr) {
-    return {facts_.chosen.is_read() ? tr("The protocol is not valid.")
-                                    : tr("No protocol is chosen.")};
+    return {facts_.chosen.is_read()
+                ? tr("The protocol is not valid; correct it, or choose another one.")
+                : tr("No protocol is chosen; choose one.")};
   }
   std::vector<QString> reasons = participant_->complaints();
   if (needs_consent()) {

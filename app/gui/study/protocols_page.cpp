@@ -349,7 +349,8 @@ void ProtocolsPage::show_selected() {
     reason_->setText(tr("Fix the problems listed below first."));
   } else {
     reason_->setText(can_run ? QString{}
-                             : tr("This study is read-only: no session can be stored."));
+                             : tr("This study is read-only: no session can be stored. Copy it to a "
+                                  "folder that you may write to."));
   }
   description_->setText(protocol ? text(protocol->description) : QString{});
   std::vector<StudyTable::Row> rows{};

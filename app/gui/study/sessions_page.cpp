@@ -207,7 +207,9 @@ void SessionsPage::show_selected() {
         tr("The session is running: until it ends, only its own window shows its data, as far as "
            "the blinding permits."));
   } else if (session->is_running) {
-    reason_->setText(tr("The session is running, here or in another program."));
+    reason_->setText(
+        tr("The session is running, here or in another program; wait until it has ended, or stop "
+           "it there."));
   } else if (session->row.state == SessionState::completed) {
     reason_->setText(tr("The session is complete: there is nothing to resume."));
   } else if (session->ended_by_rule) {
@@ -219,7 +221,9 @@ void SessionsPage::show_selected() {
                          .arg(QString::fromStdString(session->protocol_name),
                               QString::fromStdString(session->protocol_version)));
   } else if (!study().can_be_written()) {
-    reason_->setText(tr("This study is read-only: no session can be stored."));
+    reason_->setText(
+        tr("This study is read-only: no session can be stored. Copy it to a folder that you may "
+           "write to."));
   } else {
     reason_->setText((session->planned_is_estimated
                           ? tr("Trials completed and stored: %1 of about %2.")

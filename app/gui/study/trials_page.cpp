@@ -223,7 +223,8 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   below->addWidget(open_);
   below->addWidget(selected_, 1);
   if (!study.can_be_written()) {
-    below->addWidget(make_text(tr("This study is read-only."), this, true));
+    below->addWidget(make_text(
+        tr("This study is read-only; copy it to a folder that you may write to."), this, true));
   }
   below->addWidget(exclude_);
   body().addLayout(below);

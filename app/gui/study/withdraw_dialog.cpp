@@ -166,7 +166,7 @@ void WithdrawDialog::show_what_is_missing() {
   set_role(*do_, deletes ? ButtonRole::danger : ButtonRole::primary);
   QString missing{};
   if (!study_.can_be_written()) {
-    missing = tr("This study is read-only.");
+    missing = tr("This study is read-only; copy it to a folder that you may write to.");
   } else if (by_->text().trimmed().isEmpty()) {
     missing = tr("Enter who decided this; the name is stored with the time.");
   } else if (deletes && typed_->text() != text(label_)) {

@@ -52,8 +52,8 @@
         <translation>Versuche, die nicht zählen: %1.</translation>
     </message>
     <message>
-        <source>This program has no analysis for protocols of the kind &quot;%1&quot;.</source>
-        <translation>Dieses Programm hat keine Auswertung für Protokolle der Art „%1“.</translation>
+        <source>This program has no analysis for protocols of the kind &quot;%1&quot;; export the tables and analyse them with another program.</source>
+        <translation>Dieses Programm hat keine Auswertung für Protokolle der Art „%1“; die Tabellen exportieren und mit einem anderen Programm auswerten.</translation>
     </message>
     <message>
         <source>Responses left out because they do not assign each picture to exactly one surface, so that the chance level of a permutation does not apply: %1.</source>
@@ -172,8 +172,8 @@
         <translation>Gleiche Effektivwerte bedeuten nicht gleiche wahrgenommene Stärke; diese hängt auch von der Frequenz ab. Die erreichte Kraft hängt davon ab, wie die Versuchsperson den Griff gedrückt und bewegt hat.</translation>
     </message>
     <message>
-        <source>These files declare different tests: no test counts as declared before data collection.</source>
-        <translation>Diese Dateien legen verschiedene Tests fest: Kein Test gilt als vor der Datenerhebung festgelegt.</translation>
+        <source>These files declare different tests, so that no test counts as declared before data collection; give a changed protocol a new version.</source>
+        <translation>Diese Dateien legen verschiedene Tests fest, daher gilt kein Test als vor der Datenerhebung festgelegt; einem geänderten Protokoll eine neue Version geben.</translation>
     </message>
     <message>
         <source>Confused pairs of textures, the most frequent first</source>
@@ -204,8 +204,8 @@
         <translation>Anzahlen aus allen Antworten; für ein Konfidenzintervall wäre ein Modell der Verwechslungen nötig.</translation>
     </message>
     <message>
-        <source>No response assigns each picture to exactly one surface: the matchings are not analysed.</source>
-        <translation>Keine Antwort ordnet jedes Bild genau einer Oberfläche zu: Die Zuordnungen werden nicht ausgewertet.</translation>
+        <source>No response assigns each picture to exactly one surface, so that the matchings are not analysed; ask participants to assign every picture.</source>
+        <translation>Keine Antwort ordnet jedes Bild genau einer Oberfläche zu, daher werden die Zuordnungen nicht ausgewertet; Versuchspersonen bitten, jedes Bild zuzuordnen.</translation>
     </message>
     <message>
         <source>Similarity of the textures</source>
@@ -280,8 +280,8 @@
         <translation>Die Position ist der Platz einer Oberfläche in der Reihenfolge der Darbietung, unabhängig von ihrem Modell. Wenn die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
     </message>
     <message>
-        <source>The models cannot be placed on a scale: one of them was always or never chosen when it was presented, or was never presented with the others, so that its distance has no finite estimate.</source>
-        <translation>Die Modelle lassen sich nicht auf einer Skala anordnen: Eines wurde immer oder nie gewählt, wenn es dargeboten wurde, oder nie zusammen mit den anderen dargeboten, sodass es für seinen Abstand keine endliche Schätzung gibt.</translation>
+        <source>The models cannot be placed on a scale: one of them was always or never chosen when it was presented, or was never presented with the others, so that its distance has no finite estimate. Collect more choices with this model.</source>
+        <translation>Die Modelle lassen sich nicht auf einer Skala anordnen: Eines wurde immer oder nie gewählt, wenn es dargeboten wurde, oder nie zusammen mit den anderen dargeboten, sodass es für seinen Abstand keine endliche Schätzung gibt. Mehr Wahlen mit diesem Modell erheben.</translation>
     </message>
     <message>
         <source>The models on one scale</source>
@@ -292,8 +292,8 @@
         <translation>Welche Wiedergabe ist die realistischste?</translation>
     </message>
     <message>
-        <source>There are no choices yet.</source>
-        <translation>Es gibt noch keine Wahlen.</translation>
+        <source>There are no choices yet; run a session first.</source>
+        <translation>Es gibt noch keine Wahlen; erst eine Sitzung durchführen.</translation>
     </message>
     <message>
         <source>%1 over %2 (%3)</source>
@@ -620,8 +620,8 @@
         <translation>%1, 95-%-KI [%2; %3]</translation>
     </message>
     <message>
-        <source>The scale cannot be estimated: a model was always or never chosen, or the trials do not link all models.</source>
-        <translation>Die Skala lässt sich nicht schätzen: Ein Modell wurde immer oder nie gewählt, oder die Durchgänge verbinden nicht alle Modelle.</translation>
+        <source>The scale cannot be estimated: a model was always or never chosen, or the trials do not link all models. Collect more choices.</source>
+        <translation>Die Skala lässt sich nicht schätzen: Ein Modell wurde immer oder nie gewählt, oder die Durchgänge verbinden nicht alle Modelle. Mehr Wahlen erheben.</translation>
     </message>
     <message>
         <source>the smallest p is shared by %1 pairs (each %2)</source>
@@ -676,8 +676,8 @@
         <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz der beiden Wahlhäufigkeiten jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht), in den Durchgängen, in denen beide dargeboten wurden.</translation>
     </message>
     <message>
-        <source>No choice was made between two models.</source>
-        <translation>Zwischen zwei Modellen wurde nie gewählt.</translation>
+        <source>No choice was made between two models; collect responses first.</source>
+        <translation>Zwischen zwei Modellen wurde nie gewählt; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>No pair differs significantly: %1.</source>
@@ -836,8 +836,8 @@
         <translation>95-%-KI: t-Intervalle aus CR2-Standardfehlern mit den Versuchspersonen als Clustern; Freiheitsgrade nach Satterthwaite.</translation>
     </message>
     <message>
-        <source>No CI: at least %1 participants are needed.</source>
-        <translation>Kein Konfidenzintervall: Dafür sind mindestens %1 Versuchspersonen nötig.</translation>
+        <source>No CI: at least %1 participants are needed; add participants.</source>
+        <translation>Kein Konfidenzintervall: Dafür sind mindestens %1 Versuchspersonen nötig; Versuchspersonen ergänzen.</translation>
     </message>
     <message>
         <source>Bradley–Terry model: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1</source>
@@ -916,8 +916,8 @@
         <translation>die Anteile von %1 an den Wahlen der Versuchspersonen</translation>
     </message>
     <message>
-        <source>There are no responses yet.</source>
-        <translation>Es gibt noch keine Antworten.</translation>
+        <source>There are no responses yet; run a session first.</source>
+        <translation>Es gibt noch keine Antworten; erst eine Sitzung durchführen.</translation>
     </message>
     <message>
         <source>%1, %2, %3</source>
@@ -976,8 +976,8 @@
         <translation>%1 Weggelassene Durchgänge ohne Reaktionszeit: %2 von %3.</translation>
     </message>
     <message>
-        <source>No trial has a stored response time.</source>
-        <translation>Für keinen Durchgang ist eine Reaktionszeit gespeichert.</translation>
+        <source>No trial has a stored response time; collect responses first.</source>
+        <translation>Für keinen Durchgang ist eine Reaktionszeit gespeichert; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>Response times by condition</source>
@@ -1468,8 +1468,8 @@
         <translation>Kendalls ζ jeder vollständigen Runde ohne Gleichstände, gemittelt über die Runden einer Versuchsperson; das Konfidenzintervall des Mittelwerts ist t-basiert.</translation>
     </message>
     <message>
-        <source>Fewer than two items were presented: no comparison is possible.</source>
-        <translation>Es wurden weniger als zwei Items dargeboten: Ein Vergleich ist nicht möglich.</translation>
+        <source>Fewer than two items were presented, so that no comparison is possible; present at least two items.</source>
+        <translation>Es wurden weniger als zwei Items dargeboten, daher ist kein Vergleich möglich; mindestens zwei Items darbieten.</translation>
     </message>
     <message>
         <source>Which item of a pair is chosen more often?</source>
@@ -1480,8 +1480,8 @@
         <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz der beiden Wahlhäufigkeiten jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht); ohne Gleichstände.</translation>
     </message>
     <message>
-        <source>No choice was made between two items.</source>
-        <translation>Zwischen zwei Items wurde nie gewählt.</translation>
+        <source>No choice was made between two items; collect responses first.</source>
+        <translation>Zwischen zwei Items wurde nie gewählt; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>Permutation test of the numbers of choices of the two positions, which are exchanged within each participant; ties are left out.</source>
@@ -1556,8 +1556,8 @@
         <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich häufig verglichen haben, mit t-basierten 95-%-KI, auf den Bereich von 0 bis 1 begrenzt; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
     </message>
     <message>
-        <source>The items cannot be placed on a scale by maximum likelihood: some of them were always or never chosen in the comparisons with the others, or were never compared with them, so that their distance has no finite estimate.</source>
-        <translation>Die Items lassen sich nicht durch Maximum-Likelihood-Schätzung auf einer Skala anordnen: Einige wurden in den Vergleichen mit den anderen immer oder nie gewählt oder nie mit ihnen verglichen, sodass es für ihren Abstand keine endliche Schätzung gibt.</translation>
+        <source>The items cannot be placed on a scale by maximum likelihood: some of them were always or never chosen in the comparisons with the others, or were never compared with them, so that their distance has no finite estimate. Collect more comparisons of these items.</source>
+        <translation>Die Items lassen sich nicht durch Maximum-Likelihood-Schätzung auf einer Skala anordnen: Einige wurden in den Vergleichen mit den anderen immer oder nie gewählt oder nie mit ihnen verglichen, sodass es für ihren Abstand keine endliche Schätzung gibt. Mehr Vergleiche dieser Items erheben.</translation>
     </message>
     <message>
         <source>%1, by maximum likelihood (Davidson and Beaver 1977), with Wald 95 % CIs and likelihood-ratio tests. All responses are treated as independent, although those of one participant may not be: the p values are approximate.</source>
@@ -1664,8 +1664,8 @@
         <translation>Antworten zu Durchgängen ohne zwei Oberflächen und eine Stufe, die nicht ausgewertet werden: %1.</translation>
     </message>
     <message>
-        <source>The protocol does not state the judgement and the parameter that is varied with its value in the standard: thresholds cannot be estimated.</source>
-        <translation>Das Protokoll nennt nicht das Urteil und den variierten Parameter mit seinem Wert im Standardreiz: Schwellen können nicht geschätzt werden.</translation>
+        <source>The protocol does not state the judgement and the parameter that is varied with its value in the standard, so that thresholds cannot be estimated; state them in a new version of the protocol.</source>
+        <translation>Das Protokoll nennt nicht das Urteil und den variierten Parameter mit seinem Wert im Standardreiz, daher können keine Schwellen geschätzt werden; beides in einer neuen Version des Protokolls angeben.</translation>
     </message>
     <message>
         <source>%1, Weber fraction %2</source>
@@ -3334,8 +3334,8 @@
         <translation>entlang %1 %2</translation>
     </message>
     <message>
-        <source>Not measured: %1.</source>
-        <translation>Nicht gemessen: %1.</translation>
+        <source>Not measured: %1. If this value is needed, fix the cause and measure the device again.</source>
+        <translation>Nicht gemessen: %1. Wenn dieser Wert gebraucht wird, die Ursache beheben und das Gerät erneut messen.</translation>
     </message>
     <message>
         <source>Measured on a simulated device: the value characterises this computer.</source>
@@ -3346,8 +3346,8 @@
         <translation>Es wurde keine Oberfläche dargeboten.</translation>
     </message>
     <message>
-        <source>The servo loop did not run: %1</source>
-        <translation>Die Servoschleife lief nicht: %1</translation>
+        <source>The servo loop did not run: %1. Fix the cause, then measure the device again.</source>
+        <translation>Die Servoschleife lief nicht: %1. Die Ursache beheben, dann das Gerät erneut messen.</translation>
     </message>
     <message>
         <source>Largest force sent without a surface.</source>
@@ -3442,12 +3442,12 @@
         <translation>kein Stoß bis %1 N bewegte den Griff</translation>
     </message>
     <message>
-        <source>The handle was not moved along the borders of its workspace.</source>
-        <translation>Der Griff wurde nicht an den Grenzen seines Arbeitsraums entlanggeführt.</translation>
+        <source>The handle was not moved along the borders of its workspace; measure the device again, and move the handle along them.</source>
+        <translation>Der Griff wurde nicht an den Grenzen seines Arbeitsraums entlanggeführt; das Gerät erneut messen und den Griff an ihnen entlangführen.</translation>
     </message>
     <message>
-        <source>There were no readings.</source>
-        <translation>Es gab keine Messwerte.</translation>
+        <source>There were no readings of the position; check the cable, and measure the device again.</source>
+        <translation>Es gab keine Messwerte der Position; das Kabel prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
         <source>The smallest fraction of the declared workspace that the handle reached along an axis.</source>
@@ -3462,8 +3462,8 @@
         <translation>Für diese Studie wird gerade ein Gerät gemessen. Die Messung stoppen oder ihr Ende abwarten, dann die Sitzung starten.</translation>
     </message>
     <message>
-        <source>Unknown for %1, which the simulated device models.</source>
-        <translation>Unbekannt für %1, das vom simulierten Gerät nachgebildet wird.</translation>
+        <source>Unknown for %1, which the simulated device models; measure the real device.</source>
+        <translation>Unbekannt für %1, das vom simulierten Gerät nachgebildet wird; das echte Gerät messen.</translation>
     </message>
     <message>
         <source>workspace</source>
@@ -3526,12 +3526,12 @@
         <translation>Das Gerät hielt jeden Grenzwert ein.</translation>
     </message>
     <message>
-        <source>The device did not meet every limit: %1.</source>
-        <translation>Das Gerät hielt nicht jeden Grenzwert ein: %1.</translation>
+        <source>The device did not meet every limit: %1. Repair it and measure it again, or choose another device.</source>
+        <translation>Das Gerät hielt nicht jeden Grenzwert ein: %1. Es instand setzen und erneut messen oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
-        <source>Not measured, although a limit applies: %1.</source>
-        <translation>Nicht gemessen, obwohl ein Grenzwert gilt: %1.</translation>
+        <source>Not measured, although a limit applies: %1. Measure the device again.</source>
+        <translation>Nicht gemessen, obwohl ein Grenzwert gilt: %1. Das Gerät erneut messen.</translation>
     </message>
     <message>
         <source>the connection to the device was lost during the measurement: %1 Fix the problem, then measure the device again.</source>
@@ -3584,8 +3584,8 @@
         <translation>kann es nicht sagen</translation>
     </message>
     <message>
-        <source>There are no responses and therefore no confusions.</source>
-        <translation>Es gibt keine Antworten und daher keine Verwechslungen.</translation>
+        <source>There are no responses and therefore no confusions; collect responses first.</source>
+        <translation>Es gibt keine Antworten und daher keine Verwechslungen; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -3660,8 +3660,8 @@
         <translation>Erkannte Texturen</translation>
     </message>
     <message>
-        <source>No level has trials: there are no proportions correct.</source>
-        <translation>Keine Stufe hat Durchgänge: Es gibt keine Anteile richtiger Antworten.</translation>
+        <source>No level has trials, so that there are no proportions correct; collect responses first.</source>
+        <translation>Keine Stufe hat Durchgänge, daher gibt es keine Anteile richtiger Antworten; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>level, in the unit of the table</source>
@@ -3688,8 +3688,8 @@
         <translation>Es gibt keine Kurve: %1.</translation>
     </message>
     <message>
-        <source>There is no curve: there are no estimates.</source>
-        <translation>Es gibt keine Kurve: Es gibt keine Schätzungen.</translation>
+        <source>There is no curve, because there are no estimates; collect estimates first.</source>
+        <translation>Es gibt keine Kurve, weil es keine Schätzungen gibt; erst Schätzungen erheben.</translation>
     </message>
     <message>
         <source>spacing, in the unit of the table</source>
@@ -3708,8 +3708,8 @@
         <translation>Es gibt keine Skala: %1.</translation>
     </message>
     <message>
-        <source>There is no scale: there are no judgements.</source>
-        <translation>Es gibt keine Skala: Es gibt keine Urteile.</translation>
+        <source>There is no scale, because there are no judgements; collect judgements first.</source>
+        <translation>Es gibt keine Skala, weil es keine Urteile gibt; erst Urteile erheben.</translation>
     </message>
     <message>
         <source>first MDS dimension</source>
@@ -3728,8 +3728,8 @@
         <translation>Der Unterschied zwischen den Gruppen</translation>
     </message>
     <message>
-        <source>Fewer than two groups have responses: no comparison is possible.</source>
-        <translation>Weniger als zwei Gruppen haben Antworten: Ein Vergleich ist nicht möglich.</translation>
+        <source>Fewer than two groups have responses, so that no comparison is possible; collect responses of both groups.</source>
+        <translation>Weniger als zwei Gruppen haben Antworten, daher ist kein Vergleich möglich; Antworten beider Gruppen erheben.</translation>
     </message>
     <message>
         <source>%1 (n = %2)</source>
@@ -3744,8 +3744,8 @@
         <translation>alle Antworten zusammen</translation>
     </message>
     <message>
-        <source>The difference of means was not computed.</source>
-        <translation>Die Differenz der Mittelwerte wurde nicht berechnet.</translation>
+        <source>The difference of means could not be computed; add participants to both groups.</source>
+        <translation>Die Differenz der Mittelwerte konnte nicht berechnet werden; in beiden Gruppen Versuchspersonen ergänzen.</translation>
     </message>
     <message>
         <source>no difference</source>
@@ -3760,8 +3760,8 @@
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Items beurteilt haben; Fehlerbalken zeigen ihre t-basierten %1-%-KI. Die zugehörigen Tests verwenden nur die Ränge der Urteile.</translation>
     </message>
     <message>
-        <source>No participant rated every item: there are no means.</source>
-        <translation>Keine Versuchsperson hat alle Items beurteilt: Es gibt keine Mittelwerte.</translation>
+        <source>No participant rated every item, so that there are no means; add the missing ratings.</source>
+        <translation>Keine Versuchsperson hat alle Items beurteilt, daher gibt es keine Mittelwerte; die fehlenden Urteile ergänzen.</translation>
     </message>
     <message>
         <source>Means by condition</source>
@@ -3780,8 +3780,8 @@
         <translation>Es gibt keine Mittelwerte: %1.</translation>
     </message>
     <message>
-        <source>There are no means: there are no measurements.</source>
-        <translation>Es gibt keine Mittelwerte: Es gibt keine Messwerte.</translation>
+        <source>There are no means, because there are no measurements; collect measurements first.</source>
+        <translation>Es gibt keine Mittelwerte, weil es keine Messwerte gibt; erst Messwerte erheben.</translation>
     </message>
     <message>
         <source>mean, in the unit of the table</source>
@@ -3844,8 +3844,8 @@
         <translation>Punkte sind Teststärken bei den geplanten Stichprobenumfängen, jede für sich berechnet: Dazwischen verläuft die Teststärke exakter Tests von Anzahlen nicht monoton. Die gestrichelte Linie ist die übliche Teststärke von 80 %.</translation>
     </message>
     <message>
-        <source>No power was computed for any plan.</source>
-        <translation>Für keinen Plan wurde eine Teststärke berechnet.</translation>
+        <source>No power was computed for any plan; add a plan to the table.</source>
+        <translation>Für keinen Plan wurde eine Teststärke berechnet; der Tabelle einen Plan hinzufügen.</translation>
     </message>
     <message>
         <source>probe %1 mm</source>
@@ -3880,8 +3880,8 @@
         <translation>größte Beschleunigung</translation>
     </message>
     <message>
-        <source>There is no curve: the tool was not moved.</source>
-        <translation>Es gibt keine Kurve: Das Werkzeug wurde nicht bewegt.</translation>
+        <source>There is no curve, because the tool was not moved; use a stroke with a length above 0.</source>
+        <translation>Es gibt keine Kurve, weil das Werkzeug nicht bewegt wurde; einen Strich mit einer Länge über 0 verwenden.</translation>
     </message>
     <message>
         <source>one participant</source>
@@ -4008,8 +4008,8 @@
         <translation>Anteil mit %1-%-KI</translation>
     </message>
     <message>
-        <source>There are no responses from which to compute a proportion.</source>
-        <translation>Es gibt keine Antworten, aus denen sich ein Anteil berechnen ließe.</translation>
+        <source>There are no responses from which to compute a proportion; collect responses first.</source>
+        <translation>Es gibt keine Antworten, aus denen sich ein Anteil berechnen ließe; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>proportion</source>
@@ -4112,8 +4112,8 @@
         <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen)</translation>
     </message>
     <message>
-        <source>There are no confusions from which to make a dendrogram.</source>
-        <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm berechnen ließe.</translation>
+        <source>There are no confusions from which to make a dendrogram; collect responses first.</source>
+        <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm berechnen ließe; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>Points are log-worths. There are no CIs, because there are too few participants or all of them made the same choices.</source>
@@ -4144,8 +4144,8 @@
         <translation>Punkte sind Log-Nutzwerte; Fehlerbalken zeigen ihre t-basierten Konfidenzintervalle mit den Versuchspersonen als Clustern. Überlappende Konfidenzintervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
-        <source>All dissimilarities are 0: there are no distances to show.</source>
-        <translation>Alle Unähnlichkeiten sind 0: Es gibt keine Abstände.</translation>
+        <source>All dissimilarities are 0, so that there are no distances to show; collect more responses.</source>
+        <translation>Alle Unähnlichkeiten sind 0, daher gibt es keine Abstände; mehr Antworten erheben.</translation>
     </message>
     <message>
         <source>mean over participants</source>
@@ -4164,8 +4164,8 @@
         <translation>%1 − %2</translation>
     </message>
     <message>
-        <source>The dissimilarities span fewer than two dimensions: there is no configuration to show.</source>
-        <translation>Die Unähnlichkeiten spannen weniger als zwei Dimensionen auf: Es gibt keine Konfiguration zum Darstellen.</translation>
+        <source>The dissimilarities span fewer than two dimensions, so that there is no configuration to show; collect more responses or add stimuli.</source>
+        <translation>Die Unähnlichkeiten spannen weniger als zwei Dimensionen auf, daher gibt es keine Konfiguration zum Darstellen; mehr Antworten erheben oder Stimuli ergänzen.</translation>
     </message>
     <message>
         <source>all trials</source>
@@ -4180,8 +4180,8 @@
         <translation>Reaktionszeiten nach Bedingung</translation>
     </message>
     <message>
-        <source>No trial has a stored response time.</source>
-        <translation>Für keinen Durchgang ist eine Reaktionszeit gespeichert.</translation>
+        <source>No trial has a stored response time; collect responses first.</source>
+        <translation>Für keinen Durchgang ist eine Reaktionszeit gespeichert; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>response time, with its %1 % CI</source>
@@ -4200,8 +4200,8 @@
         <translation>Punkte sind geometrische Mittel über die Versuchspersonen. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
     </message>
     <message>
-        <source>No trial has a result.</source>
-        <translation>Kein Durchgang hat ein Ergebnis.</translation>
+        <source>No trial has a result; collect responses first.</source>
+        <translation>Kein Durchgang hat ein Ergebnis; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>%1 Thin pale lines: individual participants.</source>
@@ -4268,12 +4268,12 @@
         <translation>Es gibt keine Komponenten: %1.</translation>
     </message>
     <message>
-        <source>There are fewer than two components: a biplot requires two.</source>
-        <translation>Es gibt weniger als zwei Komponenten: Ein Biplot erfordert zwei.</translation>
+        <source>There are fewer than two components, and a biplot requires two; add scales.</source>
+        <translation>Es gibt weniger als zwei Komponenten, und ein Biplot erfordert zwei; Skalen ergänzen.</translation>
     </message>
     <message>
-        <source>The mean ratings vary along one component only: there is no second axis.</source>
-        <translation>Die mittleren Urteile variieren nur entlang einer Komponente: Es gibt keine zweite Achse.</translation>
+        <source>The mean ratings vary along one component only, so that there is no second axis; add scales or items.</source>
+        <translation>Die mittleren Urteile variieren nur entlang einer Komponente, daher gibt es keine zweite Achse; Skalen oder Items ergänzen.</translation>
     </message>
     <message>
         <source>items</source>
@@ -4388,8 +4388,8 @@
         <translation>Gefüllte Symbole: richtige Antworten; offene Symbole: falsche. Ringe: Umkehrpunkte, nach denen die Stufe ihre Richtung ändert.</translation>
     </message>
     <message>
-        <source>No track has a trial.</source>
-        <translation>Keine Folge (Track) hat einen Durchgang.</translation>
+        <source>No track has a trial; collect responses first.</source>
+        <translation>Keine Folge (Track) hat einen Durchgang; erst Antworten erheben.</translation>
     </message>
     <message>
         <source>trial of the track</source>
@@ -4408,8 +4408,8 @@
         <translation>Kontaktdauern nach Bedingung</translation>
     </message>
     <message>
-        <source>No trial has a stored contact time.</source>
-        <translation>Für keinen Durchgang ist eine Kontaktdauer gespeichert.</translation>
+        <source>No trial has a stored contact time; collect trials with contact first.</source>
+        <translation>Für keinen Durchgang ist eine Kontaktdauer gespeichert; erst Durchgänge mit Kontakt erheben.</translation>
     </message>
     <message>
         <source>contact time per surface</source>
@@ -4459,16 +4459,16 @@
 <context>
     <name>FitTable</name>
     <message>
-        <source>%1 was not written: no completed session has choices that count in analyses.</source>
-        <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Wahlen, die in Auswertungen zählen.</translation>
+        <source>%1 was not written: no completed session has choices that count in analyses. Complete a session, then export again.</source>
+        <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Wahlen, die in Auswertungen zählen. Eine Sitzung abschließen, dann erneut exportieren.</translation>
     </message>
     <message>
-        <source>%1 was not written: no factor of the trials has numeric levels. The levels of the factor column are repetitions.</source>
-        <translation>%1 wurde nicht geschrieben: Kein Faktor der Durchgänge hat numerische Stufen. Die Stufen des Faktors column sind Wiederholungen.</translation>
+        <source>%1 was not written: no factor of the trials has numeric levels (those of the factor column are repetitions). Use the other tables, or vary a factor with numeric levels.</source>
+        <translation>%1 wurde nicht geschrieben: Kein Faktor der Durchgänge hat numerische Stufen (die des Faktors column sind Wiederholungen). Die anderen Tabellen verwenden oder einen Faktor mit numerischen Stufen variieren.</translation>
     </message>
     <message>
-        <source>%1 was not written: no participant has choices at two levels of a numeric factor.</source>
-        <translation>%1 wurde nicht geschrieben: Keine Versuchsperson hat auf zwei Stufen eines numerischen Faktors gewählt.</translation>
+        <source>%1 was not written: no participant has choices at two levels of a numeric factor. Complete more trials, then export again.</source>
+        <translation>%1 wurde nicht geschrieben: Keine Versuchsperson hat Wahlen auf zwei Stufen eines numerischen Faktors. Mehr Durchgänge abschließen, dann erneut exportieren.</translation>
     </message>
 </context>
 <context>
@@ -4683,12 +4683,12 @@
         <translation>die Funktion ist steiler, als die dargebotenen Stufen auflösen: Stufen näher an der Schwelle darbieten</translation>
     </message>
     <message>
-        <source>the slope is at a limit of the fit, because the responses do not determine it: more trials are needed</source>
-        <translation>die Steigung liegt an einer Grenze der Anpassung, weil die Antworten sie nicht bestimmen: mehr Durchgänge sind nötig</translation>
+        <source>the slope is at a limit of the fit, because the responses do not determine it: add trials</source>
+        <translation>die Steigung liegt an einer Grenze der Anpassung, weil die Antworten sie nicht bestimmen: Durchgänge ergänzen</translation>
     </message>
     <message>
-        <source>no threshold is defined for these data</source>
-        <translation>für diese Daten ist keine Schwelle definiert</translation>
+        <source>no threshold is defined for these data: add trials at several levels</source>
+        <translation>für diese Daten ist keine Schwelle definiert: Durchgänge auf mehreren Stufen ergänzen</translation>
     </message>
 </context>
 <context>
@@ -5073,8 +5073,8 @@
         <translation>Bitte wählen Sie zuerst.</translation>
     </message>
     <message>
-        <source>The surfaces cannot be felt again.</source>
-        <translation>Die Oberflächen können nicht noch einmal gefühlt werden.</translation>
+        <source>The surfaces cannot be felt again. Please answer without feeling them.</source>
+        <translation>Die Oberflächen können nicht noch einmal gefühlt werden. Bitte antworten Sie, ohne sie zu fühlen.</translation>
     </message>
     <message>
         <source>Please enter a number from %1 to %2.</source>
@@ -5169,8 +5169,8 @@
         <translation>Sie sind mit diesen Oberflächen fertig. Bitte heben Sie den Griff an.</translation>
     </message>
     <message>
-        <source>Surface %1 cannot be felt again.</source>
-        <translation>Oberfläche %1 kann nicht noch einmal gefühlt werden.</translation>
+        <source>Surface %1 cannot be felt again. Please continue without it.</source>
+        <translation>Oberfläche %1 kann nicht noch einmal gefühlt werden. Bitte fahren Sie ohne sie fort.</translation>
     </message>
     <message>
         <source>Feel surfaces %1 and %2 now. They lie side by side.</source>
@@ -5724,8 +5724,8 @@
         <translation>%1; ein anderes Gerät wählen oder die Anforderung im Protokoll senken</translation>
     </message>
     <message>
-        <source>the participant did not agree to take part; nothing was stored</source>
-        <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; es wurde nichts gespeichert</translation>
+        <source>the participant did not agree to take part, and nothing was stored; run the session with another participant</source>
+        <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt, und es wurde nichts gespeichert; die Sitzung mit einer anderen Versuchsperson durchführen</translation>
     </message>
     <message>
         <source>the new label &quot;%1&quot; differs from the label of the session&apos;s participant, %2; enter the label of that participant</source>
@@ -6550,8 +6550,8 @@
         <translation>Die Studie ist schreibgeschützt: %1 ist nicht unter ihren Ausgaben verzeichnet. Diese Ausgabe notieren, für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
     <message>
-        <source>%1 is complete, but the study does not list it: %2</source>
-        <translation>%1 ist vollständig, aber nicht in der Studie verzeichnet: %2</translation>
+        <source>%1 is complete, but the study does not list it; keep a note of it in case a participant withdraws. The reason is: %2</source>
+        <translation>%1 ist vollständig, aber nicht in der Studie verzeichnet; diese Ausgabe notieren, für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht. Der Grund: %2</translation>
     </message>
     <message>
         <source>export</source>
@@ -6742,32 +6742,32 @@
 <context>
     <name>Troubles</name>
     <message>
-        <source>%1 Every completed trial is stored.</source>
-        <translation>%1 Jeder abgeschlossene Durchgang ist gespeichert.</translation>
+        <source>%1 Every completed trial is stored, and the session can be resumed.</source>
+        <translation>%1 Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden.</translation>
     </message>
     <message>
-        <source>%1; the force is zero, and every completed trial is stored</source>
-        <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert</translation>
+        <source>%1; the force is zero, and every completed trial is stored; fix the problem, then resume the session</source>
+        <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert; das Problem beheben, dann die Sitzung fortsetzen</translation>
     </message>
     <message>
         <source>The masking noise has stopped, and the session is paused. Fix the problem with the sound, then resume.</source>
         <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
-        <source>%1 The force is zero until the fault is cleared.</source>
-        <translation>%1 Die Kraft ist null, bis die Störung quittiert ist.</translation>
+        <source>%1 The force is zero until the fault is cleared; fix its cause, then clear it.</source>
+        <translation>%1 Die Kraft ist null, bis die Störung quittiert ist; die Ursache beheben, dann quittieren.</translation>
     </message>
     <message>
-        <source>%1 The device is not ready yet: %2.</source>
-        <translation>%1 Das Gerät ist noch nicht bereit: %2.</translation>
+        <source>%1 The device is not ready yet: %2. Fix the problem, then clear the fault again.</source>
+        <translation>%1 Das Gerät ist noch nicht bereit: %2. Das Problem beheben, dann die Störung erneut quittieren.</translation>
     </message>
     <message>
-        <source>%1 The force is zero until the stop is cleared.</source>
-        <translation>%1 Die Kraft ist null, bis der Halt quittiert ist.</translation>
+        <source>%1 The force is zero until the stop is cleared; clear it when it is safe.</source>
+        <translation>%1 Die Kraft ist null, bis der Halt quittiert ist; ihn quittieren, wenn es sicher ist.</translation>
     </message>
     <message>
-        <source>%1 The emergency stop was pressed in the meantime.</source>
-        <translation>%1 Der NOT-HALT wurde inzwischen gedrückt.</translation>
+        <source>%1 The emergency stop was pressed in the meantime; clear it again.</source>
+        <translation>%1 Der NOT-HALT wurde inzwischen gedrückt; ihn erneut quittieren.</translation>
     </message>
     <message>
         <source>The masking noise cannot start: the sound card does not play. The session is paused. Fix the problem with the sound, then resume.</source>
@@ -6922,8 +6922,8 @@
         <translation>Antworten werden gezählt…</translation>
     </message>
     <message>
-        <source>The responses were not counted; the previous results are shown.</source>
-        <translation>Die Antworten wurden nicht gezählt; gezeigt werden die vorherigen Ergebnisse.</translation>
+        <source>Counting the responses was cancelled; the previous results are shown. Count again to update them.</source>
+        <translation>Das Zählen der Antworten wurde abgebrochen; die bisherigen Ergebnisse werden angezeigt. Zum Aktualisieren erneut zählen.</translation>
     </message>
     <message>
         <source>Count again</source>
@@ -7122,8 +7122,8 @@
         <translation>%1 wird geschrieben…</translation>
     </message>
     <message>
-        <source>Writing %1 was cancelled.</source>
-        <translation>Das Schreiben von %1 wurde abgebrochen.</translation>
+        <source>Writing %1 was cancelled. To write the table, export the recording again.</source>
+        <translation>Das Schreiben von %1 wurde abgebrochen. Um die Tabelle zu schreiben, die Aufzeichnung erneut exportieren.</translation>
     </message>
     <message>
         <source>Textures and models are shown by name, although the session is not complete: an experimenter who resumes it is no longer blind to them.</source>
@@ -7201,8 +7201,8 @@
         </translation>
     </message>
     <message>
-        <source>The checks were cancelled. The session can start once they have been completed.</source>
-        <translation>Die Prüfungen wurden abgebrochen. Die Sitzung kann beginnen, sobald sie abgeschlossen sind.</translation>
+        <source>The checks were cancelled. Press “Check again”: the session can start once they have been completed.</source>
+        <translation>Die Prüfungen wurden abgebrochen. „Erneut prüfen“ drücken: Die Sitzung kann beginnen, sobald sie abgeschlossen sind.</translation>
     </message>
 </context>
 <context>
@@ -7243,12 +7243,12 @@
         <translation>Die Versuchsperson hat dieser Erklärung zugestimmt (Version %1)</translation>
     </message>
     <message>
-        <source>The participant has not agreed to the statement yet.</source>
-        <translation>Die Versuchsperson hat der Erklärung noch nicht zugestimmt.</translation>
+        <source>The participant has not agreed to the statement yet; tick the box when the participant agrees.</source>
+        <translation>Die Versuchsperson hat der Erklärung noch nicht zugestimmt; das Kästchen ankreuzen, wenn sie zustimmt.</translation>
     </message>
     <message>
-        <source>The witness of the participant&apos;s consent has not been entered.</source>
-        <translation>Es ist nicht angegeben, wer die Einwilligung bezeugt hat.</translation>
+        <source>The witness of the participant&apos;s consent has not been entered; enter the name.</source>
+        <translation>Es ist nicht angegeben, wer die Einwilligung bezeugt hat; den Namen eingeben.</translation>
     </message>
     <message>
         <source>at %1</source>
@@ -7282,12 +7282,12 @@
         <translation>Die Entscheidung konnte nicht gespeichert werden: %1</translation>
     </message>
     <message>
-        <source>This study is read-only: no decision can be stored.</source>
-        <translation>Diese Studie ist schreibgeschützt: Es kann keine Entscheidung gespeichert werden.</translation>
+        <source>This study is read-only: no decision can be stored. Copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann keine Entscheidung gespeichert werden. Die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
-        <source>A reason is required, so that the decision can be understood later.</source>
-        <translation>Ein Grund ist erforderlich, damit die Entscheidung später nachvollziehbar ist.</translation>
+        <source>Choose or enter a reason, so that the decision can be understood later.</source>
+        <translation>Einen Grund wählen oder eingeben, damit die Entscheidung später nachvollziehbar ist.</translation>
     </message>
 </context>
 <context>
@@ -7337,16 +7337,16 @@
         <translation>Mehrere virtuelle Versuchspersonen werden mit dem einfachen simulierten Gerät simuliert.</translation>
     </message>
     <message>
-        <source>The device cannot be used at present.</source>
-        <translation>Das Gerät ist derzeit nicht benutzbar.</translation>
+        <source>The device cannot be used at present: resolve the problem stated here, or choose another device.</source>
+        <translation>Das Gerät kann derzeit nicht verwendet werden: das hier genannte Problem beheben oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
         <source>Not tried yet. “Try this device” opens it and runs the servo loop for a third of a second without force.</source>
         <translation>Noch nicht ausprobiert. „Dieses Gerät ausprobieren“ öffnet es und lässt die Servoschleife eine Drittelsekunde lang ohne Kraft laufen.</translation>
     </message>
     <message>
-        <source>The device is being tried.</source>
-        <translation>Das Gerät wird ausprobiert.</translation>
+        <source>The device is being tried; wait for the result.</source>
+        <translation>Das Gerät wird ausprobiert; das Ergebnis abwarten.</translation>
     </message>
     <message>
         <source>Allow motion</source>
@@ -7480,8 +7480,8 @@
         <translation>Bewegung nicht zulassen</translation>
     </message>
     <message>
-        <source>Stopped: the force is zero, and nothing was stored.</source>
-        <translation>Gestoppt: Die Kraft ist null, und es wurde nichts gespeichert.</translation>
+        <source>Stopped: the force is zero, and nothing was stored. To measure the device, begin the test again.</source>
+        <translation>Gestoppt: Die Kraft ist null, und es wurde nichts gespeichert. Um das Gerät zu messen, den Test erneut beginnen.</translation>
     </message>
     <message>
         <source>Nothing was measured: %1</source>
@@ -7496,16 +7496,16 @@
         <translation>Beginnen: Der Griff bewegt sich</translation>
     </message>
     <message>
-        <source>This study is read-only: no profile can be stored.</source>
-        <translation>Diese Studie ist schreibgeschützt: Es kann kein Profil gespeichert werden.</translation>
+        <source>This study is read-only: no profile can be stored. Copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann kein Profil gespeichert werden. Die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
         <source>Esc, F12 and the red button set the force to zero at once. At the end, move the handle along the borders of its workspace.</source>
         <translation>Esc, F12 und der rote Knopf setzen die Kraft sofort auf null. Am Ende den Griff an den Grenzen seines Arbeitsraums entlangführen.</translation>
     </message>
     <message>
-        <source>The study has no profile of this device yet. Before a session, its plan is compared with the latest profile.</source>
-        <translation>Die Studie hat noch kein Profil dieses Geräts. Vor einer Sitzung wird ihr Plan mit dem neuesten Profil verglichen.</translation>
+        <source>The study has no profile of this device yet; this test measures one. Before a session, its plan is compared with the latest profile.</source>
+        <translation>Die Studie hat noch kein Profil dieses Geräts; dieser Test misst eines. Vor einer Sitzung wird ihr Plan mit dem neuesten Profil verglichen.</translation>
     </message>
     <message>
         <source>Asperity (defaults)</source>
@@ -7853,8 +7853,8 @@
         <translation>%1: bereit.</translation>
     </message>
     <message>
-        <source>No device is attached.</source>
-        <translation>Es ist kein Gerät angeschlossen.</translation>
+        <source>No device is attached: connect one, and check that it has power.</source>
+        <translation>Kein Gerät ist angeschlossen: eines anschließen und prüfen, ob es mit Strom versorgt ist.</translation>
     </message>
     <message>
         <source>Set up %1</source>
@@ -8026,8 +8026,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Eine andere Abbildung wird gerade gespeichert; diese erst danach speichern.</translation>
     </message>
     <message>
-        <source>The file %1 already exists.</source>
-        <translation>Die Datei %1 existiert bereits.</translation>
+        <source>The file %1 already exists. Replace it, or save the figure under another name.</source>
+        <translation>Die Datei %1 existiert bereits. Sie ersetzen oder die Abbildung unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>Replace “%1”</source>
@@ -8909,20 +8909,20 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Es gibt keine Tonausgabe. Kopfhörer anschließen, um Rauschen und Signale abzuspielen.</translation>
     </message>
     <message>
-        <source>The level of the noise at the ear was not measured.</source>
-        <translation>Der Pegel des Rauschens am Ohr wurde nicht gemessen.</translation>
+        <source>The level of the noise at the ear was not measured; measure it, and enter it.</source>
+        <translation>Der Pegel des Rauschens am Ohr wurde nicht gemessen; den Pegel messen und eingeben.</translation>
     </message>
     <message>
-        <source>The noise was measured at %1 dB(A): levels above %2 dB(A) can damage hearing.</source>
-        <translation>Das Rauschen wurde mit %1 dB(A) gemessen: Pegel über %2 dB(A) können das Gehör schädigen.</translation>
+        <source>The noise was measured at %1 dB(A): levels above %2 dB(A) can damage hearing. Lower the gain, and measure again.</source>
+        <translation>Das Rauschen wurde mit %1 dB(A) gemessen: Pegel über %2 dB(A) können das Gehör schädigen. Die Verstärkung verringern und erneut messen.</translation>
     </message>
     <message>
-        <source>The noise was measured at %1 dB(A); the protocol requires %2 dB(A).</source>
-        <translation>Das Rauschen wurde mit %1 dB(A) gemessen; das Protokoll verlangt %2 dB(A).</translation>
+        <source>The noise was measured at %1 dB(A); the protocol requires %2 dB(A). Change the gain, and measure again.</source>
+        <translation>Das Rauschen wurde mit %1 dB(A) gemessen; das Protokoll verlangt %2 dB(A). Die Verstärkung ändern und erneut messen.</translation>
     </message>
     <message>
-        <source>The experimenter who measured the noise has not been entered.</source>
-        <translation>Es ist nicht angegeben, wer das Rauschen gemessen hat.</translation>
+        <source>The experimenter who measured the noise has not been entered; enter the name.</source>
+        <translation>Es ist nicht angegeben, wer das Rauschen gemessen hat; den Namen eingeben.</translation>
     </message>
     <message>
         <source>%1 dB</source>
@@ -9026,12 +9026,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzung %1 dieses Protokolls, begonnen %2, ist unvollständig.</translation>
     </message>
     <message>
-        <source>No participant is chosen.</source>
-        <translation>Es ist keine Versuchsperson gewählt.</translation>
+        <source>No participant is chosen; choose one.</source>
+        <translation>Es ist keine Versuchsperson gewählt; eine wählen.</translation>
     </message>
     <message>
-        <source>The new participant has no label.</source>
-        <translation>Die neue Versuchsperson hat kein Kürzel.</translation>
+        <source>The new participant has no label; enter one.</source>
+        <translation>Die neue Versuchsperson hat kein Kürzel; eines eingeben.</translation>
     </message>
     <message>
         <source>%1 years</source>
@@ -9082,8 +9082,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzung %1 fortsetzen (Durchgänge abgeschlossen: %2 von %3)</translation>
     </message>
     <message>
-        <source>No group is chosen.</source>
-        <translation>Es ist keine Gruppe gewählt.</translation>
+        <source>No group is chosen; choose one.</source>
+        <translation>Es ist keine Gruppe gewählt; eine wählen.</translation>
     </message>
 </context>
 <context>
@@ -9202,8 +9202,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Es wurde keine Oberfläche dargeboten.</translation>
     </message>
     <message>
-        <source>No contact was long enough.</source>
-        <translation>Kein Kontakt war lang genug.</translation>
+        <source>No contact was long enough for a spectrum.</source>
+        <translation>Kein Kontakt war lang genug für ein Spektrum.</translation>
     </message>
     <message>
         <source>PATH from above, y mm</source>
@@ -9588,8 +9588,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Erneut versuchen</translation>
     </message>
     <message>
-        <source>Saved. Whether sessions were run with another text of this version could not be determined: %1</source>
-        <translation>Gespeichert. Ob Sitzungen mit einem anderen Text dieser Version liefen, konnte nicht ermittelt werden: %1</translation>
+        <source>Saved. If sessions were run with another text of this version, raise the version; whether they were could not be determined: %1</source>
+        <translation>Gespeichert. Wenn Sitzungen mit einem anderen Text dieser Version durchgeführt wurden, die Version erhöhen; ob das der Fall ist, konnte nicht ermittelt werden: %1</translation>
     </message>
     <message>
         <source>%1 has been changed by another program since it was opened here.</source>
@@ -9841,8 +9841,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Schreibgeschützt</translation>
     </message>
     <message>
-        <source>This study is read-only: no session can be stored.</source>
-        <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden.</translation>
+        <source>This study is read-only: no session can be stored. Copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden. Die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
         <source>The protocols are being read.</source>
@@ -10043,8 +10043,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>PDF für den Druck (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 already exists. Nothing was written.</source>
-        <translation>%1 existiert bereits. Es wurde nichts geschrieben.</translation>
+        <source>%1 already exists; nothing was written. Replace it, or save the report under another name.</source>
+        <translation>%1 existiert bereits; es wurde nichts geschrieben. Die Datei ersetzen oder den Bericht unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>Replace it</source>
@@ -10055,8 +10055,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Der Bericht wird nach %1 geschrieben…</translation>
     </message>
     <message>
-        <source>Writing the report was cancelled.</source>
-        <translation>Das Schreiben des Berichts wurde abgebrochen.</translation>
+        <source>Writing the report was cancelled, and no report was written. To write it, save the report again.</source>
+        <translation>Das Schreiben des Berichts wurde abgebrochen, und es wurde kein Bericht geschrieben. Zum Schreiben den Bericht erneut speichern.</translation>
     </message>
     <message>
         <source>The report is in %1.</source>
@@ -10085,8 +10085,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>FREQUENZGANG mm/N, Bewegung geteilt durch Kraft</translation>
     </message>
     <message>
-        <source>No frequency response is stored with this profile.</source>
-        <translation>Mit diesem Profil ist kein Frequenzgang gespeichert.</translation>
+        <source>No frequency response is stored with this profile; to measure it, test the device again.</source>
+        <translation>Mit diesem Profil ist kein Frequenzgang gespeichert; um ihn zu messen, das Gerät erneut testen.</translation>
     </message>
 </context>
 <context>
@@ -10116,8 +10116,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das Relief wird in stimuli/ gespeichert, mit Begleitdatei und Foto.</translation>
     </message>
     <message>
-        <source>A relief from a file is already saved.</source>
-        <translation>Ein Relief aus einer Datei ist bereits gespeichert.</translation>
+        <source>A relief from a file is already saved; open a photograph to make another relief.</source>
+        <translation>Ein Relief aus einer Datei ist bereits gespeichert; ein Foto öffnen, um ein weiteres Relief zu erstellen.</translation>
     </message>
     <message>
         <source>Enter a name for the relief.</source>
@@ -10144,8 +10144,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>„%1“ ersetzen</translation>
     </message>
     <message>
-        <source>Saving “%1” was cancelled.</source>
-        <translation>Das Speichern von „%1“ wurde abgebrochen.</translation>
+        <source>Saving “%1” was cancelled; to keep the relief, save it again.</source>
+        <translation>Das Speichern von „%1“ wurde abgebrochen; um das Relief zu behalten, es erneut speichern.</translation>
     </message>
     <message>
         <source>Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.</source>
@@ -10156,12 +10156,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das Relief wurde nicht gespeichert: %1</translation>
     </message>
     <message>
-        <source>This study is read-only.</source>
-        <translation>Diese Studie ist schreibgeschützt.</translation>
+        <source>This study is read-only; copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt; die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
-        <source>Names ending in _photo are reserved for the photographs stored with the reliefs.</source>
-        <translation>Namen, die auf _photo enden, sind den Fotos vorbehalten, die mit den Reliefs gespeichert werden.</translation>
+        <source>Names ending in _photo are reserved for the photographs stored with the reliefs; choose another name.</source>
+        <translation>Namen, die auf _photo enden, sind den Fotos vorbehalten, die mit den Reliefs gespeichert werden; einen anderen Namen wählen.</translation>
     </message>
 </context>
 <context>
@@ -10741,8 +10741,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Eine Sitzung auswählen.</translation>
     </message>
     <message>
-        <source>The session is running, here or in another program.</source>
-        <translation>Die Sitzung läuft, hier oder in einem anderen Programm.</translation>
+        <source>The session is running, here or in another program; wait until it has ended, or stop it there.</source>
+        <translation>Die Sitzung läuft, hier oder in einem anderen Programm; warten, bis sie beendet ist, oder sie dort beenden.</translation>
     </message>
     <message>
         <source>Trials completed and stored: %1 of %2.</source>
@@ -10761,8 +10761,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Sitzung läuft: Bis zum Ende der Sitzung zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
     </message>
     <message>
-        <source>This study is read-only: no session can be stored.</source>
-        <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden.</translation>
+        <source>This study is read-only: no session can be stored. Copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden. Die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
         <source>%1 virtual</source>
@@ -11113,12 +11113,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Bereit.</translation>
     </message>
     <message>
-        <source>No protocol is chosen.</source>
-        <translation>Es ist kein Protokoll gewählt.</translation>
+        <source>No protocol is chosen; choose one.</source>
+        <translation>Es ist kein Protokoll gewählt; eines wählen.</translation>
     </message>
     <message>
-        <source>The protocol is not valid.</source>
-        <translation>Das Protokoll ist nicht gültig.</translation>
+        <source>The protocol is not valid; correct it, or choose another one.</source>
+        <translation>Das Protokoll ist nicht gültig; es korrigieren oder ein anderes wählen.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11149,8 +11149,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Studie wird gelesen.</translation>
     </message>
     <message>
-        <source>The study has not been read.</source>
-        <translation>Die Studie wurde noch nicht gelesen.</translation>
+        <source>The study has not been read; press “Try again”.</source>
+        <translation>Die Studie wurde noch nicht gelesen; „Erneut versuchen“ drücken.</translation>
     </message>
     <message>
         <source>One session was simulated. Responses: %1.</source>
@@ -11695,8 +11695,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Block %1</translation>
     </message>
     <message>
-        <source>This study is read-only.</source>
-        <translation>Diese Studie ist schreibgeschützt.</translation>
+        <source>This study is read-only; copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt; die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
         <source>Stimuli and responses are shown once the session has ended.</source>
@@ -11826,8 +11826,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Eine Studie in der Liste auswählen.</translation>
     </message>
     <message>
-        <source>This folder no longer contains a study.</source>
-        <translation>Dieser Ordner enthält keine Studie mehr.</translation>
+        <source>This folder no longer contains a study; restore the study, or remove it from this list.</source>
+        <translation>Dieser Ordner enthält keine Studie mehr; die Studie wiederherstellen oder aus dieser Liste entfernen.</translation>
     </message>
     <message>
         <source>The demo study could not be created: %1</source>
@@ -11955,8 +11955,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Zurückziehen</translation>
     </message>
     <message>
-        <source>This study is read-only.</source>
-        <translation>Diese Studie ist schreibgeschützt.</translation>
+        <source>This study is read-only; copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt; die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
         <source>Enter who decided this; the name is stored with the time.</source>
@@ -12134,8 +12134,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Das Relief in der Werkstatt ist nicht gespeichert und ginge verloren: erst speichern, dann Farben oder Sprache wechseln.</translation>
     </message>
     <message>
-        <source>Reading the file was cancelled.</source>
-        <translation>Das Lesen der Datei wurde abgebrochen.</translation>
+        <source>Reading the file was cancelled; to read it, open it again.</source>
+        <translation>Das Lesen der Datei wurde abgebrochen; um sie zu lesen, sie erneut öffnen.</translation>
     </message>
     <message>
         <source>%1 files were dropped; only the first is shown: %2.</source>

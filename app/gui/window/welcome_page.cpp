@@ -222,7 +222,8 @@ QWidget* WelcomePage::make_recent_card() {
     reason->setText(item == nullptr ? tr("Select a study in the list.")
                     : item->data(kPresent).toBool()
                         ? QString{}
-                        : tr("This folder no longer contains a study."));
+                        : tr("This folder no longer contains a study; restore the study, or remove "
+                             "it from this list."));
   };
   connect(recent_, &QTableWidget::itemActivated, this, open_selected);
   connect(open, &QPushButton::clicked, this, open_selected);

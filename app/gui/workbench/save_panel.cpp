@@ -143,16 +143,18 @@ void SavePanel::check_name() {
   QString advice = tr("The relief will be saved in stimuli/ with its sidecar and its photograph.");
   const QString name = name_->text();
   if (opened_ == nullptr || !opened_->is_photograph()) {
-    problem = tr("A relief from a file is already saved.");
+    problem =
+        tr("A relief from a file is already saved; open a photograph to make another relief.");
   } else if (!study_.can_be_written()) {
-    problem = tr("This study is read-only.");
+    problem = tr("This study is read-only; copy it to a folder that you may write to.");
   } else if (name.isEmpty()) {
     problem = tr("Enter a name for the relief.");
   } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
     problem = tr("Use only unaccented letters, digits, _ and -.");
   } else if (name.endsWith(kPhotoEnding)) {
     problem =
-        tr("Names ending in _photo are reserved for the photographs stored with the reliefs.");
+        tr("Names ending in _photo are reserved for the photographs stored with the reliefs; "
+           "choose another name.");
   } else if (saving_.is_running()) {
     problem = tr("Saving …");
   } else if (StimulusFiles(study_.folder() / "stimuli", name.toStdString()).any_exists()) {
@@ -197,7 +199,9 @@ void SavePanel::save(Overwrite overwrite) {
       },
       [this, shown, opened = opened_, recipe = recipe_()](bool written) {
         if (!written) {
-          banner_.show_news(State::look, tr("Saving “%1” was cancelled.").arg(shown));
+          banner_.show_news(
+              State::look,
+              tr("Saving “%1” was cancelled; to keep the relief, save it again.").arg(shown));
           return;
         }
         banner_.show_news(

@@ -66,7 +66,8 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
   connect(strip_, &StepStrip::stepChosen, this, &WorkbenchPage::choose_step);
   connect(reading_, &TaskLine::cancelWanted, this, [this] {
     opening_.abandon();
-    banner_->show_news(State::look, tr("Reading the file was cancelled."));
+    banner_->show_news(State::look,
+                       tr("Reading the file was cancelled; to read it, open it again."));
   });
   connect(recipe_, &RecipePanel::edited, this, &WorkbenchPage::recompute);
   connect(save_, &SavePanel::saved, this, [this] { keep_unsaved(false); });

@@ -32,16 +32,16 @@ void require_report_path(const std::filesystem::path& path, Overwrite overwrite)
   std::error_code error{};
   if (!std::filesystem::is_directory(folder, error)) {
     throw ResultsError("there is no folder " + folder.string() + " for " +
-                           path.filename().string() + "; create it first, or choose another",
+                           path.filename().string() + "; create it first, or choose another folder",
                        path);
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     throw ResultsError("no file can be written to the folder " + folder.string() +
-                           ": permission denied; choose another",
+                           ": permission denied; choose another folder, or correct its permissions",
                        path);
   }
   if (std::filesystem::is_directory(path, error)) {
-    throw ResultsError(path.string() + " is a folder; choose a file name", path);
+    throw ResultsError(path.string() + " is a folder; choose the name of a file", path);
   }
   if (overwrite == Overwrite::refuse && std::filesystem::exists(path, error)) {
     throw ResultsError("the file " + path.string() +

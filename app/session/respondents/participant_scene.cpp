@@ -116,9 +116,12 @@ Phrase phrase_of(const Saying& saying) {
     case Saying::What::feel_again:
       return phrase("ParticipantWords", "Confirm to feel surface %1 again.").with(saying.code);
     case Saying::What::no_going_back:
-      return phrase("ParticipantWords", "The surfaces cannot be felt again.");
+      return phrase("ParticipantWords",
+                    "The surfaces cannot be felt again. Please answer without feeling them.");
     case Saying::What::felt_often_enough:
-      return phrase("ParticipantWords", "Surface %1 cannot be felt again.").with(saying.code);
+      return phrase("ParticipantWords",
+                    "Surface %1 cannot be felt again. Please continue without it.")
+          .with(saying.code);
     case Saying::What::was_right:
       return phrase("ParticipantWords", "Correct.");
     case Saying::What::was_wrong:

@@ -63,17 +63,19 @@ void require_sound(const SamplingGrid& grid) {
 
 void require_sound(const TexturedMesh& mesh) {
   if (mesh.normals.size() != mesh.vertices_m.size()) {
-    refuse("TexturedMesh: number of vertices " + std::to_string(mesh.vertices_m.size()) +
-           ", of normals " + std::to_string(mesh.normals.size()) + "; they must be equal.");
+    refuse("TexturedMesh: the number of vertices is " + std::to_string(mesh.vertices_m.size()) +
+           " and that of normals is " + std::to_string(mesh.normals.size()) +
+           "; they must be equal.");
   }
   if (mesh.places.size() != mesh.triangles.size()) {
-    refuse("TexturedMesh: number of triangles " + std::to_string(mesh.triangles.size()) +
-           ", of places " + std::to_string(mesh.places.size()) + "; they must be equal.");
+    refuse("TexturedMesh: the number of triangles is " + std::to_string(mesh.triangles.size()) +
+           " and that of places is " + std::to_string(mesh.places.size()) +
+           "; they must be equal.");
   }
   const DisplacementAtlas& atlas = mesh.atlas;
   if (atlas.rows == 0 || atlas.columns == 0 || atlas.values.size() != atlas.rows * atlas.columns) {
     refuse("TexturedMesh: an atlas of " + std::to_string(atlas.rows) + " × " +
-           std::to_string(atlas.columns) + " texels: number of values " +
+           std::to_string(atlas.columns) + " texels: the number of values is " +
            std::to_string(atlas.values.size()) +
            "; it must be that of the texels, and at least one.");
   }

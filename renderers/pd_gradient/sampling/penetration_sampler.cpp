@@ -36,9 +36,10 @@ PenetrationSampler::PenetrationSampler(const SamplerSettings& settings)
   }
   const int samples_in = step_cells_ > 0 ? kColumnsPerStep * step_cells_ : kMostLanes;
   if (grid_.samples % samples_in != 0) {
-    throw std::invalid_argument(
-        "PenetrationSampler: number of samples of a window " + std::to_string(grid_.samples) +
-        "; with this law it must be a multiple of " + std::to_string(samples_in) + ".");
+    throw std::invalid_argument("PenetrationSampler: the number of samples of a window is " +
+                                std::to_string(grid_.samples) +
+                                "; with this law it must be a multiple of " +
+                                std::to_string(samples_in) + ".");
   }
   a_ = field_with_apron(apron);
   b_ = field_with_apron(0);

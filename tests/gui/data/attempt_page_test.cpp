@@ -280,7 +280,7 @@ TEST_F(DataView, DecidesNothingWithoutAReason) {
   click(page, "attempt_exclude");
   const auto& write = child<QPushButton>(page, "decision_write");
   EXPECT_FALSE(write.isEnabled());
-  EXPECT_TRUE(text(page, "decision_note").contains("A reason is required"));
+  EXPECT_TRUE(text(page, "decision_note").contains("Choose or enter a reason"));
   give_reason(page, "   ");
   EXPECT_FALSE(write.isEnabled());
   QTest::keyClick(&child<QLineEdit>(page, "decision_by"), Qt::Key_Return);

@@ -298,10 +298,10 @@ TEST_F(DeviceTests, SayWhatIsKnownOfADeviceThatIsStoodForAndLeaveTheRestOut) {
   EXPECT_TRUE(known.starts_with("Simulated model of delta.3; known: workspace, peak force,"))
       << known;
   EXPECT_NE(known.find("unknown: continuous force, position resolution"), std::string::npos);
-  EXPECT_NE(
-      news().find("The device met every limit that was measured. Not measured, although a limit "
-                  "applies: Fraction of the workspace reached. The profile has been stored as"),
-      std::string::npos)
+  EXPECT_NE(news().find("The device met every limit that was measured. Not measured, although a "
+                        "limit applies: Fraction of the workspace reached. Measure the device "
+                        "again. The profile has been stored as"),
+            std::string::npos)
       << news();
 }
 
@@ -497,8 +497,9 @@ TEST_F(DeviceTests, HoldADeviceToTheLimitsOfAChosenProtocol) {
   EXPECT_EQ(shown("limit_moving_mass_kg"), "≤ 10 g");
   EXPECT_EQ(shown("result_latency_s"), "✓ pass");
   EXPECT_NE(
-      news().find("did not meet every limit: Moving mass. Not measured, although a limit "
-                  "applies: Fraction of the workspace reached. The profile has been stored as"),
+      news().find("did not meet every limit: Moving mass. Repair it and measure it again, or "
+                  "choose another device. Not measured, although a limit applies: Fraction of the "
+                  "workspace reached. Measure the device again. The profile has been stored as"),
       std::string::npos)
       << news();
   EXPECT_FALSE(find<QLabel>("profile_known").isVisible()) << "it stands for no real device";

@@ -315,9 +315,10 @@ TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
   write_file(folder / "protocols" / "broken.json", "{}", Overwrite::refuse);
   page->show();  // of two protocols none is the one that is meant
   ASSERT_TRUE(wait_for_study());
-  EXPECT_EQ(page->reasons(), std::vector<QString>{"No protocol is chosen."});
+  EXPECT_EQ(page->reasons(), std::vector<QString>{"No protocol is chosen; choose one."});
   choose(folder / "protocols" / "broken.json");
-  EXPECT_EQ(page->reasons(), std::vector<QString>{"The protocol is not valid."});
+  EXPECT_EQ(page->reasons(),
+            std::vector<QString>{"The protocol is not valid; correct it, or choose another one."});
   EXPECT_TRUE(find<QLabel>("protocol_state").text().contains("not valid"));
   EXPECT_FALSE(can_start());
 }
@@ -387,7 +388,8 @@ TEST_F(TheStartPage, SaysThatAStudyCannotBeReadAndReadsItWhenAskedAgain) {
   auto* banner = page->findChild<Banner*>();
   ASSERT_TRUE(eventually([&] { return banner->isVisible(); }));
   EXPECT_TRUE(banner->text().startsWith("The study could not be read: "));
-  EXPECT_EQ(page->reasons(), std::vector<QString>{"The study has not been read."});
+  EXPECT_EQ(page->reasons(),
+            std::vector<QString>{"The study has not been read; press “Try again”."});
   write_file(store, bytes, Overwrite::allow);
   for (auto* button : banner->findChildren<QPushButton*>()) {
     if (button->text() == "Try again") QTest::mouseClick(button, Qt::LeftButton);
@@ -809,15 +811,15 @@ TEST_F(TheStartPage, LetsTheExperimenterChooseTheGroupWhereTheProtocolSaysSo) {
   fill_in();
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(is_shown("group"));
-  EXPECT_TRUE(has_reason("No group is chosen."));
+  EXPECT_TRUE(has_reason("No group is chosen; choose one."));
   EXPECT_FALSE(can_start());
   EXPECT_EQ(page->order().inputs.group, std::nullopt);
   pick("group", "visual");
-  EXPECT_FALSE(has_reason("No group is chosen."));
+  EXPECT_FALSE(has_reason("No group is chosen; choose one."));
   EXPECT_TRUE(can_start()) << shown_reason();
   EXPECT_EQ(page->order().inputs.group, "visual");
   type("participant_label", "sub777");
-  EXPECT_TRUE(has_reason("No group is chosen.")) << "it was another participant's";
+  EXPECT_TRUE(has_reason("No group is chosen; choose one.")) << "it was another participant's";
   page->set_mode(SessionMode::simulate);
   EXPECT_TRUE(is_shown("group")) << "of one virtual participant";
   find<QSpinBox>("virtual_participants").setValue(4);

@@ -197,7 +197,8 @@ TEST_F(StudyWindowTest, ShowsAStudyThatCanOnlyBeReadAndOffersNothingThatWrites) 
     }
     EXPECT_TRUE(child<QPushButton>(window, "protocol_preview").isEnabled());
     EXPECT_EQ(child<QLabel>(window, "protocol_reason").text(),
-              "This study is read-only: no session can be stored.");
+              "This study is read-only: no session can be stored. Copy it to a folder that you may "
+              "write to.");
     take_screenshot(window, "study-read-only");
     window.show_page("sessions");
     auto& sessions = child<StudyTable>(window, "sessions_table");
@@ -207,7 +208,8 @@ TEST_F(StudyWindowTest, ShowsAStudyThatCanOnlyBeReadAndOffersNothingThatWrites) 
     sessions.selectRow(0);
     EXPECT_FALSE(child<QPushButton>(window, "sessions_resume").isEnabled());
     EXPECT_EQ(child<QLabel>(window, "sessions_reason").text(),
-              "This study is read-only: no session can be stored.");
+              "This study is read-only: no session can be stored. Copy it to a folder that you may "
+              "write to.");
     click(window, "sessions_open");
     EXPECT_FALSE(child<QPushButton>(window, "trials_exclude").isEnabled());
   }
