@@ -181,7 +181,8 @@ PowerSpectrum welch_spectrum(std::span<const double> signal, const WelchWindows&
                                 std::to_string(signal.size()));
   }
   if (!(windows.rate_Hz > 0.0)) {
-    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
+    throw std::invalid_argument("rate_Hz is " + number_text(windows.rate_Hz) +
+                                "; it must be above 0");
   }
   std::vector<double> density(length / 2 + 1);
   std::vector<double> tapered(length);

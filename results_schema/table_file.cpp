@@ -46,7 +46,8 @@ class Gzip final {
     if (deflateInit2(&stream_, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemory,
                      Z_DEFAULT_STRATEGY) != Z_OK) {
       throw std::runtime_error(
-          "zlib could not compress the table; close other programs, then try again");
+          "a table cannot be compressed, because zlib has not enough memory; close other programs, "
+          "then try again");
     }
   }
   Gzip(const Gzip&) = delete;

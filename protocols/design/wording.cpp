@@ -83,7 +83,7 @@ std::string unknown_name(std::string_view what, const std::string& name,
   return "there is no " + std::string(what) + " " + in_quotes(name) +
          (!guess.empty()     ? guess
           : declared.empty() ? "; none is declared: declare it, or remove the name"
-                             : "; declared: " + one_of(declared));
+                             : "; use " + one_of(declared));
 }
 
 std::string listed_words(const std::vector<std::string>& words) {

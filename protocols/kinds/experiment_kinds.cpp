@@ -38,7 +38,8 @@ const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noe
 
 const ExperimentKind& kind_named(std::string_view id) {
   if (const ExperimentKind* const kind = find_kind(id)) return *kind;
-  throw std::logic_error("there is no kind of experiment \"" + std::string(id) + "\"");
+  throw std::logic_error("there is no kind of experiment \"" + std::string(id) +
+                         "\"; name one of experiment_kinds()");
 }
 
 const ExperimentKind& kind_of(const Protocol::Block& block) { return kind_named(block.kind); }

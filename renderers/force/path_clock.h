@@ -60,7 +60,7 @@ inline Parameter device_step_parameter(const std::string& condition = {}) {
           .choices = {},
           .default_value = 0.0,
           .meaning = (condition.empty() ? "Position" : condition + ": position") +
-                     " step of the device; motion of up to two steps, and of up to 20 um, does "
+                     " step of the device; motion of up to two steps, and of up to 20 µm, does "
                      "not lengthen the path"};
 }
 

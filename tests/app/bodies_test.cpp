@@ -172,7 +172,7 @@ TEST_F(Bodies, ThatNoRendererTakesAreRefusedBeforeASession) {
     EXPECT_EQ(error.diagnostics()[0].pointer, "/stimuli/felt");
     EXPECT_GT(error.diagnostics()[0].line, 1);
     EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("\"felt_grain_pd_gradient_rasp\""));
-    EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("at most 32000 per side"));
+    EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("at most 32000 per side. Use a smaller shape"));
   }
 }
 

@@ -28,9 +28,10 @@ PackedSurface::PackedSurface(const TexturedMesh& mesh, double gain) {
   require_sound(mesh);
   const DisplacementAtlas& atlas = mesh.atlas;
   if (std::max(atlas.rows, atlas.columns) > kMostTexels) {
-    throw std::invalid_argument("TexturedMesh: an atlas of " + std::to_string(atlas.rows) + " × " +
-                                std::to_string(atlas.columns) + " texels; at most " +
-                                std::to_string(kMostTexels) + " per side can be sampled.");
+    throw std::invalid_argument("TexturedMesh: the atlas has " + std::to_string(atlas.rows) +
+                                " × " + std::to_string(atlas.columns) +
+                                " texels; it must have at most " + std::to_string(kMostTexels) +
+                                " per side. Use a smaller shape or a coarser height field.");
   }
   step_m_ = gain * atlas.step_m;
   rows_ = atlas.rows;
