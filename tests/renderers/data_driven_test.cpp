@@ -228,17 +228,18 @@ TEST(DataDriven, ActsAlongItsAxis) {
     }
     return along_path(*renderer, path, 1000.0).back().wrench.force_N - glm::dvec3(0.0, 0.0, 1.0);
   };
-  const glm::dvec3 across = forces_N("binormal", {0.0, 0.06, 0.0});
-  EXPECT_EQ(across.y, 0.0);
-  EXPECT_EQ(across.z, 0.0);
-  const glm::dvec3 along = forces_N("motion", {0.0, 0.06, 0.0});
-  EXPECT_EQ(along.x, 0.0);
-  EXPECT_NEAR(along.y, across.x, 1e-12);  // t × n of the direction y is x
-  EXPECT_GT(std::abs(along.y), 1e-4);
-  const glm::dvec3 up = forces_N("normal", {0.0, 0.06, 0.0});
+  const glm::dvec3 velocity_m_per_s{0.048, 0.036, 0.0};  // 60 mm/s
+  const glm::dvec3 along = forces_N("motion", velocity_m_per_s);
+  const double size_N = glm::length(along);
+  EXPECT_GT(size_N, 1e-4);
+  EXPECT_NEAR(std::abs(glm::dot(along, velocity_m_per_s)), size_N * 0.06, 1e-12);
+  // t × n: a quarter of a turn clockwise, seen from above.
+  const glm::dvec3 across = forces_N("binormal", velocity_m_per_s);
+  EXPECT_LT(glm::length(across - glm::dvec3(along.y, -along.x, 0.0)), 1e-12);
+  const glm::dvec3 up = forces_N("normal", velocity_m_per_s);
   EXPECT_EQ(up.x, 0.0);
   EXPECT_EQ(up.y, 0.0);
-  EXPECT_NEAR(up.z * 0.06 / std::hypot(0.06, 0.01), along.y, 1e-12);
+  EXPECT_NEAR(std::abs(up.z) * 0.06 / std::hypot(0.06, 0.01), size_N, 1e-12);
 }
 
 // The toolkit's friction in a published adaptation jumps from μ²·F_n to μ·F_n at μ/0.004 mm/s.
