@@ -34,6 +34,11 @@ void check_start(const LevelGrid& grid, double start, ProcedureProblems& problem
     return;
   }
   if (is_on(grid, start)) return;
+  if (size_of(grid) == 1) {
+    problems.report("start", "the grid has only one level, " + number_text(grid.lowest) +
+                                 "; reduce its step, or widen its bounds");
+    return;
+  }
   const double nearest = level_of(grid, nearest_index(grid, start));
   problems.report("start", "the start " + number_text(start) +
                                " is not a level of the grid; use the nearest level, " +

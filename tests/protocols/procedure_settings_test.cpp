@@ -99,6 +99,9 @@ TEST(ProcedureSettings, NeedAStartOnTheGrid) {
               ElementsAre(problem("start", "outside the bounds 1 and 10; choose")));
   EXPECT_THAT(problems_after([](UpDownTrack& track) { track.start = 5.2; }),
               ElementsAre(problem("start", "use the nearest level, 5")));
+  EXPECT_THAT(
+      problems_after([](UpDownTrack& track) { track.grid.step = 20.0; }),
+      testing::Contains(problem("start", "the grid has only one level, 1; reduce its step")));
 }
 
 TEST(ProcedureSettings, NeedARuleThatCounts) {

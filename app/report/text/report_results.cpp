@@ -9,6 +9,7 @@
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/exploration.h"
+#include "app/findings/study/exploration_model.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/study/test_methods.h"
@@ -299,11 +300,24 @@ std::string words_of_analysis_without_numbers(const std::string& analysis) {
   return analysis == "roughness" ? "the roughness curves" : "a part of the analysis";
 }
 
+/// Contact and response times have the same quantities: "the linear mixed model of times" becomes that of contact times.
+std::string with_modelled_times(std::string words, const std::string& analysis) {
+  const std::string_view times = analysis == kContactTimeModel    ? " contact times"
+                                 : analysis == kResponseTimeModel ? " response times"
+                                                                  : "";
+  constexpr std::string_view kTimes = " times";
+  if (!times.empty() && words.ends_with(kTimes)) {
+    words.replace(words.size() - kTimes.size(), kTimes.size(), times);
+  }
+  return words;
+}
+
 /// "the test of the mean proportion of height_map", or empty for an intermediate result.
 std::string subject_of(const Finding& finding) {
-  std::string words = finding.quantity == "status"
-                          ? words_of_analysis_without_numbers(finding.analysis)
-                          : words_of_unanswered(finding.quantity);
+  std::string words =
+      finding.quantity == "status"
+          ? words_of_analysis_without_numbers(finding.analysis)
+          : with_modelled_times(words_of_unanswered(finding.quantity), finding.analysis);
   if (words.empty()) return {};
   const bool is_place = finding.analysis == "position" && number_in(finding.key);
   const std::string about = is_place ? "position " + finding.key : words_of_key(finding.key);

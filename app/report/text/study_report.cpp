@@ -9,6 +9,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/study_analysis.h"
+#include "app/report/text/figure_parts.h"
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_sexes.h"
 #include "app/study_files/program.h"
@@ -145,7 +146,12 @@ std::vector<ReportedOutcome> outcomes_of(const std::vector<AnalysisOutcome>& out
         outcome.group != facts.group) {
       continue;
     }
-    reported.push_back({&outcome, figures_of ? figures_of(outcome) : std::vector<Figure>{}});
+    ReportedOutcome one{.outcome = &outcome};
+    for (const Figure& figure : figures_of ? figures_of(outcome) : std::vector<Figure>{}) {
+      std::vector<Figure> parts = parts_of_rows(figure);
+      std::move(parts.begin(), parts.end(), std::back_inserter(one.figures));
+    }
+    reported.push_back(std::move(one));
   }
   std::stable_partition(reported.begin(), reported.end(), [&facts](const ReportedOutcome& each) {
     return each.outcome->kind == facts.protocol.kind;
