@@ -11,6 +11,7 @@
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/task_words.h"
+#include "app/report/text/report_arrangement.h"
 #include "app/report/text/report_paper.h"
 #include "app/report/text/report_paper_trials.h"
 #include "app/words/coded_phrases.h"
