@@ -168,12 +168,15 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
               }),
               HasSubstr("0.5 to 4 mm, and the sweep has 0.5 to 8 mm (--spacings)"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.tip.diameter_m = 0.001; }),
-              HasSubstr("the sweep has 1 mm (--probe-diameter-m), and roughness_force has 2 mm"));
+              HasSubstr("the sweep has 1 mm, and roughness_force has 2 mm; for the same value, "
+                        "change --probe-diameter-m"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.speed_m_per_s = 0.1; }),
-              HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force has 60 mm/s"));
+              HasSubstr("100 mm/s, and roughness_force has 60 mm/s; for the same value, change "
+                        "--exploratory-speed-m-per-s"));
   EXPECT_THAT(
       remark([](SweepOrder& order) { order.stroke.model = all_models().find("height_map"); }),
-      HasSubstr("the force model height_map (--model), and roughness_force uses pd_gradient"));
+      HasSubstr("the force model height_map, and roughness_force uses pd_gradient; for the same "
+                "model, change --model"));
   std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
   EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
 }
