@@ -38,13 +38,9 @@ struct FitModelOptions {
 
 /// What the models depend on, by their speeds and normal forces.
 void warn_of_missing_places(const VibrationModels& set, const std::string& name) {
-  bool speeds = false;
-  bool forces = false;
-  for (const VibrationModel& model : set.models) {
-    speeds = speeds || model.speed_m_per_s != set.models.front().speed_m_per_s;
-    forces = forces || model.normal_N >= 1.25 * set.models.front().normal_N ||
-             set.models.front().normal_N >= 1.25 * model.normal_N;
-  }
+  const Eigen::Vector2d per_range = place_scale(set).per_range;
+  const bool speeds = per_range.x() > 0.0;
+  const bool forces = per_range.y() > 0.0;
   if (!speeds) {
     say("asperity: warning: " + name +
         ": there is one speed, so that the vibration does not depend on the speed; record further "

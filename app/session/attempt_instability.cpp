@@ -1,8 +1,12 @@
 #include "app/session/attempt_instability.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "analysis/number_text.h"
@@ -11,6 +15,15 @@
 #include "renderers/servo/contact.h"
 
 namespace asperity {
+namespace {
+
+std::ptrdiff_t records_of(std::uint64_t presentation, std::span<const TickRecord> records) {
+  return std::count_if(records.begin(), records.end(), [presentation](const TickRecord& record) {
+    return is_rendered(record, presentation);
+  });
+}
+
+}  // namespace
 
 InstabilityRow instability_row(const PerceivedInstability& judged) {
   const auto reason = [](const std::optional<NotJudged>& none) {
@@ -39,25 +52,43 @@ InstabilityRow instability_row(const PerceivedInstability& judged) {
   return row;
 }
 
-void AttemptInstability::begin(int position, const PreparedStimulus& stimulus,
-                               const RendererInputs& inputs, std::span<const TickRecord> records,
-                               double rate_Hz) {
-  const auto id = static_cast<std::uint64_t>(position);
-  // The recorder's records move in memory while the session continues.
-  std::vector<TickRecord> felt{};
-  for (const TickRecord& record : records) {
-    if (is_rendered(record, id)) felt.push_back(record);
+void AttemptInstability::begin(std::vector<JudgedSurface> surfaces,
+                               std::span<const TickRecord> records, double rate_Hz) {
+  try {
+    // The recorder's records move in memory while the session continues.
+    begun_ = std::async(std::launch::async,
+                        [surfaces = std::move(surfaces),
+                         felt = std::vector<TickRecord>(records.begin(), records.end()), rate_Hz] {
+                          std::map<int, Judged> judged{};
+                          for (const JudgedSurface& surface : surfaces) {
+                            const auto id = static_cast<std::uint64_t>(surface.position);
+                            judged[surface.position] = {
+                                .records = records_of(id, felt),
+                                .values = perceived_instability(surface.model, surface.inputs,
+                                                                {felt, id, rate_Hz})};
+                          }
+                          return judged;
+                        });
+  } catch (const std::system_error&) {  // no thread
+  } catch (const std::bad_alloc&) {
   }
-  judged_[position].push_back(std::async(
-      std::launch::async, [model = *stimulus.model, inputs, felt = std::move(felt), id, rate_Hz] {
-        return perceived_instability(model, inputs, {felt, id, rate_Hz});
-      }));
 }
 
-std::optional<InstabilityRow> AttemptInstability::take(int position) {
-  const auto found = judged_.find(position);
-  if (found == judged_.end()) return {};
-  return instability_row(found->second.back().get());
+std::optional<InstabilityRow> AttemptInstability::take(const JudgedSurface& surface,
+                                                       std::span<const TickRecord> records,
+                                                       double rate_Hz) {
+  const auto id = static_cast<std::uint64_t>(surface.position);
+  try {
+    if (begun_.valid()) judged_ = begun_.get();
+    const auto found = judged_.find(surface.position);
+    if (found != judged_.end() && found->second.records == records_of(id, records)) {
+      return instability_row(found->second.values);
+    }
+    return instability_row(
+        perceived_instability(surface.model, surface.inputs, {records, id, rate_Hz}));
+  } catch (const std::exception&) {  // no reason to lose what the participant did
+    return {};
+  }
 }
 
 Phrase excessive_buzz(const Protocol& protocol, std::span<const PresentationRow> surfaces) {
@@ -66,7 +97,7 @@ Phrase excessive_buzz(const Protocol& protocol, std::span<const PresentationRow>
   const double limit = protocol.instability->buzz_max;
   for (const PresentationRow& surface : surfaces) {
     if (!surface.instability || surface.instability->buzz.value_or(0.0) <= limit) continue;
-    const double rounded = std::round(100.0 * *surface.instability->buzz) / 100.0;
+    const double rounded = std::ceil(100.0 * *surface.instability->buzz) / 100.0;
     excesses = with_semicolon(excesses, phrase_of(Reason::buzz_too_strong)
                                             .with(std::to_string(surface.position),
                                                   number_text(rounded), number_text(limit)));

@@ -1,9 +1,11 @@
-// The detectors of perceived instability for an attempt, computed while the question is answered.
+// The detectors of perceived instability for an attempt, computed while the questions are answered.
 
 #pragma once
 
+#include <cstddef>
 #include <future>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,21 +20,34 @@ namespace asperity {
 /// The values as they are stored.
 InstabilityRow instability_row(const PerceivedInstability& judged);
 
-/// Judges the surfaces of an attempt (perceived_instability.h) on other threads, each from the time at which the hand has
-/// lifted from it. Two bodies cost 45 µs for each tick and replay, 0.1 s for each second of contact: the participant
-/// answers meanwhile. The values do not depend on when they are computed.
-///
-/// Errors: those of the force model, from `take`.
+/// A surface of an attempt, as it was rendered.
+struct JudgedSurface {
+  int position = 0;
+  ForceModel model{};
+  RendererInputs inputs{};
+};
+
+/// Judges the surfaces of an attempt (perceived_instability.h). Two bodies cost 45 µs for each tick and replay, 0.1 s for
+/// each second of contact, so that the work begins on another thread at the first question, when no surface is rendered.
+/// The values depend only on the records of the whole attempt, not on when they are computed.
 class AttemptInstability final {
  public:
-  /// A surface was removed; `records`: all of the attempt up to now. Replaces the values of earlier visits to it.
-  void begin(int position, const PreparedStimulus& stimulus, const RendererInputs& inputs,
-             std::span<const TickRecord> records, double rate_Hz);
-  /// Waits for the values of the surface; nullopt if it was not removed before the attempt was interrupted.
-  std::optional<InstabilityRow> take(int position);
+  /// Begins with the records up to now. Without a thread everything is computed by `take`.
+  void begin(std::vector<JudgedSurface> surfaces, std::span<const TickRecord> records,
+             double rate_Hz);
+  /// The values of a surface from all records of the attempt; waits for them, or computes them where records of the
+  /// surface were added after `begin`. nullopt where that failed, for example
+  /// without memory: responses are stored without these values.
+  std::optional<InstabilityRow> take(const JudgedSurface& surface,
+                                     std::span<const TickRecord> records, double rate_Hz);
 
  private:
-  std::map<int, std::vector<std::future<PerceivedInstability>>> judged_{};  ///< the last one counts
+  struct Judged {
+    std::ptrdiff_t records = 0;  ///< of the surface, from which it was judged
+    PerceivedInstability values{};
+  };
+  std::future<std::map<int, Judged>> begun_{};
+  std::map<int, Judged> judged_{};
 };
 
 /// The surfaces whose vibration exceeds the limit of the protocol, in words; empty without a limit and without such a surface.

@@ -155,8 +155,7 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   study_.end_session(session_.row.id, end.state, rig_.clock().utc());
   if (end.state != SessionState::completed && !end.as_the_protocol_says) {
     publish_trouble(
-        phrase("Troubles", "%1 Every completed trial is stored, and the session can be resumed.")
-            .with(end.reason.as_sentence()),
+        phrase("Troubles", "%1 Every completed trial is stored.").with(end.reason.as_sentence()),
         SessionTrouble::Remedy::try_again);
   }
   course_.play(Cue::finished);
@@ -175,9 +174,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
   try {
     course_.set_masking(false);
     course_.set_guiding_tones(false);
-    publish_trouble(phrase("Troubles",
-                           "%1; the force is zero, and every completed trial is stored; fix the "
-                           "problem, then resume the session")
+    publish_trouble(phrase("Troubles", "%1; the force is zero, and every completed trial is stored")
                         .with(phrase_of(error))
                         .as_sentence(),
                     SessionTrouble::Remedy::try_again);
@@ -436,6 +433,7 @@ void Conductor::run_trial(const Trial& trial, AttemptPurpose purpose) {
     }
     if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) break;
     if (purpose == AttemptPurpose::refresher) break;  // how it went does not matter
+    if (has_excessive_buzz(attempt)) continue;        // TrialAttempt limits these repeats
     if (failed_technically(attempt)) {
       if (++failures < kTechnicalRepeats) continue;
       stop(phrase_of(Reason::failed_repeatedly)

@@ -215,13 +215,8 @@ bool Conductor::wait_out_fault(Phrase what) {
   course_.play(Cue::paused);
   const auto stopped = [&] {
     const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
-    return (by_hand
-                ? phrase(
-                      "Troubles",
-                      "%1 The force is zero until the stop is cleared; clear it when it is safe.")
-                : phrase("Troubles",
-                         "%1 The force is zero until the fault is cleared; fix its cause, then "
-                         "clear it."))
+    return (by_hand ? phrase("Troubles", "%1 The force is zero until the stop is cleared.")
+                    : phrase("Troubles", "%1 The force is zero until the fault is cleared."))
         .with(what.as_sentence());
   };
   const auto tell = [this](const Phrase& sentence) {
@@ -248,12 +243,9 @@ bool Conductor::wait_out_fault(Phrase what) {
     if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
     const Fault fault = rig_.loop().status().fault;
     tell(fault == Fault::emergency_stop
-             ? phrase("Troubles",
-                      "%1 The emergency stop was pressed in the meantime; clear it again.")
+             ? phrase("Troubles", "%1 The emergency stop was pressed in the meantime.")
                    .with(stopped())
-             : phrase("Troubles",
-                      "%1 The device is not ready yet: %2. Fix the problem, then clear the fault "
-                      "again.")
+             : phrase("Troubles", "%1 The device is not ready yet: %2.")
                    .with(stopped(), problem.empty() ? phrase_of(fault) : problem));
   }
   forget_surface();

@@ -35,7 +35,7 @@ constexpr double kPatience_s = 5.0;
 // The ratio of two numbers for one stimulus above which a confirmation is required: a typing error
 // is likely.
 constexpr double kDoubtfulRatio = 10.0;
-// A session stops after a third technical failure in a row; before this, the attempt is kept and flagged.
+// After these repeats the attempt is kept and flagged: a surface that vibrates every time does not end the session.
 constexpr int kMostRepeatsForBuzz = 2;
 
 std::optional<std::int64_t> first_contact_ns(const std::vector<PresentationRow>& surfaces) {
@@ -184,9 +184,21 @@ void TrialAttempt::carry_out() {
       break;  // the question is asked, and the participant requests each surface
   }
   if (!trial_.arrangement.allows_revisits()) course_.set_masking(false);
+  if (!begins_with_question) {
+    std::vector<JudgedSurface> surfaces{};
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces.push_back(judged_surface(i));
+    instability_.begin(std::move(surfaces), course_.recorder().records(),
+                       course_.protocol().rate_Hz);
+  }
   for (const std::span<const TrialQuestion> page : pages_of(trial_)) {
     if (!answer_page(page)) return;
   }
+}
+
+JudgedSurface TrialAttempt::judged_surface(std::size_t index) const {
+  return {.position = trial_.presentations[index].position,
+          .model = *surfaces_.stimulus(index).model,
+          .inputs = surfaces_.inputs_as_felt(index)};
 }
 
 void TrialAttempt::wait_between_surfaces() {
@@ -359,14 +371,6 @@ void TrialAttempt::lift_and_take_back(std::size_t index) {
     surfaces_.put_back(rig.loop().collect());
   }
   read_visits(course_.recorder().records());
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    const bool was_felt =
-        i == index || trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
-    if (!was_felt) continue;
-    instability_.begin(trial_.presentations[i].position, surfaces_.stimulus(i),
-                       surfaces_.inputs_as_felt(i), course_.recorder().records(),
-                       course_.protocol().rate_Hz);
-  }
   // Side by side there is no interval that would begin here.
   const std::vector<VisitRow>& visits = visits_.visits(static_cast<int>(index) + 1);
   if (!visits.empty()) lifted_ns_ = std::min(lifted_ns_, visits.back().offset_ns);
@@ -469,7 +473,9 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.achieved_texture_force_N = recorded_texture_force_rms_N(
         *prepared.model, surfaces_.inputs_as_felt(i), {records, id, rate_Hz},
         {request.band_low_Hz, request.band_high_Hz});
-    presentation.instability = instability_.take(planned.position);
+    if (!interruption_) {
+      presentation.instability = instability_.take(judged_surface(i), records, rate_Hz);
+    }
     for (const NamedCount& limit : surfaces_.limits(i)) {
       presentation.limits.push_back(
           {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});

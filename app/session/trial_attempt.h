@@ -110,6 +110,7 @@ class TrialAttempt final {
   void measure(const std::vector<TickRecord>& records);
   void store_answers();
   void judge();
+  JudgedSurface judged_surface(std::size_t index) const;
   /// Flags the attempt because of a vibration, or makes it invalid (true).
   bool judge_buzz(Phrase& flags);
   void take_surface_away();

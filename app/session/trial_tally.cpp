@@ -23,6 +23,11 @@ bool failed_technically(const AttemptRow& attempt) {
                      [](const PresentationRow& surface) { return surface.contact_s <= 0.0; });
 }
 
+bool has_excessive_buzz(const AttemptRow& attempt) {
+  return !attempt.valid && attempt.invalid_reason &&
+         codes_of(*attempt.invalid_reason).starts_with(phrase_of(Reason::buzz_too_strong).code());
+}
+
 bool TrialTally::does_its_trial(const AttemptRow& attempt) const {
   if (is_refresher(attempt)) return false;
   return attempt.valid || (attempt.outcome == AttemptOutcome::skipped &&
@@ -125,11 +130,9 @@ int TrialTally::explored_wrongly(int trial) const {
 }
 
 int TrialTally::repeated_for_buzz(int trial) const {
-  const std::string code = phrase_of(Reason::buzz_too_strong).code();
   return static_cast<int>(
-      std::count_if(attempts_.begin(), attempts_.end(), [&](const AttemptRow& attempt) {
-        return attempt.trial == trial && !is_refresher(attempt) && !attempt.valid &&
-               attempt.invalid_reason && codes_of(*attempt.invalid_reason).find(code) == 0;
+      std::count_if(attempts_.begin(), attempts_.end(), [trial](const AttemptRow& attempt) {
+        return attempt.trial == trial && !is_refresher(attempt) && has_excessive_buzz(attempt);
       }));
 }
 

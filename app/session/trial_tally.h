@@ -20,6 +20,8 @@ bool is_right(const AttemptRow& attempt);
 /// Whether the attempt failed for a reason other than the participant's exploration: the machine
 /// was too slow, or a surface could not be touched.
 bool failed_technically(const AttemptRow& attempt);
+/// Whether the attempt is invalid because a force vibrated.
+bool has_excessive_buzz(const AttemptRow& attempt);
 
 /// The attempts of a session, those of earlier stretches included, and their consequences for the
 /// plan.

@@ -14,25 +14,30 @@ namespace {
 
 constexpr double kClose = 0.01;              // of the greater of both values
 constexpr double kUnit_of_closeness = 1e-9;  // values that are 0 apart from rounding
+constexpr double kPath_m = 0.5;              // a long path of a resting hand
 
 struct ComparedValue {
   const char* name = nullptr;
   std::optional<double> InstabilityRow::*value{};
+  double per_N = 0.0;  ///< the change of the value with a force that differs by 1 N
 };
 constexpr std::array kCompared{
-    ComparedValue{"buzz", &InstabilityRow::buzz},
-    ComparedValue{"buzz_force_N", &InstabilityRow::buzz_force_N},
+    ComparedValue{"buzz", &InstabilityRow::buzz, 1.0 / kLeastTexture_N},
+    ComparedValue{"buzz_force_N", &InstabilityRow::buzz_force_N, 1.0},
     ComparedValue{"resting_s", &InstabilityRow::resting_s},
-    ComparedValue{"alive_force_N", &InstabilityRow::alive_force_N},
-    ComparedValue{"alive_plate_force_N", &InstabilityRow::alive_plate_force_N},
+    ComparedValue{"alive_force_N", &InstabilityRow::alive_force_N, 1.0},
+    ComparedValue{"alive_plate_force_N", &InstabilityRow::alive_plate_force_N, 1.0},
     ComparedValue{"alive_motion_m", &InstabilityRow::alive_motion_m},
-    ComparedValue{"alive_work_J", &InstabilityRow::alive_work_J},
+    ComparedValue{"alive_work_J", &InstabilityRow::alive_work_J, kPath_m},
     ComparedValue{"crest_share", &InstabilityRow::crest_share},
     ComparedValue{"slow_s", &InstabilityRow::slow_s}};
 
-bool agree(const std::optional<double>& a, const std::optional<double>& b, Agreement agreement) {
+/// `tolerance`: what the model's own tolerance of replayed forces can change in the value.
+bool agree(const std::optional<double>& a, const std::optional<double>& b, Agreement agreement,
+           double tolerance) {
   if (agreement == Agreement::exact || !a || !b) return a == b;
-  return std::abs(*a - *b) <= kClose * std::max(std::abs(*a), std::abs(*b)) + kUnit_of_closeness;
+  return std::abs(*a - *b) <=
+         kClose * std::max(std::abs(*a), std::abs(*b)) + tolerance + kUnit_of_closeness;
 }
 
 std::string stated(const std::optional<double>& value) {
@@ -55,7 +60,8 @@ std::optional<std::string> differing_instability(const RecordedAttempt& attempt,
   for (const ComparedValue& each : kCompared) {
     const std::optional<double>& stored = *surface.row.instability.*each.value;
     const std::optional<double>& computed = again.*each.value;
-    if (agree(stored, computed, agreement)) continue;
+    const double tolerance = each.per_N * surface.stimulus.model->declaration.replay_tolerance_N;
+    if (agree(stored, computed, agreement, tolerance)) continue;
     return std::string("the stored value of ") + each.name + " is " + stated(stored) +
            ", that of the recording is " + stated(computed);
   }

@@ -20,8 +20,8 @@ namespace asperity {
 ///
 /// g = `gain`; m = `effective_mass_kg` (default 0.05 kg, own choice: it is unknown for a user's handle, and `device-test` measures
 /// that of a device as `moving_mass_kg`); v₀ = `friction_speed_m_per_s`; D the drag of the shared friction with the Material's μ
-/// (force/friction.h), under `normal` of the rendered normal force. |v_t| is the speed on the texture, so it includes
-/// `motion_scale`. `binormal` is the direction of the source: across the motion, along the surface; such a force does no work on
+/// (force/friction.h), under `normal` of the rendered normal force. In v_in |v_t| is the speed on the texture,
+/// which includes `motion_scale`; in t̂ it is that of the hand. `binormal` is the direction of the source: across the motion, along the surface; such a force does no work on
 /// the hand. `motion` is the direction of the forces that `texture-recording` records, and the default of `recorded`.
 ///
 /// `variance = logarithmic` (default) interpolates log σ², `linear` σ² as the toolkit does, which has silent models on its axes.

@@ -95,7 +95,7 @@ inline constexpr double kSlow_m_per_s = 0.030;
 /// Cost: two replays of the records, a third one where the hand rests, and six transforms for each step of the window: 9 ms for
 /// 4 s of a point model. Not for the servo thread.
 ///
-/// Errors: std::invalid_argument for inputs that the model rejects and for a rate that is not positive.
+/// Errors: std::invalid_argument for inputs that the model rejects. A rate of at most 300 Hz is a reason not to judge.
 ///
 /// [Choi 2004] Choi, Tan: Perceived instability of virtual haptic texture. I. Experimental studies.
 PerceivedInstability perceived_instability(const ForceModel& model, const RendererInputs& inputs,

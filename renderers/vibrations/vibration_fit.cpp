@@ -115,13 +115,20 @@ std::size_t order_by_bic(const std::vector<std::vector<Acceleration>>& groups) {
   return best;
 }
 
+/// Each brings the poles closer to 0; coefficients that are numbers are stationary after a few.
+constexpr int kMostShrinkings = 1000;
+
 /// The process of variance 1 with the model's covariances, of which kNoiseFloor are white noise.
 Autoregression with_noise_floor(Autoregression model) {
   // A wave without noise has reflection coefficients that rounding may put at 1.
   std::optional<Predictors> predictors = stationary_predictors(model.coefficients);
-  while (!predictors) {
+  for (int trial = 0; !predictors && trial < kMostShrinkings; ++trial) {
     shrink_poles(model, kStationaryRadius);
     predictors = stationary_predictors(model.coefficients);
+  }
+  if (!predictors) {
+    throw std::invalid_argument(
+        "the coefficients of a fitted model are not numbers; record smaller forces");
   }
   std::vector<double> covariance{1.0};
   for (std::size_t k = 1; k <= model.coefficients.size(); ++k) {

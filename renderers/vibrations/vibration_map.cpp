@@ -16,8 +16,6 @@ VibrationMap::VibrationMap(const VibrationModels& set, VarianceLaw law, const st
     : law_(law) {
   require_models(set, name);
   order_ = set.models.front().lines_rad.size();
-  Eigen::Vector2d most = Eigen::Vector2d::Zero();
-  from_.setConstant(std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < set.models.size(); ++i) {
     const VibrationModel& model = set.models[i];
     if (law == VarianceLaw::logarithmic && model.variance_m2_per_s4 == 0.0) {
@@ -29,13 +27,10 @@ VibrationMap::VibrationMap(const VibrationModels& set, VarianceLaw law, const st
     lines_rad_.insert(lines_rad_.end(), model.lines_rad.begin(), model.lines_rad.end());
     variance_.push_back(law == VarianceLaw::logarithmic ? std::log(model.variance_m2_per_s4)
                                                         : model.variance_m2_per_s4);
-    const Eigen::Vector2d at(model.speed_m_per_s, model.normal_N);
-    from_ = from_.cwiseMin(at);
-    most = most.cwiseMax(at);
   }
-  for (int axis = 0; axis < 2; ++axis) {
-    per_range_[axis] = most[axis] > from_[axis] ? 1.0 / (most[axis] - from_[axis]) : 0.0;
-  }
+  const PlaceScale scale = place_scale(set);
+  from_ = scale.from;
+  per_range_ = scale.per_range;
   places_ = scaled_places(set);
   triangulation_ = delaunay(places_);
 }

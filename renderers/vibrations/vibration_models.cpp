@@ -3,6 +3,7 @@
 #include "renderers/vibrations/vibration_models.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -34,6 +35,9 @@ std::optional<std::string> complaint_about_model(const VibrationModel& model) {
   if (!(model.normal_N >= 0.0)) return negative(kForceColumn, model.normal_N);
   if (!(model.variance_m2_per_s4 >= 0.0)) {
     return negative(kVarianceColumn, model.variance_m2_per_s4);
+  }
+  if (!std::isfinite(model.speed_m_per_s + model.normal_N + model.variance_m2_per_s4)) {
+    return "has a number that is too large; record or import smaller forces";
   }
   double before = 0.0;
   for (std::size_t i = 0; i < model.lines_rad.size(); ++i) {
@@ -88,21 +92,43 @@ double acceleration_density(const VibrationModel& model, double frequency_Hz) {
   return 2.0 * model.variance_m2_per_s4 / (kVibrationRate_Hz * std::norm(inverse));
 }
 
+PlaceScale place_scale(const VibrationModels& set) {
+  constexpr std::array kConstantBelow{1.1, 1.25};  // times the least speed, the least normal force
+  std::array<std::vector<double>, 2> values{};
+  for (const VibrationModel& model : set.models) {
+    values[0].push_back(model.speed_m_per_s);
+    values[1].push_back(model.normal_N);
+  }
+  PlaceScale scale{};
+  std::array<bool, 2> is_told_apart{};  // no two models have the same value
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    std::sort(values[axis].begin(), values[axis].end());
+    const std::vector<double>& sorted = values[axis];
+    is_told_apart[axis] = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    const double range = sorted.back() - sorted.front();
+    scale.from[static_cast<Eigen::Index>(axis)] = sorted.front();
+    scale.per_range[static_cast<Eigen::Index>(axis)] = range > 0.0 ? 1.0 / range : 0.0;
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::vector<double>& sorted = values[axis];
+    const std::size_t other = 1 - axis;
+    const bool other_varies =
+        values[other].back() >= kConstantBelow[other] * values[other].front() &&
+        values[other].back() > values[other].front();
+    if (is_told_apart[other] && other_varies &&
+        sorted.back() < kConstantBelow[axis] * sorted.front()) {
+      scale.per_range[static_cast<Eigen::Index>(axis)] = 0.0;
+    }
+  }
+  return scale;
+}
+
 std::vector<Eigen::Vector2d> scaled_places(const VibrationModels& set) {
+  const PlaceScale scale = place_scale(set);
   std::vector<Eigen::Vector2d> places{};
   for (const VibrationModel& model : set.models) {
-    places.emplace_back(model.speed_m_per_s, model.normal_N);
-  }
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto less = [axis](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-      return a[axis] < b[axis];
-    };
-    const auto [least, most] = std::minmax_element(places.begin(), places.end(), less);
-    const double from = (*least)[axis];
-    const double range = (*most)[axis] - from;
-    for (Eigen::Vector2d& place : places) {
-      place[axis] = range > 0.0 ? (place[axis] - from) / range : 0.0;
-    }
+    const Eigen::Vector2d place(model.speed_m_per_s, model.normal_N);
+    places.emplace_back((place - scale.from).cwiseProduct(scale.per_range));
   }
   return places;
 }

@@ -37,8 +37,20 @@ inline constexpr std::size_t kMostVibrationModels = 256;
 /// The one-sided density of the acceleration at a frequency, 2σ²/(f_s·|1 − Σ c_j·exp(−2πi·f·j/f_s)|²), in m²/s⁴ per hertz.
 double acceleration_density(const VibrationModel& model, double frequency_Hz);
 
-/// (speed, normal force) of each model as parts of the range of the set, from 0 to 1; 0 where all are equal. Distances between
-/// them are those of the triangulation, which therefore does not depend on units.
+/// The range of the (speed, normal force) of a set: a place p is at (p − from)·per_range, from 0 to 1 on each axis.
+/// Distances between places are those of the triangulation, which therefore does not depend on units.
+///
+/// An axis is constant, with `per_range` 0, where the set has one value. So it is with recordings of one intended speed or
+/// force, whose means differ a little: where the greatest value is below 1.1 times the least speed or 1.25 times the least
+/// force, as long as the other axis tells the models apart. Otherwise these differences would decide alone which model is
+/// used beyond them.
+struct PlaceScale {
+  Eigen::Vector2d from{0.0, 0.0};
+  Eigen::Vector2d per_range{0.0, 0.0};
+};
+PlaceScale place_scale(const VibrationModels& set);
+
+/// The (speed, normal force) of each model on this scale.
 std::vector<Eigen::Vector2d> scaled_places(const VibrationModels& set);
 
 /// Models that can be interpolated: 1 to 256 of one order from 1 to 32, whose numbers are in range, at places that are at least

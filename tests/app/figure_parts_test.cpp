@@ -49,6 +49,15 @@ TEST(FigureParts, HaveEveryRowOnceWithItsMarks) {
   }
 }
 
+// A profile or a tree would lose what crosses a division.
+TEST(FigureParts, AreTheFigureItselfWhereLinesJoinItsRows) {
+  Figure figure = forest(45, 1);
+  figure.series.front().lines = {{{.x = 0.0, .y = 10.0}, {.x = 1.0, .y = 30.0}}};
+  EXPECT_EQ(parts_of_rows(figure).size(), 1U);
+  figure.series.front().lines = {{{.x = 0.0, .y = 10.0}, {.x = 1.0, .y = 10.0}}};
+  EXPECT_EQ(parts_of_rows(figure).size(), 2U);
+}
+
 TEST(FigureParts, AreTheFigureItselfWhereItFitsOnAPage) {
   const std::vector<Figure> parts = parts_of_rows(forest(12, 2));
   ASSERT_EQ(parts.size(), 1U);

@@ -288,7 +288,7 @@ TEST(TidyFamilies, AnswerTablesWithoutARowOrRefuseThem) {
                    .empty());
   EXPECT_THAT(refusal_of<std::runtime_error>(
                   [] { matching_findings(input_of("subject,trial,stimulus,response\n", "{}")); }),
-              HasSubstr("has no trials"));
+              HasSubstr("has no trial"));
   EXPECT_FALSE(
       paired_findings(input_of("subject,first,second,winner\n", R"({"items": ["a", "b"]})"))
           .empty());

@@ -189,9 +189,10 @@ TEST_F(UpcomingSurfacesTest, DoNotChangeASession) {
     return std::pair(stored_plan(), rendered);
   };
   const auto between = attempts_with(false);
-  EXPECT_TRUE(made_ahead_m_.empty());
+  // Attempts are judged for perceived instability on another thread in both.
+  const std::size_t judged = made_ahead();
   EXPECT_EQ(attempts_with(true), between);
-  EXPECT_FALSE(made_ahead_m_.empty());
+  EXPECT_GT(made_ahead(), 2 * judged);
 }
 
 }  // namespace

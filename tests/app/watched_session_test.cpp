@@ -611,7 +611,7 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
     EXPECT_TRUE(now.trouble->what.can_be_translated());
     EXPECT_EQ(now.trouble->what.english(),
               "The emergency stop was pressed in trial 1. The force is zero until the stop is "
-              "cleared; clear it when it is safe.");
+              "cleared.");
     EXPECT_EQ(now.fault, Fault::emergency_stop);
     EXPECT_EQ(now.scene->kind, ParticipantScene::Kind::paused);
     ASSERT_EQ(attempts().size(), 1U);  // stored before anybody is told
@@ -648,7 +648,7 @@ TEST_F(WatchedSession, ContinuesAfterAFaultWhenWhoeverAnswersSaysThatItIsMended)
   EXPECT_EQ(asked, 20);
   EXPECT_THAT(person_.faults_heard,
               ElementsAre("The emergency stop was pressed in trial 1. The force is zero until the "
-                          "stop is cleared; clear it when it is safe."));
+                          "stop is cleared."));
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::emergency_stop);
@@ -826,7 +826,7 @@ TEST_F(WatchedSession, SaysThatTheEmergencyStopWasPressedWhileTheDeviceWasChecke
       requests_.emergency_stop();
       step = Step::told;
     } else if (now.trouble->what.english().ends_with(
-                   " The emergency stop was pressed in the meantime; clear it again.")) {
+                   " The emergency stop was pressed in the meantime.")) {
       requests_.abort("enough");
     }
   };

@@ -163,7 +163,7 @@ TEST(TextureRecording, NeedsOneSourceWithItsOptions) {
   const Outcome speeds = asperity({"texture-recording", "--wav", "a.wav", "--wav", "b.wav",
                                    "--speed-m-per-s", "0.03", "--out", place / "x.tsv"});
   EXPECT_EQ(speeds.status, 2);
-  EXPECT_THAT(speeds.err, HasSubstr("2 WAV files and 1 speed"));
+  EXPECT_THAT(speeds.err, HasSubstr("--wav names 2 files, and --speed-m-per-s gives 1 speed"));
   const Outcome scale = asperity(
       {"texture-recording", "--wav", "a.wav", "--speed-m-per-s", "0.03", "--out", place / "x.tsv"});
   EXPECT_EQ(scale.status, 2);

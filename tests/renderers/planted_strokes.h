@@ -17,9 +17,7 @@
 #include "device/simulated_models.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/friction.h"
-#include "renderers/models/recorded.h"
 #include "renderers/offline/perceived_instability.h"
-#include "renderers/recordings/relief_recording.h"
 #include "renderers/servo/servo_time.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/meshes/solid_body.h"
@@ -49,12 +47,16 @@ inline RendererInputs stimulus_of_stroke(const ForceModel& model, std::uint64_t 
   static const auto kField = std::make_shared<const HeightField>(
       make_surface("sandpaper", {{"grain_height_m", 0.0001}, {"grain_spacing_m", 0.001}},
                    SurfaceCanvas{.width_m = 0.05, .pixels = 1024, .seed = 1}));
-  static const auto kRecording =
-      std::make_shared<const std::string>(tsv_of(recording_of_relief(*kField)));
+  static const auto kFiles = [] {
+    RendererInputs inputs{};
+    const ModelRegistry registry = built_in_models();
+    for (const ForceModel& each : registry.models()) add_files_of_relief(inputs, each, *kField);
+    return inputs.assets;
+  }();
   RendererInputs inputs{};
   inputs.patch = {.extent_m = {0.2, 0.2}, .tiling = Tiling::repeat};
   inputs.height_field = kField;
-  inputs.assets = {{kRecordingRole, kRecording}};
+  inputs.assets = kFiles;
   inputs.parameters = friction_of_new_studies(model.declaration);
   inputs.seed = seed;
   if (model.declaration.needs_bodies) {

@@ -161,6 +161,24 @@ TEST(VibrationMap, InterpolatesModelsOnALine) {
   EXPECT_NEAR(std::pow(one.filter_at({0.5, 0.0}, triangle, coefficients), 2), 1.5, 1e-12);
 }
 
+// Recordings of one intended force have means that differ a little: the speed decides alone, also far beyond them.
+TEST(VibrationMap, IgnoresDifferencesOfAnAxisThatIsConstantButForChance) {
+  VibrationModels set{};
+  for (const auto& [speed_m_per_s, normal_N] :
+       {std::pair{0.02, 1.00}, std::pair{0.06, 1.02}, std::pair{0.12, 0.98}}) {
+    set.models.push_back(resonant_model({.speed_m_per_s = speed_m_per_s,
+                                         .normal_N = normal_N,
+                                         .variance_m2_per_s4 = 10.0 * speed_m_per_s}));
+  }
+  const VibrationMap map(set, VarianceLaw::linear, "set");
+  std::size_t triangle = 0;
+  std::vector<double> coefficients(4);
+  for (const double normal_N : {0.5, 1.0, 1.5}) {
+    EXPECT_NEAR(std::pow(map.filter_at({0.04, normal_N}, triangle, coefficients), 2), 0.4, 1e-12);
+    EXPECT_NEAR(std::pow(map.filter_at({0.09, normal_N}, triangle, coefficients), 2), 0.9, 1e-12);
+  }
+}
+
 /// A stroke of the process of a model, as a force at 1 kHz.
 RecordedStroke stroke_of_model(const VibrationModel& model, double duration_s, std::uint64_t seed) {
   std::vector<double> c(model.lines_rad.size());
@@ -240,6 +258,13 @@ TEST(VibrationFit, TakesTheOrderThatIsAskedForAndRefusesWhatItCannotFit) {
 }
 
 // A pure wave has poles on the circle, which the fit moves inside; its mean square stays.
+TEST(VibrationFit, RefusesForcesWhoseSquaresAreNoNumbers) {
+  TextureRecording recording{};
+  recording.strokes.push_back(stroke_of_model(resonant_model({}), 2.0, 1));
+  for (double& force_N : recording.strokes.front().force_N) force_N *= 1e160;
+  EXPECT_THROW(fitted_vibrations(recording, "felt.tsv", {.order = 4}), std::invalid_argument);
+}
+
 TEST(VibrationFit, OfAWaveIsStationaryWithItsMeanSquare) {
   RecordedStroke stroke = stroke_of_model(resonant_model({}), 1.0, 3);
   for (std::size_t i = 0; i < stroke.force_N.size(); ++i) {

@@ -195,18 +195,7 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                    {tr("Model"), 168, CellAlign::text},
                    {tr("Parameters"), 0, CellAlign::text},
                    {tr("Contact, s"), 112, CellAlign::number},
-                   {tr("Texture force, N"), 160, CellAlign::number},
-                   {tr("Vibration"), 104, CellAlign::number},
-                   {tr("Force at rest, N"), 136, CellAlign::number},
-                   {tr("At crests"), 104, CellAlign::number}});
-  const auto explain = [this](int column, const QString& meaning) {
-    surfaces_->model()->setHeaderData(column, Qt::Horizontal, meaning, Qt::ToolTipRole);
-  };
-  explain(7, tr("Greatest vibration above 150 Hz that the force model does not explain, relative "
-                "to the texture force. Values above 0.4 are rare in stable strokes."));
-  explain(8, tr("RMS of the force on the resting hand in 2 to 20 Hz."));
-  explain(9, tr("Proportion of slow contact near the crests of a grating; 30 % for an even "
-                "motion."));
+                   {tr("Texture force, N"), 160, CellAlign::number}});
   surfaces_heading_ = page->findChild<QLabel*>("attempt_surfaces_heading");
   compliance_ = add(tr("Exploration: instructed and observed"), "attempt_compliance",
                     {{tr("Surface"), 88, CellAlign::number},
@@ -217,6 +206,20 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                      {tr("95 %"), 80, CellAlign::number},
                      {tr("In band"), 96, CellAlign::number},
                      {tr("Met"), 136, CellAlign::text}});
+  instability_ = add(tr("Perceived instability"), "attempt_instability",
+                     {{tr("Surface"), 88, CellAlign::number},
+                      {tr("Texture"), 0, CellAlign::text},
+                      {tr("Vibration"), 128, CellAlign::number},
+                      {tr("Force at rest, N"), 160, CellAlign::number},
+                      {tr("At crests"), 128, CellAlign::number}});
+  const auto explain = [this](int column, const QString& meaning) {
+    instability_->model()->setHeaderData(column, Qt::Horizontal, meaning, Qt::ToolTipRole);
+  };
+  explain(2, tr("Greatest vibration above 150 Hz that the force model does not explain, relative "
+                "to the texture force. Values above 0.4 are rare in stable strokes."));
+  explain(3, tr("RMS of the force on the resting hand in 2 to 20 Hz."));
+  explain(4, tr("Proportion of slow contact near the crests of a grating; 30 % for an even "
+                "motion."));
   loop_ = add(tr("Timing of the servo loop"), "attempt_loop",
               {{tr("Measure"), 0, CellAlign::text},
                {tr("Value"), 160, CellAlign::number},
@@ -250,18 +253,12 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
                                  ? tr("Surfaces felt, by name (the session has ended)")
                                  : tr("Surfaces felt, by name"));
   for (const PresentationRow& surface : attempt.presentations) {
-    const InstabilityRow judged = surface.instability.value_or(InstabilityRow{});
     add({number_cell(surface.position), text_cell(text(surface.role)),
          text_cell(text(surface.texture)),
          text_cell(tr("%1 %2").arg(text(surface.model), text(surface.model_version))),
          text_cell(words_of_object(
              json_text_of(without_unused_layers(parameter_values_in(surface.parameters_json))))),
-         decimal_cell(surface.contact_s, 2), decimal_cell(surface.achieved_texture_force_N, 4),
-         decimal_cell(judged.buzz, 2), decimal_cell(judged.alive_force_N, 4),
-         judged.crest_share
-             ? number_cell(tr("%1 %").arg(shown_number(100.0 * *judged.crest_share, 'f', 0)),
-                           *judged.crest_share)
-             : empty_number_cell()});
+         decimal_cell(surface.contact_s, 2), decimal_cell(surface.achieved_texture_force_N, 4)});
   }
   surfaces_->fill(rows);
   rows.clear();
@@ -278,6 +275,18 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
          passed_cell(row.passed)});
   }
   compliance_->fill(rows);
+  rows.clear();
+  for (const PresentationRow& surface : attempt.presentations) {
+    if (!surface.instability) continue;
+    const InstabilityRow& judged = *surface.instability;
+    add({number_cell(surface.position), text_cell(text(surface.texture)),
+         decimal_cell(judged.buzz, 2), decimal_cell(judged.alive_force_N, 4),
+         judged.crest_share
+             ? number_cell(tr("%1 %").arg(shown_number(100.0 * *judged.crest_share, 'f', 0)),
+                           *judged.crest_share)
+             : empty_number_cell()});
+  }
+  instability_->fill(rows);
   rows.clear();
   if (attempt.servo) {
     for (const LoopRow& row : loop_rows(*attempt.servo)) {

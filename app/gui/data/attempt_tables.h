@@ -24,6 +24,7 @@ class MeasureTables final : public QScrollArea {
   StudyTable* answers_ = nullptr;
   QLabel* surfaces_heading_ = nullptr;
   StudyTable* surfaces_ = nullptr;
+  StudyTable* instability_ = nullptr;
   StudyTable* compliance_ = nullptr;
   StudyTable* loop_ = nullptr;
   QLabel* limits_heading_ = nullptr;

@@ -6742,32 +6742,32 @@
 <context>
     <name>Troubles</name>
     <message>
-        <source>%1 Every completed trial is stored, and the session can be resumed.</source>
-        <translation>%1 Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden.</translation>
+        <source>%1 Every completed trial is stored.</source>
+        <translation>%1 Jeder abgeschlossene Durchgang ist gespeichert.</translation>
     </message>
     <message>
-        <source>%1; the force is zero, and every completed trial is stored; fix the problem, then resume the session</source>
-        <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert; das Problem beheben, dann die Sitzung fortsetzen</translation>
+        <source>%1; the force is zero, and every completed trial is stored</source>
+        <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert</translation>
     </message>
     <message>
         <source>The masking noise has stopped, and the session is paused. Fix the problem with the sound, then resume.</source>
         <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
-        <source>%1 The force is zero until the fault is cleared; fix its cause, then clear it.</source>
-        <translation>%1 Die Kraft ist null, bis die Störung quittiert ist; die Ursache beheben, dann quittieren.</translation>
+        <source>%1 The force is zero until the fault is cleared.</source>
+        <translation>%1 Die Kraft ist null, bis die Störung quittiert ist.</translation>
     </message>
     <message>
-        <source>%1 The device is not ready yet: %2. Fix the problem, then clear the fault again.</source>
-        <translation>%1 Das Gerät ist noch nicht bereit: %2. Das Problem beheben, dann die Störung erneut quittieren.</translation>
+        <source>%1 The device is not ready yet: %2.</source>
+        <translation>%1 Das Gerät ist noch nicht bereit: %2.</translation>
     </message>
     <message>
-        <source>%1 The force is zero until the stop is cleared; clear it when it is safe.</source>
-        <translation>%1 Die Kraft ist null, bis der Halt quittiert ist; ihn quittieren, wenn es sicher ist.</translation>
+        <source>%1 The force is zero until the stop is cleared.</source>
+        <translation>%1 Die Kraft ist null, bis der Halt quittiert ist.</translation>
     </message>
     <message>
-        <source>%1 The emergency stop was pressed in the meantime; clear it again.</source>
-        <translation>%1 Der NOT-HALT wurde inzwischen gedrückt; ihn erneut quittieren.</translation>
+        <source>%1 The emergency stop was pressed in the meantime.</source>
+        <translation>%1 Der NOT-HALT wurde inzwischen gedrückt.</translation>
     </message>
     <message>
         <source>The masking noise cannot start: the sound card does not play. The session is paused. Fix the problem with the sound, then resume.</source>
@@ -8663,6 +8663,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Vibration</source>
         <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Perceived instability</source>
+        <translation>Wahrgenommene Instabilität</translation>
     </message>
     <message>
         <source>Force at rest, N</source>

@@ -1,6 +1,7 @@
 #include "app/report/text/figure_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -14,6 +15,16 @@ std::vector<Figure> parts_of_rows(const Figure& figure) {
   const std::size_t rows = figure.y.places.size();
   if (!figure.is_drawn() || figure.shape != FigureShape::rows || rows <= most) return {figure};
   const std::size_t count = (rows + most - 1) / most;
+  // Profiles and trees join rows across a division; they are not divided.
+  const bool joins_rows =
+      std::any_of(figure.series.begin(), figure.series.end(), [](const FigureSeries& series) {
+        return std::any_of(series.lines.begin(), series.lines.end(), [](const auto& line) {
+          return std::any_of(line.begin(), line.end(), [&line](const FigurePlace& place) {
+            return std::abs(place.y - line.front().y) >= 1.0;
+          });
+        });
+      });
+  if (joins_rows) return {figure};
   std::vector<Figure> parts{};
   for (std::size_t part = 0; part < count; ++part) {
     const std::size_t from = part * rows / count;

@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Figures of consecutive rows, each with at most about 30 marks one above the other; the figure itself if it has no rows
-/// or not more. All parts have the horizontal axis of the figure, and titles that end with "part 1 of 2".
+/// or not more, or if its lines join several rows. All parts have the horizontal axis of the figure, and titles that end with "part 1 of 2".
 std::vector<Figure> parts_of_rows(const Figure& figure);
 
 }  // namespace asperity

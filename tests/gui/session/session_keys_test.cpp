@@ -250,11 +250,12 @@ TEST_F(EmergencyStop, SaysWhatWasZeroedAndContinuesOnlyWhenItIsSafe) {
   session_.set_phase(SessionPhase::fault);
   session_.monitor.update([](SessionSnapshot& s) {
     s.fault = Fault::emergency_stop;
-    s.trouble = SessionTrouble{.what =
-                                   "The emergency stop was pressed in trial 17. The force is zero "
-                                   "until the fault is cleared; fix its cause, then clear it.",
-                               .time_ns = s.now_ns,
-                               .remedy = SessionTrouble::Remedy::clear_fault};
+    s.trouble = SessionTrouble{
+        .what =
+            "The emergency stop was pressed in trial 17. The force is zero until the fault is "
+            "cleared.",
+        .time_ns = s.now_ns,
+        .remedy = SessionTrouble::Remedy::clear_fault};
   });
   window_->refresh();
   EXPECT_TRUE(find<QLabel>("fault_text").text().contains("EMERGENCY STOP at "));

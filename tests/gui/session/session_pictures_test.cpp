@@ -101,11 +101,12 @@ TEST(SessionPictures, TheEmergencyStopIsPressed) {
   session.set_phase(SessionPhase::fault);
   session.monitor.update([](SessionSnapshot& s) {
     s.fault = Fault::emergency_stop;
-    s.trouble = SessionTrouble{.what =
-                                   "The emergency stop was pressed in trial 17. The force is zero "
-                                   "until the fault is cleared; fix its cause, then clear it.",
-                               .time_ns = s.now_ns,
-                               .remedy = SessionTrouble::Remedy::clear_fault};
+    s.trouble = SessionTrouble{
+        .what =
+            "The emergency stop was pressed in trial 17. The force is zero until the fault is "
+            "cleared.",
+        .time_ns = s.now_ns,
+        .remedy = SessionTrouble::Remedy::clear_fault};
   });
   look_at(*window, "session-emergency");
 }
@@ -116,11 +117,12 @@ TEST(SessionPictures, TheParticipantsScreenIsLost) {
   session.set_phase(SessionPhase::fault);
   session.monitor.update([](SessionSnapshot& s) {
     s.fault = Fault::emergency_stop;
-    s.trouble = SessionTrouble{.what =
-                                   "The emergency stop was pressed in trial 17. The force is zero "
-                                   "until the fault is cleared; fix its cause, then clear it.",
-                               .time_ns = s.now_ns,
-                               .remedy = SessionTrouble::Remedy::clear_fault};
+    s.trouble = SessionTrouble{
+        .what =
+            "The emergency stop was pressed in trial 17. The force is zero until the fault is "
+            "cleared.",
+        .time_ns = s.now_ns,
+        .remedy = SessionTrouble::Remedy::clear_fault};
   });
   session.stroke(25.0);
   const auto window = session.window();
@@ -166,8 +168,7 @@ TEST(SessionPictures, TheEmergencyStopIsPressedInGerman) {
   session.monitor.update([](SessionSnapshot& s) {
     s.fault = Fault::emergency_stop;
     s.trouble = SessionTrouble{
-        .what = phrase("Troubles",
-                       "%1 The force is zero until the stop is cleared; clear it when it is safe.")
+        .what = phrase("Troubles", "%1 The force is zero until the stop is cleared.")
                     .with(phrase_of(Reason::stopped_in_trial).with("17").as_sentence()),
         .time_ns = s.now_ns,
         .remedy = SessionTrouble::Remedy::clear_fault};
