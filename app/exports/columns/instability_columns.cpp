@@ -10,8 +10,7 @@ namespace asperity::export_columns {
 namespace {
 
 constexpr const char* kWhenNotJudged =
-    "the attempt was stored before schema version 13, or was interrupted before the surface was "
-    "removed";
+    "the attempt was stored before schema version 13, or was interrupted";
 
 template <class Value>
 std::function<Cell(const ExportPlace&)> cell_of_instability(
