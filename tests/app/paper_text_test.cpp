@@ -492,8 +492,8 @@ TEST(PaperText, StatesThePointsOfScalesAndNamesBlocks) {
   made.add_session("p1", made.add_protocol("attributes", "rating", source.dump()), {trial, trial});
   const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
   EXPECT_THAT(methods, HasSubstr("ratings were given on five scales with 7 points from −3 to 3."));
-  EXPECT_THAT(methods, HasSubstr("Each response of the recognition was accompanied by ratings on "
-                                 "one continuous scale from 0 to 100."));
+  EXPECT_THAT(methods, HasSubstr("Each response of the absolute identification was accompanied by "
+                                 "ratings on one continuous scale from 0 to 100."));
   EXPECT_THAT(methods,
               HasSubstr(" In the block “ratings”, trials were presented in random order "));
   EXPECT_THAT(methods, HasSubstr(" In the block “recognition”, trials were presented in "));

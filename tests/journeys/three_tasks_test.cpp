@@ -190,7 +190,7 @@ TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
   EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
   const std::string text = text_of(report);
   EXPECT_THAT(text, HasSubstr("Task of the rating: in each trial"));
-  EXPECT_THAT(text, HasSubstr("Task of the recognition: in each trial"));
+  EXPECT_THAT(text, HasSubstr("Task of the absolute identification: in each trial"));
   for (const char* const kind : {"rating", "recognition", "selection"}) {
     EXPECT_THAT(text, HasSubstr("Results (" + std::string(kind) + ")"));
     EXPECT_THAT(text, HasSubstr("Statistics (" + std::string(kind) + ")")) << "for a paper";

@@ -30,7 +30,7 @@ QString count_text(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
 }
 
-/// "recognition · version 1.0.0 · 36 trials · 6 blocks · about 42 min · blindfold · masking noise"
+/// "absolute identification · version 1.0.0 · 36 trials · 6 blocks · about 42 min · blindfold · masking noise"
 QString overview_facts(const ProtocolOverview& overview) {
   const Protocol& protocol = *overview.check.protocol;
   QStringList facts{text_of_kind(protocol.kind),

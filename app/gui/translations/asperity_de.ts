@@ -1256,16 +1256,16 @@
         <translation>Größenschätzung</translation>
     </message>
     <message>
-        <source>matching</source>
-        <translation>Zuordnung</translation>
+        <source>picture matching</source>
+        <translation>Bildzuordnung</translation>
     </message>
     <message>
-        <source>recognition</source>
-        <translation>Wiedererkennung</translation>
+        <source>absolute identification</source>
+        <translation>absolute Identifikation</translation>
     </message>
     <message>
-        <source>selection</source>
-        <translation>Auswahl</translation>
+        <source>best-of-n choice</source>
+        <translation>Auswahl der besten aus n</translation>
     </message>
     <message>
         <source>difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], N = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
@@ -7795,6 +7795,33 @@
     </message>
 </context>
 <context>
+    <name>asperity::DocumentDialog</name>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>Text of the document</source>
+        <translation>Text des Dokuments</translation>
+    </message>
+    <message>
+        <source>← Back</source>
+        <translation>← Zurück</translation>
+    </message>
+    <message>
+        <source>All documents</source>
+        <translation>Alle Dokumente</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The documents are not installed on this computer. They are in the folder “docs” of the source, and in the Debian package.</source>
+        <translation>Die Dokumente sind auf diesem Rechner nicht installiert. Sie liegen im Ordner „docs“ des Quelltexts und im Debian-Paket.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::DriverSetup</name>
     <message>
         <source>%1: firmware</source>
@@ -9487,6 +9514,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 </context>
 <context>
     <name>asperity::ProtocolEditorPage</name>
+    <message>
+        <source>Methods</source>
+        <translation>Methoden</translation>
+    </message>
+    <message>
+        <source>Which method answers which question, and its library protocol</source>
+        <translation>Welche Methode welche Frage beantwortet, mit ihrem Bibliotheksprotokoll</translation>
+    </message>
     <message>
         <source>1 problem</source>
         <translation>1 Problem</translation>

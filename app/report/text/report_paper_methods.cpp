@@ -260,7 +260,7 @@ std::string paper_task(const ReportFacts& facts) {
   return text;
 }
 
-/// "Each response of the recognition was accompanied by ratings on one continuous scale from 0 to 100."
+/// "Each response of the absolute identification was accompanied by ratings on one continuous scale from 0 to 100."
 std::string paper_accompanying_scales(const Protocol& protocol) {
   std::vector<std::string> sentences{};
   for (const ExperimentKind* const kind : analysed_kinds_of(protocol)) {

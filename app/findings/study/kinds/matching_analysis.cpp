@@ -47,7 +47,7 @@ std::string paper_task_of_matching(const Protocol&) {
 
 const StudyAnalysis& matching_analysis() {
   static const StudyAnalysis kAnalysis{.kind = "matching",
-                                       .name = phrase("Analysis", "matching"),
+                                       .name = phrase("Analysis", "picture matching"),
                                        .scores_items = true,
                                        .claims = kMatchingClaims,
                                        .task = task_of_matching,

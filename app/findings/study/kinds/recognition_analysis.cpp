@@ -60,7 +60,7 @@ std::string paper_task_of_recognition(const Protocol& protocol) {
 
 const StudyAnalysis& recognition_analysis() {
   static const StudyAnalysis kAnalysis{.kind = "recognition",
-                                       .name = phrase("Analysis", "recognition"),
+                                       .name = phrase("Analysis", "absolute identification"),
                                        .claims = kRecognitionClaims,
                                        .task = task_of_recognition,
                                        .task_for_paper = paper_task_of_recognition,

@@ -67,7 +67,7 @@ std::string paper_task_of_selection(const Protocol& protocol) {
 
 const StudyAnalysis& selection_analysis() {
   static const StudyAnalysis kAnalysis{.kind = "selection",
-                                       .name = phrase("Analysis", "selection"),
+                                       .name = phrase("Analysis", "best-of-n choice"),
                                        .claims = kSelectionClaims,
                                        .task = task_of_selection,
                                        .task_for_paper = paper_task_of_selection,
