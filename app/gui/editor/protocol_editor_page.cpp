@@ -8,6 +8,7 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/documents.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"
 #include "app/gui/editor/protocol_text_edit.h"
@@ -114,6 +115,9 @@ void ProtocolEditorPage::make_head() {
   note_ = make_text({}, this, true);
   note_->setObjectName("editor_note");
   note_->setWordWrap(false);
+  QPushButton* methods = make_button(tr("Methods"), ButtonRole::plain, this);
+  methods->setObjectName("editor_methods");
+  methods->setToolTip(tr("Which method answers which question, and its library protocol"));
   QPushButton* find = make_button(tr("Find"), ButtonRole::plain, this);
   find->setObjectName("editor_find");
   save_ = make_button(tr("Save"), ButtonRole::primary, this);
@@ -122,10 +126,13 @@ void ProtocolEditorPage::make_head() {
   back->setObjectName("editor_back");
   head().addWidget(note_);
   head().addSpacing(kGrid);
+  head().addWidget(methods);
   head().addWidget(find);
   head().addWidget(save_);
   head().addWidget(back);
   connect(find, &QPushButton::clicked, this, [this] { find_->begin(); });
+  connect(methods, &QPushButton::clicked, this,
+          [this] { (new DocumentDialog("methods.md", this))->show(); });
   connect(save_, &QPushButton::clicked, this, [this] { save(Agreed::nothing); });
   connect(back, &QPushButton::clicked, this, [this] {
     if (may_leave([this] { emit back_wanted(); })) emit back_wanted();

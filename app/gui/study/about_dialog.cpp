@@ -1,23 +1,12 @@
 #include "app/gui/study/about_dialog.h"
 
-#include <QtCore/QCoreApplication>
-#include <QtCore/QDir>
 #include <QtWidgets/QBoxLayout>
 
+#include "app/gui/base/documents.h"
 #include "app/gui/look/controls.h"
 #include "app/study_files/program.h"
 
 namespace asperity {
-
-QString documents_folder() {
-  // Beside an installed program, or in the source tree that a build lies in.
-  const QDir program(QCoreApplication::applicationDirPath());
-  for (const char* place : {"../share/doc/asperity", "../docs", "../../docs", "../../../docs"}) {
-    const QString folder = QDir::cleanPath(program.absoluteFilePath(place));
-    if (QDir(folder).exists("command-line.md")) return folder;
-  }
-  return {};
-}
 
 AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
   setObjectName("about_dialog");

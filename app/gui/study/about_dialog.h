@@ -6,9 +6,6 @@
 
 namespace asperity {
 
-/// Where the documents of this program lie on this machine; empty when they were not installed.
-QString documents_folder();
-
 class AboutDialog final : public QDialog {
   Q_OBJECT
  public:

@@ -11,7 +11,6 @@
 #include <QtCore/QUrl>
 #include <QtGui/QActionGroup>
 #include <QtGui/QCloseEvent>
-#include <QtGui/QDesktopServices>
 #include <QtGui/QScreen>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
@@ -20,6 +19,7 @@
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/documents.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/data/attempt_page.h"
@@ -389,10 +389,9 @@ void StudyWindow::make_view_menu() {
 
 void StudyWindow::make_help_menu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  if (const QString folder = documents_folder(); !folder.isEmpty()) {
-    menu->addAction(tr("&Documents"), QKeySequence::HelpContents, this,
-                    [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
-  }
+  menu->addAction(tr("&Documents"), QKeySequence::HelpContents, this, [this] {
+    if (!refuse_to_cover()) (new DocumentDialog("README.md", this))->show();
+  });
   menu->addAction(tr("&About Asperity"), this, &StudyWindow::show_about);
 }
 

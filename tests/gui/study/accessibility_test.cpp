@@ -9,6 +9,7 @@
 #include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QTableWidget>
 
+#include "app/gui/base/documents.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_page.h"
@@ -114,6 +115,7 @@ TEST_P(Accessibility, EveryPageHasNamesAndTheOrderOfReading) {
 
 TEST_P(Accessibility, EveryDialogHasNamesAndTheOrderOfReading) {
   expect_accessible_dialog(new AboutDialog());
+  expect_accessible_dialog(new DocumentDialog("methods.md"));
   expect_accessible_dialog(new MetadataDialog(StudyMetadata{}));
   expect_accessible_dialog(new NewStudyDialog(home()));
   expect_accessible_dialog(new ShareStudyDialog(home()));
