@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -103,7 +105,8 @@ Autoregression burg_autoregression(std::span<const std::vector<double>> segments
 
 Autoregression autoregression_of_covariance(std::span<const double> covariance) {
   if (covariance.size() < 2) {
-    throw std::invalid_argument("an autoregression needs at least two covariances");
+    throw std::invalid_argument("covariance has " + counted(covariance.size(), "entry", "entries") +
+                                "; an autoregression needs at least 2");
   }
   Autoregression model{.innovation_variance = covariance[0]};
   for (std::size_t k = 1; k < covariance.size(); ++k) {

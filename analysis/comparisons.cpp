@@ -13,8 +13,11 @@ Comparisons count_comparisons(std::span<const Comparison> comparisons, std::size
     const bool judged = !one.winner || *one.winner == one.first || *one.winner == one.second;
     if (one.first >= items || one.second >= items || one.first == one.second || !judged) {
       throw std::invalid_argument(
-          "comparisons: one is invalid; each must be of two different items below " +
-          std::to_string(items) + ", and won by one of them or tied");
+          "comparisons: one is of the items " + std::to_string(one.first) + " and " +
+          std::to_string(one.second) +
+          (one.winner ? ", won by " + std::to_string(*one.winner) : ", tied") +
+          "; the items must be different and below " + std::to_string(items) +
+          ", and the winner must be one of them");
     }
     const auto a = static_cast<Eigen::Index>(one.first);
     const auto b = static_cast<Eigen::Index>(one.second);

@@ -20,7 +20,9 @@ std::optional<Compliance> compliance_of(std::span<const double> samples, const A
   if ((band.minimum && std::isnan(*band.minimum)) || (band.maximum && std::isnan(*band.maximum)) ||
       (band.minimum && band.maximum && *band.minimum > *band.maximum)) {
     throw std::invalid_argument(
-        "band: minimum and maximum must be numbers, and minimum must not exceed maximum");
+        "band: minimum is " + (band.minimum ? number_text(*band.minimum) : "absent") +
+        " and maximum is " + (band.maximum ? number_text(*band.maximum) : "absent") +
+        "; both must be numbers or absent, and minimum must not exceed maximum");
   }
   const std::optional<Summary> summary = summary_of(samples);
   if (!summary) {

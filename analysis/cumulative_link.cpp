@@ -252,7 +252,10 @@ double cumulative_link_log_likelihood(std::span<const OrdinalResponse> responses
   const OrdinalLikelihood likelihood(responses, model);
   if (at.thresholds.size() != likelihood.thresholds() || at.beta.size() != likelihood.effects()) {
     throw std::invalid_argument(
-        "at: its numbers of thresholds and effects must be those of the model");
+        "at: the number of thresholds is " + std::to_string(at.thresholds.size()) +
+        " and that of effects is " + std::to_string(at.beta.size()) +
+        "; they must be those of the model, " + std::to_string(likelihood.thresholds()) + " and " +
+        std::to_string(likelihood.effects()));
   }
   for (Eigen::Index j = 1; j < at.thresholds.size(); ++j) {
     if (!(at.thresholds(j) > at.thresholds(j - 1))) {
@@ -271,7 +274,7 @@ double cumulative_link_log_likelihood(std::span<const OrdinalResponse> responses
 WaldTest wald_test(const CumulativeLinkFit& fit, std::size_t effect) {
   const auto index = static_cast<Eigen::Index>(effect);
   if (index >= fit.beta.size()) {
-    throw std::invalid_argument("effect: " + std::to_string(effect) + "; it must be below " +
+    throw std::invalid_argument("effect is " + std::to_string(effect) + "; it must be below " +
                                 std::to_string(fit.beta.size()));
   }
   const double z = fit.beta(index) / fit.standard_error()(index);
@@ -282,7 +285,8 @@ ChiSquaredStatistic likelihood_ratio(const CumulativeLinkFit& smaller,
                                      const CumulativeLinkFit& larger) {
   if (smaller.responses != larger.responses ||
       smaller.thresholds.size() != larger.thresholds.size()) {
-    throw std::invalid_argument("smaller, larger: the models must be fitted to the same responses");
+    throw std::invalid_argument(
+        "smaller and larger are fitted to different responses; fit both to the same ones");
   }
   if (larger.parameters <= smaller.parameters) {
     throw std::invalid_argument(
@@ -292,7 +296,9 @@ ChiSquaredStatistic likelihood_ratio(const CumulativeLinkFit& smaller,
   const double gain = larger.log_likelihood - smaller.log_likelihood;
   constexpr double kRounding = 1e-7;
   if (gain < -kRounding * (1.0 + std::abs(smaller.log_likelihood))) {
-    throw std::invalid_argument("larger: its likelihood is smaller; the models must be nested");
+    throw std::invalid_argument(
+        "larger: its likelihood is below that of the smaller model; larger must contain the "
+        "effects of smaller");
   }
   return {.value = std::max(0.0, 2.0 * gain),
           .df = static_cast<double>(larger.parameters - smaller.parameters)};

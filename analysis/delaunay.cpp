@@ -39,8 +39,8 @@ void require_apart(Points points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if ((points[i] - points[j]).norm() > kClosest) continue;
-      throw std::invalid_argument("the points " + std::to_string(j + 1) + " and " +
-                                  std::to_string(i + 1) + " are the same");
+      throw std::invalid_argument("points: the points " + std::to_string(j + 1) + " and " +
+                                  std::to_string(i + 1) + " are the same; remove one of them");
     }
   }
 }
@@ -58,8 +58,8 @@ void add_point(Points points, std::size_t point, std::vector<Side>& hull,
     ++first;
   }
   if (first == hull.size()) {
-    throw std::invalid_argument("the point " + std::to_string(point + 1) +
-                                " is too close to a line between others");
+    throw std::invalid_argument("points: point " + std::to_string(point + 1) +
+                                " is too close to a line between others; remove or move it");
   }
   std::rotate(hull.begin(), hull.begin() + static_cast<std::ptrdiff_t>(first), hull.end());
   std::size_t seen = 0;

@@ -15,8 +15,8 @@ namespace {
 
 void require_equal(std::size_t one, std::size_t other) {
   if (one != other) {
-    throw std::invalid_argument("the numbers of times and of values must be equal; they are " +
-                                std::to_string(one) + " and " + std::to_string(other));
+    throw std::invalid_argument("time_s: the number of times is " + std::to_string(one) +
+                                "; it must be the number of values, " + std::to_string(other));
   }
 }
 

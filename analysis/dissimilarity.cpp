@@ -27,7 +27,8 @@ void refuse_impossible_matrix(const Dissimilarities& d) {
   }
   if (!d.allFinite() || d.minCoeff() < 0.0 || d.diagonal().maxCoeff() > 0.0 || d != d.transpose()) {
     throw std::invalid_argument(
-        "dissimilarities must be finite, symmetric, at least 0, and 0 on the diagonal");
+        "dissimilarities has an invalid value; it must be finite, symmetric, at least 0, and 0 on "
+        "the diagonal");
   }
 }
 

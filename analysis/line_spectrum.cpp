@@ -45,13 +45,14 @@ using Polynomial = std::array<double, kMostSpectralLines + 2>;
 
 std::vector<double> line_spectral_frequencies(std::span<const double> coefficients) {
   if (coefficients.empty()) {
-    throw std::invalid_argument("line spectral frequencies need at least one coefficient");
+    throw std::invalid_argument(
+        "coefficients is empty; line spectral frequencies need at least one coefficient");
   }
   const std::optional<Predictors> predictors = stationary_predictors(coefficients);
   if (!predictors) {
     throw std::invalid_argument(
-        "line spectral frequencies need a stationary model, and a root of this one is on or "
-        "outside the unit circle");
+        "coefficients: a root of the model is on or outside the unit circle; line spectral "
+        "frequencies need a stationary model");
   }
   std::vector<double> reflections{};
   for (std::size_t k = 1; k <= coefficients.size(); ++k) {

@@ -39,8 +39,10 @@ struct ParticipantSums {
 void refuse_unusable(const GroupedMeasurements& data) {
   const Eigen::Index rows = data.y.size();
   if (data.design.rows() != rows || static_cast<Eigen::Index>(data.participant.size()) != rows) {
-    throw std::invalid_argument(
-        "design, y and participant differ in their number of rows; it must be the same");
+    throw std::invalid_argument("the numbers of rows of design, y and participant are " +
+                                std::to_string(data.design.rows()) + ", " + std::to_string(rows) +
+                                " and " + std::to_string(data.participant.size()) +
+                                "; they must be equal");
   }
   if (!data.design.allFinite() || !data.y.allFinite()) {
     throw std::invalid_argument(
@@ -219,7 +221,10 @@ double LinearMixedFit::degrees_of(const Eigen::VectorXd& weights) const {
 LinearMixedFit::Combination LinearMixedFit::combination(const Eigen::VectorXd& weights,
                                                         double confidence) const {
   if (weights.size() != at_.beta.size() || weights.isZero(0.0)) {
-    throw std::invalid_argument("weights must have one number per fixed effect, not all 0");
+    throw std::invalid_argument(
+        "weights: the number of weights is " + std::to_string(weights.size()) +
+        "; it must be the number of fixed effects, " + std::to_string(at_.beta.size()) +
+        ", and at least one weight must differ from 0");
   }
   Combination made{.estimate = weights.dot(at_.beta),
                    .standard_error = std::sqrt(weights.dot(at_.covariance * weights)),
@@ -238,7 +243,11 @@ LinearMixedFit::Combination LinearMixedFit::effect(Eigen::Index column, double c
 
 LinearMixedFit::JointTest LinearMixedFit::joint_test(const Columns& columns) const {
   if (columns.first < 0 || columns.count < 1 || columns.first + columns.count > at_.beta.size()) {
-    throw std::invalid_argument("columns must be a range within the columns of the design");
+    throw std::invalid_argument("columns: first is " + std::to_string(columns.first) +
+                                " and count is " + std::to_string(columns.count) +
+                                "; they must be a range of at least one column within those of the "
+                                "design, numbered from 0 to " +
+                                std::to_string(at_.beta.size() - 1));
   }
   const Eigen::MatrixXd own =
       at_.covariance.block(columns.first, columns.first, columns.count, columns.count);

@@ -46,8 +46,10 @@ struct LeastSquares {
 LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index coefficients) {
   if (curves.x.size() != curves.log10.cols() || !curves.x.allFinite() ||
       !curves.log10.allFinite()) {
-    throw std::invalid_argument(
-        "x must have one level per column of log10, and all values of x and log10 must be finite");
+    throw std::invalid_argument("x: the number of levels is " + std::to_string(curves.x.size()) +
+                                "; it must be the number of columns of log10, " +
+                                std::to_string(curves.log10.cols()) +
+                                ", and all values of x and log10 must be finite");
   }
   LeastSquares fit{.powers = powers_of(curves.x, coefficients)};
   fit.solver.compute(fit.powers);

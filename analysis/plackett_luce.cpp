@@ -36,8 +36,9 @@ RankingCounts count_stages(std::span<const Ranking> rankings, std::size_t items)
     std::sort(all.begin(), all.end());
     if ((!all.empty() && all.back() >= items) ||
         std::adjacent_find(all.begin(), all.end()) != all.end()) {
-      throw std::invalid_argument("rankings: the items of each must differ and be below " +
-                                  std::to_string(items));
+      throw std::invalid_argument(
+          "rankings: one has an item twice or out of range; its items must differ and be below " +
+          std::to_string(items));
     }
   }
   for_each_stage(rankings, [&counts](const Ranking& ranking, std::size_t taken,

@@ -299,9 +299,9 @@ UniformPower uniform_power(const UniformPlan& plan) {
   constexpr double kMostCounts = 2e7;  // some seconds
   if (counts > kMostCounts) {
     throw std::invalid_argument(
-        "choices is " + std::to_string(plan.choices) + " among " +
+        "choices is " + std::to_string(plan.choices) + " and the number of alternatives is " +
         std::to_string(plan.truth.size()) +
-        " alternatives: too many outcomes to enumerate; plan fewer choices or alternatives");
+        ": too many outcomes to enumerate; plan fewer choices or alternatives");
   }
   Enumeration enumeration{.plan = plan};
   const double ways = std::lgamma(static_cast<double>(plan.choices) + 1.0);
@@ -445,9 +445,9 @@ PooledRejection pooled_rejection(const PooledPlan& plan) {
   const double width = std::min(n * m, 2.0 * kFurthest * deviation);
   if (plan.participants > 1 && 0.5 * width * width > kMostPairs) {
     throw std::invalid_argument(
-        std::to_string(plan.participants) + " participants with " +
-        std::to_string(plan.trials_each) +
-        " trials each: too many outcomes to enumerate; plan fewer trials per participant");
+        "the number of participants is " + std::to_string(plan.participants) +
+        " and that of the trials of each is " + std::to_string(plan.trials_each) +
+        ": too many outcomes to enumerate; plan fewer trials per participant");
   }
   std::vector<double> one;
   for (std::size_t hits = 0; hits <= plan.trials_each; ++hits) {

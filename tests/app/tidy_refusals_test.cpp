@@ -362,9 +362,11 @@ TEST(TidyRefusals, TakeWholeRanksFromOne) {
 
 TEST(TidyRefusals, CountNoMoreOutcomesThanCanBeCounted) {
   const std::string head = "id,kind,n,alpha,probs\n";
-  EXPECT_THAT(family_refusal(
-                  "power", head + "one,chisq_uniform_exact,1000,0.05,0.2;0.2;0.2;0.2;0.2\n", "[]"),
-              HasSubstr("t.csv:2:2: choices is 1000 among 5 alternatives: too many outcomes"));
+  EXPECT_THAT(
+      family_refusal("power", head + "one,chisq_uniform_exact,1000,0.05,0.2;0.2;0.2;0.2;0.2\n",
+                     "[]"),
+      HasSubstr(
+          "t.csv:2:2: choices is 1000 and the number of alternatives is 5: too many outcomes"));
   EXPECT_EQ(
       family_refusal("power", head + "one,chisq_uniform_exact,60,0.05,0.25;0.25;0.25;0.25\n", "[]"),
       "");
