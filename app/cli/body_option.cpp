@@ -48,7 +48,7 @@ Shape shape_of(const BodyOption& body, const HeightField* field) {
     case BodyOption::Kind::disc:
       return disc_of(sizes_m[0]);
   }
-  throw std::logic_error("unknown kind of body");
+  throw std::logic_error("the kind of a body is not a BodyOption::Kind; use one of its values");
 }
 
 }  // namespace

@@ -122,7 +122,8 @@ void add_export(CLI::App& program, Job& job) {
                                [&progress](double fraction) { progress.show(fraction); });
       }
       if (interrupt.token().stop_requested()) {
-        say("asperity: the export was stopped; the incomplete export was removed");
+        say("asperity: the export was stopped, and the incomplete export was removed; repeat the "
+            "command to export the study");
         return 1;
       }
       say_what_was_written(options->out, outcome.files);

@@ -56,7 +56,8 @@ void add_report(CLI::App& program, Job& job) {
             interrupt.token());
       }
       if (!written) {
-        say("asperity: the command was stopped; no report was written");
+        say("asperity: the command was stopped, and no report was written; repeat it to write the "
+            "report");
         return 1;
       }
       say("the report is in " + options->out);

@@ -99,7 +99,8 @@ Protocol protocol_of(const Study& study, const AnalysisOutcome& outcome,
   if (alike > 1) {
     say("asperity: warning: " + std::to_string(alike) + " different protocol files are named " +
         outcome.protocol + ' ' + outcome.version +
-        ", and their responses are analysed together; the sweep is compared with the first file");
+        ", and their responses are analysed together; the sweep is compared with the first file. "
+        "Give a changed protocol a new version");
   }
   return read_protocol(found->source, found->name, declarations_of(models));
 }

@@ -40,6 +40,8 @@ void say_unmoved(const Sweep& sweep, SweepMeasure measure, std::size_t unmoved) 
              stroke.model->declaration.id +
              " has none with these parameters; use --drag constant_force, with which the texture "
              "lifts the tool";
+    } else {
+      why += "; choose another texture or other parameters of the model";
     }
   }
   say("not fitted: " + counted(unmoved, "row") + " with a complete stroke whose " +

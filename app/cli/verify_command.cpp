@@ -38,7 +38,8 @@ void add_verify(CLI::App& program, Job& job) {
                               [&progress](double fraction) { progress.show(fraction); });
       }
       if (interrupt.token().stop_requested()) {
-        say("asperity: the verification was stopped before it was complete");
+        say("asperity: the verification was stopped before it was complete; repeat the command to "
+            "verify the whole study");
         return 1;
       }
       for (const std::string& problem : result.problems) say("asperity: " + problem);

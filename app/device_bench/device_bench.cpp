@@ -118,7 +118,9 @@ StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
     throw PhrasedError(loss_of(record, device_.capability().pacing));
   }
   if (stop_.stop_requested())
-    throw DeviceStageStopped("the test of the device was stopped on request; the force is zero");
+    throw DeviceStageStopped(
+        "the test of the device was stopped on request, and the force is zero; to measure the "
+        "device, begin the test again");
   const auto first = std::find_if(
       record.ticks.begin(), record.ticks.end(),
       [](const TickRecord& tick) { return tick.has(TickFlag::first_of_presentation); });

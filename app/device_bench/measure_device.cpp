@@ -49,7 +49,9 @@ MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
   }
   MeasuredDevice measured{.profile = test_device(device, test, stop)};
   if (stop.stop_requested())
-    throw DeviceStageStopped("the test of the device was stopped on request; the force is zero");
+    throw DeviceStageStopped(
+        "the test of the device was stopped on request, and the force is zero; to measure the "
+        "device, begin the test again");
   if (order.study) {
     const std::filesystem::path file = profile_path(*order.study, measured.profile);
     make_folders(file.parent_path());

@@ -155,8 +155,10 @@ class StudyExport final {
       files->finish(vocabulary_, codebook_, outcome.not_written);
     }
     if (groups_.empty() && !options_.formats.empty()) {
-      outcome.not_written.push_back(phrase(
-          "StudyExport", "The study has no sessions: there are no files for other programs."));
+      outcome.not_written.push_back(
+          phrase("StudyExport",
+                 "The study has no sessions, so that there are no files for other programs; run a "
+                 "session, then export again."));
     }
     outcome.warnings = stimuli_.finish();
     codebook_.add("stimuli.tsv", StimulusTable::columns());

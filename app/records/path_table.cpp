@@ -39,8 +39,9 @@ class Numbers final {
     std::optional<double> number{};
     if (const std::string* text = std::get_if<std::string>(&cell)) number = number_in(*text);
     if (!number || !std::isfinite(*number)) {
-      throw std::runtime_error(file_ + ':' + std::to_string(row + 2) + ": column " +
-                               table_.columns[column] + " must contain a finite number");
+      throw std::runtime_error(file_ + ':' + std::to_string(row + 2) + ": the column " +
+                               table_.columns[column] +
+                               " does not contain a finite number; enter one");
     }
     return *number;
   }
@@ -116,7 +117,7 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
     probe.time_ns = std::llround(at(*needed, 0) * 1e9);
     if (row > 0 && probe.time_ns <= path[row - 1].time_ns) {
       throw std::runtime_error(file_name + ':' + std::to_string(row + 2) +
-                               ": time_s must increase from row to row");
+                               ": time_s does not increase; sort the rows by time, each time once");
     }
     probe.position_m = {at(*needed, 1), at(*needed, 2), at(*needed, 3)};
     if (orientation) {

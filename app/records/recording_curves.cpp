@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/compliance.h"
+#include "analysis/number_text.h"
 #include "renderers/force/adjacent_patches.h"
 #include "renderers/servo/contact.h"
 
@@ -71,7 +72,8 @@ void add_to_path(std::vector<PathPoint>& path, const TickRecord& record) {
 
 RecordingCurves curves_of(std::span<const TickRecord> records, double rate_Hz,
                           std::int64_t begin_ns) {
-  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz must be positive");
+  if (!(rate_Hz > 0.0))
+    throw std::invalid_argument("rate_Hz is " + number_text(rate_Hz) + "; it must be above 0");
   RecordingCurves curves{};
   std::map<std::uint64_t, SurfaceCurves> surfaces{};
   for (const TickRecord& record : records) {

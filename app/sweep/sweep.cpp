@@ -427,11 +427,12 @@ std::filesystem::path declaration_beside(const std::filesystem::path& table) {
 
 void require_sweep(const SweepOrder& order) {
   const auto require = [](const std::vector<double>& numbers, const char* name) {
-    if (numbers.empty()) throw std::invalid_argument(std::string(name) + " must not be empty");
+    if (numbers.empty())
+      throw std::invalid_argument(std::string(name) + " are missing; give at least one");
     for (const double number : numbers) {
       if (!(number > 0.0 && std::isfinite(number))) {
-        throw std::invalid_argument(std::string(name) + " must be positive, but one is " +
-                                    number_text(number));
+        throw std::invalid_argument("one of " + std::string(name) + " is " + number_text(number) +
+                                    "; it must be positive and finite");
       }
       if (std::count(numbers.begin(), numbers.end(), number) > 1) {
         throw std::invalid_argument(std::string(name) + ": " + number_text(number) +

@@ -135,7 +135,8 @@ TEST(OtherTextures, AreNotAskedAboutWithFewOrWithoutAMaximum) {
   const AnalysisOutcome few = outcome_of("recognition", recognised_picture, 4, 4, varied_hits);
   EXPECT_EQ(asked_of_textures(few), nullptr);
   EXPECT_EQ(found_in(few.findings, "glmm.status", "").status,
-            "it needs at least 5 participants and 3 textures; participants: 4, textures: 4");
+            "it needs at least 5 participants and 3 textures; participants: 4, textures: 4; add "
+            "participants or textures");
   const AnalysisOutcome two = outcome_of("selection", selected_model, 8, 2, varied_hits);
   EXPECT_EQ(found_in(two.findings, "glmm.status", "").word, "too_few");
   const AnalysisOutcome all =

@@ -48,14 +48,15 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     outcome.remarks.push_back(
         phrase(
             "Analysis",
-            "%1 different files have this protocol name and version; their responses are pooled.")
+            "%1 different files have this protocol name and version; their responses are pooled. "
+            "Give a changed protocol a new version.")
             .with(std::to_string(gathered.sources)));
   }
   if (!gathered.declared_alike) {
     outcome.remarks.push_back(
         phrase("Analysis",
                "These files declare different tests, so that no test counts as declared before "
-               "data collection; give a changed protocol a new version."));
+               "data collection; give a protocol with changed tests a new version."));
   }
   if (count.unfinished_sessions > 0) {
     outcome.remarks.push_back(

@@ -116,7 +116,8 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
     const std::string reason = "it needs at least " + std::to_string(kFewestParticipants) +
                                " participants and " + std::to_string(kFewestTextures) +
                                " textures; participants: " + std::to_string(participants.size()) +
-                               ", textures: " + std::to_string(textures.size());
+                               ", textures: " + std::to_string(textures.size()) +
+                               "; add participants or textures";
     add_no_crossed_model("too_few", reason, outcome);
     return;
   }

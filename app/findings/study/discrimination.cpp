@@ -185,7 +185,7 @@ void remark_on_direction(const DiscriminationResults& results, AnalysisOutcome& 
       "Analysis",
       "It is uncertain whether choices of the comparison increase or decrease with the level: "
       "their covariance with the level is not significantly different from 0 (α = .05). The "
-      "psychometric functions may count the choices of the other surface.");
+      "psychometric functions may count the choices of the other surface; collect more responses.");
   outcome.remarks.push_back(
       results.name.empty() ? remark : phrase("Analysis", "%1: %2").with(results.name, remark));
 }

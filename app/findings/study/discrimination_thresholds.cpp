@@ -313,15 +313,17 @@ void add_limited_function(const DiscriminationTask& task, const DiscriminationDa
     case PsychometricStatus::ok:
       break;
     case PsychometricStatus::all_correct:
-      return none("all_correct", "every response is correct");
+      return none("all_correct", "every response is correct: present smaller differences");
     case PsychometricStatus::all_wrong:
-      return none("all_wrong", "every response is incorrect");
+      return none("all_wrong",
+                  "every response is incorrect: check the question and its correct response");
     default:
       return none("one_level", "all trials are at one level: present several");
   }
   const PsychometricMaximum maximum = maximise_psychometric(blocks, model);
   if (!maximum.increases) {
-    return none("not_increasing", "the proportion of hits does not rise with the level");
+    return none("not_increasing",
+                "the proportion of hits does not rise with the level: check the responses");
   }
   none("ok", "ok");
   const PsychometricFunction& f = maximum.function;

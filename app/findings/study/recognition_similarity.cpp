@@ -45,7 +45,7 @@ void add_similarity_tables(const std::vector<std::string>& felt, const FoundNumb
                "Similarities, MDS configuration and dendrogram are based on too few confusions "
                "(between textures that were presented: %1; pairs of textures that were never "
                "confused: %2 of %3). The dissimilarities of these pairs are set by the ½ that is "
-               "added to every count.")
+               "added to every count; collect more responses.")
             .with(count("scm.confusions"), count("scm.pairs.never"), count("scm.pairs")));
   }
   if (felt.size() < 2 || found.find("dis.shepard", felt[0] + '|' + felt[1]) == nullptr) return;

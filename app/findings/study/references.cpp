@@ -72,7 +72,8 @@ const Reference& reference(std::string_view key) {
   const auto* const found = std::find_if(kReferences.begin(), kReferences.end(),
                                          [key](const Reference& each) { return each.key == key; });
   if (found == kReferences.end()) {
-    throw std::out_of_range("there is no reference \"" + std::string(key) + '"');
+    throw std::out_of_range("there is no reference \"" + std::string(key) +
+                            "\"; add it to kReferences");
   }
   return *found;
 }

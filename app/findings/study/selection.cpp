@@ -258,7 +258,9 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const Selection selection(gathered);
   if (selection.items.empty()) {
     outcome.remarks.push_back(phrase(
-        "Analysis", "No surface was presented before these responses: no comparison is possible."));
+        "Analysis",
+        "No surface was presented before these responses, so that no comparison is possible; "
+        "collect further responses."));
     return;
   }
   const ChapterCells cells(gathered);

@@ -118,11 +118,11 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
     findings.number("icc.df1", key, one.df1, test);
     findings.number("icc.df2", key, one.df2, test);
     findings.number("icc.p", key, one.p, test);
-    const Basis limit{
-        .n = n,
-        .method = "limit of " + method,
-        .undefined =
-            "there is no limit, because the error variance or the variance between targets is 0"};
+    const Basis limit{.n = n,
+                      .method = "limit of " + method,
+                      .undefined =
+                          "there is no limit, because the error variance or the variance between "
+                          "targets is 0: add targets or raters"};
     findings.number("icc.lower", key, one.interval ? one.interval->low : kUndefined, limit);
     findings.number("icc.upper", key, one.interval ? one.interval->high : kUndefined, limit);
   }

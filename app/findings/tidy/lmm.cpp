@@ -166,7 +166,8 @@ MixedTable mixed_table(const MixedRows& rows) {
   rows.for_each([&](const MixedRows::Row& row) {
     if (!has_all_values(row)) return;
     if (made.is_logarithmic && !(*row.y > 0.0)) {
-      throw std::invalid_argument("y must be above 0 for a logarithm");
+      throw std::invalid_argument("y is " + number_text(*row.y) +
+                                  "; it must be above 0 with scale=log");
     }
     made.data.y(static_cast<Eigen::Index>(made.data.participant.size())) =
         made.is_logarithmic ? std::log(*row.y) : *row.y;

@@ -32,8 +32,8 @@
         <translation>Diese Sitzungen sind Pilotsitzungen: Sie werden getrennt von den Sitzungen im Modus „Erhebung“ ausgewertet.</translation>
     </message>
     <message>
-        <source>%1 different files have this protocol name and version; their responses are pooled.</source>
-        <translation>%1 verschiedene Dateien haben diesen Protokollnamen und diese Version; ihre Antworten werden zusammengefasst.</translation>
+        <source>%1 different files have this protocol name and version; their responses are pooled. Give a changed protocol a new version.</source>
+        <translation>%1 verschiedene Dateien haben diesen Protokollnamen und diese Version; ihre Antworten werden zusammengefasst. Einem geänderten Protokoll eine neue Version geben.</translation>
     </message>
     <message>
         <source>Sessions that were not completed: %1 of %2.</source>
@@ -172,8 +172,8 @@
         <translation>Gleiche Effektivwerte bedeuten nicht gleiche wahrgenommene Stärke; diese hängt auch von der Frequenz ab. Die erreichte Kraft hängt davon ab, wie die Versuchsperson den Griff gedrückt und bewegt hat.</translation>
     </message>
     <message>
-        <source>These files declare different tests, so that no test counts as declared before data collection; give a changed protocol a new version.</source>
-        <translation>Diese Dateien legen verschiedene Tests fest, daher gilt kein Test als vor der Datenerhebung festgelegt; einem geänderten Protokoll eine neue Version geben.</translation>
+        <source>These files declare different tests, so that no test counts as declared before data collection; give a protocol with changed tests a new version.</source>
+        <translation>Diese Dateien legen verschiedene Tests fest, daher gilt kein Test als vor der Datenerhebung festgelegt; einem Protokoll mit geänderten Tests eine neue Version geben.</translation>
     </message>
     <message>
         <source>Confused pairs of textures, the most frequent first</source>
@@ -340,8 +340,8 @@
         <translation>Nicht signifikant: Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
     </message>
     <message>
-        <source>No surface was presented before these responses: no comparison is possible.</source>
-        <translation>Vor diesen Antworten wurde keine Oberfläche dargeboten: Ein Vergleich ist nicht möglich.</translation>
+        <source>No surface was presented before these responses, so that no comparison is possible; collect further responses.</source>
+        <translation>Vor diesen Antworten wurde keine Oberfläche dargeboten, sodass kein Vergleich möglich ist; weitere Antworten erheben.</translation>
     </message>
     <message>
         <source>Tests</source>
@@ -1028,8 +1028,8 @@
         <translation>%1 Verhältnisse der Rauheit sind aus den Mittelwerten der logarithmierten Schätzungen der Versuchspersonen berechnet; das Verhältnis zweier Stufen hat ein t-basiertes Konfidenzintervall, das der Extreme mehrerer Stufen hat keines.</translation>
     </message>
     <message>
-        <source>Similarities, MDS configuration and dendrogram are based on too few confusions (between textures that were presented: %1; pairs of textures that were never confused: %2 of %3). The dissimilarities of these pairs are set by the ½ that is added to every count.</source>
-        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1; nie verwechselte Paare von Texturen: %2 von %3). Die Unähnlichkeiten dieser Paare sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
+        <source>Similarities, MDS configuration and dendrogram are based on too few confusions (between textures that were presented: %1; pairs of textures that were never confused: %2 of %3). The dissimilarities of these pairs are set by the ½ that is added to every count; collect more responses.</source>
+        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1; nie verwechselte Paare von Texturen: %2 von %3). Die Unähnlichkeiten dieser Paare sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird; weitere Antworten erheben.</translation>
     </message>
     <message>
         <source>With one participant there is no CI.</source>
@@ -1812,8 +1812,8 @@
         <translation>Die Durchgänge, deren Stufe ein Verfahren aus den Antworten wählte, nach Folge (Track) und in der Reihenfolge der Darbietung.</translation>
     </message>
     <message>
-        <source>It is uncertain whether choices of the comparison increase or decrease with the level: their covariance with the level is not significantly different from 0 (α = .05). The psychometric functions may count the choices of the other surface.</source>
-        <translation>Es ist unsicher, ob die Wahlen des Vergleichsreizes mit der Stufe zu- oder abnehmen: Ihre Kovarianz mit der Stufe unterscheidet sich nicht signifikant von 0 (α = 0,05). Die psychometrischen Funktionen zählen möglicherweise die Wahlen der anderen Oberfläche.</translation>
+        <source>It is uncertain whether choices of the comparison increase or decrease with the level: their covariance with the level is not significantly different from 0 (α = .05). The psychometric functions may count the choices of the other surface; collect more responses.</source>
+        <translation>Es ist unsicher, ob die Wahlen des Vergleichsreizes mit der Stufe zu- oder abnehmen: Ihre Kovarianz mit der Stufe unterscheidet sich nicht signifikant von 0 (α = 0,05). Die psychometrischen Funktionen zählen möglicherweise die Wahlen der anderen Oberfläche; weitere Antworten erheben.</translation>
     </message>
     <message>
         <source>Not tested: no participant has trials in every condition, and this test compares conditions within participants.</source>
@@ -6520,8 +6520,8 @@
 <context>
     <name>StudyExport</name>
     <message>
-        <source>The study has no sessions: there are no files for other programs.</source>
-        <translation>Die Studie hat keine Sitzungen: Es gibt keine Dateien für andere Programme.</translation>
+        <source>The study has no sessions, so that there are no files for other programs; run a session, then export again.</source>
+        <translation>Die Studie hat keine Sitzungen, sodass es keine Dateien für andere Programme gibt; eine Sitzung durchführen, dann erneut exportieren.</translation>
     </message>
 </context>
 <context>

@@ -26,7 +26,9 @@ struct Sample {
 Sample plate_with(const std::string& height_field, const Protocol& protocol,
                   StimulusBuilder& builder) {
   const ForceModel* model = builder.models().find("height_map");
-  if (model == nullptr) throw std::logic_error("there is no model height_map");
+  if (model == nullptr)
+    throw std::logic_error(
+        "the force model height_map is missing; register it with the other models");
   Sample sample{.model = model};
   sample.inputs.parameters = builder.default_parameters(*model);
   sample.inputs.material = protocol.material;

@@ -22,7 +22,10 @@ std::string SystemClock::utc() const {
 std::string SimulatedClock::utc() const { return utc_text(kEpoch_s * 1'000'000'000 + now_ns()); }
 
 void SimulatedClock::move_to(std::int64_t now_ns) {
-  if (now_ns < now_ns_) throw std::logic_error("a simulated clock cannot go back");
+  if (now_ns < now_ns_)
+    throw std::logic_error("now_ns is " + std::to_string(now_ns) +
+                           "; it must be at least the present time of the simulated clock, " +
+                           std::to_string(now_ns_));
   now_ns_ = now_ns;
 }
 
