@@ -25,7 +25,7 @@ void SimulatedClock::move_to(std::int64_t now_ns) {
   if (now_ns < now_ns_)
     throw std::logic_error("now_ns is " + std::to_string(now_ns) +
                            "; it must be at least the present time of the simulated clock, " +
-                           std::to_string(now_ns_));
+                           std::to_string(now_ns_.load()));
   now_ns_ = now_ns;
 }
 
