@@ -111,7 +111,7 @@ std::string HapticDevice::complaint() const {
 
 void HapticDevice::start_calls(const TickCall&) {
   throw std::logic_error("the device " + capability_.name +
-                         " does not run the loop itself; the program does");
+                         " does not run the loop itself; run it in the program");
 }
 
 }  // namespace asperity

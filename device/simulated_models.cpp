@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/number_text.h"
 #include "device/falcon/falcon_device.h"
 #include "device/force_dimension/dhd_models.h"
 #include "device/force_dimension/force_dimension_device.h"
@@ -105,7 +106,8 @@ void set_velocity_samples(SimulatedDeviceSettings& settings, double value) {
   settings.sensor.velocity.reset();
   if (value == 0.0) return;
   if (value != std::floor(value) || value < 2.0 || value > VelocityEstimator::kMostSamples) {
-    throw std::runtime_error("velocity_samples of the simulated device must be 0 or from 2 to " +
+    throw std::runtime_error("velocity_samples of the simulated device is " + number_text(value) +
+                             "; it must be 0, or a whole number from 2 to " +
                              std::to_string(VelocityEstimator::kMostSamples));
   }
   settings.sensor.velocity = VelocityWindow{.samples = static_cast<int>(value)};

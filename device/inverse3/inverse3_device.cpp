@@ -405,7 +405,8 @@ Inverse3Device::~Inverse3Device() { stop_calls(); }
 
 void Inverse3Device::start_calls(const TickCall& call) {
   if (line_->thread.joinable())
-    throw std::logic_error("the calls of the device inverse3 have already begun");
+    throw std::logic_error(
+        "the calls of the device inverse3 have already begun; call stop_calls first");
   line_->call = call;
   line_->stopping = false;
   line_->thread = std::thread([line = line_.get()] { line->run(); });

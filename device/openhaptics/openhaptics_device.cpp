@@ -238,7 +238,9 @@ void OpenHapticsDevice::start_calls(const TickCall& call) {
   if (is_given_up_) {
     throw std::runtime_error("OpenHaptics' thread hangs: end this program and start it again.");
   }
-  if (is_called_) throw std::logic_error("the calls of the device openhaptics have already begun");
+  if (is_called_)
+    throw std::logic_error(
+        "the calls of the device openhaptics have already begun; call stop_calls first");
   const auto refuse_after = [this](const std::string& what) {
     if (const HdFunctions::Error error = hd_->take_errors(); error.code != 0) {
       throw std::runtime_error("OpenHaptics cannot " + what + ": " + hd_->name_of(error) +

@@ -51,8 +51,9 @@ std::vector<AnsweredItem> items_of(const TrialQuestion& question, const Answer& 
         if constexpr (belongs_to<Form, Given>()) {
           return items_of(question, form, given);
         } else {
-          throw std::logic_error("the question " + question.name +
-                                 " has an answer whose form is not that of the question");
+          throw std::logic_error(
+              "the question " + question.name +
+              " has an answer of another form; answer it in the form of the question");
         }
       },
       question.form, answer);

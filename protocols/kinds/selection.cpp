@@ -70,7 +70,8 @@ std::size_t option_with(const TrialQuestion& question, const std::string& value)
   for (std::size_t option = 0; option < question.options.size(); ++option) {
     if (question.options[option].value == value) return option;
   }
-  throw std::logic_error("no option has the value " + value);
+  throw std::logic_error("the question " + question.name + " has no option \"" + value +
+                         "\"; use the value of one of its options");
 }
 
 VirtualResponse judge_selection(const Judgement& judgement) {

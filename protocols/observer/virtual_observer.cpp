@@ -100,7 +100,8 @@ std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> f
                                                 std::span<const ForceFeatures> expected) {
   constexpr std::size_t kMost = 8;  // all 8! = 40 320 assignments are evaluated
   require(!felt.empty() && felt.size() == expected.size() && felt.size() <= kMost,
-          "felt and expected must have the same number of entries, from 1 to 8");
+          "the numbers of entries of felt and expected are " + std::to_string(felt.size()) +
+              " and " + std::to_string(expected.size()) + "; they must be equal and from 1 to 8");
   const std::size_t n = felt.size();
   std::vector<ForceFeatures> noisy{};
   for (const ForceFeatures& each : felt) noisy.push_back(perceived(each));
@@ -140,7 +141,8 @@ double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::Magnitud
       return std::log(std::hypot(felt.shaking_m_per_s2, threshold_m_per_s2));
     }
   }
-  throw std::logic_error("the source of the magnitude is unknown");
+  throw std::logic_error(
+      "the MagnitudeOf is unknown; it must be lateral_force, normal_force or held_tool");
 }
 
 double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
