@@ -195,7 +195,9 @@ std::unique_ptr<ForceRenderer> make_tip_renderer(const ForceModel& pd_gradient,
         "the offset surface of a tip requires the hard maximum; set maximum to hard");
   }
   if (inputs.patch.motion_scale != 1.0) {
-    throw std::invalid_argument("SurfacePatch::motion_scale must be 1 for pd_gradient");
+    throw std::invalid_argument("SurfacePatch::motion_scale is " +
+                                number_text(inputs.patch.motion_scale) +
+                                "; it must be 1 for pd_gradient");
   }
   return std::make_unique<TipOnField>(complete, tip);
 }

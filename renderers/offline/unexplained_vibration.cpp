@@ -7,8 +7,10 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "analysis/spectrum.h"
 
 namespace asperity {
@@ -108,10 +110,14 @@ double unexplained_power_N2(const LinePowers& powers, double spacing_Hz) {
 
 std::optional<UnexplainedVibration> unexplained_vibration(const ExplainedForce& force) {
   if (!(force.rate_Hz > 2.0 * kBuzzFrom_Hz)) {
-    throw std::invalid_argument("ExplainedForce::rate_Hz must be above 300 Hz");
+    throw std::invalid_argument("ExplainedForce::rate_Hz is " + number_text(force.rate_Hz) +
+                                "; it must be above 300 Hz");
   }
   if (force.delivered_N.size() != force.explained_N.size()) {
-    throw std::invalid_argument("ExplainedForce: delivered_N and explained_N differ in length");
+    throw std::invalid_argument(
+        "ExplainedForce: the numbers of samples of delivered_N and explained_N are " +
+        std::to_string(force.delivered_N.size()) + " and " +
+        std::to_string(force.explained_N.size()) + "; they must be equal");
   }
   const auto length = static_cast<std::size_t>(std::lround(kBuzzWindow_s * force.rate_Hz));
   const auto step = static_cast<std::size_t>(std::lround(kBuzzStep_s * force.rate_Hz));

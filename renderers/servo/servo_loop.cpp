@@ -129,7 +129,8 @@ void ServoLoop::present(Presentation presentation) {
   if (presentation.id == 0)
     throw std::invalid_argument("Presentation::id is 0; set it to another number");
   if (inbox_.load(std::memory_order_acquire) != nullptr) {
-    throw std::logic_error("a presentation is already waiting for the servo loop");
+    throw std::logic_error(
+        "a presentation is already waiting for the servo loop; wait until the loop has taken it");
   }
   inbox_.store(new Handover{std::move(presentation), ++handed_over_}, std::memory_order_release);
 }

@@ -38,9 +38,9 @@ double number_in_element(const XmlElement& element, const std::string& name) {
   const char* const end = element.text.data() + element.text.size();
   const auto read = std::from_chars(element.text.data(), end, number);
   if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) {
-    refuse_table_line(
-        name, element.line,
-        "the element " + element.name + " needs a finite number, not \"" + element.text + '"');
+    refuse_table_line(name, element.line,
+                      "the element " + element.name + " has \"" + element.text +
+                          "\", which is not a finite number; copy the file again");
   }
   return number;
 }
@@ -49,9 +49,9 @@ void require_text(const XmlElement& set, const char* child_name, const std::stri
                   const std::string& name) {
   const XmlElement& element = required_child(set, child_name, name);
   if (element.text == wanted) return;
-  refuse_table_line(
-      name, element.line,
-      std::string(child_name) + " is \"" + element.text + "\"; only \"" + wanted + "\" is read");
+  refuse_table_line(name, element.line,
+                    std::string(child_name) + " is \"" + element.text + "\", and only \"" + wanted +
+                        "\" is supported; use a file with this value");
 }
 
 /// The line spectral frequencies of an element, in increasing order within (0, π).
@@ -69,7 +69,8 @@ std::vector<double> lines_in(const XmlElement& element, const std::string& name)
   if (lines_rad.empty() || lines_rad.size() > kMostSpectralLines) {
     refuse_table_line(name, element.line,
                       element.name + " has " + std::to_string(lines_rad.size()) +
-                          " frequencies; 1 to " + std::to_string(kMostSpectralLines) + " are read");
+                          " frequencies, and 1 to " + std::to_string(kMostSpectralLines) +
+                          " are supported; use another file");
   }
   return lines_rad;
 }

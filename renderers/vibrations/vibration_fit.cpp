@@ -54,8 +54,9 @@ Acceleration acceleration_of(const RecordedStroke& stroke, double mass_kg,
     }
   }
   if (result.samples_m_per_s2.size() < kFewestSamplesOfStroke) {
-    throw std::invalid_argument(which + " has " + std::to_string(result.samples_m_per_s2.size()) +
-                                " samples at 1 kHz; record strokes of at least 0.1 s");
+    throw std::invalid_argument(which + " has " +
+                                counted(result.samples_m_per_s2.size(), "sample", "samples") +
+                                " at 1 kHz; record strokes of at least 0.1 s");
   }
   for (double& sample : result.samples_m_per_s2) sample /= mass_kg;
   return result;
@@ -179,8 +180,8 @@ VibrationFit fitted_vibrations(const TextureRecording& recording, const std::str
         acceleration_of(recording.strokes[i], settings.effective_mass_kg, between, which));
     const std::vector<double>& samples = strokes.back().samples_m_per_s2;
     if (settings.order && samples.size() <= 2 * *settings.order) {
-      throw std::invalid_argument(which + " has " + std::to_string(samples.size()) +
-                                  " samples at 1 kHz, too few for the order " +
+      throw std::invalid_argument(which + " has " + counted(samples.size(), "sample", "samples") +
+                                  " at 1 kHz, too few for the order " +
                                   std::to_string(*settings.order) + "; choose a lower order");
     }
     if (std::none_of(samples.begin(), samples.end(),

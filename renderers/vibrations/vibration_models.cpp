@@ -29,7 +29,7 @@ std::string line_column(std::size_t i) { return "line_" + std::to_string(i + 1) 
 std::optional<std::string> complaint_about_model(const VibrationModel& model) {
   const auto negative = [](const char* column, double value) {
     return "has the " + std::string(column) + ' ' + number_text(value) +
-           "; it must not be negative";
+           "; it must not be negative. Write the file again with asperity fit-model";
   };
   if (!(model.speed_m_per_s >= 0.0)) return negative(kSpeedColumn, model.speed_m_per_s);
   if (!(model.normal_N >= 0.0)) return negative(kForceColumn, model.normal_N);
@@ -157,7 +157,10 @@ void require_models(const VibrationModels& set, const std::string& name) {
     }
     sounds = sounds || model.variance_m2_per_s4 > 0.0;
   }
-  if (!sounds) complain("the variance of every model is 0, so that the texture is silent");
+  if (!sounds)
+    complain(
+        "the variance of every model is 0, so that the texture is silent; record strokes with "
+        "vibration");
   const std::vector<Eigen::Vector2d> places = scaled_places(set);
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

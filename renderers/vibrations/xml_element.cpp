@@ -69,7 +69,8 @@ class XmlReader final {
   }
 
   XmlElement read_element(std::size_t depth) {
-    if (depth > kDeepest) refuse_here("the elements are nested too deeply");
+    if (depth > kDeepest)
+      refuse_here("the elements are nested too deeply; choose the file of a texture's models");
     XmlElement element{.line = line_};
     take(1);
     if (rest_.starts_with('!')) {
@@ -80,7 +81,8 @@ class XmlReader final {
     if (is_empty) mark.remove_suffix(1);
     element.name = std::string(mark.substr(0, mark.find_first_of(kSpaces)));
     if (element.name.empty() || element.name.front() == '/') {
-      refuse_here("there is a mark \"<" + std::string(mark) + ">\" where an element should begin");
+      refuse_here("there is a mark \"<" + std::string(mark) +
+                  ">\" where an element should begin; copy the file again");
     }
     if (is_empty) return element;
     while (true) {

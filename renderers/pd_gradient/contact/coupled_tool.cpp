@@ -12,6 +12,8 @@
 #include <Eigen/Core>
 #include <glm/geometric.hpp>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -59,22 +61,24 @@ Matrix6 friction_of(const PenaltyContact& contact) noexcept {
   return contact.friction_N_s_per_m * (point.transpose() * point);
 }
 
-void require(bool holds, const char* field, const char* what) {
-  if (!holds) throw std::invalid_argument(std::string(field) + " of the coupled tool " + what);
+void require(bool holds, const char* field, double value, const char* what) {
+  if (holds) return;
+  throw std::invalid_argument(std::string(field) + " of the coupled tool is " + number_text(value) +
+                              "; it " + what);
 }
 
 }  // namespace
 
 CoupledTool::CoupledTool(const Properties& properties) : properties_(properties) {
   const auto is_positive = [](double value, const char* field) {
-    require(std::isfinite(value) && value > 0.0, field, "must be a positive number");
+    require(std::isfinite(value) && value > 0.0, field, value, "must be a positive number");
   };
   is_positive(properties.mass_kg, "mass_kg");
   is_positive(properties.inertia_kg_m2, "inertia_kg_m2");
   is_positive(properties.stiffness_N_per_m, "stiffness_N_per_m");
   is_positive(properties.angular_stiffness_N_m_per_rad, "angular_stiffness_N_m_per_rad");
   const auto is_damping = [](double value, const char* field) {
-    require(std::isfinite(value) && value >= 0.0, field, "must be a number of at least 0");
+    require(std::isfinite(value) && value >= 0.0, field, value, "must be a number of at least 0");
   };
   is_damping(properties.damping_N_s_per_m, "damping_N_s_per_m");
   is_damping(properties.angular_damping_N_m_s_per_rad, "angular_damping_N_m_s_per_rad");

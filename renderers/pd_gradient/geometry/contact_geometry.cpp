@@ -48,7 +48,9 @@ void require_sound(const ContactFrame& frame) {
       !is(glm::dot(frame.u, frame.v), 0.0) ||
       !is(glm::dot(glm::cross(frame.u, frame.v), frame.n), 1.0) ||
       !is(glm::dot(frame.n, frame.n), 1.0)) {
-    refuse("ContactFrame: u, v and n must be unit vectors at right angles, n = u × v.");
+    refuse(
+        "ContactFrame: u, v and n are not orthonormal; they must be unit vectors at right angles, "
+        "n = u × v.");
   }
 }
 

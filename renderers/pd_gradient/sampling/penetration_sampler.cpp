@@ -13,6 +13,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "analysis/number_text.h"
 #include "renderers/pd_gradient/sampling/found_gradient.h"
 #include "renderers/pd_gradient/sampling/sampled_triangles.h"
 
@@ -56,9 +57,9 @@ void PenetrationSampler::prepare_steps(const HardMaximum& law) {
   const double cells = law.step_m / grid_.spacing_m();
   if (!(std::abs(cells - std::round(cells)) < kWholeCell && cells > 0.5 &&
         cells < kMostStepCells + 0.5)) {
-    throw std::invalid_argument("PenetrationSampler: a step of " + std::to_string(cells) +
-                                " cells; it must be 1 to " + std::to_string(kMostStepCells) +
-                                ", a whole number.");
+    throw std::invalid_argument("PenetrationSampler: the number of cells of a step is " +
+                                number_text(cells) + "; it must be a whole number from 1 to " +
+                                std::to_string(kMostStepCells) + ".");
   }
   step_cells_ = static_cast<int>(std::lround(cells));
   steps_ = difference_steps(grid_, law.step_m);
