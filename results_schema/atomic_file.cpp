@@ -196,10 +196,10 @@ std::string read_file(const std::filesystem::path& path, const FileKind& kind) {
     }
     return content;
   } catch (const std::bad_alloc&) {
-    throw ResultsError(
-        "the file " + path.string() + " cannot be read: its " + std::to_string(file.bytes()) +
-            " bytes exceed the free memory; close other programs, or use a smaller file",
-        path, ENOMEM);
+    throw ResultsError("the file " + path.string() + " cannot be read: its size in bytes, " +
+                           std::to_string(file.bytes()) +
+                           ", exceeds the free memory; close other programs, or use a smaller file",
+                       path, ENOMEM);
   }
 }
 

@@ -43,8 +43,8 @@ WithdrawalRow count_rows(Database& database, const std::string& label) {
   Statement participant(database, "SELECT is_virtual FROM participant WHERE label = ?");
   if (!participant.bind(label).step()) {
     refuse_withdrawal(database.folder(), "has no participant " + label +
-                                             "; the page Participants and participants.tsv of an "
-                                             "export list the study's participants");
+                                             "; use a label from the page Participants or from "
+                                             "participants.tsv of an export");
   }
   participant.read(counts.is_virtual);
   Statement count(database,
@@ -269,7 +269,7 @@ WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& wit
   if (row.data == WithdrawnData::kept) {
     if (participant(label)->withdrawn) {
       refuse_withdrawal(store_->folder, "already has a withdrawal of participant " + label +
-                                            "; the data can still be deleted");
+                                            "; to delete the data as well, request their deletion");
     }
     Transaction transaction(database);
     exclude_sessions(database, label, row);

@@ -249,7 +249,7 @@ TidyTable::TidyTable(std::vector<Column> columns, std::string name) : name_(std:
 const LabelColumn& TidyTable::made_names(std::size_t column) const {
   if (const auto* const labels = std::get_if<LabelColumn>(&made_[column])) return *labels;
   throw std::logic_error("the column " + columns_[column] + " of " + name_ +
-                         " has numbers, not names");
+                         " has numbers, not names; read it as numbers");
 }
 
 void TidyTable::add_column(std::string column) {

@@ -90,9 +90,9 @@ HeightField::HeightField(const Grid& grid, std::vector<float> heights_m)
                                 "; it must be a positive length in metres.");
   }
   if (grid.rows < 2 || grid.columns < 2) {
-    throw std::invalid_argument("rows and columns of a height field must each be at least 2; got " +
-                                std::to_string(grid.rows) + " by " + std::to_string(grid.columns) +
-                                ".");
+    throw std::invalid_argument("rows and columns of a height field are " +
+                                std::to_string(grid.rows) + " and " + std::to_string(grid.columns) +
+                                "; each must be at least 2.");
   }
   const std::size_t count = heights_m_.size();
   if (count % grid.columns != 0 || count / grid.columns != grid.rows) {

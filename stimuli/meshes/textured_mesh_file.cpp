@@ -166,7 +166,8 @@ class Reader final {
     if (bytes != payload_.size()) {
       refuse((bytes > payload_.size() ? "is truncated: its arrays take "
                                       : "has data after its end: its arrays take ") +
-             std::to_string(bytes) + " bytes, and it has " + std::to_string(payload_.size()) + ".");
+             counted(bytes, "byte", "bytes") + ", and it has " + std::to_string(payload_.size()) +
+             ".");
     }
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -17,7 +18,10 @@ namespace {
 cv::Mat as_mat(const GreyImage& picture) {
   if (picture.values.empty() || picture.values.size() != picture.rows * picture.columns) {
     throw std::invalid_argument(
-        "A greyscale picture needs rows · columns values, and at least one.");
+        "the numbers of rows, columns and values of a greyscale picture are " +
+        std::to_string(picture.rows) + ", " + std::to_string(picture.columns) + " and " +
+        std::to_string(picture.values.size()) +
+        "; there must be rows · columns values, and at least one.");
   }
   return cv::Mat(static_cast<int>(picture.rows), static_cast<int>(picture.columns), CV_32FC1,
                  const_cast<float*>(picture.values.data()));
@@ -43,7 +47,7 @@ GreyImage scaled_to_fit(const GreyImage& picture, std::size_t longest_side) {
   const cv::Mat source = as_mat(picture);
   const std::size_t longer = std::max(picture.rows, picture.columns);
   if (longest_side == 0) {
-    throw std::invalid_argument("A picture must be scaled to at least one pixel.");
+    throw std::invalid_argument("longest_side is 0; it must be at least 1 pixel.");
   }
   if (longer <= longest_side) return picture;
   const double factor = static_cast<double>(longest_side) / static_cast<double>(longer);
@@ -94,7 +98,8 @@ GreyImage height_picture(const HeightField& field) {
 GreyImage side_by_side(std::span<const GreyImage> pictures, std::size_t rows) {
   if (pictures.empty() || rows == 0) {
     throw std::invalid_argument(
-        "At least one picture and one row are needed to place pictures next to each other.");
+        "the number of pictures is " + std::to_string(pictures.size()) + " and rows is " +
+        std::to_string(rows) + "; placing pictures next to each other needs at least one of each.");
   }
   constexpr int kGap = 6;
   const auto height = static_cast<int>(rows);

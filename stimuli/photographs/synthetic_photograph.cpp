@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
+#include "analysis/number_text.h"
 #include "analysis/random.h"
 #include "stimuli/heights/spectral_noise.h"
 
@@ -14,18 +16,20 @@ namespace asperity {
 
 namespace {
 
-void refuse_outside(double value, double low, double high, const char* sentence) {
-  if (!(value >= low && value <= high)) throw std::invalid_argument(sentence);
+void refuse_outside(const char* name, double value, double low, double high, const char* right) {
+  if (value >= low && value <= high) return;
+  throw std::invalid_argument(std::string(name) + " is " + number_text(value) + "; it must " +
+                              right + ".");
 }
 
 void check(const PhotographSettings& settings) {
-  refuse_outside(settings.light_elevation_rad, 1e-3, std::numbers::pi / 2.0 + 1e-9,
-                 "light_elevation_rad must lie above 0, up to π/2.");
-  refuse_outside(std::abs(settings.light_azimuth_rad), 0.0, 1e3,
-                 "light_azimuth_rad must be an angle in radians.");
-  refuse_outside(settings.lamp_ratio, 0.05, 20.0, "lamp_ratio must lie between 1/20 and 20.");
-  refuse_outside(settings.gamma, 0.05, 20.0, "gamma must lie between 1/20 and 20.");
-  refuse_outside(settings.noise_rms, 0.0, 1.0, "noise_rms must lie between 0 and 1.");
+  refuse_outside("light_elevation_rad", settings.light_elevation_rad, 1e-3,
+                 std::numbers::pi / 2.0 + 1e-9, "lie above 0, up to π/2");
+  refuse_outside("the magnitude of light_azimuth_rad", std::abs(settings.light_azimuth_rad), 0.0,
+                 1e3, "be an angle of at most 1000 rad");
+  refuse_outside("lamp_ratio", settings.lamp_ratio, 0.05, 20.0, "lie between 1/20 and 20");
+  refuse_outside("gamma", settings.gamma, 0.05, 20.0, "lie between 1/20 and 20");
+  refuse_outside("noise_rms", settings.noise_rms, 0.0, 1.0, "lie between 0 and 1");
 }
 
 std::vector<float> bright_height(const HeightField& surface) {

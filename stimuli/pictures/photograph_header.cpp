@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
 #include "stimuli/pictures/photograph.h"
 
 namespace asperity {
@@ -165,9 +167,9 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
   }
   if (facts.channels == 0) file.refuse_cut_off();
   if (facts.bits_per_channel != 8) {
-    file.refuse(
-        "is a JPEG with " + std::to_string(facts.bits_per_channel) +
-        " bits per channel; only 8 are supported. Save it as a 16-bit PNG or TIFF instead.");
+    file.refuse("is a JPEG with " +
+                counted(static_cast<std::size_t>(facts.bits_per_channel), "bit", "bits") +
+                " per channel; only 8 are supported. Save it as a 16-bit PNG or TIFF instead.");
   }
   if (facts.channels != 1 && facts.channels != 3) {
     file.refuse("is a JPEG with " + std::to_string(facts.channels) +
