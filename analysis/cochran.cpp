@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/matrix_place.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -13,7 +14,10 @@ CochranTest cochran_test(const CountMatrix& answers) {
   if (answers.cols() < 1)
     throw std::invalid_argument("answers has no column; at least one condition is needed");
   if (answers.size() > 0 && (answers.minCoeff() < 0 || answers.maxCoeff() > 1)) {
-    throw std::invalid_argument("answers contains another number than 0 and 1; all must be 0 or 1");
+    throw std::invalid_argument(
+        "answers: the value in " +
+        place_of_first(answers, [](auto value) { return value < 0 || value > 1; }) +
+        " is not 0 or 1; all must be 0 or 1");
   }
   CochranTest test{.df = static_cast<double>(answers.cols() - 1)};
   const std::int64_t conditions = answers.cols();

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/matrix_place.h"
+
 namespace asperity {
 namespace {
 
@@ -37,7 +39,10 @@ void refuse_impossible_counts(const ConfusionCounts& counts) {
   }
   if (!counts.allFinite() || counts.minCoeff() < 0.0) {
     throw std::invalid_argument(
-        "counts: a count is negative or not finite; all must be finite and at least 0");
+        "counts: the count in " +
+        place_of_first(counts,
+                       [](double value) { return !(value >= 0.0) || !std::isfinite(value); }) +
+        " is negative or not finite; all must be finite and at least 0");
   }
 }
 

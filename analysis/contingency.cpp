@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/matrix_place.h"
+
 namespace asperity {
 namespace {
 
@@ -81,7 +83,9 @@ class AllTables final {
 
 std::optional<double> exact_independence_test(const CountMatrix& table) {
   if (table.size() > 0 && table.minCoeff() < 0) {
-    throw std::invalid_argument("table contains a negative count; all counts must be at least 0");
+    throw std::invalid_argument("table: the count in " +
+                                place_of_first(table, [](auto value) { return value < 0; }) +
+                                " is negative; all counts must be at least 0");
   }
   if (table.size() == 0) return 1.0;
   return AllTables(table).tail();

@@ -32,7 +32,8 @@ CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>>
     }
     for (const std::optional<double>& score : row) {
       if (score && !std::isfinite(*score)) {
-        throw std::invalid_argument("scores: a score is not finite; all must be finite");
+        throw std::invalid_argument("scores: a score is " + number_text(*score) +
+                                    "; all must be finite");
       }
     }
     if (std::all_of(row.begin(), row.end(), [](const auto& score) { return score.has_value(); })) {

@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include "analysis/matrix_place.h"
+
 namespace asperity {
 namespace {
 
@@ -274,7 +276,8 @@ void OrdinalLikelihood::refuse_impossible() const {
                                 "; it must be the number of responses, " + std::to_string(rows));
   }
   if (!model_.design.allFinite())
-    throw std::invalid_argument("design: a value is not finite; all must be finite");
+    throw std::invalid_argument("design: the value in " + place_not_finite(model_.design) +
+                                " is not finite; all must be finite");
   Eigen::MatrixXd with_ones(rows, model_.design.cols() + 1);
   with_ones << Eigen::VectorXd::Ones(rows), model_.design;
   if (with_ones.colPivHouseholderQr().rank() < with_ones.cols()) {

@@ -15,6 +15,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "analysis/matrix_place.h"
+
 namespace asperity {
 
 double IntegerDistribution::mean() const {
@@ -233,7 +235,9 @@ RelabellingTest relabelling_test(const CountMatrix& counts, Random random) {
   if (counts.cols() < 1)
     throw std::invalid_argument("counts has no column; at least one label is needed");
   if (counts.size() > 0 && counts.minCoeff() < 0) {
-    throw std::invalid_argument("counts contains a negative count; all must be at least 0");
+    throw std::invalid_argument("counts: the count in " +
+                                place_of_first(counts, [](auto value) { return value < 0; }) +
+                                " is negative; all must be at least 0");
   }
   constexpr double kMostSteps = 2e7;
   constexpr std::int64_t kLargestTotal = 65535;

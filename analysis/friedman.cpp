@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/exact_null.h"
+#include "analysis/matrix_place.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -37,8 +38,8 @@ FriedmanTest friedman_test(const Eigen::MatrixXd& judgements) {
     throw std::invalid_argument(
         "judgements has fewer than two columns; it must have one per item, and at least two");
   if (!judgements.allFinite())
-    throw std::invalid_argument(
-        "judgements contains a number that is not finite; all must be finite");
+    throw std::invalid_argument("judgements: the number in " + place_not_finite(judgements) +
+                                " is not finite; all must be finite");
   const auto n = static_cast<double>(judgements.rows());
   const auto k = static_cast<double>(judgements.cols());
   Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(judgements.cols());

@@ -10,6 +10,7 @@
 
 #include <boost/math/distributions/fisher_f.hpp>
 
+#include "analysis/matrix_place.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -116,7 +117,8 @@ std::optional<Reliability> reliability_of(const Eigen::MatrixXd& ratings, double
                                 std::to_string(ratings.cols()) + "; at least 2 of each are needed");
   }
   if (!ratings.allFinite())
-    throw std::invalid_argument("ratings: a rating is not finite; all must be finite");
+    throw std::invalid_argument("ratings: the rating in " + place_not_finite(ratings) +
+                                " is not finite; all must be finite");
   static_cast<void>(normal_limit(confidence));  // refuses what is no confidence
   MeanSquares ms = mean_squares(ratings);
   // What rounding leaves of a sum of squares that is 0.

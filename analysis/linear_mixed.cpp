@@ -14,6 +14,7 @@
 #include <Eigen/Eigenvalues>
 #include <boost/math/tools/roots.hpp>
 
+#include "analysis/matrix_place.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -44,9 +45,13 @@ void refuse_unusable(const GroupedMeasurements& data) {
                                 " and " + std::to_string(data.participant.size()) +
                                 "; they must be equal");
   }
-  if (!data.design.allFinite() || !data.y.allFinite()) {
-    throw std::invalid_argument(
-        "design or y contains a number that is not finite; all must be finite");
+  if (!data.design.allFinite()) {
+    throw std::invalid_argument("design: the number in " + place_not_finite(data.design) +
+                                " is not finite; all must be finite");
+  }
+  if (!data.y.allFinite()) {
+    throw std::invalid_argument("y: the number in " + place_not_finite(data.y) +
+                                " is not finite; all must be finite");
   }
   if (data.design.cols() == 0 || (data.design.col(0).array() != 1.0).any()) {
     throw std::invalid_argument(

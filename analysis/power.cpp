@@ -326,7 +326,7 @@ UniformPower uniform_power(const UniformPlan& plan) {
 
 MatchingPower mallows_power(const MatchingPlan& plan, double theta) {
   if (!std::isfinite(theta)) {
-    throw std::invalid_argument("theta is not finite; it must be a finite number");
+    throw std::invalid_argument("theta is " + number_text(theta) + "; it must be a finite number");
   }
   std::vector<double> alternative = fixed_point_distribution(plan.items);
   double sum = 0.0;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "analysis/matrix_place.h"
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
 
@@ -60,7 +61,8 @@ std::optional<Eigen::Index> constant_column(const Eigen::MatrixXd& values) {
 std::optional<PrincipalComponents> principal_components(const Eigen::MatrixXd& values) {
   refuse_impossible_table({.rows = values.rows(), .columns = values.cols()});
   if (!values.allFinite())
-    throw std::invalid_argument("values: a value is not finite; all must be finite");
+    throw std::invalid_argument("values: the value in " + place_not_finite(values) +
+                                " is not finite; all must be finite");
   if (constant_column(values)) return std::nullopt;
   const Eigen::MatrixXd z = standardised(values);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlations(z));
