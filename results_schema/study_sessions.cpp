@@ -387,7 +387,7 @@ void Study::end_session(std::int64_t session_id, SessionState state, const std::
   if (state_of(database, session_id) != SessionState::open) {
     refuse(store_->folder, "cannot end " + named(session_id) + ", which is " +
                                text_of(state_of(database, session_id)) +
-                               " already; a session can be ended only once");
+                               " already; end a session only once");
   }
   set_state(database, session_id, state, ended_utc);
   transaction.commit();
@@ -399,8 +399,9 @@ void Study::reopen_session(std::int64_t session_id) {
   Transaction transaction(database);
   const SessionState state = state_of(database, session_id);
   if (state != SessionState::stopped && state != SessionState::crashed) {
-    refuse(store_->folder, "cannot reopen " + named(session_id) + ", which is " + text_of(state) +
-                               "; only a stopped or crashed session can be resumed");
+    refuse(store_->folder,
+           "cannot reopen " + named(session_id) + ", which is " + text_of(state) +
+               "; only a stopped or crashed session can be resumed. Begin a new session");
   }
   set_state(database, session_id, SessionState::open, std::nullopt);
   transaction.commit();

@@ -20,11 +20,12 @@ void Meaning::check_senses() {
     const std::string pointer = pointer_to("/environment/speech", cue);
     check_path(path, pointer);
     if (std::find(cues.begin(), cues.end(), cue) == cues.end()) {
-      report_key(pointer, "there is no cue " + in_quotes(cue) + did_you_mean(cue, cues) +
-                              "; cues are \"surface_1\", \"option_1\" and so on up to 26, "
-                              "\"next\", \"question\", \"accepted\", \"refused\", \"right\", "
-                              "\"wrong\", \"rest\", \"paused\", \"mask_on\", \"mask_off\" and "
-                              "\"finished\"");
+      report_key(pointer,
+                 "there is no cue " + in_quotes(cue) + did_you_mean(cue, cues) +
+                     "; use \"surface_1\" to \"surface_26\", \"option_1\" to \"option_26\", "
+                     "\"next\", \"question\", \"accepted\", \"refused\", \"right\", "
+                     "\"wrong\", \"rest\", \"paused\", \"mask_on\", \"mask_off\" or "
+                     "\"finished\"");
     }
   }
   if (protocol_.vision == Vision::blindfold) check_blindfold();

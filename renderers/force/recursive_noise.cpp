@@ -18,7 +18,7 @@ RecursiveNoise::RecursiveNoise(const Settings& settings, const Random& noise)
       steps_per_m_(settings.steps_per_m) {
   if (order_ > kMostCoefficients) {
     throw std::invalid_argument(
-        "RecursiveNoise::Settings::coefficients has more than 4 entries; at most 4 are possible");
+        "RecursiveNoise::Settings::coefficients has more than 4 entries; give at most 4");
   }
   const std::optional<Predictors> predictors = stationary_predictors(settings.coefficients);
   if (!predictors) {

@@ -25,10 +25,11 @@ std::array<std::size_t, kColumns.size()> places_of(const std::vector<std::string
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
     const auto found = std::find(columns.begin(), columns.end(), kColumns[i]);
     if (found == columns.end()) {
-      refuse_table_line(name, 1,
-                        "the column " + std::string(kColumns[i]) +
-                            " is missing; a recorded texture has the tab-separated columns " +
-                            kColumnNames);
+      refuse_table_line(
+          name, 1,
+          "the column " + std::string(kColumns[i]) +
+              " is missing; add it. A recorded texture has the tab-separated columns " +
+              kColumnNames);
     }
     places[i] = static_cast<std::size_t>(found - columns.begin());
   }

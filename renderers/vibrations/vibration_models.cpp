@@ -63,11 +63,12 @@ std::vector<std::size_t> places_of_models(const std::vector<std::string>& column
   for (const std::string& column : wanted) {
     const auto found = std::find(columns.begin(), columns.end(), column);
     if (found == columns.end()) {
-      refuse_table_line(name, 1,
-                        "the column " + column +
-                            " is missing; vibration models have the tab-separated columns " +
-                            kSpeedColumn + ' ' + kForceColumn + ' ' + kVarianceColumn +
-                            " line_1_rad line_2_rad and so on, and no others");
+      refuse_table_line(
+          name, 1,
+          "the column " + column +
+              " is missing; add it. Vibration models have the tab-separated columns " +
+              kSpeedColumn + ' ' + kForceColumn + ' ' + kVarianceColumn +
+              " line_1_rad line_2_rad and so on, and no others");
     }
     places.push_back(static_cast<std::size_t>(found - columns.begin()));
   }

@@ -127,11 +127,11 @@ HeightField make_surface(std::string_view kind, const ParameterValues& values,
                          const SurfaceCanvas& canvas) {
   if (!(canvas.width_m >= 1e-3 && canvas.width_m <= 1.0)) {
     throw std::invalid_argument("width_m is " + number_text(canvas.width_m) +
-                                " m; a synthetic surface is 0.001 to 1 m wide.");
+                                " m; it must be from 0.001 to 1 m.");
   }
   if (canvas.pixels < 16 || canvas.pixels > 8192) {
     throw std::invalid_argument("pixels is " + std::to_string(canvas.pixels) +
-                                "; a synthetic surface has 16 to 8192 per side.");
+                                "; it must be from 16 to 8192 per side.");
   }
   const std::vector<SurfaceMaker> makers = all_makers();
   const auto maker = std::find_if(makers.begin(), makers.end(), [&](const SurfaceMaker& candidate) {

@@ -59,7 +59,7 @@ void refuse_unknown(const FamilyOptions& options) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string meant = did_you_mean(name, known);
     throw std::runtime_error("there is no option \"" + name + '"' +
-                             (meant.empty() ? "; the options are " + listed_words(known) : meant));
+                             (meant.empty() ? "; use one of: " + listed_words(known) : meant));
   }
 }
 

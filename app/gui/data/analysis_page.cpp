@@ -271,7 +271,9 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
         if (exported.files == 0) {
           banner_->show_news(
               State::look,
-              tr("Writing the tables was cancelled. No part of them remains in %1.").arg(folder));
+              tr("Writing the tables was cancelled. No part of them remains in %1. To write them, "
+                 "export the tables again.")
+                  .arg(folder));
           return;
         }
         banner_->show_news(

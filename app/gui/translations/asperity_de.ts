@@ -6938,8 +6938,8 @@
         <translation>Tabellen werden nach %1 geschrieben…</translation>
     </message>
     <message>
-        <source>Writing the tables was cancelled. No part of them remains in %1.</source>
-        <translation>Das Schreiben der Tabellen wurde abgebrochen. In %1 ist nichts davon zurückgeblieben.</translation>
+        <source>Writing the tables was cancelled. No part of them remains in %1. To write them, export the tables again.</source>
+        <translation>Das Schreiben der Tabellen wurde abgebrochen. In %1 ist nichts davon zurückgeblieben. Um sie zu schreiben, die Tabellen erneut exportieren.</translation>
     </message>
     <message>
         <source>With tick-by-tick recordings (large files)</source>
