@@ -13,7 +13,8 @@ double equal_error_bits(double share, std::size_t labels) {
     throw std::invalid_argument("labels is " + std::to_string(labels) + "; it must be at least 2");
   }
   if (!(share >= 0.0 && share <= 1.0)) {
-    throw std::invalid_argument("share is " + number_text(share) + "; it must lie between 0 and 1");
+    throw std::invalid_argument("the proportion correct is " + number_text(share) +
+                                "; it must lie between 0 and 1");
   }
   const double wrong = 1.0 - share;
   const auto others = static_cast<double>(labels - 1);

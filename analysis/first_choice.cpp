@@ -85,11 +85,13 @@ LuceWorths luce_worths(std::span<const std::uint64_t> counts, std::size_t refere
 std::vector<double> first_choice_means(std::span<const double> shares) {
   const auto count = static_cast<Eigen::Index>(shares.size());
   if (count < 2)
-    throw std::invalid_argument("shares has fewer than two alternatives; at least two are needed");
+    throw std::invalid_argument("the number of proportions is " + std::to_string(count) +
+                                "; at least 2 alternatives are needed");
   const Eigen::VectorXd goal = Eigen::Map<const Eigen::VectorXd>(shares.data(), count);
   if (!(goal.minCoeff() > 0.0 && std::abs(goal.sum() - 1.0) < 1e-9)) {
-    throw std::invalid_argument("shares must be positive and sum to 1; their sum is " +
-                                number_text(goal.sum()));
+    throw std::invalid_argument("the proportions chosen have a minimum of " +
+                                number_text(goal.minCoeff()) + " and a sum of " +
+                                number_text(goal.sum()) + "; they must be positive and sum to 1");
   }
   // From Luce's scale, whose unit is about π/√6 of ours.
   Eigen::VectorXd mean = goal.array().log() * std::sqrt(6.0) / std::numbers::pi;

@@ -30,9 +30,10 @@ void refuse_unusable_force(const FeltForce& felt) {
   if (felt.travel_m.size() != count || felt.normal_N.size() != count ||
       felt.lateral_N.size() != count) {
     throw std::invalid_argument(
-        "FeltForce: time_s, travel_m, normal_N and lateral_N have " + std::to_string(count) + ", " +
-        std::to_string(felt.travel_m.size()) + ", " + std::to_string(felt.normal_N.size()) +
-        " and " + std::to_string(felt.lateral_N.size()) + " samples; the numbers must be equal");
+        "FeltForce: the numbers of samples of time_s, travel_m, normal_N and lateral_N are " +
+        std::to_string(count) + ", " + std::to_string(felt.travel_m.size()) + ", " +
+        std::to_string(felt.normal_N.size()) + " and " + std::to_string(felt.lateral_N.size()) +
+        "; they must be equal");
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(felt.time_s[i]) || !std::isfinite(felt.travel_m[i]) ||

@@ -57,7 +57,8 @@ double ForcedChoice::slope(double dprime) const {
 double ForcedChoice::dprime(double asked) const {
   refuse_no_choice(alternatives);
   if (!(asked >= 0.0 && asked <= 1.0)) {
-    throw std::invalid_argument("share is " + number_text(asked) + "; it must lie between 0 and 1");
+    throw std::invalid_argument("the proportion correct is " + number_text(asked) +
+                                "; it must lie between 0 and 1");
   }
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   constexpr double kFurthest = 15.0;  // beyond it a share is 0 or 1 to all digits

@@ -62,11 +62,13 @@ double root_beyond(double from, double step, Function rising) {
 MallowsFit mallows_fit(std::span<const std::size_t> right, std::size_t items, double confidence) {
   const std::vector<double> chance = fixed_point_distribution(items);
   if (right.empty())
-    throw std::invalid_argument("right is empty; at least one assignment is needed");
+    throw std::invalid_argument(
+        "the list of assignments is empty; at least one assignment is needed");
   for (const std::size_t one : right) {
     if (one > items) {
-      throw std::invalid_argument("right is " + std::to_string(one) + " and items is " +
-                                  std::to_string(items) + "; right must not exceed items");
+      throw std::invalid_argument(
+          "the number of correct items of an assignment is " + std::to_string(one) +
+          "; it must not exceed the number of items, " + std::to_string(items));
     }
   }
   const auto n = static_cast<double>(right.size());
