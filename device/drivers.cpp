@@ -113,15 +113,17 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
   }
   std::unique_lock alone = alone_until(options.stop);
   if (!alone.owns_lock()) {
-    throw OpeningStopped("no device was opened: opening was stopped on request");
+    throw OpeningStopped(
+        "no device was opened: opening was stopped on request; open the device again to use it");
   }
   DriverOptions told = options;
   told.alone = &alone;
   std::unique_ptr<HapticDevice> device =
       driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), told);
   if (options.stop.stop_requested()) {
-    throw OpeningStopped("the device \"" + name +
-                         "\" was closed: opening it was stopped on request");
+    throw OpeningStopped(
+        "the device \"" + name +
+        "\" was closed: opening it was stopped on request; open it again to use it");
   }
   return device;
 }
@@ -133,7 +135,7 @@ DriverSurvey DriverRegistry::survey(const Driver& driver, const DriverOptions& o
   // What a driver found by then may be half of what is there, or a service that was not waited for.
   if (options.stop.stop_requested()) {
     throw LookStopped("the search for devices of the driver \"" + driver.id +
-                      "\" was stopped on request");
+                      "\" was stopped on request; search again to find them");
   }
   return survey;
 }

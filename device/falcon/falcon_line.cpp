@@ -60,7 +60,8 @@ std::array<std::int16_t, 3> unpacked(std::uint64_t bits) noexcept {
 
 void require_no_stop(const std::stop_token& stop) {
   if (!stop.stop_requested()) return;
-  throw OpeningStopped("the Novint Falcon was closed: opening it was stopped on request");
+  throw OpeningStopped(
+      "the Novint Falcon was closed: opening it was stopped on request; open it again to use it");
 }
 
 FalconLine::FalconLine(LineSettings settings, const std::stop_token& stop)

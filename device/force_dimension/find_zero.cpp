@@ -52,7 +52,9 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   }
   const auto require_no_stop = [&] {
     if (!stop.stop_requested()) return;
-    throw OpeningStopped(who + " was closed and not moved: opening it was stopped on request");
+    throw OpeningStopped(
+        who +
+        " was closed and not moved: opening it was stopped on request; open it again to use it");
   };
   // Others may search for devices while the user decides.
   const UnitInUse asked_about(

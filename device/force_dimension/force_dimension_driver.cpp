@@ -105,7 +105,8 @@ Driver force_dimension_driver() {
             const std::vector<AttachedDevice> attached = survey_of(*sdk, options.stop).attached;
             if (options.stop.stop_requested()) {
               throw OpeningStopped(
-                  "no device of Force Dimension was opened: opening was stopped on request");
+                  "no device of Force Dimension was opened: opening was stopped on request; open "
+                  "the device again to use it");
             }
             ForceDimensionDevice::MayMove may_move{};
             if (options.may_move) {

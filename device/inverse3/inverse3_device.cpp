@@ -40,7 +40,8 @@ constexpr glm::dvec3 kRestFromBase_m(0.0, -0.12, 0.15);
 void require_no_stop_at(const InverseServicePlace& place, const std::stop_token& stop) {
   if (!stop.stop_requested()) return;
   throw OpeningStopped("The Inverse Service at " + place.text() +
-                       " was not reached: opening the device was stopped on request.");
+                       " was not reached: opening the device was stopped on request. "
+                       "Open it again to use it.");
 }
 
 std::unique_ptr<WebSocket> connection_to(const InverseServicePlace& place,
