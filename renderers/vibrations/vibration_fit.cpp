@@ -120,7 +120,7 @@ std::size_t order_by_bic(const std::vector<std::vector<Acceleration>>& groups) {
 constexpr int kMostShrinkings = 1000;
 
 /// The process of variance 1 with the model's covariances, of which kNoiseFloor are white noise.
-Autoregression with_noise_floor(Autoregression model) {
+Autoregression with_noise_floor(Autoregression model, const std::string& name) {
   // A wave without noise has reflection coefficients that rounding may put at 1.
   std::optional<Predictors> predictors = stationary_predictors(model.coefficients);
   for (int trial = 0; !predictors && trial < kMostShrinkings; ++trial) {
@@ -129,7 +129,7 @@ Autoregression with_noise_floor(Autoregression model) {
   }
   if (!predictors) {
     throw std::invalid_argument(
-        "the coefficients of a fitted model are not numbers; record smaller forces");
+        name + ": the coefficients of a fitted model are not numbers; record smaller forces");
   }
   std::vector<double> covariance{1.0};
   for (std::size_t k = 1; k <= model.coefficients.size(); ++k) {
@@ -143,7 +143,7 @@ Autoregression with_noise_floor(Autoregression model) {
   return autoregression_of_covariance(covariance);
 }
 
-void add_model(const std::vector<Acceleration>& group, VibrationFit& fit) {
+void add_model(const std::vector<Acceleration>& group, const std::string& name, VibrationFit& fit) {
   VibrationModel model{};
   FittedStrokes fitted{.strokes = group.size(), .samples = samples_of_group(group)};
   double mean_square = 0.0;
@@ -159,7 +159,7 @@ void add_model(const std::vector<Acceleration>& group, VibrationFit& fit) {
   fitted.rms_m_per_s2 = std::sqrt(mean_square);
   Autoregression burg = burg_autoregression(segments_of(group), fit.order);
   fitted.residual_m_per_s2 = std::sqrt(burg.innovation_variance);
-  const Autoregression model_with_floor = with_noise_floor(std::move(burg));
+  const Autoregression model_with_floor = with_noise_floor(std::move(burg), name);
   model.variance_m2_per_s4 = mean_square * model_with_floor.innovation_variance;
   model.lines_rad = line_spectral_frequencies(model_with_floor.coefficients);
   fit.set.models.push_back(std::move(model));
@@ -191,7 +191,7 @@ VibrationFit fitted_vibrations(const TextureRecording& recording, const std::str
   }
   const std::vector<std::vector<Acceleration>> groups = groups_of(std::move(strokes));
   VibrationFit fit{.order = settings.order ? *settings.order : order_by_bic(groups)};
-  for (const std::vector<Acceleration>& group : groups) add_model(group, fit);
+  for (const std::vector<Acceleration>& group : groups) add_model(group, name, fit);
   require_models(fit.set, name);
   return fit;
 }
