@@ -411,18 +411,19 @@ double crossed_log_likelihood(std::span<const CrossedHits> responses, const Cros
 SampledError intercept_error(const CrossedFit& fit, std::size_t participants, std::size_t items) {
   double variance = fit.standard_error(0) * fit.standard_error(0);
   double df = std::numeric_limits<double>::infinity();
-  const auto add = [&](double sigma, std::size_t intercepts) {
+  const auto add = [&](const char* argument, double sigma, std::size_t intercepts) {
     if (sigma == 0.0) return;
     if (intercepts < 2) {
-      throw std::invalid_argument("model: a factor with random intercepts has too few levels, " +
-                                  std::to_string(intercepts) + "; it must have at least 2");
+      throw std::invalid_argument(std::string(argument) + ": there are " +
+                                  std::to_string(intercepts) +
+                                  " random intercepts with a variance above 0; pass at least 2");
     }
     const auto k = static_cast<double>(intercepts);
     variance += sigma * sigma / (k * (k - 1.0));
     df = std::min(df, k - 1.0);
   };
-  add(fit.sigma_participants, participants);
-  add(fit.sigma_items, items);
+  add("participants", fit.sigma_participants, participants);
+  add("items", fit.sigma_items, items);
   return {.standard_error = std::sqrt(variance), .df = df};
 }
 

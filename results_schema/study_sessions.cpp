@@ -111,8 +111,7 @@ std::string claimed_group(Database& database, const std::string& protocol_name,
                           const SessionRow& session, const std::vector<std::string>& groups) {
   if (const auto own = earlier_group(database, session.participant, protocol_name, session.mode)) {
     if (std::find(groups.begin(), groups.end(), *own) != groups.end()) return *own;
-    refuse(database.folder(), "cannot begin a session of participant " + session.participant +
-                                  ": the participant is in the group " + *own +
+    refuse(database.folder(), "has participant " + session.participant + " in the group " + *own +
                                   ", and this version of the protocol " + protocol_name +
                                   " has no such group; add it to the protocol");
   }
@@ -168,17 +167,18 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   }
   participant.read(participant_id, has_withdrawn);
   if (has_withdrawn) {
-    refuse(database.folder(), "cannot begin a session of participant " + session.participant +
-                                  ", who has withdrawn; use another label");
+    refuse(database.folder(), "has a withdrawal of participant " + session.participant +
+                                  "; use another label for the session");
   }
   Statement last(database,
                  "SELECT coalesce(max(session), 0) + 1 FROM session WHERE participant_id = ?");
   int next = 0;
   if (last.bind(participant_id).step()) last.read(next);
   if (session.session != 0 && session.session != next) {
-    refuse(database.folder(), "cannot begin session " + std::to_string(session.session) +
-                                  " of participant " + session.participant + "; begin session " +
-                                  std::to_string(next) + ", the next one");
+    refuse(database.folder(), "has session " + std::to_string(next) +
+                                  " as the next one of participant " + session.participant +
+                                  ", not session " + std::to_string(session.session) +
+                                  "; begin the next one");
   }
   insert_session(database, session, next, participant_id);
   const std::int64_t id = database.last_row_id();
@@ -348,8 +348,9 @@ int Study::begin_segment(std::int64_t session_id, std::int64_t time_ns) {
   refuse_network(store_->folder);
   Transaction transaction(database);
   if (state_of(database, session_id) != SessionState::open) {
-    refuse(store_->folder, "cannot continue " + named(session_id) + ", which is " +
-                               text_of(state_of(database, session_id)) + "; reopen it first");
+    refuse(store_->folder, "has " + named(session_id) + " in the state \"" +
+                               text_of(state_of(database, session_id)) +
+                               "\"; reopen it before it is resumed");
   }
   Statement last(database,
                  "SELECT coalesce(max(segment), 0) + 1 FROM segment WHERE session_id = ?");
@@ -385,9 +386,9 @@ void Study::end_session(std::int64_t session_id, SessionState state, const std::
   Database& database = store_->writable();
   Transaction transaction(database);
   if (state_of(database, session_id) != SessionState::open) {
-    refuse(store_->folder, "cannot end " + named(session_id) + ", which is " +
+    refuse(store_->folder, "has " + named(session_id) + " in the state \"" +
                                text_of(state_of(database, session_id)) +
-                               " already; end a session only once");
+                               "\" already; end a session only once");
   }
   set_state(database, session_id, state, ended_utc);
   transaction.commit();
@@ -400,8 +401,8 @@ void Study::reopen_session(std::int64_t session_id) {
   const SessionState state = state_of(database, session_id);
   if (state != SessionState::stopped && state != SessionState::crashed) {
     refuse(store_->folder,
-           "cannot reopen " + named(session_id) + ", which is " + text_of(state) +
-               "; only a stopped or crashed session can be resumed. Begin a new session");
+           "has " + named(session_id) + " in the state \"" + text_of(state) +
+               "\"; only a stopped or crashed session can be resumed. Begin a new session");
   }
   set_state(database, session_id, SessionState::open, std::nullopt);
   transaction.commit();

@@ -254,8 +254,8 @@ WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& wit
   Database& database = store_->writable();
   if (withdrawal.decided_by.empty()) {
     refuse_withdrawal(store_->folder,
-                      "cannot store a withdrawal without the name of the person who decided on it; "
-                      "enter that name");
+                      "has no name of the person who decided on the withdrawal of participant " +
+                          label + "; enter that name");
   }
   WithdrawalRow row = withdrawal;
   count_rows(database, label);  // before a lock is made for a label that is not there

@@ -113,7 +113,7 @@ void check_design_of(const Protocol& protocol, const Protocol::Block& block, boo
     problems.report(pointer,
                     "the condition must be constant within a block: run this block for_each level "
                     "of " +
-                        in_quotes(estimation.condition) + " instead of mixing them");
+                        in_quotes(estimation.condition) + " instead of mixing the levels");
     return;
   }
   for (const Protocol::Run* const run : runs_of(protocol, block)) {

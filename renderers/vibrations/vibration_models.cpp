@@ -140,8 +140,8 @@ void require_models(const VibrationModels& set, const std::string& name) {
   };
   if (set.models.empty()) complain("there is no model; fit at least one with asperity fit-model");
   if (set.models.size() > kMostVibrationModels) {
-    complain("there are " + std::to_string(set.models.size()) + " models; the most are " +
-             std::to_string(kMostVibrationModels) +
+    complain("there are " + std::to_string(set.models.size()) + " models; at most " +
+             std::to_string(kMostVibrationModels) + " are possible" +
              ". Fit fewer speeds and normal forces at a time");
   }
   bool sounds = false;

@@ -183,7 +183,7 @@ class Reader final {
         count * sizeof(Item) / kMostUnpacked > bytes) {
       refuse("contains an array \"" + text(kind, "name") + "\" that cannot be decompressed: " +
              "the number of items stated, " + std::to_string(count) +
-             ", differs from the number in its " + counted(bytes, "byte", "bytes") + ".");
+             ", does not match its " + counted(bytes, "byte", "bytes") + ".");
     }
     std::vector<Item> items(count);
     const std::size_t size =

@@ -161,7 +161,7 @@ TEST(Study, NumbersTheSessionsOfAParticipant) {
   SessionRow second = some_session(protocol_id, "B");
   second.session = 3;
   EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(second, {}); }),
-              HasSubstr("of participant B; begin session 2, the next one"));
+              HasSubstr("has session 2 as the next one of participant B, not session "));
   second.session = 2;
   study.add_session(second, some_plan(1));
   EXPECT_THAT(
@@ -369,14 +369,16 @@ TEST(Study, SegmentsAndSessionsEndAndGoOn) {
     return refusal_of<ResultsError>([&] { what(s); });
   };
   const std::int64_t id = session_id;
-  EXPECT_THAT(refused([&](Study& s) { s.begin_segment(id, 5); }), HasSubstr("reopen it first"));
+  EXPECT_THAT(refused([&](Study& s) { s.begin_segment(id, 5); }),
+              HasSubstr("reopen it before it is resumed"));
   EXPECT_THAT(refused([&](Study& s) { s.add_attempt(id, some_attempt(1)); }), HasSubstr("open"));
   EXPECT_THAT(refused([&](Study& s) { s.end_segment(id, 7, 5, "x"); }), HasSubstr("no segment 7"));
   study.reopen_session(session_id);
   EXPECT_EQ(study.session(session_id).state, SessionState::open);
   EXPECT_EQ(study.session(session_id).ended_utc, std::nullopt);
   study.end_session(session_id, SessionState::completed, "2026-03-01T11:00:00Z");
-  EXPECT_THAT(refused([&](Study& s) { s.reopen_session(id); }), HasSubstr("is completed"));
+  EXPECT_THAT(refused([&](Study& s) { s.reopen_session(id); }),
+              HasSubstr("in the state \"completed\""));
   EXPECT_THAT(refused([&](Study& s) { s.end_session(id, SessionState::stopped, ""); }),
               HasSubstr("already"));
   EXPECT_THROW(study.end_session(id, SessionState::open, ""), std::invalid_argument);

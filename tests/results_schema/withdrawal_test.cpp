@@ -187,7 +187,7 @@ TEST_F(Withdrawal, IsFinal) {
       says("stay excluded"));
   SessionRow next = some_session(session.protocol_id);
   next.participant = "Wanda7";
-  EXPECT_THAT([&] { study.add_session(next, some_plan(1)); }, says("has withdrawn"));
+  EXPECT_THAT([&] { study.add_session(next, some_plan(1)); }, says("has a withdrawal of participant"));
   EXPECT_THAT([&] { study.withdraw("Wanda7", kKept); }, says("already"));
   EXPECT_NO_THROW(study.withdraw("Wanda7", kDeletion));
 }

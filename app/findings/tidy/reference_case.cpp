@@ -41,7 +41,7 @@ ReferenceCase read_reference_case(const std::filesystem::path& folder) {
     }
   } catch (const Json::exception& error) {
     throw std::runtime_error(path.string() +
-                             " must name \"family\", \"inputs\" and \"options\": " + error.what());
+                             " must contain \"family\" and \"inputs\": " + error.what());
   }
   return result;
 }
