@@ -23,7 +23,7 @@ double ratio_of(const PerceivedInstability& judged) {
 
 double buzz_in(const SeriesStroke& each) {
   const auto records = planted_stroke(*each.model, each.inputs, each.stroke);
-  return ratio_of(perceived_instability(*each.model, each.inputs, {records, 1, 1000.0}));
+  return ratio_of(judged_stroke(*each.model, each.inputs, records));
 }
 
 struct Judged {
@@ -60,7 +60,7 @@ int run(std::uint64_t clean_strokes, std::uint64_t planted_strokes, std::uint64_
     const SeriesStroke each = stroke_of_series(models, i, seed);
     const auto records = planted_stroke(*each.model, each.inputs, each.stroke);
     const auto began = std::chrono::steady_clock::now();
-    const auto judged = perceived_instability(*each.model, each.inputs, {records, 1, 1000.0});
+    const auto judged = judged_stroke(*each.model, each.inputs, records);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     const std::string label = each.model->declaration.id + " on " + each.stroke.device;
     auto& cost = cost_s[each.model->declaration.id];
@@ -84,7 +84,7 @@ int run(std::uint64_t clean_strokes, std::uint64_t planted_strokes, std::uint64_
     SeriesStroke each = stroke_of_series(models, i, seed + 1);
     const auto records = planted_stroke(*each.model, each.inputs, each.stroke);
     const double texture_N =
-        recorded_texture_force_rms_N(*each.model, each.inputs, {records, 1, 1000.0}, {})
+        recorded_texture_force_rms_N(texture_in(*each.model, each.inputs, records), {})
             .value_or(0.0);
     for (const double amplitude : {0.25, 0.5, 1.0}) {
       each.stroke.planted =

@@ -23,7 +23,26 @@ std::ptrdiff_t records_of(std::uint64_t presentation, std::span<const TickRecord
   });
 }
 
+RecordedTexture texture_of(const JudgedSurface& surface, std::span<const TickRecord> records,
+                           double rate_Hz) {
+  return recorded_texture(surface.model, surface.inputs,
+                          {records, static_cast<std::uint64_t>(surface.position), rate_Hz});
+}
+
+ReplayedMeasures measures_of(const JudgedSurface& surface, std::span<const TickRecord> records,
+                             double rate_Hz) {
+  const RecordedTexture texture = texture_of(surface, records, rate_Hz);
+  return {.texture_force_N = recorded_texture_force_rms_N(texture, surface.band),
+          .instability =
+              instability_row(perceived_instability(surface.model, surface.inputs, texture))};
+}
+
 }  // namespace
+
+std::optional<double> texture_force_N(const JudgedSurface& surface,
+                                      std::span<const TickRecord> records, double rate_Hz) {
+  return recorded_texture_force_rms_N(texture_of(surface, records, rate_Hz), surface.band);
+}
 
 InstabilityRow instability_row(const PerceivedInstability& judged) {
   const auto reason = [](const std::optional<NotJudged>& none) {
@@ -56,36 +75,33 @@ void AttemptInstability::begin(std::vector<JudgedSurface> surfaces,
                                std::span<const TickRecord> records, double rate_Hz) {
   try {
     // The recorder's records move in memory while the session continues.
-    begun_ = std::async(std::launch::async,
-                        [surfaces = std::move(surfaces),
-                         felt = std::vector<TickRecord>(records.begin(), records.end()), rate_Hz] {
-                          std::map<int, Judged> judged{};
-                          for (const JudgedSurface& surface : surfaces) {
-                            const auto id = static_cast<std::uint64_t>(surface.position);
-                            judged[surface.position] = {
-                                .records = records_of(id, felt),
-                                .values = perceived_instability(surface.model, surface.inputs,
-                                                                {felt, id, rate_Hz})};
-                          }
-                          return judged;
-                        });
+    begun_ =
+        std::async(std::launch::async,
+                   [surfaces = std::move(surfaces),
+                    felt = std::vector<TickRecord>(records.begin(), records.end()), rate_Hz] {
+                     std::map<int, Judged> judged{};
+                     for (const JudgedSurface& surface : surfaces) {
+                       const auto id = static_cast<std::uint64_t>(surface.position);
+                       judged[surface.position] = {.records = records_of(id, felt),
+                                                   .values = measures_of(surface, felt, rate_Hz)};
+                     }
+                     return judged;
+                   });
   } catch (const std::system_error&) {  // no thread
   } catch (const std::bad_alloc&) {
   }
 }
 
-std::optional<InstabilityRow> AttemptInstability::take(const JudgedSurface& surface,
-                                                       std::span<const TickRecord> records,
-                                                       double rate_Hz) {
+ReplayedMeasures AttemptInstability::take(const JudgedSurface& surface,
+                                          std::span<const TickRecord> records, double rate_Hz) {
   const auto id = static_cast<std::uint64_t>(surface.position);
   try {
     if (begun_.valid()) judged_ = begun_.get();
     const auto found = judged_.find(surface.position);
     if (found != judged_.end() && found->second.records == records_of(id, records)) {
-      return instability_row(found->second.values);
+      return found->second.values;
     }
-    return instability_row(
-        perceived_instability(surface.model, surface.inputs, {records, id, rate_Hz}));
+    return measures_of(surface, records, rate_Hz);
   } catch (const std::exception&) {  // no reason to lose what the participant did
     return {};
   }

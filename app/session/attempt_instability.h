@@ -25,7 +25,19 @@ struct JudgedSurface {
   int position = 0;
   ForceModel model{};
   RendererInputs inputs{};
+  TextureForceBand band{};  ///< of the texture force that is stored
 };
+
+/// The values of a surface that need replays of its records.
+struct ReplayedMeasures {
+  std::optional<double>
+      texture_force_N{};  ///< recorded_texture_force_rms_N in the band of the surface
+  std::optional<InstabilityRow> instability{};
+};
+
+/// The texture force alone. Errors: those of recorded_texture.
+std::optional<double> texture_force_N(const JudgedSurface& surface,
+                                      std::span<const TickRecord> records, double rate_Hz);
 
 /// Judges the surfaces of an attempt (perceived_instability.h). Two bodies cost 45 µs for each tick and replay, 0.1 s for
 /// each second of contact, so that the work begins on another thread at the first question, when no surface is rendered.
@@ -36,15 +48,15 @@ class AttemptInstability final {
   void begin(std::vector<JudgedSurface> surfaces, std::span<const TickRecord> records,
              double rate_Hz);
   /// The values of a surface from all records of the attempt; waits for them, or computes them where records of the
-  /// surface were added after `begin`. nullopt where that failed, for example
-  /// without memory: responses are stored without these values.
-  std::optional<InstabilityRow> take(const JudgedSurface& surface,
-                                     std::span<const TickRecord> records, double rate_Hz);
+  /// surface were added after `begin`. Without values where that failed, for example for lack of memory: responses are
+  /// stored without them.
+  ReplayedMeasures take(const JudgedSurface& surface, std::span<const TickRecord> records,
+                        double rate_Hz);
 
  private:
   struct Judged {
     std::ptrdiff_t records = 0;  ///< of the surface, from which it was judged
-    PerceivedInstability values{};
+    ReplayedMeasures values{};
   };
   std::future<std::map<int, Judged>> begun_{};
   std::map<int, Judged> judged_{};

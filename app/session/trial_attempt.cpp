@@ -19,7 +19,6 @@
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
 #include "protocols/plan/shown_options.h"
-#include "renderers/offline/recorded_force.h"
 
 namespace asperity {
 
@@ -196,9 +195,12 @@ void TrialAttempt::carry_out() {
 }
 
 JudgedSurface TrialAttempt::judged_surface(std::size_t index) const {
-  return {.position = trial_.presentations[index].position,
+  const PlannedPresentation& planned = trial_.presentations[index];
+  const EqualForce request = planned.equal_force.value_or(EqualForce{});
+  return {.position = planned.position,
           .model = *surfaces_.stimulus(index).model,
-          .inputs = surfaces_.inputs_as_felt(index)};
+          .inputs = surfaces_.inputs_as_felt(index),
+          .band = {request.band_low_Hz, request.band_high_Hz}};
 }
 
 void TrialAttempt::wait_between_surfaces() {
@@ -469,12 +471,12 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.visits = visits_.visits(planned.position);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);
-    const EqualForce request = planned.equal_force.value_or(EqualForce{});
-    presentation.achieved_texture_force_N = recorded_texture_force_rms_N(
-        *prepared.model, surfaces_.inputs_as_felt(i), {records, id, rate_Hz},
-        {request.band_low_Hz, request.band_high_Hz});
-    if (!interruption_) {
-      presentation.instability = instability_.take(judged_surface(i), records, rate_Hz);
+    if (interruption_) {
+      presentation.achieved_texture_force_N = texture_force_N(judged_surface(i), records, rate_Hz);
+    } else {
+      ReplayedMeasures replayed = instability_.take(judged_surface(i), records, rate_Hz);
+      presentation.achieved_texture_force_N = replayed.texture_force_N;
+      presentation.instability = std::move(replayed.instability);
     }
     for (const NamedCount& limit : surfaces_.limits(i)) {
       presentation.limits.push_back(

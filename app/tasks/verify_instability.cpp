@@ -54,9 +54,11 @@ std::optional<std::string> differing_instability(const RecordedAttempt& attempt,
       attempt.trial.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
   const RendererInputs inputs =
       is_side_by_side ? without_border(surface.stimulus.inputs) : surface.stimulus.inputs;
-  const InstabilityRow again = instability_row(perceived_instability(
-      *surface.stimulus.model, inputs,
-      {attempt.records, static_cast<std::uint64_t>(surface.row.position), attempt.rate_Hz}));
+  const ForceModel& model = *surface.stimulus.model;
+  const RecordedTexture texture = recorded_texture(
+      model, inputs,
+      {attempt.records, static_cast<std::uint64_t>(surface.row.position), attempt.rate_Hz});
+  const InstabilityRow again = instability_row(perceived_instability(model, inputs, texture));
   for (const ComparedValue& each : kCompared) {
     const std::optional<double>& stored = *surface.row.instability.*each.value;
     const std::optional<double>& computed = again.*each.value;

@@ -218,17 +218,14 @@ const char* name_of(NotJudged reason) noexcept {
 }
 
 PerceivedInstability perceived_instability(const ForceModel& model, const RendererInputs& inputs,
-                                           const RecordedSurfaceSpan& surface) {
+                                           const RecordedTexture& texture) {
   PerceivedInstability judged{};
-  const double rate_Hz = surface.rate_Hz;
+  const double rate_Hz = texture.rate_Hz;
   if (!(rate_Hz > 2.0 * kBuzzFrom_Hz)) {
     judged.no_buzz = judged.no_aliveness = judged.no_ridge = NotJudged::low_rate;
     return judged;
   }
-  std::vector<TickRecord> felt{};
-  for (const TickRecord& record : surface.records) {
-    if (is_rendered(record, surface.presentation)) felt.push_back(record);
-  }
+  const std::vector<TickRecord>& felt = texture.felt;
   const std::vector<IndexRange> stretches = stretches_of(felt, rate_Hz);
   const bool is_delivered = std::any_of(felt.begin(), felt.end(), [](const TickRecord& record) {
     return record.sent.force_N != glm::dvec3(0.0);
@@ -239,18 +236,14 @@ PerceivedInstability perceived_instability(const ForceModel& model, const Render
         stretches.empty() ? NotJudged::too_short : NotJudged::no_force;
   } else {
     const auto explained = replay(*make_renderer(model, inputs), slow, rate_Hz);
-    const double texture_N =
-        recorded_texture_force_rms_N(model, inputs, surface, kPerceivable).value_or(0.0);
+    const double texture_N = recorded_texture_force_rms_N(texture, kPerceivable).value_or(0.0);
     judged.buzz = buzz_of(felt, explained, texture_N, stretches, rate_Hz);
     if (!judged.buzz) judged.no_buzz = NotJudged::too_short;
     const std::vector<IndexRange> rests = rests_in(slow, stretches);
     if (rests.empty()) {
       judged.no_aliveness = NotJudged::too_short;
     } else {
-      RendererInputs plain = without_texture(model.declaration, inputs);
-      plain.material.friction = inputs.material.friction;
-      const auto plate = replay(*make_renderer(model, plain), felt, rate_Hz);
-      judged.aliveness = aliveness_of(felt, plate, rests, rate_Hz);
+      judged.aliveness = aliveness_of(felt, texture.plate, rests, rate_Hz);
     }
   }
   if (!model.crest_phase) {

@@ -65,7 +65,8 @@ inline constexpr double kResting_m_per_s = 0.005;
 /// A stroke is slow below this speed along the surface.
 inline constexpr double kSlow_m_per_s = 0.030;
 
-/// Judges one presentation from its records and a fresh renderer of the same model and inputs.
+/// Judges one presentation from its records, those of the plate without its texture, and a fresh renderer of the same model
+/// and inputs.
 ///
 /// A stretch is contact with a completely faded-in surface, in which the probe leaves the surface for at most kLift_s and no
 /// record is missing.
@@ -92,13 +93,13 @@ inline constexpr double kSlow_m_per_s = 0.030;
 /// crest (ForceModel::crest_phase). A force along the plane's normal pushes the hand into the valleys: the proportion
 /// is then below 0.3.
 ///
-/// Cost: two replays of the records, a third one where the hand rests, and six transforms for each step of the window: 9 ms for
-/// 4 s of a point model. Not for the servo thread.
+/// Cost: one replay of the records in addition to that of `texture`, and six transforms for each step of the window: 9 ms
+/// for 4 s of a point model. Not for the servo thread.
 ///
 /// Errors: std::invalid_argument for inputs that the model rejects. A rate of at most 300 Hz is a reason not to judge.
 ///
 /// [Choi 2004] Choi, Tan: Perceived instability of virtual haptic texture. I. Experimental studies.
 PerceivedInstability perceived_instability(const ForceModel& model, const RendererInputs& inputs,
-                                           const RecordedSurfaceSpan& surface);
+                                           const RecordedTexture& texture);
 
 }  // namespace asperity

@@ -126,21 +126,37 @@ ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
   return features;
 }
 
-std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,
-                                                   const RendererInputs& inputs,
-                                                   const RecordedSurfaceSpan& surface,
-                                                   const TextureForceBand& band) {
+std::vector<TickRecord> records_as_felt(const RecordedSurfaceSpan& surface) {
   std::vector<TickRecord> felt{};
+  std::uint64_t rendered = 0;  // the surface of the last tick in which one was rendered
   for (const TickRecord& record : surface.records) {
-    if (is_rendered(record, surface.presentation)) felt.push_back(record);
+    if (!record.has(TickFlag::presenting)) continue;
+    const bool is_entry = record.presentation != rendered;
+    rendered = record.presentation;
+    if (rendered != surface.presentation) continue;
+    felt.push_back(record);
+    if (is_entry) {
+      felt.back().flags |= static_cast<std::uint32_t>(TickFlag::first_of_presentation);
+    }
   }
-  if (felt.empty()) return {};
-  RendererInputs plain_inputs = without_texture(model.declaration, inputs);
-  plain_inputs.material.friction = inputs.material.friction;
-  const auto plain_renderer = make_renderer(model, plain_inputs);
-  const std::vector<RenderedTick> plain = replay(*plain_renderer, felt, surface.rate_Hz);
+  return felt;
+}
 
-  const auto shortest = static_cast<std::size_t>(kShortestStretch_s * surface.rate_Hz);
+RecordedTexture recorded_texture(const ForceModel& model, const RendererInputs& inputs,
+                                 const RecordedSurfaceSpan& surface) {
+  RecordedTexture texture{.felt = records_as_felt(surface), .rate_Hz = surface.rate_Hz};
+  if (texture.felt.empty()) return texture;
+  RendererInputs plain = without_texture(model.declaration, inputs);
+  plain.material.friction = inputs.material.friction;
+  texture.plate = replay(*make_renderer(model, plain), texture.felt, surface.rate_Hz);
+  return texture;
+}
+
+std::optional<double> recorded_texture_force_rms_N(const RecordedTexture& texture,
+                                                   const TextureForceBand& band) {
+  const std::vector<TickRecord>& felt = texture.felt;
+  const double rate_Hz = texture.rate_Hz;
+  const auto shortest = static_cast<std::size_t>(kShortestStretch_s * rate_Hz);
   std::array<std::vector<double>, 3> stretch_N{};
   double sum_of_squares_N2 = 0.0;
   std::size_t samples = 0;
@@ -148,15 +164,15 @@ std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,
     const std::size_t length = stretch_N[0].size();
     if (length >= shortest) {
       for (const std::vector<double>& axis_N : stretch_N) {
-        const double rms_N = band_rms(axis_N, surface.rate_Hz, band.low_Hz,
-                                      std::min(band.high_Hz, 0.5 * surface.rate_Hz));
+        const double rms_N =
+            band_rms(axis_N, rate_Hz, band.low_Hz, std::min(band.high_Hz, 0.5 * rate_Hz));
         sum_of_squares_N2 += rms_N * rms_N * static_cast<double>(length);
       }
       samples += length;
     }
     for (std::vector<double>& axis_N : stretch_N) axis_N.clear();
   };
-  const auto longest_gap_ns = static_cast<std::int64_t>(kUnbroken_ticks * 1e9 / surface.rate_Hz);
+  const auto longest_gap_ns = static_cast<std::int64_t>(kUnbroken_ticks * 1e9 / rate_Hz);
   for (std::size_t i = 0; i < felt.size(); ++i) {
     const bool unbroken =
         i == 0 || felt[i].probe.time_ns - felt[i - 1].probe.time_ns < longest_gap_ns;
@@ -165,7 +181,7 @@ std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,
       end_of_stretch();
       continue;
     }
-    const glm::dvec3 texture_N = felt[i].rendered.force_N - plain[i].wrench.force_N;
+    const glm::dvec3 texture_N = felt[i].rendered.force_N - texture.plate[i].wrench.force_N;
     stretch_N[0].push_back(texture_N.x);
     stretch_N[1].push_back(texture_N.y);
     stretch_N[2].push_back(texture_N.z);

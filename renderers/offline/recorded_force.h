@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "analysis/force_features.h"
 #include "renderers/force/force_model.h"
@@ -40,17 +41,35 @@ struct TextureForceBand {
   double high_Hz = 500.0;
 };
 
-/// The RMS of the texture force along the path of a recorded hand: the rendered force minus that of the same model
-/// without texture along the same path, within the band, over stretches of uninterrupted contact at full gain that last
-/// a quarter of a second or more; nullopt if there is none.
+/// The records of the ticks in which the surface was rendered, each of its entries with
+/// TickFlag::first_of_presentation: where the record before belongs to another surface. Side by side
+/// (adjacent_patches.h), the renderer of a patch is reset at each entry, and the recording has the flag only where the
+/// renderer of the workspace was reset. A model that depends on past samples repeats its force only if it is reset at
+/// the same ticks.
+///
+/// Limits: inside a patch, where its weight is 1, a replay of its model equals the rendered force, except for the contact of the
+/// friction, which the patch takes over from the flat surface, and for the first tick of an entry, which lasts one period.
+std::vector<TickRecord> records_as_felt(const RecordedSurfaceSpan& surface);
+
+/// The records of a surface and what the same model computes without texture along the same path.
+struct RecordedTexture {
+  std::vector<TickRecord> felt{};  ///< records_as_felt
+  std::vector<RenderedTick>
+      plate{};  ///< without texture, with the friction of the surface; one for each record
+  double rate_Hz = 1000.0;
+};
+
+/// Errors: std::invalid_argument for inputs that the model rejects.
+RecordedTexture recorded_texture(const ForceModel& model, const RendererInputs& inputs,
+                                 const RecordedSurfaceSpan& surface);
+
+/// The RMS of the texture force along the path of a recorded hand: the rendered force minus that of the plate, within
+/// the band, over stretches of uninterrupted contact at full gain that last a quarter of a second or more; nullopt if there
+/// is none.
 ///
 /// Friction is included in both forces. On the prescribed path of `texture_force_rms_N` it is constant except for the
 /// effect of the texture on it and has no influence; with a hand that reverses its direction it would count as texture.
-///
-/// Errors: std::invalid_argument for inputs that the model rejects.
-std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,
-                                                   const RendererInputs& inputs,
-                                                   const RecordedSurfaceSpan& surface,
+std::optional<double> recorded_texture_force_rms_N(const RecordedTexture& texture,
                                                    const TextureForceBand& band);
 
 }  // namespace asperity

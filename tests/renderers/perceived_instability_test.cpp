@@ -97,19 +97,15 @@ TEST(Buzz, SeparatesStrokesWithAnOscillationFromStrokesWithoutOne) {
   for (std::uint64_t i = 0; i < 66; ++i) {
     SeriesStroke each = stroke_of_series(models, i, 5);
     const auto records = planted_stroke(*each.model, each.inputs, each.stroke);
-    const auto clean =
-        perceived_instability(*each.model, each.inputs, {records, 1, kJudgedRate_Hz});
+    const auto clean = judged_stroke(*each.model, each.inputs, records);
     EXPECT_LT(clean.buzz.value().ratio, kFlagged)
         << each.model->declaration.id << " on " << each.stroke.device << ", stroke " << i;
     const double texture_N =
-        recorded_texture_force_rms_N(*each.model, each.inputs, {records, 1, kJudgedRate_Hz}, {})
+        recorded_texture_force_rms_N(texture_in(*each.model, each.inputs, records), {})
             .value_or(0.0);
     each.stroke.planted = oscillation_of_series(i, 5, std::max(kLeastTexture_N, 0.5 * texture_N));
     const auto shaken = planted_stroke(*each.model, each.inputs, each.stroke);
-    EXPECT_GT(perceived_instability(*each.model, each.inputs, {shaken, 1, kJudgedRate_Hz})
-                  .buzz.value()
-                  .ratio,
-              kFlagged)
+    EXPECT_GT(judged_stroke(*each.model, each.inputs, shaken).buzz.value().ratio, kFlagged)
         << each.model->declaration.id << " on " << each.stroke.device << ", stroke " << i;
   }
 }
@@ -120,8 +116,7 @@ TEST(Buzz, IsRareWithTwoBodies) {
   const RendererInputs inputs = stimulus_of_stroke(model, 1);
   const PlantedStroke stroke{.duration_s = 0.9};
   const auto records = planted_stroke(model, inputs, stroke);
-  EXPECT_LT(perceived_instability(model, inputs, {records, 1, kJudgedRate_Hz}).buzz.value().ratio,
-            0.2);
+  EXPECT_LT(judged_stroke(model, inputs, records).buzz.value().ratio, 0.2);
 }
 
 // docs/models/limits.md: friction of the law `rounded` vibrates on this device above 0.75 N, and `dahl` does not.
@@ -135,7 +130,7 @@ TEST(Buzz, IsThatOfFrictionThatTheDeviceCannotRender) {
   inputs.material.friction = 0.4;
   const auto buzz = [&] {
     const auto records = planted_stroke(model, inputs, stroke);
-    return perceived_instability(model, inputs, {records, 1, kJudgedRate_Hz}).buzz.value().ratio;
+    return judged_stroke(model, inputs, records).buzz.value().ratio;
   };
   EXPECT_LT(buzz(), kFlagged);
   inputs.parameters["friction_law"] = std::string("rounded");
@@ -175,7 +170,7 @@ struct Grated {
   RendererInputs inputs{.parameters = {{"amplitude_m", 1e-4}, {"wavelength_m", 2e-3}}};
 
   PerceivedInstability judge(const std::vector<TickRecord>& records) const {
-    return perceived_instability(model, inputs, {records, 1, kJudgedRate_Hz});
+    return judged_stroke(model, inputs, records);
   }
 };
 
@@ -223,8 +218,7 @@ TEST(Aliveness, HasTheWorkOfTheForceOnClosedParts) {
   plate.parameters["amplitude_m"] = 0.0;
   plate.material.friction = 0.0;
   const auto alive =
-      perceived_instability(grated.model, plate,
-                            {contact_of_3_s(grated.model, plate, circle, along), 1, kJudgedRate_Hz})
+      judged_stroke(grated.model, plate, contact_of_3_s(grated.model, plate, circle, along))
           .aliveness;
   ASSERT_TRUE(alive);
   EXPECT_NEAR(alive->net_work_J.value(), 3.0 * kFullTurn_rad * 1e-4 * 0.05, 3e-6);
@@ -273,9 +267,10 @@ TEST(PerceivedInstability, HasNoNumbersWithoutAForce) {
   for (TickRecord& record : records) record.sent = {};
   EXPECT_EQ(grated.judge(records).no_buzz, NotJudged::no_force);
   const ForceModel& without_crests = *grated.registry.find("stochastic");
-  EXPECT_EQ(perceived_instability(without_crests, {}, {records, 1, kJudgedRate_Hz}).no_ridge,
-            NotJudged::no_crests);
-  EXPECT_EQ(perceived_instability(without_crests, {}, {records, 1, 200.0}).no_buzz,
+  EXPECT_EQ(judged_stroke(without_crests, {}, records).no_ridge, NotJudged::no_crests);
+  EXPECT_EQ(perceived_instability(without_crests, {},
+                                  recorded_texture(without_crests, {}, {records, 1, 200.0}))
+                .no_buzz,
             NotJudged::low_rate);
 }
 

@@ -111,6 +111,16 @@ inline std::vector<TickRecord> planted_stroke(const ForceModel& model, const Ren
   return records;
 }
 
+inline RecordedTexture texture_in(const ForceModel& model, const RendererInputs& inputs,
+                                  std::span<const TickRecord> records) {
+  return recorded_texture(model, inputs, {records, 1, 1000.0});
+}
+
+inline PerceivedInstability judged_stroke(const ForceModel& model, const RendererInputs& inputs,
+                                          std::span<const TickRecord> records) {
+  return perceived_instability(model, inputs, texture_in(model, inputs, records));
+}
+
 /// Stroke `number` of a series over all models, seeds and simulated devices. Speed and force of the hand are those of
 /// participants: 40 to 160 mm/s, 0.5 to 2 N.
 struct SeriesStroke {

@@ -1,6 +1,5 @@
 // The force of a recorded hand: what is texture in it and what is not.
 
-#include "renderers/built_in_models.h"
 #include "renderers/offline/recorded_force.h"
 
 #include <cmath>
@@ -8,6 +7,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "renderers/built_in_models.h"
+#include "renderers/force/adjacent_patches.h"
+#include "renderers/offline/replay.h"
 
 namespace asperity {
 namespace {
@@ -97,12 +100,17 @@ TEST(RecordedShaking, NeedsAContactThatIsLongEnough) {
   EXPECT_FALSE(recorded_shaking_m_per_s2({all.first(640), 1, kRate_Hz}));
 }
 
+std::optional<double> texture_rms_N(const ForceModel& model, const RendererInputs& inputs,
+                                    const RecordedSurfaceSpan& surface) {
+  return recorded_texture_force_rms_N(recorded_texture(model, inputs, surface), {});
+}
+
 TEST(RecordedTextureForce, IsZeroOnAFlatPlateHoweverOftenTheHandTurns) {
   const ModelRegistry models = built_in_models();
   const ForceModel& model = *models.find("sinusoid");
   const RendererInputs inputs = sinusoid(0.0);
   const auto records = to_and_fro(model, inputs);
-  EXPECT_NEAR(*recorded_texture_force_rms_N(model, inputs, {records, 1, kRate_Hz}, {}), 0.0, 1e-12);
+  EXPECT_NEAR(*texture_rms_N(model, inputs, {records, 1, kRate_Hz}), 0.0, 1e-12);
 }
 
 TEST(RecordedTextureForce, IsThatOfTheSinusoidAndOfTheFrictionItMakes) {
@@ -115,8 +123,7 @@ TEST(RecordedTextureForce, IsThatOfTheSinusoidAndOfTheFrictionItMakes) {
   const double normal_N = 500.0 * 1e-4 / std::numbers::sqrt2;
   // Friction from the constant part A of the height turns with the hand; it is the texture's too.
   const double expected_N = normal_N * std::sqrt(1.0 + 0.2 * 0.2);
-  EXPECT_NEAR(*recorded_texture_force_rms_N(model, inputs, {records, 1, kRate_Hz}, {}), expected_N,
-              0.03 * expected_N);
+  EXPECT_NEAR(*texture_rms_N(model, inputs, {records, 1, kRate_Hz}), expected_N, 0.03 * expected_N);
 }
 
 TEST(RecordedTextureForce, IsNothingWithoutAQuarterSecondOfContact) {
@@ -125,8 +132,92 @@ TEST(RecordedTextureForce, IsNothingWithoutAQuarterSecondOfContact) {
   const RendererInputs inputs = sinusoid(1e-4);
   auto records = to_and_fro(model, inputs);
   for (std::size_t i = 0; i < records.size(); i += 200) records[i].penetration_m = 0.0;
-  EXPECT_FALSE(recorded_texture_force_rms_N(model, inputs, {records, 1, kRate_Hz}, {}));
-  EXPECT_FALSE(recorded_texture_force_rms_N(model, inputs, {records, 2, kRate_Hz}, {}));
+  EXPECT_FALSE(texture_rms_N(model, inputs, {records, 1, kRate_Hz}));
+  EXPECT_FALSE(texture_rms_N(model, inputs, {records, 2, kRate_Hz}));
+}
+
+constexpr double kSide_m = 0.047;
+constexpr double kBlendOfPatches_m = 0.002;
+
+/// Two patches of 47 mm around ±26.5 mm: noise of its own clock, and a grating with resonance, whose noise is drawn anew
+/// after each reset.
+std::vector<AdjacentPatch> noisy_patches(const ModelRegistry& models) {
+  std::vector<AdjacentPatch> patches{{models.find("stochastic"), {}},
+                                     {models.find("sinusoid"), sinusoid(1e-4)}};
+  patches[1].inputs.parameters["resonance_ratio"] = 0.5;
+  patches[1].inputs.parameters["resonance_threshold_N"] = 0.05;
+  double centre_x_m = -0.0265;
+  for (AdjacentPatch& patch : patches) {
+    patch.inputs.seed = 7;
+    patch.inputs.material.friction = 0.0;  // whose contact continues from one surface to the next
+    patch.inputs.patch.centre_m.x = centre_x_m;
+    patch.inputs.patch.extent_m = {kSide_m, 0.1};
+    centre_x_m += 0.053;
+  }
+  return patches;
+}
+
+/// A hand that enters each of the two patches three times, with the flags of a servo loop.
+std::vector<TickRecord> over_both_patches(const std::vector<AdjacentPatch>& patches) {
+  AdjacentPatches renderer(patches, {.extent_m = {0.1, 0.1}}, patches.front().inputs.material,
+                           kBlendOfPatches_m);
+  std::vector<TickRecord> records(3000);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const double turns = static_cast<double>(i) / 1000.0;
+    TickRecord& record = records[i];
+    record.probe.time_ns = static_cast<std::int64_t>(i) * 1'000'000;
+    record.probe.position_m = {-0.04 * std::cos(2.0 * std::numbers::pi * turns), 0.001, -0.002};
+    record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
+    record.gain = 1.0;
+    if (i == 0) {
+      record.flags |= static_cast<std::uint32_t>(TickFlag::first_of_presentation);
+      renderer.reset(record.probe);
+    }
+    const RenderedTick tick = renderer.tick(record.probe, 1.0 / kRate_Hz);
+    record.rendered = record.sent = tick.wrench;
+    record.penetration_m = tick.penetration_m;
+    record.presentation = tick.part != 0 ? tick.part : kSideBySide;
+  }
+  return records;
+}
+
+TEST(RecordsAsFelt, RepeatTheForcesOfAPatchBitForBitAtEveryEntry) {
+  const ModelRegistry models = built_in_models();
+  const std::vector<AdjacentPatch> patches = noisy_patches(models);
+  const std::vector<TickRecord> records = over_both_patches(patches);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const std::vector<TickRecord> felt = records_as_felt({records, i + 1, kRate_Hz});
+    const auto alone = make_renderer(*patches[i].model, without_border(patches[i].inputs));
+    const std::vector<RenderedTick> again = replay(*alone, felt, kRate_Hz);
+    std::size_t entries = 0;
+    std::size_t inside = 0;
+    for (std::size_t tick = 0; tick < felt.size(); ++tick) {
+      if (felt[tick].has(TickFlag::first_of_presentation)) ++entries;
+      const double from_centre_m =
+          felt[tick].probe.position_m.x - patches[i].inputs.patch.centre_m.x;
+      if (std::abs(from_centre_m) > 0.5 * kSide_m - kBlendOfPatches_m) continue;
+      ++inside;
+      ASSERT_EQ(again[tick].wrench.force_N, felt[tick].rendered.force_N)
+          << patches[i].model->declaration.id << ", entry " << entries << ", tick " << tick;
+    }
+    EXPECT_GE(entries, 3U);
+    EXPECT_GT(inside, 900U);
+  }
+}
+
+// A surface that is felt in turn with others: the servo loop sets the flag wherever it resets the renderer.
+TEST(RecordsAsFelt, AreUnchangedWhereASurfaceWasNotLeft) {
+  const ModelRegistry models = built_in_models();
+  auto records = to_and_fro(*models.find("sinusoid"), sinusoid(1e-4));
+  for (std::size_t i = 1000; i < 1100; ++i) {  // a fault: nothing was rendered
+    records[i].flags = 0;
+    records[i].presentation = 0;
+  }
+  const std::vector<TickRecord> felt = records_as_felt({records, 1, kRate_Hz});
+  ASSERT_EQ(felt.size(), 3900U);
+  for (std::size_t i = 1; i < felt.size(); ++i) {
+    EXPECT_FALSE(felt[i].has(TickFlag::first_of_presentation)) << i;
+  }
 }
 
 TEST(RecordedForceFeatures, PeakInTheBandOfTheWavelength) {
