@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kSpacings = 8.0;
 constexpr double kDitheredSpacings = 16.0;
+constexpr double kMostAlongRow = 64.0;
+constexpr double kWholeSpacing = 1e-3;
 constexpr double kStrokeSamplesPerSpacing = 64.0;
 constexpr double kCoarsest_m = 30e-6;
 constexpr std::size_t kMostPixels = 2048;
@@ -51,6 +53,21 @@ TextureAtSpacing stretched(const HeightField& relief, double spacing_m) {
   return texture;
 }
 
+/// The least width, in spacings, of at least kDitheredSpacings in which turned rows repeat without a seam: √(a² + b²) with
+/// b/a the tangent of their angle.
+double seamless_spacings(double angle_rad) {
+  const double tangent = std::tan(angle_rad);
+  for (double a = 1.0; a <= kMostAlongRow; ++a) {
+    const double b = std::round(a * tangent);
+    const double spacings = std::hypot(a, b);
+    if (spacings >= kDitheredSpacings && std::abs(a * tangent - b) < kWholeSpacing) return spacings;
+  }
+  throw std::invalid_argument("cones: angle_rad is " + number_text(angle_rad) +
+                              "; rows repeat without a seam if the tangent of their angle is a "
+                              "ratio of whole numbers up to 64, "
+                              "for example 0.643501 (3 to 4)");
+}
+
 bool declares(const std::vector<Parameter>& parameters, std::string_view name) {
   return std::any_of(parameters.begin(), parameters.end(),
                      [name](const Parameter& one) { return one.name == name; });
@@ -81,7 +98,11 @@ TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing
   ParameterValues values = texture.values;
   values["spacing_m"] = spacing_m;
   const bool has_rows = texture.kind == "cones";
-  const double spacings = has_rows ? kDitheredSpacings : kSpacings;
+  const auto angle = values.find("angle_rad");
+  const double spacings = !has_rows ? kSpacings
+                          : angle != values.end()
+                              ? seamless_spacings(std::get<double>(angle->second))
+                              : kDitheredSpacings;
   const double width_m = spacings * spacing_m;
   const double pitch_m = std::min(spacing_m / kStrokeSamplesPerSpacing, kCoarsest_m);
   const auto pixels =

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
+#include <string>
 
+#include "analysis/number_text.h"
 #include "stimuli/heights/spectral_noise.h"
 #include "stimuli/heights/surface_makers.h"
 
@@ -54,6 +57,49 @@ Heights make_grating(const ParameterValues& values, const SurfaceCanvas& canvas)
   });
 }
 
+/// A square lattice of columns and rows on a canvas, turned by an angle.
+///
+/// A turned lattice continues across the borders of a canvas of width W if W·(cos θ, −sin θ)/L = (a, −b) for whole a and
+/// b: the canvas then has a² + b² of its points. With g the greatest common divisor of a and b, the first (a² + b²)/g points
+/// of g neighbouring rows are all different ones (modulo the canvas), because a row meets itself after (a² + b²)/g points.
+struct ConeLattice {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  double cosine = 1.0;
+  double sine = 0.0;
+};
+
+ConeLattice cone_lattice(const ParameterValues& values, const SurfaceCanvas& canvas) {
+  const double spacings = canvas.width_m / number_of(values, "spacing_m");
+  const double angle_rad = number_of(values, "angle_rad");
+  if (angle_rad == 0.0) {
+    // The tolerance covers rounding errors, so that 0.1 m contains fifty spacings of 0.002 m.
+    const auto count = static_cast<std::size_t>(std::floor(spacings + 1e-9));
+    return {.columns = count, .rows = count};
+  }
+  constexpr double kSeamless = 1e-3;  // of a spacing
+  const double along = spacings * std::cos(angle_rad);
+  const double across = spacings * std::sin(angle_rad);
+  if (std::abs(along - std::round(along)) > kSeamless ||
+      std::abs(across - std::round(across)) > kSeamless || std::round(across) == 0.0) {
+    throw std::invalid_argument("cones: rows at angle_rad " + number_text(angle_rad) +
+                                " do not continue across the borders: the width contains " +
+                                number_text(along) + " spacings of a row along x and " +
+                                number_text(across) +
+                                " along y, which must be whole numbers; choose for example "
+                                "angle_rad 0.643501 (3 to 4) and a "
+                                "width of a multiple of five spacings.");
+  }
+  const auto a = static_cast<std::size_t>(std::round(along));
+  const auto b = static_cast<std::size_t>(std::round(across));
+  const std::size_t rows = std::gcd(a, b);
+  const double length = std::hypot(std::round(along), std::round(across));
+  return {.columns = (a * a + b * b) / rows,
+          .rows = rows,
+          .cosine = std::round(along) / length,
+          .sine = std::round(across) / length};
+}
+
 Heights make_cones(const ParameterValues& values, const SurfaceCanvas& canvas) {
   require_resolved(values, "spacing_m", canvas);
   const double spacing_m = number_of(values, "spacing_m");
@@ -71,14 +117,14 @@ Heights make_cones(const ParameterValues& values, const SurfaceCanvas& canvas) {
            shift_m * (2.0 * random.uniform() - 1.0);
   };
   Heights heights_m(canvas.pixels * canvas.pixels, 0.0F);
-  // The tolerance covers rounding errors, so that 0.1 m contains fifty spacings of 0.002 m.
-  const auto count = static_cast<std::size_t>(std::floor(canvas.width_m / spacing_m + 1e-9));
-  for (std::size_t row = 0; row < count; ++row) {
-    for (std::size_t column = 0; column < count; ++column) {
-      const double x_m = shifted_m(column);
-      const double y_m = shifted_m(row);
+  const ConeLattice lattice = cone_lattice(values, canvas);
+  for (std::size_t row = 0; row < lattice.rows; ++row) {
+    for (std::size_t column = 0; column < lattice.columns; ++column) {
+      const double along_m = shifted_m(column);
+      const double across_m = shifted_m(row);
       raise(heights_m, canvas,
-            {.at = {.x_m = x_m, .y_m = y_m},
+            {.at = {.x_m = along_m * lattice.cosine - across_m * lattice.sine,
+                    .y_m = along_m * lattice.sine + across_m * lattice.cosine},
              .radius_m = 0.5 * number_of(values, "base_diameter_m"),
              .height_m = height_m},
             [&](double distance) { return std::min(1.0, (1.0 - distance) / (1.0 - top_share)); });
@@ -132,7 +178,10 @@ std::vector<SurfaceMaker> pattern_makers() {
          length_parameter("top_diameter_m", 0.0, 0.05, 4e-4, "diameter of the flat top"),
          length_parameter("base_diameter_m", 2e-4, 0.05, 0.0012, "diameter of the base"),
          plain_parameter("jitter", 0.0, 0.5, 0.15,
-                         "largest shift along x and along y, as a fraction of the spacing")}},
+                         "largest shift along and across the rows, as a fraction of the spacing"),
+         plain_parameter("angle_rad", 0.0, 0.25 * std::numbers::pi, 0.0,
+                         "direction of the rows, from +x towards +y; the rows must continue across "
+                         "the borders (0.643501, 3 to 4, on a multiple of five spacings)")}},
        make_cones},
       {{"noise",
         "isotropic Gaussian noise of power spectral density (per area of the wavenumber plane) ∝ "

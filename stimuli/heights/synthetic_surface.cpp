@@ -55,7 +55,10 @@ std::vector<RegularRepeat> repeats_of(std::string_view kind, const ParameterValu
                              (part == 1.0 ? " (spacing_m)" : " (spacing_m at this angle_rad)"),
                          axis};
   };
-  if (kind == "sinusoid") {
+  if (kind == "cones" && number_of(values, "angle_rad") == 0.0) {
+    return {spacings("x"), spacings("y")};
+  }
+  if (kind == "sinusoid" || kind == "cones") {
     std::vector<RegularRepeat> repeats{};
     const double angle_rad = number_of(values, "angle_rad");
     for (const auto& [axis, part] : {std::pair{"x", std::abs(std::cos(angle_rad))},
@@ -65,7 +68,6 @@ std::vector<RegularRepeat> repeats_of(std::string_view kind, const ParameterValu
     return repeats;
   }
   if (kind == "grating" || kind == "wood") return {spacings("x")};
-  if (kind == "cones") return {spacings("x"), spacings("y")};
   if (kind == "brick") {
     const double length_m = number_of(values, "brick_length_m");
     const double courses_m = 2.0 * number_of(values, "course_height_m");

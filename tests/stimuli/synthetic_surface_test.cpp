@@ -178,6 +178,36 @@ TEST(Cones, AreShiftedByJitter) {
   EXPECT_NEAR(straight.mean_m(), shifted.mean_m(), 0.02 * straight.mean_m());  // none was lost
 }
 
+constexpr double kThreeToFour_rad = 0.643501;  // arctan(3/4)
+
+// A row and a column of a lattice turned by arctan(3/4): steps of L·(4, 3)/5 and L·(−3, 4)/5, through several borders.
+TEST(Cones, StandInTurnedRowsThatContinueAcrossTheBorders) {
+  const SurfaceCanvas canvas{.width_m = 0.02, .pixels = 800};
+  const ParameterValues straight{{"spacing_m", 0.002}, {"jitter", 0.0}};
+  ParameterValues turned = straight;
+  turned["angle_rad"] = kThreeToFour_rad;
+  const HeightField field = make_surface("cones", turned, canvas);
+  const auto height_m = [&field](double x_m, double y_m) {
+    return field.sample(x_m, y_m, Tiling::repeat).height_m;
+  };
+  const double first_x_m = 0.001 * (0.8 - 0.6);  // half a spacing along and across, from the middle
+  const double first_y_m = 0.001 * (0.6 + 0.8);
+  for (int step = -20; step <= 20; ++step) {
+    const double way_m = 0.002 * step;
+    EXPECT_NEAR(height_m(first_x_m + 0.8 * way_m, first_y_m + 0.6 * way_m), 4e-4, 1e-6) << step;
+    EXPECT_NEAR(height_m(first_x_m - 0.6 * way_m, first_y_m + 0.8 * way_m), 4e-4, 1e-6) << step;
+    EXPECT_NEAR(height_m(first_x_m + 0.8 * (way_m + 0.001), first_y_m + 0.6 * (way_m + 0.001)), 0.0,
+                1e-6)
+        << step;
+  }
+  const HeightField as_many = make_surface("cones", straight, canvas);
+  EXPECT_NEAR(field.mean_m() / as_many.mean_m(), 1.0, 0.01);
+  EXPECT_THAT(surface_refusal("cones", turned, {.width_m = 0.022, .pixels = 800}),
+              HasSubstr("contains 8.8"));
+  turned["angle_rad"] = 0.5;
+  EXPECT_THAT(surface_refusal("cones", turned, canvas), HasSubstr("do not continue across"));
+}
+
 // Courses of 10 mm: at y = 0 the middle of one, at 5 mm a joint, 0.4 mm deep all along.
 TEST(Brick, HasACourseInItsMiddle) {
   const HeightField field = make_surface("brick", {{"face_rms_m", 0.0}}, {});
