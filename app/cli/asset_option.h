@@ -13,10 +13,10 @@
 
 namespace asperity {
 
-/// Adds the file of ROLE=FILE to the inputs of a model. Errors: WrongUsage for another form and for a role that the
-/// model does not declare; ResultsError for a file that cannot be read.
-inline void add_asset(RendererInputs& inputs, const ModelDeclaration& model,
-                      const std::string& text) {
+/// Adds the file of ROLE=FILE to the files of a model, and returns the role. Errors: WrongUsage for another form and for a
+/// role that the model does not declare; ResultsError for a file that cannot be read.
+inline std::string add_asset(decltype(RendererInputs::assets)& assets,
+                             const ModelDeclaration& model, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw WrongUsage("--asset " + text + " has no \"=\"; write ROLE=FILE");
@@ -26,7 +26,8 @@ inline void add_asset(RendererInputs& inputs, const ModelDeclaration& model,
     throw WrongUsage("--asset " + text + ": the force model " + model.id + " needs no asset \"" +
                      role + "\"; asperity models lists those that it needs");
   }
-  inputs.assets[role] = std::make_shared<const std::string>(read_file(text.substr(equals + 1)));
+  assets[role] = std::make_shared<const std::string>(read_file(text.substr(equals + 1)));
+  return role;
 }
 
 }  // namespace asperity

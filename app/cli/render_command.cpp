@@ -163,7 +163,7 @@ void add_render(CLI::App& program, Job& job) {
         }
       }
       for (const std::string& text : options->assets) {
-        add_asset(inputs, model.declaration, text);
+        add_asset(inputs.assets, model.declaration, text);
       }
       const std::vector<ProbeState> path =
           path_in(read_file(options->path, kTableFile), options->path.string());

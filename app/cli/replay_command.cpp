@@ -110,7 +110,7 @@ void add_replay(CLI::App& program, Job& job) {
           inputs.parameters[name] = value;
         }
         for (const std::string& text : options->assets) {
-          add_asset(inputs, model->declaration, text);
+          add_asset(inputs.assets, model->declaration, text);
         }
       } else if (!options->parameters.empty() || !options->assets.empty()) {
         const std::string option = options->parameters.empty() ? "--asset" : "--param";

@@ -105,6 +105,10 @@ void add_sweep(CLI::App& program, Job& job) {
       "Predict roughness over texture spacing, by probe diameter, applied force or speed.");
   command->add_option("--model", options->model, "A force model; see: asperity models")->required();
   command->add_option("--param", options->parameters, "Parameter of the model, NAME=VALUE");
+  command->add_option(
+      "--asset", options->assets,
+      "File that the model needs, ROLE=FILE; see: asperity models (default: the file that the "
+      "texture suggests at each spacing)");
   const std::map<std::string, VariedQuantity> varied{
       {"probe_diameter", VariedQuantity::probe_diameter},
       {"applied_force", VariedQuantity::applied_force},

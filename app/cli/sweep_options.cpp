@@ -8,12 +8,14 @@
 #include <stdexcept>
 
 #include "analysis/number_text.h"
+#include "app/cli/asset_option.h"
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "app/words/text_parts.h"
+#include "results_schema/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
@@ -188,6 +190,10 @@ void complete_order(SweepOptions& options, const ModelRegistry& models) {
   order.stroke.model = &model;
   order.stroke.parameters =
       parameters_from(options.parameters, model.declaration.parameters, options.model);
+  for (const std::string& text : options.assets) {
+    const std::string role = add_asset(order.stroke.assets, model.declaration, text);
+    order.asset_sha256[role] = sha256_of(*order.stroke.assets.at(role));
+  }
   order.stroke.hand = hand_of(options.hand);
   take_drag(order, options);
   order.values =

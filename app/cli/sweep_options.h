@@ -15,6 +15,7 @@ namespace asperity {
 struct SweepOptions {
   std::string model{};
   std::vector<std::string> parameters{};
+  std::vector<std::string> assets{};
   SweepOrder order{};
   std::string values{};
   std::string spacings = "0.0005:0.008:40";

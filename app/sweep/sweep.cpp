@@ -402,6 +402,7 @@ std::string declaration_of(const SweepOrder& order) {
   } else if (stroke.model->declaration.needs_bodies) {
     json["tip"] = text_of_tip(stroke.tip.form);
   }
+  if (!order.asset_sha256.empty()) json["assets_sha256"] = order.asset_sha256;
   json["drag"] = text_of(stroke.mode);
   json["hand"] = {{"mass_kg", stroke.hand.mass_kg},
                   {"damping_N_s_per_m", stroke.hand.damping_N_s_per_m},

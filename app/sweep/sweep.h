@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -25,8 +26,9 @@ struct SweepOrder {
   std::vector<double> values{};
   std::vector<double> spacings_m{};
   SpacedTexture texture{};
-  std::string relief_sha256{};  ///< of the texture's relief, if it has one
-  std::string tool_sha256{};    ///< of the stroke's tool, if it is a mesh
+  std::string relief_sha256{};                        ///< of the texture's relief, if it has one
+  std::string tool_sha256{};                          ///< of the stroke's tool, if it is a mesh
+  std::map<std::string, std::string> asset_sha256{};  ///< of the given files of the model, by role
 };
 
 /// The status of a row where the model cannot depend on the level.

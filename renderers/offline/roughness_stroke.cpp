@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -114,6 +115,31 @@ TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing
           .line_m = has_rows ? 0.5 * spacing_m : 0.0};  // even row counts are symmetric about 0
 }
 
+HeightField recorded_relief(const TextureAtSpacing& texture) {
+  const HeightField& field = *texture.field;
+  const HeightField::Grid& grid = field.grid();
+  const auto copies =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(kRecordedWidth_m / field.width_m())));
+  HeightField::Grid wide = grid;
+  wide.columns = copies * grid.columns;
+  std::vector<float> heights_m{};
+  heights_m.reserve(wide.rows * wide.columns);
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    const auto first = field.heights_m().begin() + static_cast<std::ptrdiff_t>(row * grid.columns);
+    const auto last = first + static_cast<std::ptrdiff_t>(grid.columns);
+    for (std::size_t copy = 0; copy < copies; ++copy) {
+      const bool is_mirrored = texture.tiling == Tiling::mirror && copy % 2 == 1;
+      if (is_mirrored) {
+        heights_m.insert(heights_m.end(), std::make_reverse_iterator(last),
+                         std::make_reverse_iterator(first));
+      } else {
+        heights_m.insert(heights_m.end(), first, last);
+      }
+    }
+  }
+  return {wide, std::move(heights_m)};
+}
+
 std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
                                                 const TextureAtSpacing& texture) {
   const ForceModel& model = *stroke.model;
@@ -123,7 +149,15 @@ std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
                                   .extent_m = {1e3, 1e3},
                                   .tiling = texture.tiling},
                         .height_field = texture.field,
+                        .assets = stroke.assets,
                         .seed = stroke.seed};
+  const std::vector<AssetDeclaration>& files = model.declaration.assets;
+  if (std::any_of(files.begin(), files.end(), [&](const AssetDeclaration& file) {
+        return !stroke.assets.contains(file.role);
+      })) {
+    add_files_of_relief(inputs, model, recorded_relief(texture));
+    for (const auto& [role, content] : stroke.assets) inputs.assets[role] = content;
+  }
   if (!model.declaration.needs_bodies) {
     if (model.suggested_by) {
       ParameterValues suggested = model.suggested_by(*texture.field, stroke.material);

@@ -34,13 +34,19 @@ struct TextureAtSpacing {
   double line_m = 0.0;  ///< y of the stroke on the field
 };
 
-/// For a kind: eight spacings (sixteen for cones, which are dithered) that repeat without a seam, with a sample every
+/// For a kind: eight spacings (at least sixteen for cones, which are dithered) that repeat without a seam, with a sample every
 /// 64th of a spacing, or every 30 µm if that is less, up to 2048 samples a side. The stroke passes over the middle; for
-/// cones over the tops of a row, except where they are shifted aside.
+/// cones over the tops of a row, except where they are shifted aside, or, with an `angle_rad`, over one row after the other.
 ///
 /// Errors: std::invalid_argument for an unknown kind or one without a spacing, values that its declaration does not
-/// permit, a relief without a dominant wavelength.
+/// permit, cones whose `angle_rad` does not have a ratio of whole numbers up to 64 as its tangent, and a relief without a
+/// dominant wavelength.
 TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing_m);
+
+/// The texture repeated along x until it is at least kRecordedWidth_m wide: the relief from which the files of a model are
+/// computed (ForceModel::files_of_relief).
+HeightField recorded_relief(const TextureAtSpacing& texture);
+inline constexpr double kRecordedWidth_m = 0.05;
 
 /// The parameters of a stroke, without the texture.
 struct RoughnessStroke {
@@ -53,13 +59,15 @@ struct RoughnessStroke {
   DragMode mode = DragMode::constant_height;
   double force_N = 0.5;
   double speed_m_per_s = 0.1;
-  std::uint64_t seed = 1;  ///< of a model that draws random numbers
+  decltype(RendererInputs::assets) assets{};  ///< the given files of the model
+  std::uint64_t seed = 1;                     ///< of a model that draws random numbers
 };
 
 /// Simulates the stroke over the texture.
 ///
 /// A model of a point is rendered as in sessions, with the texture as height field. A model that derives its parameters
-/// from a sample (`suggested_by`) derives them from the texture, and `wavelength_m` is the spacing. For a model of
+/// from a sample (`suggested_by`) derives them from the texture, and `wavelength_m` is the spacing. Files of the model that
+/// are not given are those that the texture suggests (`files_of_relief` of recorded_relief). For a model of
 /// bodies, a tip of a simple form is rendered as an offset surface (make_tip_renderer), and a tool's mesh as in
 /// sessions with `coupling = none`, on a plate with the texture that is as long as the stroke. Their `step_m`, unless
 /// given, is a fortieth of the spacing and at most 0.1 mm: a longer step removes fine textures.

@@ -23,6 +23,7 @@ namespace {
 
 using testing::Each;
 using testing::HasSubstr;
+using testing::Not;
 
 std::vector<std::string> sweep_into(const fs::path& out, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"sweep", "--out", out.string()};
@@ -109,6 +110,41 @@ TEST(Sweep, KeepsWholeRowsWhenItIsInterruptedAndContinuesWithThem) {
   // The row of the first spacing, of a sweep that nobody interrupts.
   ASSERT_EQ(asperity(sweep_into(place / "short.tsv", of_spacings("0.0005:0.008:2"))).status, 0);
   EXPECT_EQ(tsv(text_of(place / "short.tsv")).rows[0], tsv(second).rows[0]);
+}
+
+// Without a file the model plays strokes over the texture of each spacing; a given file is the same at every spacing.
+TEST(Sweep, TakesTheFilesOfAModelOrThoseOfTheTexture) {
+  const TemporaryFolder place{};
+  const std::vector<std::string> order{
+      "--model",         "recorded", "--vary", "exploratory_speed", "--drag",
+      "constant_height", "--values", "0.06",   "--spacings",        "0.001:0.004:2"};
+  const auto accelerations = [&](const fs::path& out, const std::vector<std::string>& more) {
+    std::vector<std::string> whole = sweep_into(out, order);
+    whole.insert(whole.end(), more.begin(), more.end());
+    const Outcome outcome = asperity(whole);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return tsv(text_of(out)).column("roughness_rms_accel_m_per_s2");
+  };
+  const auto of_texture = accelerations(place / "texture.tsv", {});
+  ASSERT_EQ(of_texture.size(), 2U);
+  EXPECT_NE(of_texture[0], of_texture[1]);
+  EXPECT_THAT(text_of(place / "texture.tsv.json"), Not(HasSubstr("assets_sha256")));
+
+  ASSERT_EQ(asperity({"synth", "sinusoid", "--param", "spacing_m=0.002", "--width-m", "0.04",
+                      "--pixels", "512", "--out", (place / "wave.png").string()})
+                .status,
+            0);
+  const std::string recording = (place / "wave.tsv").string();
+  const Outcome recorded =
+      asperity({"texture-recording", "--relief", (place / "wave.png").string(), "--out", recording});
+  ASSERT_EQ(recorded.status, 0) << recorded.err;
+  (void)accelerations(place / "file.tsv", {"--asset", "recording=" + recording});
+  EXPECT_THAT(text_of(place / "file.tsv.json"), HasSubstr("\"assets_sha256\""));
+  const Outcome refused =
+      asperity(sweep_into(place / "no.tsv", {"--model", "sinusoid", "--vary", "applied_force",
+                                             "--asset", "recording=" + recording}));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("needs no asset \"recording\""));
 }
 
 TEST(Sweep, SaysWhatCannotHaveAnEffect) {

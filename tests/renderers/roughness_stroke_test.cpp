@@ -89,6 +89,67 @@ TEST(OffsetSurface, OfASphereOnARidgeIsAnArc) {
   EXPECT_NEAR(surface.heights_m()[far], 0.0, 1e-9);  // √(2·1·0.3 − 0.3²) = 0.714 mm
 }
 
+// Between rows along the stroke a ball of 1 mm meets no cone of 3.5 mm; turned by arctan(3/4), the rows cross every line.
+TEST(TextureAtSpacing, OfTurnedRowsHasNoLinesWithoutCones) {
+  const auto missed = [](double angle_rad) {
+    const TextureAtSpacing texture = texture_at_spacing({.kind = "cones",
+                                                         .values = {{"height_m", 2e-4},
+                                                                    {"top_diameter_m", 1e-4},
+                                                                    {"base_diameter_m", 4.5e-4},
+                                                                    {"angle_rad", angle_rad}}},
+                                                        0.0035);
+    constexpr int kLines = 100;
+    int without = 0;
+    for (int line = 0; line < kLines; ++line) {
+      const OffsetSurface surface(*texture.field, {.form = TipForm::sphere, .diameter_m = 0.001},
+                                  {.tiling = texture.tiling,
+                                   .line_m = texture.repeats_after_m * line / kLines,
+                                   .pitch_m = 5e-5});
+      if (*std::max_element(surface.heights_m().begin(), surface.heights_m().end()) < 5e-5) {
+        ++without;
+      }
+    }
+    return without;
+  };
+  EXPECT_GT(missed(0.0), 30);
+  EXPECT_EQ(missed(0.643501), 0);
+  EXPECT_NEAR(texture_at_spacing({.kind = "cones", .values = {{"angle_rad", 0.643501}}}, 0.0035)
+                  .repeats_after_m,
+              20.0 * 0.0035, 1e-9);  // √(16² + 12²)
+  EXPECT_THROW(texture_at_spacing({.kind = "cones", .values = {{"angle_rad", 0.643}}}, 0.0035),
+               std::invalid_argument);
+}
+
+// At 100 mm/s over a sinusoid; the recorded strokes have its slope, whose frequency is v/L.
+TEST(Stroke, TakesTheFilesOfAModelFromTheTexture) {
+  RoughnessStroke stroke = stroke_of("recorded");
+  std::map<double, double> rms{};
+  for (const double spacing_m : {0.0005, 0.002}) {
+    const DragResult result = result_of(stroke, spacing_m);
+    ASSERT_TRUE(result.roughness) << spacing_m;
+    EXPECT_GT(result.roughness->rms_accel_m_per_s2, 0.1);
+    rms[spacing_m] = result.roughness->rms_accel_m_per_s2;
+  }
+  EXPECT_NE(rms[0.0005], rms[0.002]);
+  // A given file is used unchanged, whatever the texture.
+  RendererInputs files{};
+  add_files_of_relief(files, *stroke.model,
+                      recorded_relief(texture_at_spacing(sinusoid_of(0.4e-3), 0.002)));
+  stroke.assets = files.assets;
+  const DragResult of_file = result_of(stroke, 0.002);
+  EXPECT_EQ(of_file.roughness->rms_accel_m_per_s2, rms[0.002]);
+}
+
+TEST(RecordedRelief, ContinuesTheTextureWithoutASeam) {
+  const TextureAtSpacing texture = texture_at_spacing(sinusoid_of(0.4e-3), 0.001);
+  const HeightField wide = recorded_relief(texture);
+  EXPECT_GE(wide.width_m(), kRecordedWidth_m);
+  const HeightField& field = *texture.field;
+  for (std::size_t column = 0; column < wide.grid().columns; ++column) {
+    ASSERT_EQ(wide.heights_m()[column], field.heights_m()[column % field.grid().columns]);
+  }
+}
+
 TEST(OffsetSurface, OfADiscIsASpheresWhereNothingChangesAcross) {
   const auto field = grating({.amplitude_m = 0.0002, .wavelength_m = 0.002, .pitch_m = 25e-6});
   const OffsetSurface sphere(*field, {.form = TipForm::sphere, .diameter_m = 0.002},
