@@ -75,20 +75,23 @@ std::vector<BodyRelief> body_reliefs() {
             {"base_diameter_m", 0.0018}}}};
 }
 
-/// Of the roughness protocols: 28 mm is a whole number of the distances of each, and the base of a
-/// cone is seven pixels wide. A higher resolution would only be slower: a body has four texels per
-/// pixel.
+/// Of the roughness protocols. The rows are turned by arctan(3/4), so that a stroke along x passes
+/// over one row after the other: along the rows, most lines between them would meet no cone.
+/// 70 mm is a whole multiple of five times each distance, as these rows require. The base of a cone is seven pixels
+/// wide. A higher resolution would only be slower: a body has four texels per pixel.
 std::vector<BodyRelief> cone_fields() {
   const auto cones = [](std::string_view name, double spacing_m) {
     return BodyRelief{name,
                       "cones",
                       false,
-                      448,
+                      1120,
                       {{"spacing_m", spacing_m},
                        {"height_m", 2e-4},
                        {"top_diameter_m", 1e-4},
-                       {"base_diameter_m", 4.5e-4}},
-                      0.028};
+                       {"base_diameter_m", 4.5e-4},
+                       {"jitter", 0.15},
+                       {"angle_rad", 0.643501}},
+                      0.07};
   };
   return {cones("cones_05", 0.0005), cones("cones_07", 0.0007), cones("cones_10", 0.0010),
           cones("cones_14", 0.0014), cones("cones_20", 0.0020), cones("cones_28", 0.0028),
