@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "analysis/number_text.h"
+#include "renderers/force/layers.h"
 #include "renderers/force/resonance.h"
 #include "stimuli/stimulus_description.h"
 
@@ -43,6 +44,11 @@ bool holds(const std::optional<ParameterValues>& condition, const ParameterValue
   return condition && std::all_of(condition->begin(), condition->end(), [&](const auto& required) {
            return complete.at(required.first) == required.second;
          });
+}
+
+bool layer_moves_by_itself(const ParameterValues& complete) {
+  return std::ranges::any_of(
+      shared_layers(), [&complete](const Layer& layer) { return layer.moves_by_itself(complete); });
 }
 
 // The end of an error message: an instruction that names the missing inputs.
@@ -79,12 +85,12 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
 
 bool is_potential(const ForceModel& model, const ParameterValues& given) {
   const ParameterValues complete = complete_values(model.declaration, given);
-  return holds(model.conservative_with, complete) && resonance_sd_N(complete) == 0.0;
+  return holds(model.conservative_with, complete) && !layer_moves_by_itself(complete);
 }
 
 bool moves_by_itself(const ForceModel& model, const ParameterValues& given) {
   const ParameterValues complete = complete_values(model.declaration, given);
-  return holds(model.moves_by_itself_with, complete) || resonance_sd_N(complete) > 0.0;
+  return holds(model.moves_by_itself_with, complete) || layer_moves_by_itself(complete);
 }
 
 bool feels_applied_force(const ForceModel& model, const ParameterValues& given) {
@@ -96,8 +102,11 @@ double band_Hz(const ForceModel& model, const RendererInputs& inputs, double spe
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);
   const TextureBand band = model.band(complete);
-  const double resonance_Hz = resonance_sd_N(complete.parameters) > 0.0 ? kResonanceCutoff_Hz : 0.0;
-  return std::max({band.time_Hz, speed_m_per_s * band.per_m, resonance_Hz});
+  double highest_Hz = std::max(band.time_Hz, speed_m_per_s * band.per_m);
+  for (const Layer& layer : shared_layers()) {
+    highest_Hz = std::max(highest_Hz, layer.band_Hz(complete.parameters));
+  }
+  return highest_Hz;
 }
 
 TextureBand band_of_height_field(const RendererInputs& inputs) {

@@ -124,11 +124,12 @@ double resonance_sd_N(const ParameterValues& parameters) noexcept {
   return given_number(parameters, kRatio) * given_number(parameters, kThreshold);
 }
 
-ParameterValues without_unused_resonance(ParameterValues parameters) {
+ParameterValues without_unused_resonance(const ParameterValues& parameters) {
   if (given_number(parameters, kRatio) > 0.0) return parameters;
-  parameters.erase(kRatio);
-  parameters.erase(kThreshold);
-  return parameters;
+  ParameterValues used = parameters;
+  used.erase(kRatio);
+  used.erase(kThreshold);
+  return used;
 }
 
 std::unique_ptr<ForceRenderer> with_resonance(std::unique_ptr<ForceRenderer> surface,

@@ -21,7 +21,7 @@ void add_resonance_parameters(std::vector<Parameter>& parameters);
 double resonance_sd_N(const ParameterValues& parameters) noexcept;
 
 /// A model's values without those of this layer where it is switched off.
-ParameterValues without_unused_resonance(ParameterValues parameters);
+ParameterValues without_unused_resonance(const ParameterValues& parameters);
 
 /// Adds noise to the normal force of a surface while it is touched. A weak texture that is below the detection threshold
 /// can be detected more often with noise than without it [Collins 1996].
