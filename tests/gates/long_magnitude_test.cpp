@@ -62,7 +62,10 @@ Sweep predicted() {
   order.spacings_m = kSpacings_m;
   order.texture = {
       .kind = "cones",
-      .values = {{"height_m", 2e-4}, {"top_diameter_m", 1e-4}, {"base_diameter_m", 4.5e-4}}};
+      .values = {{"height_m", 2e-4},
+                 {"top_diameter_m", 1e-4},
+                 {"base_diameter_m", 4.5e-4},
+                 {"angle_rad", 0.643501}}};  // the rows of the demonstration's height fields
   return sweep_of(order, every_core());
 }
 
@@ -107,30 +110,47 @@ TEST(TwentyVirtualParticipants, FeelTheDiametersInTheOrderThatTheSweepPredicts) 
   ASSERT_EQ(peaks.rows.size(), 3U);  // by tip, in alphabetical order: from the smallest on
   double last_m = 0.0;
   for (const Row& row : rows_of(peaks)) {
-    EXPECT_EQ(row["status"], Cell{}) << "there is a peak";
+    if (row["status"] != Cell{}) {
+      // The drop point of this tip is 0.9 mm, near the lower end of the range of spacings.
+      EXPECT_EQ(row.word("condition"), "sphere_1mm") << "there is a peak";
+      continue;
+    }
     const double peak_m = row.number("peak_m");
     EXPECT_GT(peak_m, last_m);
     last_m = peak_m;
     std::cout << row.word("condition") << ": roughest at " << peak_m << " m\n";
   }
 
+  // The curves of the tips cross, so that the tip itself need not have an effect over all spacings.
   const Table& anova = table_of(outcome, "anova");
   ASSERT_EQ(anova.rows.size(), 3U);
   for (const Row& row : rows_of(anova)) {
     std::cout << row.word("effect") << ": F " << row.number("F") << ", p " << row.number("p")
               << '\n';
-    EXPECT_LT(row.number("p"), 0.001) << row.word("effect");
+    if (row.word("effect") != "condition") {
+      EXPECT_LT(row.number("p"), 0.001) << row.word("effect");
+    }
   }
 
   std::map<std::pair<double, double>, double> felt{};
   for (const Row& row : rows_of(table_of(outcome, "roughness"))) {
     felt[{kTips_m.at(row.word("condition")), row.number("spacing_m")}] = row.number("normalised");
   }
+  double roughest_m = 0.0;
+  for (const auto& [name, tip_m] : kTips_m) {  // from the smallest on
+    const double at_m = *std::max_element(kSpacings_m.begin(), kSpacings_m.end(),
+                                          [&felt, tip = tip_m](double a, double b) {
+                                            return felt.at({tip, a}) < felt.at({tip, b});
+                                          });
+    EXPECT_GT(at_m, roughest_m) << name;
+    roughest_m = at_m;
+  }
   const Sweep sweep = predicted();
   const auto rms = [&sweep](double tip_m, double spacing_m) {
     return sweep.find(tip_m, spacing_m)->roughness.value().rms_accel_m_per_s2;
   };
-  // Where the sweep tells two tips apart by a quarter, people who feel forces do, in the same order.
+  // Where the sweep separates two tips by a quarter, participants who feel forces do, in the same order, if both tips ride
+  // on the cones: above its drop point a tip is caught between cones in the sweep, which is not a stroke.
   int told_apart = 0;
   for (const double spacing_m : kSpacings_m) {
     for (const auto& [small_m, large_m] :
@@ -139,7 +159,9 @@ TEST(TwentyVirtualParticipants, FeelTheDiametersInTheOrderThatTheSweepPredicts) 
       const double by_people = felt.at({small_m, spacing_m}) / felt.at({large_m, spacing_m});
       std::cout << spacing_m << " m, " << small_m << " m over " << large_m << " m: sweep "
                 << by_sweep << ", participants " << by_people << '\n';
-      if (std::abs(std::log(by_sweep)) < std::log(1.25)) continue;
+      const bool rides = spacing_m < drop_point_at(sweep.order, small_m).value() &&
+                         spacing_m < drop_point_at(sweep.order, large_m).value();
+      if (!rides || std::abs(std::log(by_sweep)) < std::log(1.25)) continue;
       ++told_apart;
       EXPECT_EQ(by_sweep > 1.0, by_people > 1.0);
     }
