@@ -21,14 +21,18 @@ namespace asperity {
 namespace {
 
 constexpr double kLeastChange = 0.02;  // of the natural logarithm
-constexpr int kStrokes = 3;            // with other random numbers, as in other presentations
+constexpr double kAtThreshold =
+    0.75;                    // of the responses: the definition of the just-noticeable difference
+constexpr int kStrokes = 3;  // with other random numbers, as in other presentations
 
-/// The presentations with the smallest and the largest value of the varied parameter.
+/// The presentations with the smallest and the largest value of the varied parameter, among which may be the standard, and
+/// the standard.
 struct Extremes {
   std::optional<double> least{};
   std::optional<double> greatest{};
   PlannedPresentation of_least{};
   PlannedPresentation of_greatest{};
+  PlannedPresentation of_standard{};
 
   void add(double value, const PlannedPresentation& planned) {
     if (!least || value < *least) {
@@ -60,11 +64,21 @@ Extremes extremes_of(const std::vector<Trial>& trials, const Protocol::Block& bl
       if (planned.role == varied.role) found.add(*value, planned);
       if (planned.role == varied.standard_role && varied.standard) {
         found.add(*varied.standard, planned);
+        found.of_standard = planned;
       }
     }
   }
   return found;
 }
+
+/// The proportion of trials in which a threshold of this block must be distinguished from the standard.
+double required_proportion(const Protocol::Block& block) {
+  if (!block.procedure) return kAtThreshold;
+  const ProcedureSettings& track = block.procedure->tracks.front();
+  return std::max(kAtThreshold, procedure_of(track).target(track).value_or(kAtThreshold));
+}
+
+std::string per_cent(double proportion) { return fixed(100.0 * proportion, 0) + " %"; }
 
 std::string judged_force(ObserverDeclaration::MagnitudeOf what) {
   switch (what) {
@@ -117,7 +131,12 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
     };
     const std::optional<double> least = magnitude_of(extremes.of_least);
     const std::optional<double> greatest = magnitude_of(extremes.of_greatest);
-    if (!least || !greatest) continue;
+    const std::optional<double> standard = magnitude_of(extremes.of_standard);
+    if (!least || !greatest || !standard) continue;
+    const double from_standard =
+        std::max(std::abs(*least - *standard), std::abs(*greatest - *standard));
+    const double distinguished = distinguished_proportion(observer, from_standard);
+    const double required = required_proportion(block);
     const double change = *greatest - *least;
     const std::string place = pointer_to("/blocks", block.name) + "/vary/parameter";
     const std::string judged = judged_force(observer.magnitude_of);
@@ -137,6 +156,19 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
                      " increases from its smallest to its largest value: simulated responses are "
                      "systematically incorrect. State \"effect\": \"" +
                      (change < 0.0 ? "decreases" : "increases") + "\" under \"observer\""));
+    } else if (distinguished < required) {
+      warnings.push_back(document.at(
+          place,
+          "the virtual observer judges " + judged +
+              ", which differs from the standard by a factor of at most " +
+              fixed(std::exp(from_standard), 2) + " within the levels of " + parameter +
+              ": with a \"feature_noise\" of " + number_text(observer.feature_noise) +
+              (observer.lapse > 0.0 ? " and a \"lapse\" of " + number_text(observer.lapse) : "") +
+              " it distinguishes no level from the standard in more than " +
+              per_cent(distinguished) + " of trials, and a threshold requires " +
+              per_cent(required) +
+              ". State levels farther from the standard, or a smaller \"feature_noise\" or another "
+              "\"magnitude_of\" under \"observer\""));
     }
   }
   return warnings;

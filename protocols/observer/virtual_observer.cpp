@@ -15,6 +15,7 @@
 
 #include "analysis/number_text.h"
 #include "analysis/roughness.h"
+#include "analysis/tail_probabilities.h"
 
 namespace asperity {
 
@@ -143,6 +144,15 @@ double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::Magnitud
   }
   throw std::logic_error(
       "the MagnitudeOf is unknown; it must be lateral_force, normal_force or held_tool");
+}
+
+double distinguished_proportion(const ObserverDeclaration& observer, double difference) {
+  if (observer.deaf || difference == 0.0) return 0.5;
+  const double by_judgement =
+      observer.feature_noise == 0.0
+          ? 1.0
+          : normal_below(difference / (std::numbers::sqrt2 * observer.feature_noise));
+  return 0.5 * observer.lapse + (1.0 - observer.lapse) * by_judgement;
 }
 
 double VirtualObserver::log_magnitude(const ForceFeatures& felt) {

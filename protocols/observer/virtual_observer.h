@@ -30,6 +30,16 @@ NumberHabit number_habit_of(Random person);
 /// The natural logarithm of the magnitude that an observer judges of a surface, without noise.
 double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::MagnitudeOf what);
 
+/// The proportion of comparisons (VirtualObserver::compare without a least difference) in which an observer without position
+/// bias chooses the surface whose magnitude r is greater by `difference`, from 0. Both magnitudes have the noise
+/// ε ~ N(0, σ²), so that their difference has the standard deviation √2·σ; in a lapse, with probability λ, half of the
+/// guesses are this surface:
+///
+///   P = λ/2 + (1 − λ)·Φ(difference / (√2·σ))
+///
+/// Without noise P is 1 − λ/2 for every difference above 0. 0.5 for a deaf observer.
+double distinguished_proportion(const ObserverDeclaration& observer, double difference);
+
 /// Judges from the ForceFeatures of the felt surfaces and of the expectations only: names and models are unknown to it,
 /// and positions only as the order of presentation.
 ///

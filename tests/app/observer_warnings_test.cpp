@@ -69,6 +69,21 @@ TEST(ObserverWarnings, NameAnEffectInTheOtherDirection) {
   EXPECT_THAT(higher[0].message, HasSubstr("State \"effect\": \"increases\""));
 }
 
+// With forces along the normal of the plane the lateral force stems from friction alone. It is proportional to the normal
+// force, so that its variation relative to the mean follows the amplitude; friction of 0.2 leaves a fifth of it.
+TEST(ObserverWarnings, NameAnEffectThatIsTooWeakForTheNoiseOfTheObserver) {
+  const std::vector<Diagnostic> found =
+      warned(patched("amplitude_jnd", R"({"observer": {"feature_noise": 1}})"));
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].pointer, "/blocks/comparisons/vary/parameter");
+  EXPECT_THAT(
+      found[0].message,
+      AllOf(HasSubstr("within the levels of \"amplitude_m\": with a \"feature_noise\" of 1 "
+                      "and a \"lapse\" of 0.02 it distinguishes no level from the standard in "
+                      "more than "),
+            HasSubstr("and a threshold requires 79 %")));
+}
+
 TEST(ObserverWarnings, AreNoneForAnObserverThatIgnoresTheSurfaces) {
   EXPECT_THAT(warned(patched("spacing_jnd", R"({"observer": {"effect": null, "deaf": true}})")),
               IsEmpty());

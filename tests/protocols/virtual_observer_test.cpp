@@ -67,6 +67,24 @@ TEST(VirtualObserver, ComparesMagnitudesAndTiesWhereTheyAreClose) {
   EXPECT_LE(first, high);
 }
 
+// Φ(0.2/(√2·0.2)) = Φ(0.7071) = 0.7602; 0.1/2 + 0.9·0.7602 = 0.7342
+TEST(VirtualObserver, DistinguishesAsOftenAsItsNoiseAndLapsesImply) {
+  const ObserverDeclaration noisy{.feature_noise = 0.2, .lapse = 0.1};
+  EXPECT_NEAR(distinguished_proportion(noisy, 0.2), 0.7342, 5e-5);
+  constexpr int kTrials = 4000;
+  VirtualObserver observer(noisy, Random(3));
+  int second = 0;
+  for (int i = 0; i < kTrials; ++i) {
+    second += observer.compare(felt_with(-1.0), felt_with(-0.8), 0.0) == std::size_t{1} ? 1 : 0;
+  }
+  const auto [low, high] = bounds(kTrials, distinguished_proportion(noisy, 0.2));
+  EXPECT_GE(second, low);
+  EXPECT_LE(second, high);
+  EXPECT_EQ(distinguished_proportion(noisy, 0.0), 0.5);
+  EXPECT_EQ(distinguished_proportion({.deaf = true}, 1.0), 0.5);
+  EXPECT_EQ(distinguished_proportion({.feature_noise = 0.0, .lapse = 0.0}, 1e-9), 1.0);
+}
+
 TEST(VirtualObserver, SaysNumbersThatGrowWithThePowerOfTheFeltForce) {
   ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
   exact.exponent = 2.0;
