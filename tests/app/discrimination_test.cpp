@@ -21,7 +21,6 @@
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/discrimination_coverage.h"
 #include "app/findings/study/discrimination_tasks.h"
-#include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_thresholds.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/study/study_analysis.h"
@@ -604,6 +603,39 @@ TEST(Discrimination, AlwaysEstimatesTheEffectOfTheOrder) {
   EXPECT_THAT(sentence_about(other, "order"), HasSubstr("significantly less often"));
   const AnalysisOutcome none = outcome_of_observers(kComparer, 8, kAround_m, false);
   EXPECT_THAT(sentence_about(none, "order"), HasSubstr("not significantly different"));
+}
+
+// Of three participants the first chooses the comparison equally often in both positions. The p of the other two is at
+// least 2/2² = .5; of six it is 2/2⁶ = .031.
+TEST(Discrimination, StatesWhoIsLeftOutOfASignedRankTestAndHowManyItNeeds) {
+  MadeUpStudy made;
+  json undeclared = discrimination_protocol("performance");
+  undeclared["analysis"]["family"] = {"order"};
+  const std::int64_t id = made.add_protocol("jnd", "discrimination", undeclared.dump());
+  for (int person = 0; person < 3; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "");
+    std::vector<MadeUpChoice> choices{};
+    for (const double value_m : kAbove_m) {
+      for (int i = 0; i < 8; ++i) {
+        const bool first = i % 2 == 0;
+        choices.push_back(
+            {.value_m = value_m,
+             .chose_comparison = first || i < 2 || person == 0 || (i < 4 && person == 1),
+             .comparison_first = first});
+      }
+    }
+    made.add_session(label, id, trials_of(choices));
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  EXPECT_THAT(answer_to(outcome, "order"),
+              HasSubstr("the smallest attainable p is .500, so that no result could be significant "
+                        "with 2 participants; at least 6 are required"));
+  EXPECT_THAT(
+      answer_to(outcome, "order"),
+      HasSubstr("One of 3 participants has a difference of zero and is left out of the test."));
+  EXPECT_THAT(discrimination_table(outcome, "tests").note.english(),
+              HasSubstr("whom n does not count: position of the comparison (1 of 3)."));
 }
 
 TEST(Discrimination, CountsErrorsInCatchTrialsAndEstimatesNothingFromThem) {

@@ -17,6 +17,7 @@ namespace asperity {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* kRougher = R"({"kind": "paired_comparison", "blocks": {"only": {
     "question": {"name": "rougher", "prompt": "Which is rougher?", "tie": {"text": "Neither"}}}},
@@ -174,6 +175,19 @@ TEST_F(Pairs, LeaveAParticipantWithoutOneOfThePairsOutOfTheScores) {
   EXPECT_NEAR(found.value("mean.score", "a").value(), 11.0 / 12.0, 1e-12);
   EXPECT_DOUBLE_EQ(found.value("signflip.p.two", "a|b").value(), 2.0 / 64.0);
   EXPECT_EQ(found.find("mean.score", "a")->n, 6U);
+}
+
+// Three pairs, Holm-corrected: 3·2^(1 − n) is below .05 from n = 7 on.
+TEST_F(Pairs, StateHowManyParticipantsAreRequiredWhereNoResultCouldBeSignificant) {
+  const std::string six = paired_question(outcome_of_pairs(made_), "pairs").answer.english();
+  EXPECT_THAT(six, HasSubstr("No pair could differ significantly: "));
+  EXPECT_THAT(six, HasSubstr("the smallest attainable p is .094, so that no result could be "
+                             "significant with 6 participants; at least 7 are required"));
+  made_.add_person("p7", "");
+  made_.add_session("p7", 1, round_of({"a", "b", "c"}, true));
+  const std::string seven = paired_question(outcome_of_pairs(made_), "pairs").answer.english();
+  EXPECT_THAT(seven, HasSubstr("a over b"));
+  EXPECT_THAT(seven, Not(HasSubstr("attainable")));
 }
 
 // A round is the k-th comparison of every pair, whatever the order of the trials.

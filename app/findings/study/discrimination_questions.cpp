@@ -142,6 +142,7 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
                   ? phrase("Analysis", "%1 Significantly different from the standard, %2: %3.")
                   : phrase("Analysis", "%1 Not significantly different from the standard, %2: %3."))
                  .with(answer, about, p_text(*test));
+    answer = with_zero_differences(answer, *test);
   }
   add_question(outcome, name.c_str(), question, answer, method, kMeanThresholds,
                first_mean(results, "mean.pse", found));

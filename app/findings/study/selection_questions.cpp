@@ -366,16 +366,22 @@ void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbe
   const auto is_of_pairs = [&name](const StudyTests::Test& test) { return test.name == name; };
   const bool is_only_pair =
       std::count_if(tests.tests().begin(), tests.tests().end(), is_of_pairs) == 1;
+  const bool is_any_attainable =
+      std::any_of(tests.tests().begin(), tests.tests().end(), [&](const StudyTests::Test& test) {
+        return is_of_pairs(test) && test.p && !test.unattainable_p();
+      });
   const Phrase chosen_more = preferences_text(name, tests, found);
   const Sayings sayings =
-      is_only_pair
-          ? Sayings{chosen_more,
-                    phrase("Analysis", "%1 do not differ significantly (%2).")
-                        .with(pair_text(least), p_text(least)),
-                    phrase("Analysis", "%1: %2.").with(pair_text(least), p_text(least))}
-          : Sayings{chosen_more,
-                    phrase("Analysis", "No pair differs significantly: %1.").with(of_smallest),
-                    phrase("Analysis", "Among all pairs, %1.").with(of_smallest)};
+      is_only_pair ? Sayings{chosen_more,
+                             phrase("Analysis", "%1 do not differ significantly (%2).")
+                                 .with(pair_text(least), p_text(least)),
+                             phrase("Analysis", "%1: %2.").with(pair_text(least), p_text(least))}
+                   : Sayings{chosen_more,
+                             (is_any_attainable
+                                  ? phrase("Analysis", "No pair differs significantly: %1.")
+                                  : phrase("Analysis", "No pair could differ significantly: %1."))
+                                 .with(of_smallest),
+                             phrase("Analysis", "Among all pairs, %1.").with(of_smallest)};
   add_question(outcome, "pairs", words.question, said_of(least, sayings), words.method, "pairs",
                found.find("signflip.p.two", least.about));
 }

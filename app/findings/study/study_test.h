@@ -34,6 +34,9 @@ struct StudyTest {
   /// The smallest attainable p, Holm-corrected for a test of the family: above 5 %, significance
   /// is impossible.
   std::optional<double> smallest_p{};
+  /// Where significance is impossible, the number of participants with which it would be possible; nothing where it is
+  /// unknown.
+  std::optional<std::size_t> required_n{};
   std::optional<double> statistic{};
   std::vector<double> degrees{};  ///< of freedom: none, one, or two of an F; uncorrected
   /// The ε that corrects them; nothing where they are not corrected.

@@ -343,7 +343,33 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
                .with(note, test.why_left_out, std::to_string(test.left_out),
                      std::to_string(test.n + test.left_out));
   }
-  return note;
+  const Phrase zero = note_on_zero_differences();
+  return zero.empty() ? note : phrase("Analysis", "%1 %2").with(note, zero);
+}
+
+Phrase StudyTests::note_on_zero_differences() const {
+  constexpr std::size_t kMostNamed = 4;
+  std::size_t tests = 0;
+  Phrase named{};
+  for (const Test& test : tests_) {
+    if (test.ties == 0) continue;
+    ++tests;
+    const std::string of = test.about.empty() ? test.name : test.name + '|' + test.about;
+    const Phrase one = phrase("Analysis", "%1 (%2 of %3)")
+                           .with(words_of_cell("test", of), std::to_string(test.ties),
+                                 std::to_string(test.n + test.ties));
+    named = named.empty() ? one : phrase("Analysis", "%1; %2").with(named, one);
+  }
+  if (tests == 0) return {};
+  if (tests > kMostNamed) {
+    return phrase("Analysis",
+                  "Signed-rank tests leave out participants with a difference of zero, so that n "
+                  "differs between the tests.");
+  }
+  return phrase("Analysis",
+                "Signed-rank tests leave out participants with a difference of zero, whom n does not "
+                "count: %1.")
+      .with(named);
 }
 
 Phrase StudyTests::note_on_columns(std::string_view left_out) const {
@@ -428,6 +454,33 @@ void StudyTests::adjust() {
     test.is_alone_in_family = family.size() == 1;
     if (test.smallest_p) test.smallest_p = smallest[i];
   }
+  for (Test& test : tests_) {
+    if (test.unattainable_p()) test.required_n = required_participants(test);
+  }
+}
+
+// With n participants the smallest p of a test that permutes signs is 2^(1 − n): all signs equal, in either of two
+// directions. The correction takes this p for all such tests of the family, 0 for tests of another kind, whose smallest p
+// may decrease faster, and 1 for tests that cannot be made: a bound that no data can undercut.
+std::optional<std::size_t> StudyTests::required_participants(const Test& test) const {
+  if (!test.made_by->permutes_signs) return std::nullopt;
+  constexpr std::size_t kMost = 64;
+  for (std::size_t n = test.n + 1; n <= kMost; ++n) {
+    const double smallest = std::ldexp(1.0, 1 - static_cast<int>(n));
+    if (!test.adjusted) {
+      if (smallest < Test::kLevel) return n;
+      continue;
+    }
+    std::vector<double> raw{};
+    std::size_t own = 0;
+    for (const Test& each : tests_) {
+      if (!is_in_family(each.name)) continue;
+      if (&each == &test) own = raw.size();
+      raw.push_back(!each.p ? 1.0 : each.made_by->permutes_signs ? smallest : 0.0);
+    }
+    if (holm_adjusted(raw)[own] < Test::kLevel) return n;
+  }
+  return std::nullopt;
 }
 
 void StudyTests::finish(AnalysisOutcome& outcome) {

@@ -39,7 +39,7 @@ class StudyTests final {
   /// Sets the number of participants left out of the test that was added last. `why`: a sentence without its end, which
   /// the number follows in the note below the table; may be empty.
   void leave_out(std::size_t participants, const Phrase& why);
-  /// Of the last test: participants that it drops because their two values are equal.
+  /// Of the last test: participants that it drops because their two values are equal. The note below the table lists them.
   void drop_ties(std::size_t participants) { tests_.back().ties = participants; }
   /// Sets the proportion expected under guessing for the same test.
   void state_chance(double chance);
@@ -56,11 +56,15 @@ class StudyTests final {
  private:
   /// Applies Holm's correction to the p of the family, and to the smallest attainable ones.
   void adjust();
+  /// The smallest number of participants with which a test that permutes signs can be significant.
+  std::optional<std::size_t> required_participants(const Test& test) const;
   std::size_t tests_in_family() const;
   /// The note below the table: the number of tests in the family, and the contents of the columns,
   /// without the symbols of the tests that are called `left_out`.
   Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
   Phrase note_on_columns(std::string_view left_out) const;
+  /// The tests with participants whose difference is zero, and how many they are; empty without such a test.
+  Phrase note_on_zero_differences() const;
 
   std::string kind_{};
   std::size_t people_ = 0;

@@ -32,6 +32,8 @@ struct TestMethod {
   std::string_view draws{};
   /// The smallest attainable p; empty where every p is possible.
   std::string_view smallest{};
+  /// Permutes the sign of one number per participant, so that the smallest p of n participants is 2^(1 − n).
+  bool permutes_signs = false;
   std::string_view effect_symbol{};  ///< "d"
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   std::string_view effect{};         ///< the effect size, whose finding has its interval

@@ -189,13 +189,35 @@ Phrase p_text(const StudyTest& test) {
   const Phrase text = how.with(reading_p(p));
   const std::optional<double> smallest = test.unattainable_p();
   if (!smallest) return text;
-  return phrase("Analysis", "%1; the smallest attainable p is %2")
-      .with(text, reading_p_cell(*smallest));
+  const std::string shown = reading_p_cell(*smallest);
+  if (!test.required_n) {
+    return phrase("Analysis", "%1; the smallest attainable p is %2").with(text, shown);
+  }
+  return phrase("Analysis",
+                "%1; the smallest attainable p is %2, so that no result could be significant with "
+                "%3 participants; at least %4 are required")
+      .with(text, shown, std::to_string(test.n), std::to_string(*test.required_n));
+}
+
+Phrase with_zero_differences(const Phrase& answer, const StudyTest& test) {
+  if (test.ties == 0) return answer;
+  const std::string compared = std::to_string(test.n + test.ties);
+  if (test.ties == 1) {
+    return phrase("Analysis",
+                  "%1 One of %2 participants has a difference of zero and is left out of the test.")
+        .with(answer, compared);
+  }
+  return phrase("Analysis",
+                "%1 %2 of %3 participants have a difference of zero and are left out of the test.")
+      .with(answer, std::to_string(test.ties), compared);
 }
 
 Phrase said_of(const StudyTest& test, const Sayings& sayings) {
-  if (test.adjusted) return test.shows() ? sayings.claim : sayings.nothing;
-  return phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
+  const Phrase answer = test.shows() ? sayings.claim
+                        : test.adjusted
+                            ? sayings.nothing
+                            : phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
+  return with_zero_differences(answer, test);
 }
 
 }  // namespace asperity

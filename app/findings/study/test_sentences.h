@@ -49,11 +49,15 @@ void state_means(AnalysisOutcome& outcome, std::string_view test, const std::str
                  std::string_view about);
 
 /// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
-/// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one.
+/// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one and, where it is known, the
+/// number of participants with which it is below 5 %.
 /// Without a declaration no test is confirmatory.
 Phrase p_text(const StudyTest& test);
+/// An answer, and after it the participants whom the signed-rank test leaves out because their difference is zero, so that
+/// its n is smaller than the number of participants.
+Phrase with_zero_differences(const Phrase& answer, const StudyTest& test);
 /// The answers that a test that was made may give: `claim` if it is significant, `nothing` if it is not, and `told` for a
-/// test outside the family, to which the sentence that it is exploratory is added.
+/// test outside the family, to which the sentence that it is exploratory is added. `with_zero_differences` holds for all.
 struct Sayings {
   Phrase claim{};
   Phrase nothing{};

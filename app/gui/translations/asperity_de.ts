@@ -1995,6 +1995,34 @@
         <source>%1 Not significantly different: %2.</source>
         <translation>%1 Nicht signifikant verschieden: %2.</translation>
     </message>
+    <message>
+        <source>No pair could differ significantly: %1.</source>
+        <translation>Kein Paar konnte sich signifikant unterscheiden: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Signed-rank tests leave out participants with a difference of zero, so that n differs between the tests.</source>
+        <translation>Vorzeichen-Rang-Tests lassen Versuchspersonen mit einer Differenz von null aus, sodass n zwischen den Tests verschieden ist.</translation>
+    </message>
+    <message>
+        <source>Signed-rank tests leave out participants with a difference of zero, whom n does not count: %1.</source>
+        <translation>Vorzeichen-Rang-Tests lassen Versuchspersonen mit einer Differenz von null aus, die n nicht mitzählt: %1.</translation>
+    </message>
+    <message>
+        <source>%1; the smallest attainable p is %2, so that no result could be significant with %3 participants; at least %4 are required</source>
+        <translation>%1; das kleinste erreichbare p ist %2, sodass mit %3 Versuchspersonen kein Ergebnis signifikant sein könnte; erforderlich sind mindestens %4</translation>
+    </message>
+    <message>
+        <source>%1 One of %2 participants has a difference of zero and is left out of the test.</source>
+        <translation>%1 Eine von %2 Versuchspersonen hat eine Differenz von null und ist im Test nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3 participants have a difference of zero and are left out of the test.</source>
+        <translation>%1 %2 von %3 Versuchspersonen haben eine Differenz von null und sind im Test nicht enthalten.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
