@@ -153,10 +153,14 @@ ChoiceData choices_of(const PairCells& cells, const PairParameters& parameters) 
 
 PairFit pair_fit(const PairCells& cells, const PairModel& model, std::size_t parameters) {
   PairFit fit{.smallest_expected = std::numeric_limits<double>::infinity()};
-  const auto add = [&fit](double observed, double expected) {
+  std::size_t counts = 0;
+  std::size_t below_five = 0;
+  const auto add = [&](double observed, double expected) {
     fit.pearson += (observed - expected) * (observed - expected) / expected;
     if (observed > 0.0) fit.deviance += 2.0 * observed * std::log(observed / expected);
     fit.smallest_expected = std::min(fit.smallest_expected, expected);
+    ++counts;
+    below_five += expected < 5.0 ? 1 : 0;
   };
   for (const auto& [pair, cell] : cells) {
     const double apart = model.abilities.value(static_cast<Eigen::Index>(pair.first)) -
@@ -170,6 +174,7 @@ PairFit pair_fit(const PairCells& cells, const PairModel& model, std::size_t par
     add(cell.second_wins, scale * second);
     if (model.tie) add(cell.ties, scale * tie);
   }
+  fit.below_five = static_cast<double>(below_five) / static_cast<double>(counts);
   fit.deviance = std::max(0.0, fit.deviance);  // of a perfect fit, rounding may leave less
   fit.df = cells.size() * (model.tie ? 2 : 1) - parameters;
   return fit;

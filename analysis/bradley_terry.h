@@ -92,12 +92,19 @@ struct LogParameter {
 
 /// Observed against expected counts, the latter from the model, with a cell for each outcome of each
 /// pair: of each ordered pair (first, second) with an order effect.
+///
+/// [Cochran 1954] Cochran: Some methods for strengthening the common χ² tests.
 struct PairFit {
   double pearson = 0.0;  ///< X² = Σ (observed − expected)²/expected
   double deviance = 0.0;  ///< G² = 2·Σ observed·ln(observed/expected): against the saturated model
   std::size_t df = 0;     ///< pairs·(outcomes − 1) − parameters; of both
-  /// The smallest expected count: below about 5, X² and G² are only roughly distributed as χ².
-  double smallest_expected = 0.0;
+  double smallest_expected = 0.0;  ///< the smallest expected count
+  double below_five = 0.0;         ///< the proportion of expected counts below 5
+  /// Whether X² and G² are distributed approximately as χ² [Cochran 1954]: no expected count is below 1, and at most 20 %
+  /// of them are below 5. Otherwise the p of neither is reliable.
+  bool is_approximately_chi_squared() const noexcept {
+    return smallest_expected >= 1.0 && below_five <= 0.2;
+  }
 };
 
 /// The first item is preferred, the second is preferred, and they are tied with probabilities in the

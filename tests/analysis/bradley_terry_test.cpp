@@ -130,6 +130,8 @@ TEST(PairedModel, OfTwoItemsIsSaturated) {
   EXPECT_NEAR(model->fit.pearson, 0.0, 1e-12);
   EXPECT_EQ(model->fit.df, 0U);
   EXPECT_NEAR(model->fit.smallest_expected, 3.0, 1e-10);
+  EXPECT_DOUBLE_EQ(model->fit.below_five, 0.5);
+  EXPECT_FALSE(model->fit.is_approximately_chi_squared());
 }
 
 Comparison won(std::size_t winner, std::size_t loser) {

@@ -190,6 +190,45 @@ TEST_F(Pairs, StateHowManyParticipantsAreRequiredWhereNoResultCouldBeSignificant
   EXPECT_THAT(seven, Not(HasSubstr("attainable")));
 }
 
+// Every participant compares every pair once, half of them in the other order. Of 36 participants the expected counts of an
+// ordered pair are about 12 and 6.
+TEST(FitOfPairs, IsTestedOnlyWithSufficientExpectedCounts) {
+  const auto study_of = [](MadeUpStudy& made, int participants) {
+    const std::int64_t protocol = made.add_protocol("rougher", "paired_comparison", kRougher);
+    for (int person = 0; person < participants; ++person) {
+      const std::string label = "p" + std::to_string(100 + person);
+      made.add_person(label, "");
+      std::vector<MadeUpTrial> trials{compared("a", "b", person % 3 != 0 ? "a" : "b"),
+                                      compared("c", "b", person % 3 != 1 ? "b" : "c"),
+                                      compared("a", "c", person % 3 != 2 ? "a" : "c")};
+      for (MadeUpTrial& trial : trials) {
+        if (person % 2 == 1) std::swap(trial.surfaces[0], trial.surfaces[1]);
+      }
+      made.add_session(label, protocol, trials);
+    }
+  };
+  MadeUpStudy few{};
+  study_of(few, 6);
+  const AnalysisOutcome unreliable = outcome_of_pairs(few);
+  const AnsweredQuestion& untested = paired_question(unreliable, "fit");
+  EXPECT_THAT(
+      untested.answer.english(),
+      HasSubstr("This cannot be tested with so few comparisons: 100 % of the expected counts "
+                "are below 5, and the smallest is "));
+  EXPECT_FALSE(untested.finding.value);
+  const Table& model = paired_table(unreliable, "paired_model").table;
+  EXPECT_EQ(model.rows.back()[0], Cell(std::string("goodness_of_fit")));
+  EXPECT_EQ(model.rows.back()[6], Cell{});
+  EXPECT_THAT(paired_table(unreliable, "paired_model").note.english(),
+              HasSubstr("Goodness of fit has no p: 100 %"));
+
+  MadeUpStudy many{};
+  study_of(many, 36);
+  const AnalysisOutcome reliable = outcome_of_pairs(many);
+  EXPECT_THAT(paired_question(reliable, "fit").answer.english(), HasSubstr("G²("));
+  EXPECT_NE(paired_table(reliable, "paired_model").table.rows.back()[6], Cell{});
+}
+
 // A round is the k-th comparison of every pair, whatever the order of the trials.
 TEST(RoundsOfPairs, AreTakenInTheOrderOfTheComparisonsOfEveryPair) {
   MadeUpStudy made{};

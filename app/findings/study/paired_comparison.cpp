@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "analysis/circular_triads.h"
+#include "analysis/number_text.h"
+#include "analysis/pooled_share.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/choice_tables.h"
@@ -218,6 +220,21 @@ Phrase model_name(const FoundNumbers& found) {
   return phrase("Analysis", "Bradley–Terry model");
 }
 
+/// The expected counts of the model are too small for the distribution of G² to be known.
+bool is_fit_unreliable(const FoundNumbers& found) {
+  const Finding* const approximation = found.find("model.fit.is_chi_squared");
+  return approximation != nullptr && approximation->word == "FALSE";
+}
+
+/// "100 % of the expected counts are below 5, and the smallest is 0.2"
+Phrase expected_counts_text(const FoundNumbers& found) {
+  const double smallest = found.value("model.fit.smallest_expected").value_or(0.0);
+  constexpr double kLeastShown = 0.1;
+  return phrase("Analysis", "%1 of the expected counts are below 5, and the smallest is %2")
+      .with(percent(found.value("model.fit.below_five").value_or(0.0)),
+            smallest < kLeastShown ? "< 0.1" : fixed(smallest, 1));
+}
+
 /// Order effect, ties and fit of the scale.
 void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
   if (found.find("model.fit.lr") == nullptr) return;
@@ -241,6 +258,10 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
         "Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice "
         "of one of them."));
   }
+  const bool has_reliable_fit = !is_fit_unreliable(found);
+  if (!has_reliable_fit && study.choices.items.size() > 2) {
+    add(phrase("Analysis", "Goodness of fit has no p: %1.").with(expected_counts_text(found)));
+  }
   NamedTable model{kModel,
                    phrase("Analysis", "Order effect, ties and goodness of fit of the scale"),
                    {{"measure", "value", "value_low", "value_high", "statistic", "df", "p"}, {}},
@@ -256,10 +277,11 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
     if (found.find(quantity) == nullptr && found.find(quantity + ".lr") == nullptr) continue;
     // Two items always lie on one scale.
     if (quantity == "model.fit" && study.choices.items.size() < 3) continue;
+    const bool has_p = quantity != "model.fit" || has_reliable_fit;
     const auto [low, high] = found.interval(quantity);
     model.table.rows.push_back({std::string(shown), found.cell(quantity), low, high,
                                 found.cell(quantity + ".lr"), found.count(quantity + ".df"),
-                                found.cell(quantity + ".p")});
+                                has_p ? found.cell(quantity + ".p") : Cell{}});
   }
   outcome.tables.push_back(std::move(model));
 }
@@ -382,8 +404,23 @@ void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcom
   constexpr double kLevel = 0.05;
   const std::string statistic = statistic_text(
       "G²", std::vector<double>{found.value("model.fit.df").value_or(0.0)}, *fit->value);
+  const Phrase question = phrase("Analysis", "Do the items lie on one scale?");
+  const Phrase expected = expected_counts_text(found);
+  if (is_fit_unreliable(found)) {
+    add_question(
+        outcome, "fit", question,
+        phrase("Analysis",
+               "This cannot be tested with so few comparisons: %1, so that the distribution of G² "
+               "is unknown. Collect more comparisons of each pair.")
+            .with(expected),
+        phrase("Analysis",
+               "A likelihood-ratio test requires that no expected count is below 1 and that at "
+               "most 20 % of them are below 5 (Cochran 1954)."),
+        kModel, nullptr);
+    return;
+  }
   add_question(
-      outcome, "fit", phrase("Analysis", "Do the items lie on one scale?"),
+      outcome, "fit", question,
       (*p < kLevel
            ? phrase("Analysis",
                     "The comparisons differ significantly from the %1: %2, %3. Values on "
@@ -394,9 +431,8 @@ void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcom
           "Analysis",
           "Likelihood-ratio test against a separate probability of each outcome for every pair, "
           "and for either order where the model has an order effect; all responses are treated as "
-          "independent. Exploratory. The smallest expected count is %1; below about 5 the p value "
-          "is only approximate.")
-          .with(reading_number(found.value("model.fit.smallest_expected").value_or(0.0))),
+          "independent. Exploratory. %1.")
+          .with(expected),
       kModel, fit, CountedUnit::answers);
 }
 

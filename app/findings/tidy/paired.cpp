@@ -263,6 +263,13 @@ void add_pair_model(const Paired& read, FindingList& findings) {
   const Basis fit{.n = n, .method = method + ": fit"};
   findings.number("model.fit.pearson", "", model.fit.pearson, fit);
   findings.number("model.fit.smallest_expected", "", model.fit.smallest_expected, fit);
+  findings.number("model.fit.below_five", "", model.fit.below_five,
+                  {.n = n, .method = method + ": proportion of expected counts below 5"});
+  findings.truth(
+      "model.fit.is_chi_squared", "", model.fit.is_approximately_chi_squared(),
+      {.n = n,
+       .method =
+           "whether the χ² approximation holds: no expected count below 1, at most 20 % below 5"});
 }
 
 /// Participants who judged every pair once without a tie.

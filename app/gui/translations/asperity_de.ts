@@ -1584,10 +1584,6 @@
         <translation>Nein: Alle Items wurden gleich häufig gewählt. Friedman-Test: %1.</translation>
     </message>
     <message>
-        <source>Likelihood-ratio test against a separate probability of each outcome for every pair, and for either order where the model has an order effect; all responses are treated as independent. Exploratory. The smallest expected count is %1; below about 5 the p value is only approximate.</source>
-        <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes Paar, und für jede der beiden Reihenfolgen, wenn das Modell einen Reihenfolgeeffekt hat; alle Antworten werden als unabhängig behandelt. Explorativ. Die kleinste erwartete Häufigkeit beträgt %1; unter etwa 5 ist der p-Wert nur eine Näherung.</translation>
-    </message>
-    <message>
         <source>Participants who tied %1 and %2 in every comparison are left out of the test of this pair</source>
         <translation>Versuchspersonen, die bei %1 und %2 immer Gleichstand angegeben haben, bleiben im Test dieses Paars unberücksichtigt</translation>
     </message>
@@ -2022,6 +2018,26 @@
     <message>
         <source>%1 %2 of %3 participants have a difference of zero and are left out of the test.</source>
         <translation>%1 %2 von %3 Versuchspersonen haben eine Differenz von null und sind im Test nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>%1 of the expected counts are below 5, and the smallest is %2</source>
+        <translation>%1 der erwarteten Häufigkeiten sind kleiner als 5, und die kleinste ist %2</translation>
+    </message>
+    <message>
+        <source>Goodness of fit has no p: %1.</source>
+        <translation>Die Anpassungsgüte hat keinen p-Wert: %1.</translation>
+    </message>
+    <message>
+        <source>This cannot be tested with so few comparisons: %1, so that the distribution of G² is unknown. Collect more comparisons of each pair.</source>
+        <translation>Dies lässt sich mit so wenigen Vergleichen nicht testen: %1, sodass die Verteilung von G² unbekannt ist. Erheben Sie mehr Vergleiche jedes Paars.</translation>
+    </message>
+    <message>
+        <source>A likelihood-ratio test requires that no expected count is below 1 and that at most 20 % of them are below 5 (Cochran 1954).</source>
+        <translation>Ein Likelihood-Quotienten-Test setzt voraus, dass keine erwartete Häufigkeit kleiner als 1 ist und höchstens 20 % von ihnen kleiner als 5 sind (Cochran 1954).</translation>
+    </message>
+    <message>
+        <source>Likelihood-ratio test against a separate probability of each outcome for every pair, and for either order where the model has an order effect; all responses are treated as independent. Exploratory. %1.</source>
+        <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes Paar, und für jede der beiden Reihenfolgen, wenn das Modell einen Reihenfolgeeffekt hat; alle Antworten werden als unabhängig behandelt. Explorativ. %1.</translation>
     </message>
 </context>
 <context>
