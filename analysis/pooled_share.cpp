@@ -38,13 +38,30 @@ PooledShare pooled_share(std::span<const HitCount> participants) {
   return pooled;
 }
 
+namespace {
+
+/// logit q ∓ t/√((n' + 1)q(1 − q)) as proportions, for a mean proportion on n' effective trials.
+ConfidenceInterval logit_interval(double mean, double trials, double t) {
+  const double shrunk = (trials * mean + 0.5) / (trials + 1.0);
+  const double logit = std::log(shrunk / (1.0 - shrunk));
+  const double half = t / std::sqrt((trials + 1.0) * shrunk * (1.0 - shrunk));
+  const auto share = [](double of_logit) { return 1.0 / (1.0 + std::exp(-of_logit)); };
+  return {.low = mean == 0.0 ? 0.0 : share(logit - half),
+          .high = mean == 1.0 ? 1.0 : share(logit + half)};
+}
+
+void require_confidence(double confidence) {
+  if (confidence > 0.0 && confidence < 1.0) return;
+  throw std::invalid_argument("confidence is " + number_text(confidence) +
+                              "; it must lie between 0 and 1");
+}
+
+}  // namespace
+
 std::optional<ConfidenceInterval> mean_share_interval(std::span<const HitCount> participants,
                                                       const MeanShareQuestion& question) {
   const double all = pooled_share(participants).share;  // refuses what is impossible
-  if (!(question.confidence > 0.0 && question.confidence < 1.0)) {
-    throw std::invalid_argument("confidence is " + number_text(question.confidence) +
-                                "; it must lie between 0 and 1");
-  }
+  require_confidence(question.confidence);
   if (!(question.least_design_effect >= 1.0)) {
     throw std::invalid_argument("least_design_effect is " +
                                 number_text(question.least_design_effect) +
@@ -69,12 +86,26 @@ std::optional<ConfidenceInterval> mean_share_interval(std::span<const HitCount> 
   } else {
     mean = all;  // exactly
   }
-  const double shrunk = (trials * mean + 0.5) / (trials + 1.0);
-  const double logit = std::log(shrunk / (1.0 - shrunk));
-  const double half = *t / std::sqrt((trials + 1.0) * shrunk * (1.0 - shrunk));
-  const auto share = [](double of_logit) { return 1.0 / (1.0 + std::exp(-of_logit)); };
-  return ConfidenceInterval{.low = mean == 0.0 ? 0.0 : share(logit - half),
-                            .high = mean == 1.0 ? 1.0 : share(logit + half)};
+  return logit_interval(mean, trials, *t);
+}
+
+std::optional<ConfidenceInterval> equal_shares_interval(const EqualShares& shares) {
+  require_confidence(shares.confidence);
+  if (!(shares.share >= 0.0 && shares.share <= 1.0)) {
+    throw std::invalid_argument("share is " + number_text(shares.share) +
+                                "; it must lie between 0 and 1");
+  }
+  double reciprocal_trials = 0.0;
+  for (const double trials : shares.trials) {
+    if (!(trials > 0.0)) {
+      throw std::invalid_argument("trials is " + number_text(trials) + "; it must be above 0");
+    }
+    reciprocal_trials += 1.0 / trials;
+  }
+  const auto n = static_cast<double>(shares.trials.size());
+  const std::optional<double> t = t_limit({.confidence = shares.confidence, .df = n - 1.0});
+  if (!t) return std::nullopt;
+  return logit_interval(shares.share, n * n / reciprocal_trials, *t);
 }
 
 }  // namespace asperity

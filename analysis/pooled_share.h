@@ -47,4 +47,18 @@ struct MeanShareQuestion {
 std::optional<ConfidenceInterval> mean_share_interval(std::span<const HitCount> participants,
                                                       const MeanShareQuestion& question = {});
 
+/// A proportion that all participants have.
+struct EqualShares {
+  double share = 0.0;
+  std::span<const double> trials{};  ///< of each participant
+  double confidence = 0.95;
+};
+
+/// `mean_share_interval` of equal proportions, also where a tie counts as half a hit: the variance between the participants
+/// is 0, so that the binomial one determines the interval.
+///
+/// Nothing for a single participant. Throws std::invalid_argument for a share outside 0 … 1, for trials that are not above 0,
+/// and for a confidence outside 0 … 1.
+std::optional<ConfidenceInterval> equal_shares_interval(const EqualShares& shares);
+
 }  // namespace asperity

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/pooled_share.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
@@ -227,6 +228,25 @@ TEST(FitOfPairs, IsTestedOnlyWithSufficientExpectedCounts) {
   const AnalysisOutcome reliable = outcome_of_pairs(many);
   EXPECT_THAT(paired_question(reliable, "fit").answer.english(), HasSubstr("G²("));
   EXPECT_NE(paired_table(reliable, "paired_model").table.rows.back()[6], Cell{});
+}
+
+// Each of three participants chose a in both of its comparisons, as in a selection the participants' 2 of 2 choices.
+TEST(ScoresOfPairs, HaveTheIntervalOfProportionsWhereAllParticipantsAgree) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("rougher", "paired_comparison", kRougher);
+  for (const char* const label : {"p1", "p2", "p3"}) {
+    made.add_person(label, "");
+    made.add_session(label, protocol, round_of({"a", "b", "c"}, false));
+  }
+  const AnalysisOutcome outcome = outcome_of_pairs(made);
+  const FoundNumbers found(outcome.findings);
+  const Finding* const a = found.find("mean.score", "a");
+  ASSERT_TRUE(a != nullptr && a->low && a->high);
+  const std::vector<HitCount> own(3, {.hits = 2, .trials = 2});
+  const auto expected = mean_share_interval(own);
+  EXPECT_NEAR(*a->low, expected->low, 1e-12);
+  EXPECT_EQ(*a->high, 1.0);
+  EXPECT_THAT(paired_question(outcome, "preference").answer.english(), Not(HasSubstr("no CI")));
 }
 
 // A round is the k-th comparison of every pair, whatever the order of the trials.

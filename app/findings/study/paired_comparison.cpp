@@ -133,7 +133,8 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
 /// exchangeable where none is preferred.
 struct PairScores {
   TidyInput input{};
-  std::size_t left_out = 0;  ///< participants
+  std::size_t left_out = 0;      ///< participants
+  std::vector<double> trials{};  ///< of each of the other participants, of every item
 };
 
 PairScores pair_scores_of(const PairedStudy& study) {
@@ -158,6 +159,7 @@ PairScores pair_scores_of(const PairedStudy& study) {
     }
     const auto of_item =
         static_cast<double>(own.begin()->second.all()) * static_cast<double>(items.size() - 1);
+    made.trials.push_back(of_item);
     for (std::size_t item = 0; item < items.size(); ++item) {
       scores.add(person, items[item], won[item] / of_item);
     }
@@ -167,6 +169,24 @@ PairScores pair_scores_of(const PairedStudy& study) {
   return made;
 }
 
+/// Student's interval of a mean proportion, truncated to 0 and 1; of equal proportions, which have none, that of all mean
+/// proportions (EqualShares).
+void limit_to_proportions(Finding& mean, std::span<const double> trials) {
+  if (!mean.low && mean.value && mean.n > 1) {
+    constexpr double kConfidenceOfScores = 0.95;
+    const auto interval = equal_shares_interval(
+        {.share = *mean.value, .trials = trials, .confidence = kConfidenceOfScores});
+    if (!interval) return;
+    mean.low = interval->low;
+    mean.high = interval->high;
+    mean.confidence = kConfidenceOfScores;
+    mean.method += "; the participants' proportions are equal: t interval on the logit scale";
+  }
+  if (!mean.low || !mean.high) return;
+  mean.low = std::max(*mean.low, 0.0);
+  mean.high = std::min(*mean.high, 1.0);
+}
+
 void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
   NamedTable scores{
       kScores,
@@ -174,7 +194,8 @@ void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOut
       {{"item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
       phrase("Analysis",
              "Means over the participants who compared every pair equally often, with t-based "
-             "95 % CIs, truncated at 0 and 1; a tie counts half. Mean rank: 1 for the item that a "
+             "95 % CIs, truncated at 0 and 1 (on the logit scale where the proportions of all "
+             "participants are equal); a tie counts half. Mean rank: 1 for the item that a "
              "participant chose least often.")};
   for (const std::string& item : study.choices.items) {
     const Finding* const mean = found.find("mean.score", item);
@@ -503,9 +524,7 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   PairScores scores = pair_scores_of(study);
   std::vector<Finding> of_scores = analysis_of(kScores, "rating", std::move(scores.input));
   for (Finding& finding : of_scores) {
-    if (finding.quantity != "mean.score" || !finding.low || !finding.high) continue;
-    finding.low = std::max(*finding.low, 0.0);
-    finding.high = std::min(*finding.high, 1.0);
+    if (finding.quantity == "mean.score") limit_to_proportions(finding, scores.trials);
   }
   const FoundNumbers found_scores(of_scores);
   if (study.by_person.size() < scores.left_out + 2) {

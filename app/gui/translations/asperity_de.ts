@@ -1552,10 +1552,6 @@
         <translation>Die Position ist der Platz einer Oberfläche in der Reihenfolge der Darbietung. Ohne Gleichstände.</translation>
     </message>
     <message>
-        <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs, truncated at 0 and 1; a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
-        <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich häufig verglichen haben, mit t-basierten 95-%-KI, auf den Bereich von 0 bis 1 begrenzt; ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
-    </message>
-    <message>
         <source>The items cannot be placed on a scale by maximum likelihood: some of them were always or never chosen in the comparisons with the others, or were never compared with them, so that their distance has no finite estimate. Collect more comparisons of these items.</source>
         <translation>Die Items lassen sich nicht durch Maximum-Likelihood-Schätzung auf einer Skala anordnen: Einige wurden in den Vergleichen mit den anderen immer oder nie gewählt oder nie mit ihnen verglichen, sodass es für ihren Abstand keine endliche Schätzung gibt. Mehr Vergleiche dieser Items erheben.</translation>
     </message>
@@ -2038,6 +2034,10 @@
     <message>
         <source>Likelihood-ratio test against a separate probability of each outcome for every pair, and for either order where the model has an order effect; all responses are treated as independent. Exploratory. %1.</source>
         <translation>Likelihood-Quotienten-Test gegen eine eigene Wahrscheinlichkeit jedes Ergebnisses für jedes Paar, und für jede der beiden Reihenfolgen, wenn das Modell einen Reihenfolgeeffekt hat; alle Antworten werden als unabhängig behandelt. Explorativ. %1.</translation>
+    </message>
+    <message>
+        <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs, truncated at 0 and 1 (on the logit scale where the proportions of all participants are equal); a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
+        <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich häufig verglichen haben, mit t-basierten 95-%-KI, auf den Bereich von 0 bis 1 begrenzt (auf der Logit-Skala, wenn die Anteile aller Versuchspersonen gleich sind); ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
     </message>
 </context>
 <context>
