@@ -47,9 +47,22 @@ HitsByValue of_standard(HitsByValue hits) {
 
 }  // namespace
 
-void ThresholdColumns::add(std::size_t person, const DiscriminationTask& task,
+std::int64_t ThresholdColumns::OfTask::Choices::unfinished_tracks() const {
+  std::int64_t unfinished = 0;
+  for (const auto& [place, trials] : in_unfinished_sessions) {
+    std::vector<const DiscriminationTrial*> of_track{};
+    for (const DiscriminationTrial& trial : trials) of_track.push_back(&trial);
+    const PlacedTrials::Track track =
+        placed_track(std::move(of_track), block->tracks, block->levels);
+    unfinished += track.is_unfinished ? 1 : 0;
+  }
+  return unfinished;
+}
+
+void ThresholdColumns::add(std::size_t person, const StudyVocabulary::BlockOfDiscrimination& of,
                            const std::string& block, const Condition& condition,
                            const DiscriminationTrial& trial) {
+  const DiscriminationTask& task = of.task;
   auto known = std::find_if(tasks_.begin(), tasks_.end(),
                             [&task](const OfTask& each) { return each.task == task; });
   if (known == tasks_.end()) known = tasks_.insert(tasks_.end(), OfTask{.task = task});
@@ -57,6 +70,11 @@ void ThresholdColumns::add(std::size_t person, const DiscriminationTask& task,
   in_block.insert(in_block.end(), condition.begin(), condition.end());
   OfTask::Choices& choices = known->choices[in_block][person];
   choices.by_procedure = choices.by_procedure || trial.by_procedure;
+  if (trial.session_is_unfinished && trial.by_procedure && !of.tracks.empty()) {
+    choices.block = &of;
+    choices.in_unfinished_sessions[{trial.session, trial.block_ordinal, trial.track}].push_back(
+        trial);
+  }
   HitCount& count = choices.of_comparison[trial.value];
   ++count.trials;
   count.hits += trial.chose_comparison ? 1 : 0;
@@ -95,6 +113,15 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
       when += (when.empty() ? " where " : ", ") + factor + " = " + level.second;
     }
     std::vector<DiscriminationData> data{};
+    Column unfinished{};
+    unfinished.column = {.name = name_of_condition + "_unfinished_tracks",
+                         .description =
+                             "number of tracks whose session ended before the procedure stopped, "
+                             "their threshold being estimated from the presented trials" +
+                             of + when,
+                         .type = "integer",
+                         .unit = "1",
+                         .minimum = 0.0};
     Column n{};
     n.column = {.name = name_of_condition + "_n",
                 .description = "number of responses" + of + when,
@@ -106,6 +133,9 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
       std::int64_t trials = 0;
       for (const auto& [value, count] : hits) trials += static_cast<std::int64_t>(count.trials);
       n.cells[person] = trials;
+      if (const std::int64_t tracks = choices.unfinished_tracks(); tracks > 0) {
+        unfinished.cells[person] = tracks;
+      }
       data.push_back({.key = key_of_person(person),
                       .hits = of_choices_of_standard ? of_standard(hits) : hits,
                       .by_procedure = choices.by_procedure});
@@ -129,6 +159,7 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
       columns.push_back(std::move(made));
     }
     columns.push_back(std::move(n));
+    if (!unfinished.cells.empty()) columns.push_back(std::move(unfinished));
   }
   return columns;
 }

@@ -146,7 +146,8 @@ bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condi
   const auto block = vocabulary_.discriminations.find({wording, at.trial->block});
   // A block can also ask for ratings.
   if (block == vocabulary_.discriminations.end() || at.response->answer_number) return false;
-  const auto& [task, drawn] = block->second;
+  const DiscriminationTask& task = block->second.task;
+  const std::vector<std::string>& drawn = block->second.drawn;
   ThresholdColumns::Condition others{};
   std::optional<double> value{};
   for (const auto& each : condition) {
@@ -158,10 +159,15 @@ bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condi
   }
   if (!value) return false;
   discriminations_[asked_of(at)].add(
-      people_.size() - 1, task, at.trial->block, others,
+      people_.size() - 1, block->second, at.trial->block, others,
       {.value = *value,
        .chose_comparison = at.response->answer == "comparison",
-       .by_procedure = at.trial->track && task.has_levels_of_procedure});
+       .by_procedure = at.trial->track && task.has_levels_of_procedure,
+       .session = at.session->session,
+       .block_ordinal = at.trial->block_ordinal,
+       .track = at.trial->track.value_or(0),
+       .step = at.trial->step.value_or(0),
+       .session_is_unfinished = at.session->state != SessionState::completed});
   return true;
 }
 

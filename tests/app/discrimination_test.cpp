@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -405,6 +406,26 @@ TEST(Discrimination, TakesLevelsWithUnequalNumbersOfTrials) {
   EXPECT_GE(*mean->high, kPerformer.inverse(0.75));
   const NamedTable& levels = discrimination_table(outcome, "psychometric");
   EXPECT_EQ(levels.table.rows.size(), 8U * 30U) << "none at the level without a response";
+}
+
+/// The first line of the exported wide table by name of its column, and that of the given row.
+std::map<std::string, std::string> wide_row(MadeUpStudy& made, std::size_t row) {
+  ExportOptions options{};
+  options.formats = {ExportFormat::wide};
+  export_study(made.study(), built_in_models(), made.beside("wide"), options);
+  std::istringstream file(read_file(made.beside("wide") / "wide.csv"));
+  std::string header{};
+  std::string line{};
+  std::getline(file, header);
+  for (std::size_t i = 0; i <= row; ++i) std::getline(file, line);
+  for (std::string* const each : {&header, &line}) {
+    if (each->ends_with('\r')) each->pop_back();
+  }
+  const std::vector<std::string> names = parts_of(header, ',');
+  const std::vector<std::string> cells = parts_of(line, ',');
+  std::map<std::string, std::string> found{};
+  for (std::size_t i = 0; i < names.size(); ++i) found[names[i]] = cells.at(i);
+  return found;
 }
 
 TEST(Discrimination, HasThresholdsInTheWideTable) {
@@ -1025,6 +1046,50 @@ TEST(Discrimination, RepeatsUnfinishedTracksWithTheirNumberOfTrials) {
     trials += one.trials;
   }
   EXPECT_EQ(trials, 120U + 7U);
+}
+
+// The third session was stopped after 60 of its 80 trials: the second track has 20 of 40.
+TEST(Discrimination, MarksParticipantsWithAnUnfinishedTrack) {
+  const json protocol = staircase_protocol(40);
+  const auto study_of = [&](MadeUpStudy& made, SessionState last) {
+    const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
+    for (int person = 0; person < 3; ++person) {
+      const std::string label = "p" + std::to_string(10 + person);
+      made.add_person(label, "");
+      std::vector<MadeUpTrial> trials =
+          staircase_trials(kPerformer, protocol, 200 + static_cast<std::uint64_t>(person));
+      if (person == 2) {
+        trials.resize(60);
+        made.set_state(last);
+      }
+      made.add_session(label, id, trials);
+    }
+  };
+  MadeUpStudy made;
+  study_of(made, SessionState::stopped);
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const NamedTable& table = discrimination_table(outcome, "thresholds");
+  const auto unfinished = column_of(table.table, "unfinished_tracks");
+  ASSERT_TRUE(unfinished);
+  EXPECT_EQ(table.table.rows[0][*unfinished], Cell{});
+  EXPECT_EQ(table.table.rows[2][*unfinished], Cell(std::int64_t{1}));
+  EXPECT_THAT(table.note.english(), HasSubstr("Unfinished tracks: the session ended before"));
+  EXPECT_THAT(
+      answer_to(outcome, "threshold"),
+      HasSubstr(" Participants with an unfinished track: 1 of 3; included in the mean, "
+                "because their threshold could be estimated from the presented trials: 1."));
+  EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
+              HasSubstr("Tracks of one of 3 participants were unfinished; the threshold was "
+                        "estimated from the presented trials and is included in the means."));
+  EXPECT_EQ(wide_row(made, 2).at("jnd_which_unfinished_tracks"), "1");
+
+  // In a completed session the missing answers belong to attempts that do not count.
+  MadeUpStudy completed;
+  study_of(completed, SessionState::completed);
+  EXPECT_FALSE(
+      column_of(discrimination_table(outcome_of_discrimination(completed), "thresholds").table,
+                "unfinished_tracks"));
+  EXPECT_FALSE(wide_row(completed, 2).contains("jnd_which_unfinished_tracks"));
 }
 
 TEST(Discrimination, HasNoIntervalOfAProcedureThatCannotBeRepeated) {

@@ -41,8 +41,8 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
     vocabulary.kinds_of_blocks[{protocol.source_sha256, name}] =
         block.kind.empty() ? protocol.kind : block.kind;
     if (const auto task = discrimination_task(name, block)) {
-      vocabulary.discriminations[{protocol.source_sha256, name}] = {.task = *task,
-                                                                    .drawn = block.drawn};
+      vocabulary.discriminations[{protocol.source_sha256, name}] = {
+          .task = *task, .drawn = block.drawn, .tracks = block.tracks, .levels = *block.vary};
     }
     for (const StoredProtocol::TrialQuestion& asked : block.questions) {
       if (asked.name.empty()) continue;

@@ -54,6 +54,9 @@ struct StudyVocabulary {
     DiscriminationTask task{};
     /// Factors whose level is drawn for every trial: they are not conditions.
     std::vector<std::string> drawn{};
+    /// Of the procedure that chose its levels from the responses; empty without one.
+    std::vector<ProcedureSettings> tracks{};
+    Dimension levels{};
   };
   /// Those of the blocks that are discriminations with a standard of a known value, by the same.
   std::map<std::pair<std::string, std::string>, BlockOfDiscrimination> discriminations{};

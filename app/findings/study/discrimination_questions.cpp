@@ -49,6 +49,42 @@ Phrase mean_thresholds_text(const DiscriminationResults& results, const std::str
   return all;
 }
 
+/// Participants with an unfinished track, and those of them with a threshold of this quantity.
+struct UnfinishedParticipants {
+  std::set<std::string> all{};
+  std::set<std::string> with_threshold{};
+  std::set<std::string> of{};  ///< all participants
+};
+
+UnfinishedParticipants unfinished_participants(const std::vector<Finding>& thresholds,
+                                               std::string_view quantity) {
+  UnfinishedParticipants found{};
+  const FoundNumbers numbers(thresholds);
+  for (const Finding& finding : thresholds) {
+    if (finding.analysis != kThresholds) continue;
+    const std::string participant = finding.key.substr(0, finding.key.find('|'));
+    found.of.insert(participant);
+    if (finding.quantity != "unfinished.tracks") continue;
+    found.all.insert(participant);
+    const Finding* const threshold = numbers.find(quantity, finding.key);
+    if (threshold != nullptr && threshold->value) found.with_threshold.insert(participant);
+  }
+  return found;
+}
+
+/// The answer, and after it how many participants have an unfinished track.
+Phrase with_unfinished_tracks(const Phrase& answer, const DiscriminationResults& results,
+                              std::string_view quantity) {
+  const UnfinishedParticipants unfinished =
+      unfinished_participants(results.fit.thresholds, quantity);
+  if (unfinished.all.empty()) return answer;
+  return phrase("Analysis",
+                "%1 Participants with an unfinished track: %2 of %3; included in the mean, because "
+                "their threshold could be estimated from the presented trials: %4.")
+      .with(answer, std::to_string(unfinished.all.size()), std::to_string(unfinished.of.size()),
+            std::to_string(unfinished.with_threshold.size()));
+}
+
 const Finding* first_mean(const DiscriminationResults& results, const std::string& quantity,
                           const FoundNumbers& found) {
   for (const std::string& condition : results.conditions) {
@@ -104,8 +140,9 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                  ? phrase("Analysis", "Geometric mean of the detection thresholds: %1.")
                  : phrase("Analysis", "Geometric mean of the just-noticeable differences: %1."))
                 .with(means);
-  add_question(outcome, name_of_question("threshold", results).c_str(), question, answer,
-               method_of_thresholds(results), means.empty() ? kThresholds : kMeanThresholds,
+  add_question(outcome, name_of_question("threshold", results).c_str(), question,
+               with_unfinished_tracks(answer, results, "jnd"), method_of_thresholds(results),
+               means.empty() ? kThresholds : kMeanThresholds,
                first_mean(results, "geomean.jnd", found));
 }
 
@@ -133,6 +170,7 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
   const std::string standard = stated_quantity(task.standard(), task.varied.unit);
   Phrase answer = phrase("Analysis", "Mean point of subjective equality: %1; standard: %2.")
                       .with(means, standard);
+  answer = with_unfinished_tracks(answer, results, "pse");
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
     const StudyTest* const test =
         tests.find("point_of_subjective_equality", results.about_equality(condition));
@@ -300,6 +338,26 @@ std::string missing_sentences(const std::vector<Finding>& findings, const std::s
   return text;
 }
 
+/// " Tracks of one of 3 participants were unfinished; the threshold was estimated from the presented trials and is included in
+/// the means."
+std::string unfinished_sentence(const std::vector<Finding>& findings) {
+  const UnfinishedParticipants unfinished = unfinished_participants(findings, "jnd");
+  if (unfinished.all.empty()) return {};
+  const std::size_t all = unfinished.all.size();
+  const std::size_t included = unfinished.with_threshold.size();
+  const std::string how =
+      included == 0 ? "no threshold could be estimated from the presented trials"
+      : included == all && all == 1
+          ? "the threshold was estimated from the presented trials and is included in the means"
+      : included == all
+          ? "the thresholds were estimated from the presented trials and are included in the means"
+          : "the means include " + count_in_words(included) +
+                " of them, whose thresholds could be estimated from the presented trials";
+  return " Tracks of " + count_in_words(all) + " of " + reading_count(unfinished.of.size()) +
+         (unfinished.of.size() == 1 ? " participant" : " participants") + " were unfinished; " +
+         how + '.';
+}
+
 /// " Of 24 responses in catch trials, 23 were correct (75 % to 100 % for single participants)."
 std::string catch_trials_sentence(const AnalysisOutcome& outcome) {
   for (const NamedTable& table : outcome.tables) {
@@ -386,7 +444,7 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   if (!text.empty()) text += '.';
   text += missing_sentences(outcome.findings, "pse", "PSE") +
           missing_sentences(outcome.findings, "jnd", detections.empty() ? "JND" : "threshold") +
-          catch_trials_sentence(outcome);
+          unfinished_sentence(outcome.findings) + catch_trials_sentence(outcome);
   if (text.starts_with(' ')) text.erase(0, 1);
   return {.text = text};
 }

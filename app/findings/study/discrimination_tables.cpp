@@ -50,6 +50,7 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
     row.push_back(functions.count("deviance.df", key));
     row.push_back(functions.cell("deviance.p.chisq", key));
     row.emplace_back(responses);
+    row.push_back(thresholds.count("unfinished.tracks", key));
     row.push_back(thresholds.count("without", key));
     row.push_back(text_or_none(results.study.task.varied.unit));
     row.push_back(why);
@@ -151,6 +152,7 @@ struct ShownFunctions {
   bool has_delta_comparison = false;
   bool has_limited_slopes = false;
   bool has_repeated_procedure = false;
+  bool has_unfinished_tracks = false;
 };
 
 ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
@@ -168,6 +170,9 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
       shown.has_limited_slopes = shown.has_limited_slopes || (is_performance && by_procedure);
       shown.has_repeated_procedure =
           shown.has_repeated_procedure || thresholds.find("without", function.data.key) != nullptr;
+      shown.has_unfinished_tracks =
+          shown.has_unfinished_tracks ||
+          thresholds.find("unfinished.tracks", function.data.key) != nullptr;
     }
   }
   return shown;
@@ -214,6 +219,12 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
             .with(std::to_string(kRepetitionsOfProcedures)));
     const std::vector<BlockWithProcedure> blocks = blocks_with_procedure(gathered, all);
     if (const Phrase coverage = note_on_coverage(blocks); !coverage.empty()) add(coverage);
+  }
+  if (shown.has_unfinished_tracks) {
+    add(phrase("Analysis",
+               "Unfinished tracks: the session ended before the procedure stopped. The threshold "
+               "is estimated from the presented trials and is included in the means and tests if "
+               "it lies within the presented levels, the condition for every threshold."));
   }
   add(phrase("Analysis",
              "Weber fraction: JND divided by the standard. Thresholds outside the presented levels "
@@ -301,8 +312,8 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
       thresholds.table.columns.push_back(std::string(column.column) + end);
     }
   }
-  for (const char* const column :
-       {"deviance", "df", "p", "responses", "without_threshold", "unit", "status", "repetitions"}) {
+  for (const char* const column : {"deviance", "df", "p", "responses", "unfinished_tracks",
+                                   "without_threshold", "unit", "status", "repetitions"}) {
     thresholds.table.columns.emplace_back(column);
   }
   NamedTable psychometric{kPsychometric,

@@ -116,7 +116,8 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
          .session = answer.session,
          .block_ordinal = answer.block_ordinal,
          .track = answer.track,
-         .step = answer.step});
+         .step = answer.step,
+         .session_is_unfinished = answer.session_is_unfinished});
   }
   HitsByValue choices{};
   for (const DiscriminationTrial& trial : study.trials) {

@@ -76,6 +76,7 @@ struct DiscriminationTrial {
   int block_ordinal = 1;
   int track = 0;
   int step = 0;
+  bool session_is_unfinished = false;
 };
 
 /// The trials of one task, in the order of the responses.

@@ -123,6 +123,14 @@ class ThresholdList final {
             .method = "repetitions of the procedure in which there is no threshold"});
   }
 
+  void unfinished(const std::optional<PlacedTrials>& placed) {
+    const std::size_t tracks = placed ? placed->unfinished_tracks() : 0;
+    if (tracks == 0) return;
+    number("unfinished.tracks", static_cast<double>(tracks),
+           {.n = placed->tracks.size(),
+            .method = "tracks whose session ended before the procedure stopped"});
+  }
+
   Basis basis(std::string method, const std::string& unit) const {
     return {.n = n_, .method = std::move(method), .unit = unit.empty() ? "1" : unit};
   }
@@ -431,6 +439,7 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
     list.begin(one);
     list.number("standard", task.standard(),
                 list.basis("value of the parameter in the standard", task.varied.unit));
+    list.unfinished(one.placed);
     if (task.is_performance) {
       add_performance(task, one, "jnd", kProportionAtThreshold, found, list);
       add_performance(task, one, "jnd.dprime1", kProportionAtUnitSensitivity, found_at_unit, list);

@@ -55,6 +55,7 @@ struct DiscriminationFit {
   ///   slope        dψ/dx at the threshold; a status as well where the fitted slope is at its bound
   ///   standard     the value of the parameter in the standard
   ///   without      repetitions of the procedure without a threshold, of `kRepetitionsOfProcedures`, where it was repeated
+  ///   unfinished.tracks  tracks whose session ended before the procedure stopped, of n; absent where there are none
   /// A word and a status in place of a number that cannot be estimated, or that is outside the presented levels.
   std::vector<Finding> thresholds{};
   /// The sentences of `WhyNoThreshold` in `thresholds`, each once, except for those of slopes.

@@ -32,28 +32,6 @@ ProcedureSettings shortened(ProcedureSettings settings, std::size_t trials) {
   return settings;
 }
 
-/// The answers of a track in the order of their steps.
-PlacedTrials::Track track_of(std::vector<const DiscriminationTrial*> trials,
-                             const StoredProtocol::Block& block) {
-  std::stable_sort(trials.begin(), trials.end(),
-                   [](const DiscriminationTrial* one, const DiscriminationTrial* other) {
-                     return one->step < other->step;
-                   });
-  const auto number = static_cast<std::size_t>(trials.front()->track - 1);
-  PlacedTrials::Track track{.settings = block.tracks[number % block.tracks.size()],
-                            .levels = *block.vary};
-  std::vector<LevelAnswer> answers{};
-  for (const DiscriminationTrial* const trial : trials) {
-    answers.push_back(
-        {.level = track.levels.level_of(trial->value), .is_correct = trial->chose_comparison});
-  }
-  const Random unused(kSeedOfTests);
-  const bool is_unfinished =
-      std::holds_alternative<NextLevel>(next_step(track.settings, answers, unused));
-  if (is_unfinished) track.settings = shortened(std::move(track.settings), answers.size());
-  return track;
-}
-
 /// Every x that a run can present, ascending.
 std::set<double> possible_x(const DiscriminationTask& task, const PlacedTrials& placed) {
   std::set<double> all{};
@@ -94,6 +72,34 @@ CurveFamily family_of(const DiscriminationTask& task, const std::set<double>& le
 
 }  // namespace
 
+std::size_t PlacedTrials::unfinished_tracks() const {
+  return static_cast<std::size_t>(std::count_if(
+      tracks.begin(), tracks.end(), [](const Track& one) { return one.is_unfinished; }));
+}
+
+PlacedTrials::Track placed_track(std::vector<const DiscriminationTrial*> trials,
+                                 std::span<const ProcedureSettings> of_block,
+                                 const Dimension& levels) {
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const DiscriminationTrial* one, const DiscriminationTrial* other) {
+                     return one->step < other->step;
+                   });
+  const auto number = static_cast<std::size_t>(trials.front()->track - 1);
+  PlacedTrials::Track track{.settings = of_block[number % of_block.size()], .levels = levels};
+  std::vector<LevelAnswer> answers{};
+  for (const DiscriminationTrial* const trial : trials) {
+    answers.push_back(
+        {.level = track.levels.level_of(trial->value), .is_correct = trial->chose_comparison});
+  }
+  const Random unused(kSeedOfTests);
+  const bool has_next =
+      std::holds_alternative<NextLevel>(next_step(track.settings, answers, unused));
+  if (has_next) track.settings = shortened(std::move(track.settings), answers.size());
+  // In a completed session an attempt that does not count has the same effect.
+  track.is_unfinished = has_next && trials.back()->session_is_unfinished;
+  return track;
+}
+
 std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
                                           const DiscriminationStudy& study,
                                           std::span<const DiscriminationTrial* const> trials) {
@@ -113,7 +119,8 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
     if (block == gathered.blocks.end() || block->second.tracks.empty() || !block->second.vary) {
       return std::nullopt;
     }
-    placed.tracks.push_back(track_of(std::move(of_track), block->second));
+    placed.tracks.push_back(
+        placed_track(std::move(of_track), block->second.tracks, *block->second.vary));
   }
   if (placed.tracks.empty()) return std::nullopt;
   return placed;

@@ -26,13 +26,21 @@ struct PlacedTrials {
   struct Track {
     ProcedureSettings settings{};  ///< with the number of trials of a track that was not finished
     Dimension levels{};            ///< how the protocol states them
+    bool is_unfinished = false;    ///< the session ended before the procedure stopped
   };
+  std::size_t unfinished_tracks() const;
   std::vector<Track> tracks{};
   /// Trials by value of the parameter whose level no procedure chose from the responses.
   std::map<double, std::uint64_t> fixed{};
   /// The tracks moved down after choices of the comparison, although the hits are choices of the standard.
   bool counts_standard = false;
 };
+
+/// Of the trials of one track of a block, in any order. `of_block`: the settings of all its tracks; `levels`: how it states
+/// their levels.
+PlacedTrials::Track placed_track(std::vector<const DiscriminationTrial*> trials,
+                                 std::span<const ProcedureSettings> of_block,
+                                 const Dimension& levels);
 
 /// Of the trials of one function; nothing where no procedure chose a level, or its settings are not known. `trials`: in any
 /// order.

@@ -115,6 +115,7 @@ class Gathering {
     if (!participant.is_virtual && is_unfelt(session)) ++gathered.count.unfelt_sessions;
     participants_.insert(session.participant);
     Session reading{.session = session.session,
+                    .is_unfinished = session.state != SessionState::completed,
                     .answers = answers,
                     .questions = questions,
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
@@ -233,6 +234,7 @@ class Gathering {
   /// A session's indices of words, as far as the group has them.
   struct Session {
     int session = 1;  ///< ordinal within the participant
+    bool is_unfinished = false;
     const SessionAnswers& answers;
     const QuestionsOfKind& questions;
     std::vector<std::optional<std::uint32_t>> words{};
@@ -354,6 +356,7 @@ class Gathering {
                                   .track = planned.track.value_or(0),
                                   .step = planned.step.value_or(0),
                                   .continues_trial = &to != by_question.data(),
+                                  .session_is_unfinished = session.is_unfinished,
                                   .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
                                   .accompanied = accompanied,
                                   .surface_count = static_cast<std::uint16_t>(surfaces.size()),

@@ -90,6 +90,8 @@ struct GatheredAnswer {
   int step = 0;
   /// Not the first answer of its trial: the trial asks several questions.
   bool continues_trial = false;
+  /// The session was interrupted and not resumed, or is not over.
+  bool session_is_unfinished = false;
   /// From the cue, when the question was asked first, to the response; an assignment has one
   /// response time. Nothing where none is stored, or where it is not above 0.
   std::optional<double> response_time_s{};

@@ -153,6 +153,7 @@ constexpr std::array kHeadings{
     Word{"time_s 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "response time, s, 95 % CI")},
     Word{"track", QT_TRANSLATE_NOOP("AnalysisWords", "track")},
     Word{"trials", QT_TRANSLATE_NOOP("AnalysisWords", "trials")},
+    Word{"unfinished_tracks", QT_TRANSLATE_NOOP("AnalysisWords", "unfinished tracks")},
     Word{"unit", QT_TRANSLATE_NOOP("AnalysisWords", "unit")},
     Word{"value", QT_TRANSLATE_NOOP("AnalysisWords", "value")},
     Word{"value 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "value, 95 % CI")},

@@ -2039,6 +2039,14 @@
         <source>Means over the participants who compared every pair equally often, with t-based 95 % CIs, truncated at 0 and 1 (on the logit scale where the proportions of all participants are equal); a tie counts half. Mean rank: 1 for the item that a participant chose least often.</source>
         <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich häufig verglichen haben, mit t-basierten 95-%-KI, auf den Bereich von 0 bis 1 begrenzt (auf der Logit-Skala, wenn die Anteile aller Versuchspersonen gleich sind); ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
     </message>
+    <message>
+        <source>%1 Participants with an unfinished track: %2 of %3; included in the mean, because their threshold could be estimated from the presented trials: %4.</source>
+        <translation>%1 Versuchspersonen mit einer unvollständigen Folge (Track): %2 von %3; davon im Mittelwert enthalten, weil sich ihre Schwelle aus den dargebotenen Durchgängen schätzen ließ: %4.</translation>
+    </message>
+    <message>
+        <source>Unfinished tracks: the session ended before the procedure stopped. The threshold is estimated from the presented trials and is included in the means and tests if it lies within the presented levels, the condition for every threshold.</source>
+        <translation>Unvollständige Folgen (Tracks): Die Sitzung endete, bevor das Verfahren abgeschlossen war. Die Schwelle ist aus den dargebotenen Durchgängen geschätzt und in Mittelwerten und Tests enthalten, wenn sie innerhalb der dargebotenen Stufen liegt; diese Bedingung gilt für jede Schwelle.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2644,6 +2652,10 @@
     <message>
         <source>geometric mean, 95 % CI</source>
         <translation>geometrisches Mittel, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>unfinished tracks</source>
+        <translation>unvollständige Folgen (Tracks)</translation>
     </message>
 </context>
 <context>
