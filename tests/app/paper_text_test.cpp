@@ -17,6 +17,7 @@
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "renderers/built_in_models.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -389,6 +390,50 @@ std::string methods_of_discrimination(const std::string& name, const nlohmann::j
   trial.answers = {"comparison"};
   made.add_session("p1", made.add_protocol(name, "discrimination", source.dump()), {trial, trial});
   return paragraph(study_report(made.study(), {}), "Methods");
+}
+
+// The direction of the force has its default value, and belongs to the table only.
+TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
+  const ModelRegistry models = built_in_models();
+  MadeUpStudy made;
+  made.add_person("p1", "F");
+  MadeUpTrial trial{};
+  trial.block = "comparisons";
+  for (const double amplitude_m : {50e-6, 60e-6}) {
+    PresentationRow surface =
+        surface_of(trial.surfaces.empty() ? "standard" : "comparison", "sinusoid", "");
+    nlohmann::json parameters{};
+    for (const auto& [name, value] :
+         complete_values(models.find("sinusoid")->declaration,
+                         {{"amplitude_m", amplitude_m}, {"wavelength_m", 0.0025}})) {
+      std::visit([&, name = name](const auto& each) { parameters[name] = each; }, value);
+    }
+    surface.parameters_json = parameters.dump();
+    trial.surfaces.push_back(surface);
+  }
+  trial.options = {"standard", "comparison"};
+  trial.right = {"comparison"};
+  trial.answers = {"comparison"};
+  made.add_session(
+      "p1", made.add_protocol("amplitude_jnd", "discrimination", library_text("amplitude_jnd")),
+      {trial, trial});
+  const Report report = study_report(made.study(), {});
+  const std::string methods = paragraph(report, "Methods");
+  EXPECT_THAT(methods,
+              HasSubstr("The parameters of the force model were: amplitude 50 µm and 60 µm, "
+                        "wavelength 2.5 mm. All others had their default values; the appendix "
+                        "contains a table of all parameters."));
+  EXPECT_THAT(methods, Not(HasSubstr("force direction")));
+  std::vector<std::vector<std::string>> rows{};
+  for (const ReportSection& section : report.chapters.back().sections) {
+    for (const ReportPart& part : section.parts) {
+      const auto* const table = std::get_if<ReportTable>(&part);
+      if (table != nullptr && table->title.starts_with("Parameters")) rows = table->rows;
+    }
+  }
+  using Row = std::vector<std::string>;
+  EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "wavelength", "2.5 mm"}));
+  EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "force direction", "fixed"}));
 }
 
 TEST(PaperText, StatesHowAStaircaseChoseTheLevels) {

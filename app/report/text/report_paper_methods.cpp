@@ -14,6 +14,7 @@
 #include "app/report/text/report_arrangement.h"
 #include "app/report/text/report_paper.h"
 #include "app/report/text/report_paper_trials.h"
+#include "app/report/text/report_parameters.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"

@@ -21,39 +21,6 @@ namespace asperity {
 
 namespace {
 
-/// "50 µm", "50 µm and 100 µm", "50 µm to 100 µm" of more than three.
-std::string values_text(const std::string& parameter, const std::set<ParameterValue>& values) {
-  constexpr std::size_t kMostListed = 3;
-  std::set<double> numbers{};
-  std::vector<std::string> words{};
-  for (const ParameterValue& value : values) {
-    if (const auto* const number = std::get_if<double>(&value)) {
-      numbers.insert(*number);
-    } else if (const auto* const choice = std::get_if<std::string>(&value)) {
-      std::string word = *choice;
-      std::replace(word.begin(), word.end(), '_', ' ');
-      words.push_back(std::move(word));
-    }
-  }
-  const auto shown = [unit = unit_of_parameter(parameter)](double number) {
-    return reading_quantity(number, unit);
-  };
-  if (numbers.size() > kMostListed) {
-    return shown(*numbers.begin()) + " to " + shown(*numbers.rbegin());
-  }
-  for (const double number : numbers) words.push_back(shown(number));
-  return listed(words);
-}
-
-std::string parameters_of_model(const std::map<std::string, std::set<ParameterValue>>& parameters) {
-  std::vector<std::string> parts{};
-  for (const auto& [name, values] : parameters) {
-    const std::string shown = values_text(name, values);
-    if (!shown.empty()) parts.push_back(words_of_parameter(name) + ' ' + shown);
-  }
-  return comma_separated(parts);
-}
-
 /// The main or the other blocks of the flow, each once.
 std::vector<const Protocol::Block*> blocks_in_flow(const Protocol& protocol, bool is_main) {
   std::vector<const Protocol::Block*> blocks{};
@@ -118,23 +85,6 @@ std::string paper_feedback(const Protocol& protocol) {
 }
 
 }  // namespace
-
-std::string paper_parameters(const ReportFacts& facts) {
-  std::vector<std::pair<std::string, std::string>> of_models{};
-  for (const auto& [model, parameters] : facts.parameters) {
-    const std::string text = parameters_of_model(parameters);
-    if (!text.empty()) of_models.emplace_back(model, text);
-  }
-  if (of_models.empty()) return {};
-  if (of_models.size() == 1) {
-    return "The parameters of the force model were: " + of_models.front().second + '.';
-  }
-  std::string text = "The parameters of the force models were: ";
-  for (const auto& [model, parameters] : of_models) {
-    text += (model == of_models.front().first ? "" : "; ") + model + " (" + parameters + ')';
-  }
-  return text + '.';
-}
 
 std::string paper_arrangement(const Protocol& protocol) {
   std::vector<std::pair<std::string, std::vector<std::string>>> arrangements{};  // text → blocks

@@ -1,4 +1,4 @@
-// The surfaces, practice and order of trials in a text for a paper.
+// The arrangement, practice and order of trials in a text for a paper.
 
 #pragma once
 
@@ -8,11 +8,7 @@
 
 namespace asperity {
 
-/// The parameters of the force models as they were rendered: "The parameters of the force model were: amplitude 50 µm to
-/// 100 µm, wavelength 2.5 mm."; empty where none were stored.
-std::string paper_parameters(const ReportFacts& facts);
-
-/// The two functions below require a protocol that can be read.
+/// These functions require a protocol that can be read.
 ///
 /// Visits, intervals, exposures and what is drawn for each presentation.
 std::string paper_arrangement(const Protocol& protocol);

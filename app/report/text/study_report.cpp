@@ -10,6 +10,7 @@
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/report/text/figure_parts.h"
+#include "app/report/text/report_parameters.h"
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_sexes.h"
 #include "app/study_files/program.h"
@@ -182,6 +183,8 @@ ReportChapter appendix_of(const ReportFacts& facts, const std::vector<ReportedOu
     }
     chapter.sections.push_back(of_kind(numbers_section(*each.outcome), each, outcomes));
   }
+  ReportSection parameters = parameters_section(facts);
+  if (!parameters.parts.empty()) chapter.sections.push_back(std::move(parameters));
   chapter.sections.push_back(sessions_section(facts));
   ReportSection notes = notes_section(facts);
   if (!notes.parts.empty()) chapter.sections.push_back(std::move(notes));
