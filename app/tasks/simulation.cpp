@@ -168,6 +168,8 @@ class Simulation final {
   std::uint64_t seed_of(int number, int sitting) const;
   void work();
   void take_through(Study& study, int number);
+  bool keeps_recordings(int number) const;
+  void check_recordings(const Study& study) const;
   void report_sessions(int done);
   void hold(Study& study, const ParticipantRow& person, const Protocol& protocol,
             std::int64_t calendar_index, std::uint64_t seed, std::optional<SessionRow> unfinished);
@@ -225,6 +227,42 @@ void Simulation::check_sessions(const Study& study) const {
                                  "written. Name the same protocols in the same order");
       }
     }
+  }
+}
+
+bool Simulation::keeps_recordings(int number) const {
+  return inputs_.recordings == Recordings::all ||
+         (inputs_.recordings == Recordings::first && number == batch_.first);
+}
+
+/// The value of --recordings is not stored; the attempts of the first participant and of another one show it. Continued with
+/// another value, a study would have the records of some sessions or trials only.
+void Simulation::check_recordings(const Study& study) const {
+  bool has_checked_first = false;
+  bool has_checked_other = false;
+  for (const SessionRow& row : study.sessions()) {
+    const int number = number_in_label(row.participant);
+    bool& has_checked = number == batch_.first ? has_checked_first : has_checked_other;
+    const bool is_recording =
+        std::any_of(protocols_.begin(), protocols_.end(), [&](const Protocol& protocol) {
+          return protocol.record && study.protocol(row.protocol_id).source == protocol.source;
+        });
+    if (has_checked || !is_recording || number < batch_.first ||
+        number >= batch_.first + batch_.participants) {
+      continue;
+    }
+    const std::vector<AttemptRow> attempts = study.attempts(row.id);
+    if (attempts.empty()) continue;
+    has_checked = true;
+    const bool has_records =
+        std::any_of(attempts.begin(), attempts.end(),
+                    [](const AttemptRow& attempt) { return attempt.recording.has_value(); });
+    if (has_records == keeps_recordings(number)) continue;
+    throw std::runtime_error(
+        "the tick records of " + row.participant + " were " + (has_records ? "kept" : "not kept") +
+        " when the simulation in " + inputs_.study.string() +
+        " was begun, contrary to the present --recordings; nothing was written. "
+        "Resume with the value of --recordings with which it was begun");
   }
 }
 
@@ -287,6 +325,7 @@ void Simulation::prepare(Study& study) {
   study.mark_crashed_sessions();
   batch_ = choose_batch(there, inputs_);
   check_sessions(study);
+  if (inputs_.resume) check_recordings(study);
   for (std::size_t i = 0; i < protocols_.size() && inputs_.warned; ++i) {
     const std::string file = inputs_.protocols[i].string();
     if (const auto warning = warning_about_version(protocols_[i], file, study)) {
@@ -398,8 +437,7 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
   const Allocation allocation = allocation_in_turn(protocol, number - 1);
   sitting.counterbalance_row = allocation.counterbalance_row;
   if (protocol.groups) sitting.group = allocation.group;
-  sitting.record = inputs_.recordings == Recordings::all ||
-                   (inputs_.recordings == Recordings::first && number == batch_.first);
+  sitting.record = keeps_recordings(number);
   const StudyLock lock(study.folder(), Study::session_lock_name(person.label));
   SteppedRig rig(rig_settings_for(protocol, {}, inputs_.device), calendar_index);
   if (unfinished) {

@@ -129,6 +129,24 @@ std::vector<std::string> with_resume(std::vector<std::string> arguments) {
   return arguments;
 }
 
+// With 2 participants: of all, the second has records that "first" would not keep.
+TEST(Simulate, IsNotResumedWithOtherRecordings) {
+  const SmallStudy small(1);
+  const auto with = [&small](const std::string& which) {
+    std::vector<std::string> arguments = simulate_arguments(small, small.study(), 2, 3);
+    arguments.insert(arguments.end(), {"--recordings", which});
+    return arguments;
+  };
+  ASSERT_EQ(asperity(with("all")).status, 0);
+  EXPECT_EQ(asperity(with_resume(with("all"))).status, 0);
+  for (const char* const other : {"first", "none"}) {
+    const Outcome refused = asperity(with_resume(with(other)));
+    EXPECT_EQ(refused.status, 1) << other;
+    EXPECT_THAT(refused.err, testing::HasSubstr("Resume with the value of --recordings with which "
+                                                "it was begun"));
+  }
+}
+
 std::vector<std::string> participants_in(const fs::path& study, const fs::path& tables) {
   return tsv(exported(study, tables).at("participants.tsv")).column("participant");
 }
