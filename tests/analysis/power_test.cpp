@@ -152,7 +152,8 @@ TEST(Power, OfThePooledTestIsRefusedWhereItTakesMinutes) {
                         .truth = 0.6,
                         .correlation = 0.1};
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { pooled_rejection(plan); }),
-              testing::AllOf(testing::HasSubstr("100000 participants with 100000 trials each"),
+              testing::AllOf(testing::HasSubstr(
+                                 "participants is 100000 and that of the trials of each is 100000"),
                              testing::HasSubstr("plan fewer trials per participant")));
   // Many participants with few trials are quick, and one with many.
   PooledPlan many = plan;

@@ -191,7 +191,7 @@ TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
   const std::string text = text_of(report);
   EXPECT_THAT(text, HasSubstr("Task of the rating: in each trial"));
   EXPECT_THAT(text, HasSubstr("Task of the absolute identification: in each trial"));
-  for (const char* const kind : {"rating", "recognition", "selection"}) {
+  for (const char* const kind : {"rating", "absolute identification", "best-of-n choice"}) {
     EXPECT_THAT(text, HasSubstr("Results (" + std::string(kind) + ")"));
     EXPECT_THAT(text, HasSubstr("Statistics (" + std::string(kind) + ")")) << "for a paper";
   }

@@ -339,11 +339,11 @@ TEST(ToolkitTexture, RefusesAFileWithItsLineAndTheCorrection) {
   EXPECT_THAT(refusal("<svg/>"), StartsWith("abs.xml:1: the root element is svg"));
   EXPECT_THAT(refusal(good.substr(0, good.size() / 2)), HasSubstr("copy the file again"));
   EXPECT_THAT(refusal(with_replaced(good, "mm/s", "m/s")),
-              StartsWith("abs.xml:5: SpeedUnits is \"m/s\"; only \"mm/s\" is read"));
+              StartsWith("abs.xml:5: SpeedUnits is \"m/s\", and only \"mm/s\" is supported"));
   EXPECT_THAT(refusal(with_replaced(good, "1000", "10000")), StartsWith("abs.xml:7: SampleRate"));
   EXPECT_THAT(refusal(with_replaced(good, "<var>0.04</var>", "")),
               StartsWith("abs.xml:15: the element model has no var"));
-  EXPECT_THAT(refusal(with_replaced(good, "0.04", "loud")), HasSubstr("not \"loud\""));
+  EXPECT_THAT(refusal(with_replaced(good, "0.04", "loud")), HasSubstr("has \"loud\""));
   EXPECT_THAT(refusal(with_replaced(good, "<value>0.8", "<value>0.4")),
               StartsWith("abs.xml:12: the frequencies of ARlsf must increase"));
   EXPECT_THAT(refusal(with_replaced(good, "</mu>", "</nu>")),

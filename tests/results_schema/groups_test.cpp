@@ -104,8 +104,9 @@ TEST_F(GroupAssignment, ByTheExperimenterIsStoredAndCannotChange) {
 
 TEST_F(GroupAssignment, IsRefusedToAParticipantWhoseGroupTheProtocolNoLongerHas) {
   begin(label_of(0), SessionMode::run, 1, "smell");
-  EXPECT_THAT([&] { begin(label_of(0)); }, testing::ThrowsMessage<ResultsError>(
-                                               HasSubstr("the participant is in the group smell")));
+  EXPECT_THAT(
+      [&] { begin(label_of(0)); },
+      testing::ThrowsMessage<ResultsError>(HasSubstr("has participant P10 in the group smell")));
 }
 
 TEST_F(GroupAssignment, CounterbalancesWithinEachGroup) {

@@ -106,7 +106,7 @@ TEST_F(StudyPages, ListTheProtocolsOfTheDemoStudyAsValid) {
   for (int row = 0; row < 3; ++row) EXPECT_EQ(table.text_at(row, 5), "● valid");
   const int recognition = static_cast<int>(column(table, 1).indexOf("chapter_recognition"));
   ASSERT_GE(recognition, 0);
-  EXPECT_EQ(table.text_at(recognition, 2), "recognition");
+  EXPECT_EQ(table.text_at(recognition, 2), "absolute identification");
   EXPECT_EQ(table.text_at(recognition, 3), "1.1.0");
   EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
   EXPECT_TRUE(child<QLabel>(window_, "protocol_facts").text().contains("trial"));
