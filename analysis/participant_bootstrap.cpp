@@ -1,0 +1,39 @@
+#include "analysis/participant_bootstrap.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "analysis/random.h"
+#include "analysis/seed_of_tests.h"
+#include "analysis/summary.h"
+
+namespace asperity {
+
+ParticipantBootstrap bootstrap_participants(
+    const BootstrapPlan& plan,
+    const std::function<std::optional<double>(std::span<const std::size_t>)>& statistic) {
+  if (plan.participants < 2) return {};
+  ParticipantBootstrap bootstrap{.draws = plan.draws};
+  const Random seeded = Random(kSeedOfTests).split("participant_bootstrap");
+  std::vector<double> found{};
+  std::vector<std::size_t> drawn(plan.participants);
+  for (std::size_t draw = 0; draw < plan.draws; ++draw) {
+    Random random = seeded.split(draw);
+    for (std::size_t& place : drawn) {
+      place = static_cast<std::size_t>(random.below(plan.participants));
+    }
+    if (const std::optional<double> value = statistic(drawn)) {
+      found.push_back(*value);
+    } else {
+      ++bootstrap.without;
+    }
+  }
+  if (found.empty()) return bootstrap;
+  std::sort(found.begin(), found.end());
+  const double outside = 0.5 * (1.0 - plan.confidence);
+  bootstrap.interval =
+      ConfidenceInterval{.low = quantile(found, outside), .high = quantile(found, 1.0 - outside)};
+  return bootstrap;
+}
+
+}  // namespace asperity
