@@ -178,6 +178,14 @@ TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
   EXPECT_EQ(word_of(findings_of("equivalence", "subject,a,b\nA,1,2\nB,2,3\n", "{}"), "tost.p"),
             "undefined_zero_variance");
   EXPECT_EQ(word_of(findings_of("equivalence", "subject,a,b\nA,1,\n", "{}"), "diff"), "no_data");
+  EXPECT_THAT(family_refusal("dprime", "id,design,signal_yes,signal_n\nx,triangle,1,2\n", "{}"),
+              HasSubstr("\"triangle\" is not a design; use one of yesno, 2afc"));
+  EXPECT_THAT(family_refusal("dprime", "id,design,signal_yes,signal_n\nx,yesno,1,2\n", "{}"),
+              HasSubstr("this design needs a number of trials above 0"));
+  EXPECT_THAT(family_refusal("dprime", "id,design,signal_yes,signal_n\nx,mafc,1,2\n", "{}"),
+              HasSubstr("needs the number m of alternatives"));
+  EXPECT_THAT(family_refusal("roc", "condition,rating,noise,signal\nx,1,2,3\nx,1,2,3\n", "{}"),
+              HasSubstr("the rating 1 occurs a second time in the condition x"));
   EXPECT_EQ(family_refusal("icc", "target,rater,score\nx,A,1\nx,A,2\n", "{}"),
             "t.csv:3:3: x has already been rated by the rater A; remove one of the rows: a target is rated once "
             "by each rater");

@@ -23,6 +23,12 @@ constexpr std::array kFamilies{
         "average: of the measurements of a participant: mean, median; factors: columns with "
         "their levels, as {\"texture\": [\"wood\", \"metal\"]}",
         description_findings, "average,factors"},
+    TidyFamily{
+        "dprime",
+        "id,design,signal_yes,signal_n,noise_yes,noise_n,m and optionally subject: counts of a "
+        "task, one per row; design: yesno, 2afc, mafc, samediff, abx, oddity; of mafc and oddity "
+        "signal_yes of signal_n are correct, and m is the number of alternatives of mafc",
+        "conf", dprime_findings, "conf"},
     TidyFamily{"equivalence",
                "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
                "subject,group,value: two samples; one row per participant",
@@ -121,6 +127,10 @@ constexpr std::array kFamilies{
         "{\"group\": [\"a\", \"b\"]}; type: 2, 3; trend: a "
         "factor; trend_scale: linear, log10; conf",
         rmanova_findings, "within,between,type,trend,trend_scale,conf"},
+    TidyFamily{"roc",
+               "condition,rating,noise,signal and optionally subject: trials without and with a "
+               "signal by rating, a higher one being more certain that there was a signal",
+               "conf", roc_findings, "conf"},
     TidyFamily{"seedpaper",
                "three tables of margins: exp,renderer,count; exp,sex,correct,n of matching; "
                "exp,sex,correct,n of recognition",

@@ -66,6 +66,7 @@ const TidyFamily& tidy_family(const std::string& name);
 
 std::vector<Finding> components_findings(const TidyInput& input);
 std::vector<Finding> description_findings(const TidyInput& input);
+std::vector<Finding> dprime_findings(const TidyInput& input);
 std::vector<Finding> equivalence_findings(const TidyInput& input);
 std::vector<Finding> glmm_findings(const TidyInput& input);
 std::vector<Finding> group_findings(const TidyInput& input);
@@ -84,6 +85,7 @@ std::vector<Finding> rating_findings(const TidyInput& input);
 std::vector<Finding> recognition_findings(const TidyInput& input);
 std::vector<Finding> response_times_findings(const TidyInput& input);
 std::vector<Finding> rmanova_findings(const TidyInput& input);
+std::vector<Finding> roc_findings(const TidyInput& input);
 std::vector<Finding> seedpaper_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);
 std::vector<Finding> staircase_findings(const TidyInput& input);

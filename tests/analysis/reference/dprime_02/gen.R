@@ -1,0 +1,6 @@
+source("../R/case.R"); source("../R/dprime.R")
+# The counts were drawn once; the table is read, not made.
+data <- read.csv("data.csv")
+write_case("dprime", "yes-no, 2AFC, mAFC, same-different, ABX, oddity", "data.csv", c(conf = "0.9"))
+dprime_results(data, 0.9)
+write_results()
