@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +10,7 @@
 
 #include "analysis/intraclass.h"
 #include "analysis/number_text.h"
+#include "analysis/summary.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -58,6 +60,45 @@ CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>>
   answer.value = consistency_of_mean.value;
   answer.interval = consistency_of_mean.interval;
   return answer;
+}
+
+std::optional<ConfidenceInterval> cronbach_alpha_interval(
+    std::span<const std::vector<std::optional<double>>> scores,
+    std::span<const std::size_t> cluster, const ClusterResampling& resampling,
+    const Random& random) {
+  if (cluster.size() != scores.size()) {
+    throw std::invalid_argument("cluster has " + counted(cluster.size(), "row", "rows") +
+                                "; scores has " + std::to_string(scores.size()));
+  }
+  static_cast<void>(cronbach_alpha(scores, resampling.confidence));  // refuses impossible scores
+  std::vector<std::vector<std::size_t>> rows_of{};
+  for (std::size_t row = 0; row < cluster.size(); ++row) {
+    if (cluster[row] >= rows_of.size()) rows_of.resize(cluster[row] + 1);
+    rows_of[cluster[row]].push_back(row);
+  }
+  std::erase_if(rows_of, [](const auto& rows) { return rows.empty(); });
+  if (rows_of.size() < 2) return std::nullopt;
+  std::vector<double> values{};
+  std::vector<std::vector<std::optional<double>>> drawn{};
+  for (std::size_t draw = 0; draw < resampling.draws; ++draw) {
+    Random of_draw = random.split(static_cast<std::uint64_t>(draw));
+    drawn.clear();
+    for (std::size_t i = 0; i < rows_of.size(); ++i) {
+      for (const std::size_t row : rows_of[of_draw.below(rows_of.size())]) {
+        drawn.push_back(scores[row]);
+      }
+    }
+    const std::optional<double> value = cronbach_alpha(drawn, resampling.confidence).value;
+    if (value) values.push_back(*value);
+  }
+  constexpr double kMostUndefined = 0.1;
+  if (static_cast<double>(values.size()) <
+      (1.0 - kMostUndefined) * static_cast<double>(resampling.draws)) {
+    return std::nullopt;
+  }
+  std::sort(values.begin(), values.end());
+  const double tail = 0.5 - resampling.confidence / 2.0;
+  return ConfidenceInterval{quantile(values, tail), quantile(values, 1.0 - tail)};
 }
 
 }  // namespace asperity

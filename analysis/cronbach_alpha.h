@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "analysis/proportion.h"
+#include "analysis/random.h"
+#include "analysis/seed_of_tests.h"
 
 namespace asperity {
 
@@ -41,5 +43,18 @@ struct CronbachAlpha {
 /// lengths, for fewer than two items and for a score that is not finite.
 CronbachAlpha cronbach_alpha(std::span<const std::vector<std::optional<double>>> scores,
                              double confidence = 0.95);
+
+/// The percentile interval (quantiles of type 7) of alpha from clusters drawn with replacement, where rows of scores are
+/// not independent: participants who rated several textures each. `cluster`: that of each row, numbered from 0. Nothing with
+/// fewer than two clusters, and where alpha is defined in less than nine tenths of the draws. Throws
+/// std::invalid_argument for a cluster per row too many or too few, and as `cronbach_alpha` does.
+struct ClusterResampling {
+  std::size_t draws = 2000;
+  double confidence = 0.95;
+};
+std::optional<ConfidenceInterval> cronbach_alpha_interval(
+    std::span<const std::vector<std::optional<double>>> scores,
+    std::span<const std::size_t> cluster, const ClusterResampling& resampling = {},
+    const Random& random = Random(kSeedOfTests));
 
 }  // namespace asperity

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -139,6 +141,78 @@ ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
   for (Eigen::Index component = 0; component < eigenvalues.size(); ++component) {
     if (!(eigenvalues(component) > answer.limits(component))) break;
     ++answer.retained;
+  }
+  return answer;
+}
+
+Eigen::MatrixXd mean_table(std::span<const Eigen::MatrixXd> participants) {
+  if (participants.empty())
+    throw std::invalid_argument("participants is empty; at least one participant is needed");
+  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(participants[0].rows(), participants[0].cols());
+  Eigen::MatrixXd n = total;
+  for (const Eigen::MatrixXd& own : participants) {
+    if (own.rows() != total.rows() || own.cols() != total.cols()) {
+      throw std::invalid_argument("participants: the tables differ in size; all must have the same");
+    }
+    for (Eigen::Index cell = 0; cell < own.size(); ++cell) {
+      const double rating = own.data()[cell];
+      if (std::isnan(rating)) continue;
+      total.data()[cell] += rating;
+      n.data()[cell] += 1.0;
+    }
+  }
+  return total.cwiseQuotient(n);  // 0/0 is NaN
+}
+
+std::optional<ComponentIntervals> component_intervals(std::span<const Eigen::MatrixXd> participants,
+                                                      const ComponentResampling& resampling,
+                                                      const Random& random) {
+  if (participants.size() < 2) return std::nullopt;
+  const Eigen::MatrixXd means = mean_table(participants);
+  if (means.hasNaN()) return std::nullopt;
+  const std::optional<PrincipalComponents> of_all = principal_components(means);
+  if (!of_all) return std::nullopt;
+  const Eigen::Index p = means.cols();
+  std::vector<std::vector<double>> proportions(static_cast<std::size_t>(p));
+  std::vector<std::vector<double>> loadings(static_cast<std::size_t>(p * p));
+  ComponentIntervals answer{};
+  std::vector<Eigen::MatrixXd> drawn(participants.size());
+  for (std::size_t draw = 0; draw < resampling.draws; ++draw) {
+    Random of_draw = random.split(static_cast<std::uint64_t>(draw));
+    for (Eigen::MatrixXd& own : drawn) own = participants[of_draw.below(participants.size())];
+    const Eigen::MatrixXd resampled = mean_table(drawn);
+    if (resampled.hasNaN()) continue;
+    const std::optional<PrincipalComponents> found = principal_components(resampled);
+    if (!found) continue;
+    ++answer.valid;
+    for (Eigen::Index component = 0; component < p; ++component) {
+      proportions[static_cast<std::size_t>(component)].push_back(found->proportion(component));
+      const Eigen::VectorXd own = found->loadings.col(component);
+      const double sign = own.dot(of_all->loadings.col(component)) < 0.0 ? -1.0 : 1.0;
+      for (Eigen::Index scale = 0; scale < p; ++scale) {
+        loadings[static_cast<std::size_t>(component * p + scale)].push_back(sign * own(scale));
+      }
+    }
+  }
+  constexpr double kMostInvalid = 0.1;
+  const auto draws = static_cast<double>(resampling.draws);
+  if (static_cast<double>(answer.valid) < (1.0 - kMostInvalid) * draws) return std::nullopt;
+  const double tail = 0.5 - resampling.confidence / 2.0;
+  answer.proportion_low.resize(p);
+  answer.proportion_high.resize(p);
+  answer.loadings_low.resize(p, p);
+  answer.loadings_high.resize(p, p);
+  for (Eigen::Index component = 0; component < p; ++component) {
+    std::vector<double>& of_component = proportions[static_cast<std::size_t>(component)];
+    std::sort(of_component.begin(), of_component.end());
+    answer.proportion_low(component) = quantile(of_component, tail);
+    answer.proportion_high(component) = quantile(of_component, 1.0 - tail);
+    for (Eigen::Index scale = 0; scale < p; ++scale) {
+      std::vector<double>& own = loadings[static_cast<std::size_t>(component * p + scale)];
+      std::sort(own.begin(), own.end());
+      answer.loadings_low(scale, component) = quantile(own, tail);
+      answer.loadings_high(scale, component) = quantile(own, 1.0 - tail);
+    }
   }
   return answer;
 }

@@ -80,4 +80,32 @@ ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
                                      std::span<const Eigen::VectorXd> of_noise,
                                      double percentile = 0.95);
 
+/// Intervals of the components of mean ratings, from participants drawn with replacement. The items are fixed: the
+/// intervals generalise to other participants, not to other items.
+///
+/// The components of each draw are those of its mean table, each reflected so that its loadings have a positive inner
+/// product with those of the data (M. E. Timmerman, H. A. L. Kiers, A. K. Smilde: Estimating confidence intervals for
+/// principal component loadings: A comparison between the bootstrap and asymptotic results. British Journal of Mathematical
+/// and Statistical Psychology 60(2), 295–314, 2007). They are not rotated to each other: components whose eigenvalues are
+/// close change places between draws, and have wide intervals. Limits are percentiles (quantiles of type 7).
+struct ComponentIntervals {
+  Eigen::VectorXd proportion_low{};
+  Eigen::VectorXd proportion_high{};
+  Eigen::MatrixXd loadings_low{};  ///< as PrincipalComponents::loadings
+  Eigen::MatrixXd loadings_high{};
+  std::size_t valid = 0;  ///< draws in which every cell has a rating and no scale is constant
+};
+struct ComponentResampling {
+  std::size_t draws = 2000;
+  double confidence = 0.95;
+};
+/// `participants`: a table of items × scales each, NaN where there is no rating. Nothing with fewer than two
+/// participants, where the components of all of them are not defined, and where less than nine tenths of the draws are
+/// valid. Throws std::invalid_argument for tables of different sizes, and as `principal_components` does.
+std::optional<ComponentIntervals> component_intervals(std::span<const Eigen::MatrixXd> participants,
+                                                      const ComponentResampling& resampling = {},
+                                                      const Random& random = Random(kSeedOfTests));
+/// The mean over participants of each cell, over those who have it; NaN where none has.
+Eigen::MatrixXd mean_table(std::span<const Eigen::MatrixXd> participants);
+
 }  // namespace asperity

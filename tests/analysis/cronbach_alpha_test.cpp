@@ -73,5 +73,30 @@ TEST(CronbachAlpha, RefusesImpossibleScores) {
   EXPECT_THROW(cronbach_alpha(Scores{{1.0, 2.0}, {2.0, 1.0}}, 1.5), std::invalid_argument);
 }
 
+TEST(CronbachAlphaInterval, IsAPointWhereAllClustersAreAlike) {
+  const Scores scores{{1.0, 2.0}, {3.0, 2.0}, {5.0, 6.0}, {1.0, 2.0}, {3.0, 2.0}, {5.0, 6.0}};
+  const std::vector<std::size_t> cluster{0, 0, 0, 1, 1, 1};
+  const auto interval = cronbach_alpha_interval(scores, cluster, {.draws = 50});
+  ASSERT_TRUE(interval);
+  EXPECT_NEAR(interval->low, *cronbach_alpha(scores).value, 1e-12);
+  EXPECT_NEAR(interval->high, *cronbach_alpha(scores).value, 1e-12);
+}
+
+// Of two clusters each draw is both (probability ½) or one of them twice (¼ each). Their alphas are 1 and 0.75, and that of
+// both together lies between: the limits are those of the clusters.
+TEST(CronbachAlphaInterval, DrawsWholeClusters) {
+  const Scores one{{1.0, 1.0}, {2.0, 2.0}, {3.0, 3.0}};
+  const Scores other{{1.0, 2.0}, {2.0, 1.0}, {3.0, 4.0}, {4.0, 3.0}};
+  Scores all = one;
+  all.insert(all.end(), other.begin(), other.end());
+  const std::vector<std::size_t> cluster{0, 0, 0, 1, 1, 1, 1};
+  const auto interval = cronbach_alpha_interval(all, cluster);
+  ASSERT_TRUE(interval);
+  EXPECT_NEAR(interval->high, 1.0, 1e-12);
+  EXPECT_NEAR(interval->low, *cronbach_alpha(other).value, 1e-1);
+  EXPECT_FALSE(cronbach_alpha_interval(one, std::vector<std::size_t>{0, 0, 0}));
+  EXPECT_THROW(cronbach_alpha_interval(one, std::vector<std::size_t>{0, 0}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -163,5 +163,43 @@ TEST(ParallelAnalysis, RefusesImpossibleQuestions) {
   EXPECT_THROW(compared_with_noise(eigenvalues, noise), std::invalid_argument);
 }
 
+TEST(ComponentIntervals, ArePointsWhereAllParticipantsAreAlike) {
+  const Eigen::MatrixXd values = six_scales();
+  const auto components = principal_components(values);
+  const std::vector<Eigen::MatrixXd> alike(4, values);
+  const auto intervals = component_intervals(alike, {.draws = 20});
+  ASSERT_TRUE(intervals);
+  EXPECT_EQ(intervals->valid, 20U);
+  EXPECT_LT((intervals->loadings_low - components->loadings).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((intervals->loadings_high - components->loadings).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((intervals->proportion_low - components->proportion).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(ComponentIntervals, ContainTheLoadingsOfParticipantsWhoDiffer) {
+  const Eigen::MatrixXd values = six_scales();
+  Random random(3);
+  std::vector<Eigen::MatrixXd> participants(10, values);
+  for (Eigen::MatrixXd& own : participants) {
+    for (double& rating : own.reshaped()) rating += 0.5 * random.normal();
+  }
+  const auto components = principal_components(mean_table(participants));
+  const auto intervals = component_intervals(participants, {.draws = 400});
+  ASSERT_TRUE(intervals);
+  for (Eigen::Index scale = 0; scale < 6; ++scale) {
+    EXPECT_LE(intervals->loadings_low(scale, 0), components->loadings(scale, 0));
+    EXPECT_GE(intervals->loadings_high(scale, 0), components->loadings(scale, 0));
+    EXPECT_LT(intervals->loadings_low(scale, 0), intervals->loadings_high(scale, 0));
+  }
+}
+
+TEST(ComponentIntervals, NeedTwoParticipantsAndEveryCell) {
+  const Eigen::MatrixXd values = six_scales();
+  EXPECT_FALSE(component_intervals(std::vector<Eigen::MatrixXd>{values}));
+  Eigen::MatrixXd incomplete = values;
+  incomplete(0, 0) = std::nan("");
+  EXPECT_FALSE(component_intervals(std::vector<Eigen::MatrixXd>{incomplete, incomplete}));
+  EXPECT_EQ(mean_table(std::vector<Eigen::MatrixXd>{incomplete, values})(0, 0), values(0, 0));
+}
+
 }  // namespace
 }  // namespace asperity
