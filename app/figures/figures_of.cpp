@@ -139,6 +139,11 @@ void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   const NamedTable* const loadings = named("loadings");
   if (loadings == nullptr) return;
   const std::vector<Finding> components = part_of(outcome.findings, "components");
+  const bool has_second = std::any_of(
+      components.begin(), components.end(), [](const Finding& finding) {
+        return finding.quantity == "loading" && finding.key.ends_with("|C2");
+      });
+  if (!has_second) return;  // too few items for the loadings of two components
   figures.push_back(biplot_figure(FoundNumbers(components)));
   figures.back().table = loadings->name;
 }

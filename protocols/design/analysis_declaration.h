@@ -2,12 +2,25 @@
 
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity {
+
+/// Scales of ratings that are to measure the same attribute of the items: the test items of Cronbach's alpha.
+struct ConstructDeclaration {
+  std::vector<std::string> scales{};         ///< names of questions with a scale; at least two
+  std::vector<std::string> reverse_keyed{};  ///< those of them on which the attribute decreases
+
+  bool is_reversed(const std::string& scale) const {
+    return std::find(reverse_keyed.begin(), reverse_keyed.end(), scale) != reverse_keyed.end();
+  }
+  bool operator==(const ConstructDeclaration&) const = default;
+};
 
 /// The key `analysis`. The p values of the family are Holm-corrected together. This keeps the probability of any false
 /// positive among them at the set level only if the family was chosen before the data.
@@ -17,6 +30,7 @@ struct AnalysisDeclaration {
   std::vector<std::string> family{};  ///< names of tests; empty: not declared
   /// Of a matching or a recognition: differences of proportions correct from −margin to +margin count as equivalence.
   std::optional<double> equivalence_margin{};
+  std::map<std::string, ConstructDeclaration, std::less<>> constructs{};  ///< of a rating, by name
   bool operator==(const AnalysisDeclaration&) const = default;
 };
 

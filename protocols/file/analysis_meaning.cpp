@@ -2,7 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <iterator>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "protocols/file/meaning_checks.h"
 
@@ -42,7 +48,8 @@ void Meaning::check_analysis() {
   const auto found = root.find("analysis");
   if (found == root.end()) return;
   // Other keys are comments of the author; one that is similar to a known key is a spelling mistake.
-  const std::vector<std::string> known{"target", "family", "equivalence_margin"};
+  const std::vector<std::string> known{"target", "family", "equivalence_margin",
+                                       "constructs"};
   for (const auto& [key, value] : found->items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string guess = did_you_mean(key, known);
@@ -72,6 +79,7 @@ void Meaning::check_analysis() {
         "/analysis/equivalence_margin",
         "only a matching and a recognition have proportions correct to compare; remove this key");
   }
+  check_constructs();
   std::vector<std::string> tests{};
   std::string kinds{};
   const std::vector<const ExperimentKind*> analysed = analysed_kinds_of(protocol_);
@@ -111,6 +119,55 @@ void Meaning::check_analysis() {
   };
   if (has("pairs") && has("target_pairs")) {
     report("/analysis/family", "\"pairs\" includes the pairs of the target; keep one of the two");
+  }
+}
+
+void Meaning::check_constructs() {
+  std::map<std::string, ScaleForm, std::less<>> scales{};
+  for (const auto& [name, block] : protocol_.blocks) {
+    if (block.phase != Phase::main || block.kind != "rating") continue;
+    for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+      if (const auto* const scale = std::get_if<ScaleForm>(&question.form)) {
+        scales.emplace(question.name, *scale);
+      }
+    }
+  }
+  std::vector<std::string> known{};
+  for (const auto& [name, scale] : scales) known.push_back(name);
+  for (const auto& [name, construct] : protocol_.analysis.constructs) {
+    const std::string pointer = pointer_to("/analysis/constructs", name);
+    const ScaleForm* first = nullptr;
+    for (std::size_t i = 0; i < construct.scales.size(); ++i) {
+      const std::string at = pointer_to(pointer + "/scales", i);
+      const std::string& scale = construct.scales[i];
+      const auto here = construct.scales.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto found = scales.find(scale);
+      if (found == scales.end()) {
+        report(at, "no main block of ratings has a scale " + in_quotes(scale) +
+                       (known.empty() ? "; add one" : "; use " + one_of(known)));
+      } else if (std::find(construct.scales.begin(), here, scale) != here) {
+        report(at, "the scale " + in_quotes(scale) + " is named twice; name it once");
+      } else if (first == nullptr) {
+        first = &found->second;
+      } else if (found->second.minimum != first->minimum ||
+                 found->second.maximum != first->maximum) {
+        report(at, "the scales of a construct are added up and have one range: " +
+                       in_quotes(scale) + " has " + digits(found->second.minimum) + " to " +
+                       digits(found->second.maximum) + ", the first scale " +
+                       digits(first->minimum) + " to " + digits(first->maximum) +
+                       "; give them the same minimum and maximum");
+      }
+    }
+    for (std::size_t i = 0; i < construct.reverse_keyed.size(); ++i) {
+      const std::string& scale = construct.reverse_keyed[i];
+      if (std::find(construct.scales.begin(), construct.scales.end(), scale) !=
+          construct.scales.end()) {
+        continue;
+      }
+      report(pointer_to(pointer + "/reverse_keyed", i),
+             in_quotes(scale) + " is not one of the scales of this construct; use " +
+                 one_of(construct.scales));
+    }
   }
 }
 

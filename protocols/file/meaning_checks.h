@@ -128,6 +128,7 @@ class Meaning final : private ProblemSink {
   void check_order(const Protocol::Block& block, const std::string& pointer);
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
   void check_analysis();
+  void check_constructs();
   /// The items that can be chosen in main blocks, for the check of the declared target.
   std::set<std::string> items_of_main_blocks();
   void check_size();

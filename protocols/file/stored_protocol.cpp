@@ -277,6 +277,12 @@ AnalysisDeclaration analysis_declared_in(const Json& protocol) {
   if (margin.is_number() && margin.get<double>() > 0.0 && margin.get<double>() < 1.0) {
     declared.equivalence_margin = margin.get<double>();
   }
+  for_each_object(member_of(analysis, "constructs"),
+                  [&declared](const std::string& name, const Json& construct) {
+                    declared.constructs[name] = {
+                        .scales = texts_in(construct, "scales"),
+                        .reverse_keyed = texts_in(construct, "reverse_keyed")};
+                  });
   return declared;
 }
 

@@ -104,7 +104,7 @@ TEST_F(Ratings, HaveTablesAndAQuestionForEachScale) {
   EXPECT_EQ(scales[1], (std::vector<Cell>{std::string("hard"), std::int64_t{1}, Cell{},
                                           std::int64_t{7}, Cell{}, std::int64_t{7}}));
   ASSERT_NE(table("agreement"), ratings.tables.end());
-  EXPECT_EQ(table("agreement")->table.rows.size(), 10U);
+  EXPECT_EQ(table("agreement")->table.rows.size(), 8U);  // two scales, four correlations
   ASSERT_EQ(ratings.questions.size(), 2U);
   EXPECT_THAT(ratings.questions[0].question.english(), HasSubstr("rough"));
   EXPECT_THAT(ratings.questions[1].answer.english(), HasSubstr("highest for metal, 5.50"));
@@ -291,7 +291,7 @@ TEST(AccompanyingScale, IsNotAnalysedAsAnAttributeOfItems) {
       ratings_with_confidence(kWithConfidence, R"({"family": ["ratings", "right"]})");
   const NamedTable* const means = table_named(ratings, "ratings");
   ASSERT_NE(means, nullptr);
-  for (const char* const name : {"ratings", "agreement", "loadings", "tests"}) {
+  for (const char* const name : {"ratings", "agreement", "components", "tests"}) {
     const NamedTable* const table = table_named(ratings, name);
     ASSERT_NE(table, nullptr) << name;
     for (const auto& row : table->table.rows) {
@@ -351,6 +351,167 @@ TEST(AccompanyingScale, IsReportedByTheChosenItemWhereNoResponseIsCorrect) {
   EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|best|chosen|y").value(), 40.0);
   EXPECT_EQ(table_named(ratings, "tests"), nullptr);
   EXPECT_EQ(table_named(ratings, "ratings"), nullptr);
+}
+
+/// A participant's rating of an item on the scale `rough`, and on `smooth` where it is given.
+MadeUpTrial rated_on(const std::string& item, const std::string& rough, const std::string& smooth = {},
+                     int repetition = 1) {
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of(item, "height_map", item)};
+  trial.questions = {"rough"};
+  trial.answers = {rough};
+  trial.repetition = repetition;
+  if (!smooth.empty()) {
+    trial.questions.push_back("smooth");
+    trial.answers.push_back(smooth);
+  }
+  return trial;
+}
+
+AnalysisOutcome analysed(const std::string& source,
+                         const std::vector<std::vector<MadeUpTrial>>& participants) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("made", "rating", source);
+  for (std::size_t i = 0; i < participants.size(); ++i) {
+    const std::string label = "p" + std::to_string(i + 1);
+    made.add_person(label, "");
+    made.add_session(label, protocol, participants[i]);
+  }
+  return analyze_study(made.study(), std::nullopt, {}).at(0);
+}
+
+std::string two_scales_with(const std::string& analysis) {
+  return R"({"kind": "rating", "blocks": {"only": {"questions": [
+    {"name": "rough", "prompt": "How rough?", "scale": {"minimum": 1, "maximum": 7, "points": 7}},
+    {"name": "smooth", "prompt": "How smooth?", "scale": {"minimum": 1, "maximum": 7, "points": 7}}]}},
+    "analysis": )" + analysis + "}";
+}
+
+TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
+  // Rough 1, 3, 5, 7 and 8 − smooth 2, 2, 6, 6: variances 20/3 and 16/3, of the sums 68/3;
+  // α = 2·(1 − 36/68) = 16/17.
+  const std::vector<std::vector<MadeUpTrial>> people{
+      {rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
+      {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}};
+  const AnalysisOutcome outcome = analysed(
+      two_scales_with(R"({"constructs": {"roughness": {"scales": ["rough", "smooth"],
+                                                       "reverse_keyed": ["smooth"]}}})"),
+      people);
+  const FoundNumbers found(outcome.findings);
+  EXPECT_NEAR(found.value("cronbach.alpha", "roughness").value(), 16.0 / 17.0, 1e-12);
+  const NamedTable* const table = table_named(outcome, "constructs");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->table.rows.at(0).at(2), Cell(std::string("smooth")));
+  EXPECT_EQ(table->table.rows.at(0).at(4), Cell(std::int64_t{4}));
+  const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                                  [](const auto& each) { return each.name == "construct_roughness"; });
+  ASSERT_NE(asked, outcome.questions.end());
+  EXPECT_THAT(asked->answer.english(), HasSubstr("α = .94"));
+  EXPECT_THAT(asked->answer.english(), HasSubstr("rough, smooth (reverse-keyed: smooth)"));
+}
+
+TEST(Construct, IsNotMadeOfParticipants) {
+  const std::vector<std::vector<MadeUpTrial>> people{
+      {rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
+      {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}};
+  const AnalysisOutcome outcome = analysed(two_scales_with("{}"), people);
+  EXPECT_EQ(FoundNumbers(outcome.findings).all("cronbach.alpha").size(), 0U);
+  EXPECT_EQ(table_named(outcome, "constructs"), nullptr);
+  EXPECT_NE(FoundNumbers(outcome.findings).find("icc", "rough|ICC2k"), nullptr);
+}
+
+std::string one_scale(const std::string& scale) {
+  return R"({"kind": "rating", "blocks": {"only": {"question":
+    {"name": "rough", "prompt": "How rough?", "scale": )" + scale + "}}}}";
+}
+
+/// Four participants with different means; stone is rated 20, 22, 18 and 24 above wood.
+std::vector<std::vector<MadeUpTrial>> four_on_a_line() {
+  std::vector<std::vector<MadeUpTrial>> people{};
+  for (const auto& [wood, stone] : {std::pair{10, 30}, {30, 52}, {20, 38}, {50, 74}}) {
+    people.push_back({rated_on("wood", std::to_string(wood)),
+                      rated_on("stone", std::to_string(stone))});
+  }
+  return people;
+}
+
+TEST(RatingModel, IsLinearOnAContinuousScale) {
+  const AnalysisOutcome outcome = analysed(one_scale(R"({"minimum": 0, "maximum": 100})"),
+                                           four_on_a_line());
+  EXPECT_EQ(table_named(outcome, "ordinal"), nullptr);
+  const NamedTable* const table = table_named(outcome, "mixed_model");
+  ASSERT_NE(table, nullptr);
+  ASSERT_EQ(table->table.rows.size(), 1U);  // the reference is the first item, stone
+  const FoundNumbers found(outcome.findings);
+  // Complete data: the mean difference, and F = t² of the paired t test, 21²/(s²/4) with s² = 20/3.
+  EXPECT_NEAR(found.value("lmm.beta", "rough|item|wood").value(), -21.0, 1e-9);
+  EXPECT_NEAR(found.value("lmm.F", "rough|item").value(), 441.0 / (20.0 / 3.0 / 4.0), 1e-3);
+  const auto sentence =
+      std::find_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
+                   [](const TestSentence& each) { return each.test == "rating_model"; });
+  ASSERT_NE(sentence, outcome.test_sentences.end());
+  EXPECT_THAT(sentence->text, HasSubstr("in the mixed model"));
+}
+
+TEST(RatingModel, IsOrdinalUpToElevenPoints) {
+  const auto tables = [](const std::string& points) {
+    std::vector<std::vector<MadeUpTrial>> people{};
+    for (const auto& [wood, stone] : {std::pair{1, 3}, {3, 2}, {2, 4}, {4, 5}, {1, 2}}) {
+      people.push_back({rated_on("wood", std::to_string(wood)),
+                        rated_on("stone", std::to_string(stone))});
+    }
+    return analysed(one_scale(R"({"minimum": 0, "maximum": 11, "points": )" + points + "}"),
+                    people);
+  };
+  EXPECT_NE(FoundNumbers(tables("11").findings).find("n.categories", "rough"), nullptr);
+  EXPECT_EQ(FoundNumbers(tables("11").findings).find("lmm.status", "rough"), nullptr);
+  EXPECT_EQ(FoundNumbers(tables("12").findings).find("n.categories", "rough"), nullptr);
+  EXPECT_NE(FoundNumbers(tables("12").findings).find("lmm.status", "rough"), nullptr);
+}
+
+/// Three participants rate so many items on both scales.
+AnalysisOutcome profiles_of_items(int items) {
+  std::vector<std::vector<MadeUpTrial>> people(3);
+  for (int person = 0; person < 3; ++person) {
+    for (int item = 0; item < items; ++item) {
+      people[static_cast<std::size_t>(person)].push_back(
+          rated_on("item" + std::to_string(10 + item), std::to_string(1 + (item + person) % 7),
+                   std::to_string(1 + (item * 3 + person) % 7)));
+    }
+  }
+  return analysed(two_scales_with("{}"), people);
+}
+
+TEST(RatingComponents, HaveLoadingsForOneComponentPerFiveItems) {
+  const AnalysisOutcome four = profiles_of_items(4);
+  EXPECT_EQ(table_named(four, "loadings"), nullptr);
+  EXPECT_TRUE(FoundNumbers(four.findings).all("loading").empty());
+  ASSERT_NE(table_named(four, "components"), nullptr);
+  EXPECT_THAT(table_named(four, "components")->note.english(),
+              HasSubstr("at least five items per component, and 4 items"));
+  const AnalysisOutcome nine = profiles_of_items(9);
+  for (const Finding* const loading : FoundNumbers(nine.findings).all("loading")) {
+    EXPECT_TRUE(loading->key.ends_with("|C1")) << loading->key;
+    EXPECT_TRUE(loading->low && loading->high) << loading->key;
+  }
+  EXPECT_EQ(FoundNumbers(nine.findings).all("loading").size(), 2U);
+  EXPECT_EQ(FoundNumbers(profiles_of_items(10).findings).all("loading").size(), 4U);
+}
+
+TEST(RatingReliability, IsThatOfEachParticipantsRepetitions) {
+  // Both participants repeat their ratings of three items; the second one without any change.
+  const std::vector<std::vector<MadeUpTrial>> people{
+      {rated_on("a", "10"), rated_on("b", "20"), rated_on("c", "30"), rated_on("a", "20", {}, 2),
+       rated_on("b", "20", {}, 2), rated_on("c", "50", {}, 2)},
+      {rated_on("a", "40"), rated_on("b", "50"), rated_on("c", "90"), rated_on("a", "40", {}, 2),
+       rated_on("b", "50", {}, 2), rated_on("c", "90", {}, 2)}};
+  const AnalysisOutcome outcome =
+      analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
+  // The first: items 15, 20, 40 and repetitions 20, 30 around the mean 25: MSB = 2·(100 + 25 + 225)/2 =
+  // 350; residuals ±0, ±5, ∓5: MSE = 2·(0 + 25 + 25)/2 = 50; ICC3 = 300/400. The second: 1.
+  EXPECT_NEAR(FoundNumbers(outcome.findings).value("icc.mean", "rough|ICC3").value(), 0.875, 1e-12);
+  EXPECT_TRUE(std::any_of(outcome.questions.begin(), outcome.questions.end(),
+                          [](const auto& each) { return each.name == "reliability_rough"; }));
 }
 
 }  // namespace

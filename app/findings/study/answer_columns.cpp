@@ -36,11 +36,12 @@ void ScoreRows::add(std::size_t person, const std::string& item, double score) {
   scores_.push_back(score);
 }
 
-TidyInput ScoreRows::take(const char* rater, const char* rated, const std::string& about) && {
+TidyInput ScoreRows::take(const char* rater, const char* rated, const std::string& about,
+                          const char* score) && {
   TidyInput input{};
   input.tables.emplace_back(std::vector<TidyTable::Column>{{rater, std::move(people_)},
                                                            {rated, std::move(items_).take()},
-                                                           {"score", std::move(scores_)}},
+                                                           {score, std::move(scores_)}},
                             about);
   return input;
 }

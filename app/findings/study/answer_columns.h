@@ -38,8 +38,9 @@ class ScoreRows final {
   explicit ScoreRows(const GatheredAnswers& gathered) : people_(labels_of_people(gathered)) {}
   /// `person`: index of the gathered people.
   void add(std::size_t person, const std::string& item, double score);
-  /// `rater`, `rated`: the names of the columns of participants and items; that of the scores is "score".
-  TidyInput take(const char* rater, const char* rated, const std::string& about) &&;
+  /// `rater`, `rated`, `score`: the names of the columns of participants, items and scores.
+  TidyInput take(const char* rater, const char* rated, const std::string& about,
+                 const char* score = "score") &&;
 
  private:
   LabelColumn people_{};

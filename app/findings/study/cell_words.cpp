@@ -21,7 +21,6 @@ const CellWords& words_of_measures() {
   static const CellWords kWords{
       {"balanced_share", phrase("CellWords", "proportion correct, mean over the textures")},
       {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
-      {"cronbach_alpha", phrase("CellWords", "Cronbach’s α")},
       {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},
       {"contact_s", phrase("CellWords", "contact time, s")},
       {"d_prime", phrase("CellWords", "d′")},
@@ -82,7 +81,7 @@ const CellWords& words_of_tests() {
       {"position", phrase("CellWords", "position")},
       {"preference", phrase("CellWords", "preference")},
       {"rated_pairs", phrase("CellWords", "pairs of items")},
-      {"rating_model", phrase("CellWords", "cumulative link mixed model")},
+      {"rating_model", phrase("CellWords", "mixed model of the ratings")},
       {"ratings", phrase("CellWords", "ratings of the items")},
       {"right", phrase("CellWords", "proportion correct")},
       {"sexes", phrase("CellWords", "women and men")},

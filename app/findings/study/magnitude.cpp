@@ -180,7 +180,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     repeated.push_back({.person = one.person,
                         .surface = cell_key(one.condition, one.spacing),
                         .repetition = one.repetition,
-                        .logarithm = std::log10(one.estimate)});
+                        .value = std::log10(one.estimate)});
   }
   ask_reliability_of_estimates(gathered, repeated, outcome);
   keep_findings(roughness, outcome);

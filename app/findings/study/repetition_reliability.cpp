@@ -69,6 +69,52 @@ Phrase reliability_question() {
   return phrase("Analysis", "How reliable are the participants' results over repetitions?");
 }
 
+struct OwnReliability {
+  Finding mean{};
+  Phrase answer{};
+};
+
+/// The mean over participants of their own ICC3; nothing where no participant has two targets with two repetitions.
+std::optional<OwnReliability> own_reliability(const GatheredAnswers& gathered,
+                                              std::span<const RepeatedEstimate> estimates,
+                                              const std::string& key, const std::string& what) {
+  std::map<std::string, std::uint32_t> surfaces{};
+  std::vector<Ratings> own(gathered.people.size());
+  std::size_t repetitions = 0;
+  for (const RepeatedEstimate& estimate : estimates) {
+    const auto number = static_cast<std::uint32_t>(surfaces.size());
+    const auto surface = surfaces.try_emplace(estimate.surface, number).first;
+    own[estimate.person][{surface->second, static_cast<std::uint32_t>(estimate.repetition)}].add(
+        estimate.value);
+  }
+  std::vector<double> correlations{};
+  for (const Ratings& ratings : own) {
+    const std::vector<Finding> findings = correlations_of(ratings);
+    const std::optional<double> icc = FoundNumbers(findings).value("icc", "ICC3");
+    if (!icc) continue;
+    correlations.push_back(*icc);
+    repetitions = std::max(repetitions, repetitions_in(ratings));
+  }
+  if (correlations.empty()) return {};
+  FindingList list{};
+  // With k repetitions no correlation is below −1/(k − 1).
+  const double least = -1.0 / (static_cast<double>(repetitions) - 1.0);
+  add_mean_of_group("icc.mean", key, correlations,
+                    {.possible = ConfidenceInterval{.low = least, .high = 1.0}, .of = what}, list);
+  std::vector<Finding> findings = list.take();
+  for (Finding& finding : findings) finding.analysis = kReliability;
+  const Finding& mean = findings.front();
+  return OwnReliability{
+      .mean = mean,
+      .answer =
+          phrase(
+              "Analysis",
+              "Within-participant reliability of one of the %1 repetitions: %2; N = %3 participants.")
+              .with(std::to_string(repetitions),
+                    correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
+                    std::to_string(mean.n))};
+}
+
 }  // namespace
 
 void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repeated,
@@ -136,50 +182,40 @@ void add_no_reliability(const char* code, const char* reason, AnalysisOutcome& o
 void ask_reliability_of_estimates(const GatheredAnswers& gathered,
                                   std::span<const RepeatedEstimate> estimates,
                                   AnalysisOutcome& outcome) {
-  std::map<std::string, std::uint32_t> surfaces{};
-  std::vector<Ratings> own(gathered.people.size());
-  std::size_t repetitions = 0;
-  for (const RepeatedEstimate& estimate : estimates) {
-    const auto number = static_cast<std::uint32_t>(surfaces.size());
-    const auto surface = surfaces.try_emplace(estimate.surface, number).first;
-    own[estimate.person][{surface->second, static_cast<std::uint32_t>(estimate.repetition)}].add(
-        estimate.logarithm);
-  }
-  std::vector<double> correlations{};
-  for (const Ratings& ratings : own) {
-    const std::vector<Finding> findings = correlations_of(ratings);
-    const std::optional<double> icc = FoundNumbers(findings).value("icc", "ICC3");
-    if (!icc) continue;
-    correlations.push_back(*icc);
-    repetitions = std::max(repetitions, repetitions_in(ratings));
-  }
-  if (correlations.empty()) return;
-  FindingList list{};
-  // With k repetitions no correlation is below −1/(k − 1).
-  const double least = -1.0 / (static_cast<double>(repetitions) - 1.0);
-  add_mean_of_group("icc.mean", "ICC3", correlations,
-                    {.possible = ConfidenceInterval{.low = least, .high = 1.0},
-                     .of = "mean of the participants' own intraclass correlations ICC3 of the "
-                           "logarithms, surfaces by repetitions"},
-                    list);
-  std::vector<Finding> findings = list.take();
-  for (Finding& finding : findings) finding.analysis = kReliability;
-  keep_findings(findings, outcome);
-  const Finding& mean = findings.front();
+  const std::optional<OwnReliability> own = own_reliability(
+      gathered, estimates, "ICC3",
+      "mean of the participants' own intraclass correlations ICC3 of the logarithms, surfaces by "
+      "repetitions");
+  if (!own) return;
+  keep_findings(std::span(&own->mean, 1), outcome);
   add_question(
-      outcome, kReliability, reliability_question(),
-      phrase(
-          "Analysis",
-          "Within-participant reliability of one of the %1 repetitions: %2; N = %3 participants.")
-          .with(std::to_string(repetitions),
-                correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
-                std::to_string(mean.n)),
+      outcome, kReliability, reliability_question(), own->answer,
       phrase("Analysis",
              "Each participant's own intraclass correlation (consistency) of the logarithms of the "
              "estimates, with the surfaces in each condition as targets and the repetitions as "
              "raters; mean over the participants with a t-based CI. In simulations with 2 to 20 "
              "participants and seven surfaces, the coverage of the CI was at least 88 %."),
-      "", &mean);
+      "", &own->mean);
+}
+
+void ask_reliability_of_ratings(const GatheredAnswers& gathered, const std::string& scale,
+                                std::span<const RepeatedEstimate> ratings,
+                                AnalysisOutcome& outcome) {
+  const std::optional<OwnReliability> own = own_reliability(
+      gathered, ratings, both(scale, "ICC3"),
+      "mean of the participants' own intraclass correlations ICC3, items by repetitions");
+  if (!own) return;
+  keep_findings(std::span(&own->mean, 1), outcome);
+  add_question(
+      outcome, (kReliability + ('_' + scale)).c_str(),
+      phrase("Analysis", "How reliable are the ratings on the scale “%1” over repetitions?")
+          .with(scale),
+      own->answer,
+      phrase("Analysis",
+             "Each participant's own intraclass correlation (consistency) of the ratings, with the "
+             "items as targets and the repetitions as raters; mean over the participants with a "
+             "t-based CI. It is also low where a participant rates the items alike."),
+      "", &own->mean);
 }
 
 }  // namespace asperity

@@ -33,12 +33,12 @@ bool has_repetitions(const GatheredAnswers& gathered);
 /// Adds the finding that there is no reliability, and why.
 void add_no_reliability(const char* code, const char* reason, AnalysisOutcome& outcome);
 
-/// An estimate of one surface, which is one of each participant's targets.
+/// A response to one surface, which is one of each participant's targets.
 struct RepeatedEstimate {
   std::uint32_t person = 0;
   std::string surface{};
   int repetition = 1;
-  double logarithm = 0.0;
+  double value = 0.0;  ///< the logarithm of an estimate, or a rating
 };
 
 /// The mean over the participants of individual intraclass correlations ICC3: targets are the
@@ -48,5 +48,9 @@ struct RepeatedEstimate {
 void ask_reliability_of_estimates(const GatheredAnswers& gathered,
                                   std::span<const RepeatedEstimate> estimates,
                                   AnalysisOutcome& outcome);
+/// The same of the ratings on a scale, without logarithms.
+void ask_reliability_of_ratings(const GatheredAnswers& gathered, const std::string& scale,
+                                std::span<const RepeatedEstimate> ratings,
+                                AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -1,12 +1,15 @@
 // Scales on which the same items have values: principal components of their correlations.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/principal_components.h"
+#include "analysis/seed_of_tests.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 
@@ -29,28 +32,51 @@ std::string first_missing_score(const Eigen::MatrixXd& values,
   return {};
 }
 
-}  // namespace
+struct ComponentTables {
+  std::vector<std::string> items{};
+  std::vector<std::string> scales{};
+  std::vector<Eigen::MatrixXd> of_people{};  ///< by participant, where the table has the column `subject`
+  Eigen::MatrixXd values{};                  ///< items × scales, means over participants
+};
 
-std::vector<Finding> components_findings(const TidyInput& input) {
-  const TidyTable& table = input.table();
+/// Scores, NaN where there is none, by participant where the table has them.
+ComponentTables component_tables(const TidyTable& table) {
+  const bool has_people = table.has("subject");
   const LabelColumn items = table.all_labels("item");
   const LabelColumn scales = table.all_labels("scale");
+  const LabelColumn people = has_people ? table.all_labels("subject") : LabelColumn{};
   const std::vector<std::optional<double>> scores = table.numbers("score");
-  const auto rows = static_cast<Eigen::Index>(items.names.size());
-  const auto columns = static_cast<Eigen::Index>(scales.names.size());
-  Eigen::MatrixXd values = Eigen::MatrixXd::Constant(rows, columns, kUndefined);
+  std::vector<Eigen::MatrixXd> tables(
+      std::max<std::size_t>(1, people.names.size()),
+      Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(items.names.size()),
+                                static_cast<Eigen::Index>(scales.names.size()), kUndefined));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (!scores[row]) continue;
-    double& value = values(static_cast<Eigen::Index>(items.codes[row]),
-                           static_cast<Eigen::Index>(scales.codes[row]));
+    const std::size_t person = has_people ? people.codes[row] : 0;
+    double& value = tables[person](static_cast<Eigen::Index>(items.codes[row]),
+                                   static_cast<Eigen::Index>(scales.codes[row]));
     if (value == value) {
       table.refuse(row, "scale",
                    items.names[items.codes[row]] + " already has a score on \"" +
-                       scales.names[scales.codes[row]] +
-                       "\"; remove one of the rows: an item has one score per scale");
+                       scales.names[scales.codes[row]] + "\"" +
+                       (has_people ? " by " + people.names[person] : "") +
+                       "; remove one of the rows: an item has one score per scale" +
+                       (has_people ? " and participant" : ""));
     }
     value = *scores[row];
   }
+  ComponentTables made{.items = items.names, .scales = scales.names, .values = mean_table(tables)};
+  if (has_people) made.of_people = std::move(tables);
+  return made;
+}
+
+}  // namespace
+
+std::vector<Finding> components_findings(const TidyInput& input) {
+  const ComponentTables tables = component_tables(input.table());
+  const auto& [items, scales, of_people, values] = tables;
+  const Eigen::Index rows = values.rows();
+  const Eigen::Index columns = values.cols();
   FindingList findings{};
   const auto n = static_cast<std::size_t>(rows);
   const Basis basis{.n = n,
@@ -65,12 +91,12 @@ std::vector<Finding> components_findings(const TidyInput& input) {
         "principal components require at least three items and two scales: add items or scales");
   }
   if (values.hasNaN()) {
-    return refuse("incomplete", first_missing_score(values, items.names, scales.names) +
+    return refuse("incomplete", first_missing_score(values, items, scales) +
                                     ": enter the score, or leave this item or this scale out");
   }
   if (const std::optional<Eigen::Index> constant = constant_column(values)) {
     return refuse("no_variance", "all items have the same score on the scale \"" +
-                                     scales.names[static_cast<std::size_t>(*constant)] +
+                                     scales[static_cast<std::size_t>(*constant)] +
                                      "\": leave this scale out");
   }
   const std::optional<PrincipalComponents> found = principal_components(values);
@@ -79,17 +105,34 @@ std::vector<Finding> components_findings(const TidyInput& input) {
                     .method = "parallel analysis: 95th percentile of " +
                               std::to_string(noise.data_sets) + " tables of random numbers"};
   findings.count("retained", "", noise.retained, limit);
+  const double confidence = input.options.confidence();
+  const std::optional<ComponentIntervals> intervals =
+      component_intervals(of_people, {.confidence = confidence});
+  const auto with_interval = [&](double low, double high) {
+    Basis resampled = basis;
+    resampled.method += "; percentile interval, " + std::to_string(intervals->valid) +
+                        " draws of the participants, seed " + std::to_string(kSeedOfTests);
+    resampled.interval = ConfidenceInterval{low, high};
+    resampled.confidence = confidence;
+    return resampled;
+  };
   for (Eigen::Index component = 0; component < columns; ++component) {
     const std::string name = component_name(component);
     findings.number("eigenvalue", name, found->eigenvalues(component), basis);
-    findings.number("proportion", name, found->proportion(component), basis);
+    findings.number("proportion", name, found->proportion(component),
+                    intervals ? with_interval(intervals->proportion_low(component),
+                                              intervals->proportion_high(component))
+                              : basis);
     findings.number("parallel.limit", name, noise.limits(component), limit);
     for (Eigen::Index scale = 0; scale < columns; ++scale) {
-      findings.number("loading", both(scales.names[static_cast<std::size_t>(scale)], name),
-                      found->loadings(scale, component), basis);
+      findings.number("loading", both(scales[static_cast<std::size_t>(scale)], name),
+                      found->loadings(scale, component),
+                      intervals ? with_interval(intervals->loadings_low(scale, component),
+                                                intervals->loadings_high(scale, component))
+                                : basis);
     }
     for (Eigen::Index item = 0; item < rows; ++item) {
-      findings.number("score", both(items.names[static_cast<std::size_t>(item)], name),
+      findings.number("score", both(items[static_cast<std::size_t>(item)], name),
                       found->scores(item, component), basis);
     }
   }

@@ -14,8 +14,10 @@ namespace asperity {
 namespace {
 
 constexpr std::array kFamilies{
-    TidyFamily{"components", "item,scale,score: one score per item and scale", "",
-               components_findings, ""},
+    TidyFamily{"components",
+               "item,scale,score: one score per item and scale; with the column subject, one per "
+               "participant, item and scale",
+               "conf", components_findings, "conf"},
     TidyFamily{
         "description",
         "subject,value and one column per factor: one measurement per row, value empty where "

@@ -1328,16 +1328,8 @@
         <translation>Hauptkomponenten der Skalen</translation>
     </message>
     <message>
-        <source>The components are those of the correlations of the scales over the items&apos; mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis).</source>
-        <translation>Die Komponenten beruhen auf den Korrelationen der Skalen, berechnet aus den mittleren Urteilen über die Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller vorhergehenden über der Grenze liegen: dem 95. Perzentil der Eigenwerte gleich großer Tabellen aus Zufallszahlen (Parallelanalyse).</translation>
-    </message>
-    <message>
         <source>Loadings of the scales and scores of the items</source>
         <translation>Ladungen der Skalen und Komponentenwerte der Items</translation>
-    </message>
-    <message>
-        <source>A loading is the correlation of a scale with a component; a score is the position of an item on it.</source>
-        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente, ein Komponentenwert die Position eines Items auf ihr.</translation>
     </message>
     <message>
         <source>%1 (95 % CI [%2, %3])</source>
@@ -1378,10 +1370,6 @@
     <message>
         <source>Agreement of the participants on each scale</source>
         <translation>Übereinstimmung der Versuchspersonen auf jeder Skala</translation>
-    </message>
-    <message>
-        <source>Intraclass correlations with the items as targets and the participants as raters: ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants. Cronbach&apos;s α with the participants as test items.</source>
-        <translation>Intraklassenkorrelationen mit den Items als Urteilsobjekten und den Versuchspersonen als Beurteilern: ICC2 misst die Übereinstimmung, ICC3 die Konsistenz; k: des Mittelwerts aller Versuchspersonen. Cronbachs α mit den Versuchspersonen als Testitems.</translation>
     </message>
     <message>
         <source>Cumulative link mixed model of the ratings on each scale</source>
@@ -2047,6 +2035,74 @@
         <source>Unfinished tracks: the session ended before the procedure stopped. The threshold is estimated from the presented trials and is included in the means and tests if it lies within the presented levels, the condition for every threshold.</source>
         <translation>Unvollständige Folgen (Tracks): Die Sitzung endete, bevor das Verfahren abgeschlossen war. Die Schwelle ist aus den dargebotenen Durchgängen geschätzt und in Mittelwerten und Tests enthalten, wenn sie innerhalb der dargebotenen Stufen liegt; diese Bedingung gilt für jede Schwelle.</translation>
     </message>
+    <message>
+        <source>Intraclass correlations with the items as targets and the participants as raters: ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants.</source>
+        <translation>Intraklassenkorrelationen mit den Items als Urteilsobjekten und den Versuchspersonen als Beurteilern: ICC2 misst Übereinstimmung, ICC3 Konsistenz; k: des Mittelwerts aller Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>The components are those of the correlations of the scales over the items’ mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis). CIs are percentiles over draws of the participants; they do not generalise to other items.</source>
+        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Urteile der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller Komponenten vor ihr über der Grenze liegen: dem 95. Perzentil der Eigenwerte von Tabellen von Zufallszahlen derselben Größe (Parallelanalyse). KI sind Perzentile über Ziehungen der Versuchspersonen; sie gelten nicht für andere Items.</translation>
+    </message>
+    <message>
+        <source>%1 Loadings are not reported: they require at least five items per component, and %2 items were rated on every scale.</source>
+        <translation>%1 Ladungen werden nicht berichtet: Sie erfordern mindestens fünf Items je Komponente, und auf allen Skalen beurteilt wurden %2.</translation>
+    </message>
+    <message>
+        <source>A loading is the correlation of a scale with a component, with a CI over draws of the participants; a score is the position of an item on it.</source>
+        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente, mit einem KI über Ziehungen der Versuchspersonen; ein Wert ist die Lage eines Items auf ihr.</translation>
+    </message>
+    <message>
+        <source>%1 Only the first components are reported, one for every five of the %2 items.</source>
+        <translation>%1 Nur die ersten Komponenten werden berichtet, eine je fünf der %2 Items.</translation>
+    </message>
+    <message>
+        <source>%1 (reverse-keyed: %2)</source>
+        <translation>%1 (umgepolt: %2)</translation>
+    </message>
+    <message>
+        <source>Not defined for the scales %1.</source>
+        <translation>Für die Skalen %1 nicht definiert.</translation>
+    </message>
+    <message>
+        <source>Cronbach’s α = %1, 95 % CI [%2, %3], N = %4 participants, of the scales %5.</source>
+        <translation>Cronbachs α = %1, 95-%-KI [%2; %3], N = %4 Versuchspersonen, der Skalen %5.</translation>
+    </message>
+    <message>
+        <source>Cronbach’s α = %1, N = %2 participants, of the scales %3.</source>
+        <translation>Cronbachs α = %1, N = %2 Versuchspersonen, der Skalen %3.</translation>
+    </message>
+    <message>
+        <source>How consistent are the scales of the construct “%1”?</source>
+        <translation>Wie konsistent sind die Skalen des Konstrukts „%1“?</translation>
+    </message>
+    <message>
+        <source>Cronbach’s α with the scales as test items, over the combinations of a participant and an item, after reverse-keyed scales were reflected. The CI is over draws of the participants.</source>
+        <translation>Cronbachs α mit den Skalen als Testitems, über die Kombinationen aus Versuchsperson und Item, nach dem Umpolen der umgepolten Skalen. Das KI ist über Ziehungen der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Internal consistency of the declared constructs</source>
+        <translation>Interne Konsistenz der angegebenen Konstrukte</translation>
+    </message>
+    <message>
+        <source>Cronbach’s α of the scales of each construct. cells: combinations of a participant and an item that were rated on all of its scales.</source>
+        <translation>Cronbachs α der Skalen jedes Konstrukts. Zellen: Kombinationen aus Versuchsperson und Item, die auf allen seinen Skalen beurteilt wurden.</translation>
+    </message>
+    <message>
+        <source>Linear mixed model of the ratings on each scale</source>
+        <translation>Lineares gemischtes Modell der Urteile auf jeder Skala</translation>
+    </message>
+    <message>
+        <source>Difference of the ratings, relative to the reference, with 95 % CIs: items as fixed effects, participants as random intercepts, REML, Satterthwaite’s degrees of freedom. Every response counts. The p values are uncorrected.</source>
+        <translation>Differenz der Urteile zur Referenz, mit 95-%-KI: Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte, REML, Freiheitsgrade nach Satterthwaite. Jede Antwort zählt. Die p-Werte sind unkorrigiert.</translation>
+    </message>
+    <message>
+        <source>How reliable are the ratings on the scale “%1” over repetitions?</source>
+        <translation>Wie reliabel sind die Urteile auf der Skala „%1“ über Wiederholungen?</translation>
+    </message>
+    <message>
+        <source>Each participant&apos;s own intraclass correlation (consistency) of the ratings, with the items as targets and the repetitions as raters; mean over the participants with a t-based CI. It is also low where a participant rates the items alike.</source>
+        <translation>Intraklassenkorrelation (Konsistenz) der Urteile jeder Versuchsperson, mit den Items als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit t-basiertem KI. Sie ist auch dann niedrig, wenn eine Versuchsperson die Items ähnlich beurteilt.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2657,6 +2713,38 @@
         <source>unfinished tracks</source>
         <translation>unvollständige Folgen (Tracks)</translation>
     </message>
+    <message>
+        <source>Cronbach’s α</source>
+        <translation>Cronbachs α</translation>
+    </message>
+    <message>
+        <source>Cronbach’s α, 95 % CI</source>
+        <translation>Cronbachs α, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>construct</source>
+        <translation>Konstrukt</translation>
+    </message>
+    <message>
+        <source>difference, 95 % CI</source>
+        <translation>Differenz, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>reverse-keyed</source>
+        <translation>umgepolt</translation>
+    </message>
+    <message>
+        <source>scales</source>
+        <translation>Skalen</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -3100,16 +3188,8 @@
         <translation>Paare von Items</translation>
     </message>
     <message>
-        <source>cumulative link mixed model</source>
-        <translation>kumulatives gemischtes Link-Modell</translation>
-    </message>
-    <message>
         <source>ratings of the items</source>
         <translation>Urteile über die Items</translation>
-    </message>
-    <message>
-        <source>Cronbach’s α</source>
-        <translation>Cronbachs α</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3366,6 +3446,10 @@
     <message>
         <source>position of the comparison</source>
         <translation>Position des Vergleichsreizes</translation>
+    </message>
+    <message>
+        <source>mixed model of the ratings</source>
+        <translation>gemischtes Modell der Urteile</translation>
     </message>
 </context>
 <context>
@@ -6774,6 +6858,10 @@
     <message>
         <source>paired t test</source>
         <translation>t-Test für gepaarte Stichproben</translation>
+    </message>
+    <message>
+        <source>F test of a linear mixed model, Satterthwaite’s degrees of freedom</source>
+        <translation>F-Test eines linearen gemischten Modells, Freiheitsgrade nach Satterthwaite</translation>
     </message>
 </context>
 <context>

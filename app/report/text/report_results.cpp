@@ -132,6 +132,7 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"achieved_minimum_N", "achieved, minimum (N)"},
       {"achieved_sd_N", "achieved, SD (N)"},
       {"against", "other item"},
+      {"alpha", "Cronbach’s α"},
       {"answers", "responses"},
       {"by", "trials grouped by"},
       {"by_chance", "expected under guessing"},
@@ -164,6 +165,7 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"pse", "PSE"},
       {"persons", "participants"},
       {"r_squared", "R²"},
+      {"reverse_keyed", "reverse-keyed"},
       {"right", "correct"},
       {"sd", "SD"},
       {"second_responses", "responses, comparison second"},
@@ -301,10 +303,12 @@ std::string words_of_analysis_without_numbers(const std::string& analysis) {
   return analysis == "roughness" ? "the roughness curves" : "a part of the analysis";
 }
 
-/// Contact and response times have the same quantities: "the linear mixed model of times" becomes that of contact times.
+/// Contact times, response times and ratings have the same quantities: "the linear mixed model of times" becomes that of
+/// contact times.
 std::string with_modelled_times(std::string words, const std::string& analysis) {
   const std::string_view times = analysis == kContactTimeModel    ? " contact times"
                                  : analysis == kResponseTimeModel ? " response times"
+                                 : analysis == "mixed_model"      ? " ratings"
                                                                   : "";
   constexpr std::string_view kTimes = " times";
   if (!times.empty() && words.ends_with(kTimes)) {

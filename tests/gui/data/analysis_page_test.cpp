@@ -109,7 +109,7 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   EXPECT_FALSE(canvas->accessibleName().isEmpty());
 }
 
-/// Six participants rate three items on two scales.
+/// Six participants rate ten items, enough for the loadings of two components, on two scales.
 void add_ratings_of_items(MadeUpStudy& made) {
   const std::int64_t protocol = made.add_protocol("attributes", "rating", R"({"kind": "rating",
       "blocks": {"only": {"questions": [
@@ -118,7 +118,8 @@ void add_ratings_of_items(MadeUpStudy& made) {
         {"name": "hard", "prompt": "How hard?",
          "scale": {"minimum": 1, "maximum": 7, "points": 7, "labels": ["soft", "hard"]}}]}}})");
   const std::vector<std::pair<std::string, std::pair<int, int>>> items{
-      {"brick", {5, 5}}, {"metal", {2, 6}}, {"wood", {4, 3}}};
+      {"brick", {5, 5}}, {"cork", {3, 3}},    {"felt", {2, 2}},  {"foil", {3, 6}}, {"glass", {2, 7}},
+      {"metal", {2, 6}}, {"leather", {4, 4}}, {"paper", {3, 4}}, {"sand", {6, 5}}, {"wood", {4, 3}}};
   for (int person = 0; person < 6; ++person) {
     const std::string label = "p" + std::to_string(10 + person);
     made.add_person(label, "");

@@ -1,0 +1,143 @@
+#include "app/findings/study/rating_components.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/answer_columns.h"
+#include "app/findings/study/study_findings.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kComponents = "components";
+constexpr const char* kLoadings = "loadings";
+
+/// The items that were rated on every scale.
+std::vector<std::string> items_on_all(const std::vector<RatedScale>& scales) {
+  std::vector<std::string> items = scales.front().items;
+  std::erase_if(items, [&scales](const std::string& item) {
+    return !std::all_of(scales.begin(), scales.end(), [&item](const RatedScale& scale) {
+      return std::binary_search(scale.items.begin(), scale.items.end(), item);
+    });
+  });
+  return items;
+}
+
+/// The participants' means of these items, for the family `components`.
+TidyInput profiles_of(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
+                      const std::vector<std::string>& items) {
+  LabelColumn people = labels_of_people(gathered);
+  LabelRows rated{};
+  LabelRows names{};
+  NumberColumn scores{};
+  for (const std::string& item : items) {
+    for (const RatedScale& scale : scales) {
+      for (const auto& [of, mean] : scale.means) {
+        if (of.second != item) continue;
+        people.codes.push_back(of.first);
+        rated.add(item);
+        names.add(scale.name);
+        scores.push_back(mean);
+      }
+    }
+  }
+  TidyInput input{};
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(people)},
+                                                           {"item", std::move(rated).take()},
+                                                           {"scale", std::move(names).take()},
+                                                           {"score", std::move(scores)}},
+                            "the mean ratings");
+  return input;
+}
+
+/// "C2" → 2; the components are numbered from 1.
+std::size_t component_number(const std::string& component) {
+  return static_cast<std::size_t>(std::stoul(component.substr(1)));
+}
+std::string component_in(const std::string& key) { return key.substr(key.rfind('|') + 1); }
+
+Phrase note_on_components(std::size_t items, std::size_t loaded) {
+  const Phrase note = phrase(
+      "Analysis",
+      "The components are those of the correlations of the scales over the items’ mean ratings. A "
+      "component is retained if its eigenvalue and those of all components before it exceed the "
+      "limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size "
+      "(parallel analysis). CIs are percentiles over draws of the participants; they do not "
+      "generalise to other items.");
+  if (loaded > 0) return note;
+  return phrase("Analysis",
+                "%1 Loadings are not reported: they require at least five items per component, and "
+                "%2 items were rated on every scale.")
+      .with(note, std::to_string(items));
+}
+
+Phrase note_on_loadings(std::size_t items, std::size_t loaded, std::size_t components) {
+  const Phrase note = phrase("Analysis",
+                             "A loading is the correlation of a scale with a component, with a CI "
+                             "over draws of the participants; a score is the position of an item "
+                             "on it.");
+  if (loaded >= components) return note;
+  return phrase("Analysis",
+                "%1 Only the first components are reported, one for every five of the %2 items.")
+      .with(note, std::to_string(items));
+}
+
+}  // namespace
+
+std::size_t components_with_loadings(std::size_t items) noexcept {
+  constexpr std::size_t kItemsPerComponent = 5;
+  return items / kItemsPerComponent;
+}
+
+void add_rating_components(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
+                           AnalysisOutcome& outcome) {
+  if (scales.size() < 2) return;
+  const std::vector<std::string> items = items_on_all(scales);
+  const std::size_t loaded = components_with_loadings(items.size());
+  std::vector<Finding> findings =
+      analysis_of(kComponents, "components", profiles_of(gathered, scales, items));
+  std::erase_if(findings, [loaded](const Finding& finding) {
+    const bool is_of_items = finding.quantity == "loading" || finding.quantity == "score";
+    return is_of_items && component_number(component_in(finding.key)) > loaded;
+  });
+  const FoundNumbers found(findings);
+  keep_findings(findings, outcome);
+  const std::vector<const Finding*> eigenvalues = found.all("eigenvalue");
+  if (eigenvalues.empty() || !eigenvalues.front()->value) return;
+  NamedTable components{kComponents,
+                        phrase("Analysis", "Principal components of the scales"),
+                        {{"component", "eigenvalue", "proportion", "proportion_low",
+                          "proportion_high", "limit", "retained"},
+                         {}},
+                        note_on_components(items.size(), loaded)};
+  const double retained = found.value("retained").value_or(0.0);
+  for (const Finding* const eigenvalue : eigenvalues) {
+    const auto number = static_cast<double>(components.table.rows.size() + 1);
+    const auto [low, high] = found.interval("proportion", eigenvalue->key);
+    components.table.rows.push_back({eigenvalue->key, cell_of(eigenvalue->value),
+                                     found.cell("proportion", eigenvalue->key), low, high,
+                                     found.cell("parallel.limit", eigenvalue->key),
+                                     std::string(number <= retained ? "yes" : "no")});
+  }
+  outcome.tables.push_back(std::move(components));
+  if (loaded == 0) return;
+  NamedTable loadings{kLoadings,
+                      phrase("Analysis", "Loadings of the scales and scores of the items"),
+                      {{"of", "name", "component", "value", "value_low", "value_high"}, {}},
+                      note_on_loadings(items.size(), loaded, eigenvalues.size())};
+  for (const char* const quantity : {"loading", "score"}) {
+    for (const Finding* const finding : found.all(quantity)) {
+      const auto [low, high] = found.interval(quantity, finding->key);
+      loadings.table.rows.push_back({std::string(quantity),
+                                     finding->key.substr(0, finding->key.rfind('|')),
+                                     component_in(finding->key), cell_of(finding->value), low,
+                                     high});
+    }
+  }
+  outcome.tables.push_back(std::move(loadings));
+}
+
+}  // namespace asperity
