@@ -22,6 +22,7 @@ std::set<std::string> factors_set_by(const Protocol::Block& block, const Protoco
   std::set<std::string> names(block.crossed.begin(), block.crossed.end());
   names.insert(block.drawn.begin(), block.drawn.end());
   if (block.vary) names.insert(block.vary->factor);
+  for (const auto& [name, formula] : block.derived) names.insert(name);
   for (const auto& row : block.listed) {
     for (const auto& [name, level] : row) names.insert(name);
   }
@@ -32,6 +33,12 @@ std::set<std::string> factors_set_by(const Protocol::Block& block, const Protoco
 bool is_varied(const Protocol& protocol, const std::string& factor) {
   return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&factor](const auto& each) {
     return each.second.vary && each.second.vary->factor == factor;
+  });
+}
+
+bool is_derived(const Protocol& protocol, const std::string& factor) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&factor](const auto& each) {
+    return each.second.derived.contains(factor);
   });
 }
 

@@ -17,6 +17,8 @@ std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protoc
 std::set<std::string> factors_set_by(const Protocol::Block& block, const Protocol::Run* run);
 
 /// Whether the levels of a factor are values of a parameter that a block varies (`Block::vary`), which states them.
+/// Whether a block computes the levels of the factor.
+bool is_derived(const Protocol& protocol, const std::string& factor);
 bool is_varied(const Protocol& protocol, const std::string& factor);
 
 /// Whether a procedure chooses the levels of a block from the answers; not constant stimuli.

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -336,7 +337,17 @@ struct Protocol {
     std::optional<LevelProcedure> procedure{};
     /// In combination with every row; `presented` has the stimulus twice.
     std::optional<AllPairs> all_pairs{};
+    /// Combinations of crossed and varied levels that are left out: those with all levels of an entry.
+    std::vector<std::map<std::string, Level, std::less<>>> exclude{};
+    /// Factors whose level in every row is computed from its other levels, by a formula (Arithmetic).
+    std::map<std::string, std::string, std::less<>> derived{};
     int repetitions = 1;
+    /// The rows with all of these levels have another number of repetitions.
+    struct RowRepetitions {
+      std::map<std::string, Level, std::less<>> levels{};
+      int repetitions = 1;
+    };
+    std::vector<RowRepetitions> repetitions_of{};
     /// Factors drawn for every trial (balanced over the block as far as possible).
     std::vector<std::string> drawn{};
     /// Of a magnitude: the levels of the first trial of every run of the block, the reference for the other estimates;
@@ -344,6 +355,14 @@ struct Protocol {
     std::map<std::string, Level, std::less<>> anchor{};
     Order order = Order::shuffle;
     std::map<std::string, int, std::less<>> maximum_in_a_row{};
+    /// Of two trials with the same level of the factor: the smallest difference of their positions.
+    std::map<std::string, int, std::less<>> minimum_distance{};
+    /// The trial at a position of the block, from 1, has all of these levels.
+    struct FixedPosition {
+      int position = 1;
+      std::map<std::string, Level, std::less<>> levels{};
+    };
+    std::vector<FixedPosition> fixed_positions{};
     std::vector<Presented> presented{};
     Positions positions = Positions::as_listed;
     std::vector<TrialQuestionTemplate> questions{};  ///< of every trial; at least one

@@ -6,7 +6,6 @@
 
 #include "protocols/file/meaning_checks.h"
 #include "protocols/plan/block_rows.h"
-#include "protocols/plan/trial_order.h"
 
 namespace asperity {
 
@@ -70,6 +69,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   if (block.vary) {
     claim(block.vary->factor, "vary", pointer + "/vary/parameter");
   }
+  for (const auto& [name, formula] : block.derived) setters.emplace(name, "derived");
   if (block.all_pairs) {
     claim(block.all_pairs->factor, "another key of the block", pointer + "/all_pairs/factor");
   }
@@ -103,6 +103,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   check_pairs(block, pointer);
   check_arrangement(block, pointer);
   check_question(block, pointer);
+  check_rows(block, pointer);
   check_order(block, pointer);
 }
 
@@ -250,75 +251,6 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
     report(place + "/maximum_trials", "the block ends before " + std::to_string(criterion.correct) +
                                           " responses can be correct: maximum_trials is " +
                                           std::to_string(criterion.maximum_trials) + "; raise it");
-  }
-}
-
-void Meaning::check_order(const Block& block, const std::string& pointer) {
-  for (const auto& [factor, maximum] : block.maximum_in_a_row) {
-    const std::string at = pointer_to(pointer + "/maximum_in_a_row", factor);
-    if (!protocol_.factors.contains(factor)) {
-      report_key(at, unknown_name("factor", factor, protocol_.factors));
-      return;
-    }
-    const bool is_row_factor =
-        std::find(block.crossed.begin(), block.crossed.end(), factor) != block.crossed.end() ||
-        (!block.listed.empty() &&
-         std::all_of(block.listed.begin(), block.listed.end(),
-                     [&name = factor](const FactorLevels& row) { return row.contains(name); })) ||
-        (block.vary && block.vary->factor == factor);
-    if (!is_row_factor) {
-      report_key(
-          at,
-          "maximum_in_a_row applies only to factors that the block crosses, lists or varies; cross or "
-          "list this one, or remove this key");
-      return;
-    }
-  }
-  const auto known = [this](const std::string& name) { return protocol_.factors.contains(name); };
-  if (!std::all_of(block.crossed.begin(), block.crossed.end(), known)) return;
-  if (block.all_pairs && !known(block.all_pairs->factor)) return;
-  const std::size_t rows = row_count(protocol_, block);
-  if (rows == 0) return;  // a factor or a dimension without levels, reported there
-  // A procedure determines the number of trials, also one that was refused.
-  const bool has_procedure = document_.root().at("blocks").at(block.name).contains("procedure");
-  const std::size_t trials = rows * static_cast<std::size_t>(block.repetitions);
-  if (trials > kMaximumTrials) {
-    report(
-        pointer,
-        "this block has more than " + std::to_string(kMaximumTrials) +
-            " trials, too many for a participant; reduce the number of repetitions or of levels");
-    return;
-  }
-  if (block.until && !has_procedure &&
-      trials < static_cast<std::size_t>(block.until->maximum_trials)) {
-    report(pointer + "/until/maximum_trials",
-           "up to " + std::to_string(block.until->maximum_trials) +
-               " trials may be needed, but the block has " + std::to_string(trials) + "; with " +
-               std::to_string(rows) + " per repetition, set repetitions to " +
-               std::to_string((static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) /
-                              rows));
-  }
-  if (block.positions == Block::Positions::balanced && !block.until && !has_procedure &&
-      trials % block.presented.size() != 0) {
-    report(pointer + "/positions",
-           "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
-               " trials, the number of surfaces, but the block has " + std::to_string(trials) +
-               "; change the number of repetitions or of levels, or remove positions");
-  }
-  if (block.maximum_in_a_row.empty()) return;
-  const OrderProblem problem = order_problem(block, rows_of(protocol_, block));
-  if (block.order == Block::Order::fixed) {
-    std::vector<std::size_t> order(problem.trials);
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    if (!meets(problem, order)) {
-      report(pointer + "/maximum_in_a_row",
-             "the fixed order of this block violates maximum_in_a_row; use \"shuffle\" or write "
-             "the rows in another order");
-    }
-  } else if (!some_order(problem)) {
-    report(pointer + "/maximum_in_a_row",
-           "no order of the block's " + std::to_string(problem.trials) +
-               " trials satisfies maximum_in_a_row; allow more in a row, or add other levels");
   }
 }
 

@@ -117,8 +117,7 @@ void Meaning::check_size() {
       if (iterated.insert(run->for_each).second) rows = std::min(rows * 2 * runs, 2 * kMaximumRows);
     }
     trials += runs * (block.procedure ? most_trials_of(protocol_, block)
-                                      : row_count(protocol_, block) *
-                                            static_cast<std::size_t>(block.repetitions));
+                                      : trial_count(protocol_, block));
     if (trials > kMaximumSessionTrials) {
       return report(
           pointer_to("/flow", i),

@@ -19,6 +19,7 @@
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/block_rows.h"
 #include "protocols/plan/plan.h"
 #include "stimuli/properties/parameter.h"
 
@@ -125,7 +126,19 @@ class Meaning final : private ProblemSink {
   void check_same_scale(const Protocol::Block& block,
                         const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_scale(const Protocol::TrialQuestionTemplate& question, const std::string& place);
+  void check_rows(const Protocol::Block& block, const std::string& pointer);
+  void check_derived(const Protocol::Block& block, const std::string& pointer);
+  void check_repetitions_of(const Protocol::Block& block, const std::vector<BlockRow>& rows,
+                            const std::string& pointer);
   void check_order(const Protocol::Block& block, const std::string& pointer);
+  void check_constraints(const Protocol::Block& block, const std::string& pointer);
+  void check_places(const Protocol::Block& block, const std::vector<BlockRow>& rows,
+                    const std::vector<BlockTrial>& trials, const std::string& pointer);
+  /// Whether every row of the block has a level of the factor that is not computed.
+  bool is_row_factor(const Protocol::Block& block, const std::string& factor) const;
+  /// Reports factors and levels that the rows of the block do not have.
+  bool check_row_levels(const Protocol::Block& block, const FactorLevels& levels,
+                        const std::string& pointer);
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
   void check_analysis();
   void check_constructs();
@@ -139,6 +152,8 @@ class Meaning final : private ProblemSink {
   /// The texts that a binding can have, each with the location for problems.
   std::vector<std::pair<std::string, std::string>> texts_of(const Binding<std::string>& binding,
                                                             const std::string& pointer);
+  /// The position of a level of a factor: of the formula, where the level is computed.
+  std::string place_of_level(const std::string& factor, std::size_t level) const;
   bool check_level(const std::string& factor, const Level& level, const std::string& pointer);
   const Protocol& protocol_;
   std::vector<const ExperimentKind*> kinds_{};  ///< of the blocks

@@ -97,7 +97,8 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
                "\"discrimination\"");
     return;
   }
-  for (const char* const key : {"repetitions", "maximum_in_a_row", "until"}) {
+  for (const char* const key : {"repetitions", "repetitions_of", "maximum_in_a_row", "minimum_distance",
+                                "fixed_positions", "until"}) {
     if (!object.contains(key)) continue;
     report_key(pointer + "/" + key,
                "the procedure of a block determines its trials; remove this key");

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/file/derived_levels.h"
 #include "protocols/file/json_reading.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/kinds/experiment_kind.h"
@@ -322,7 +323,19 @@ Block block_of(const std::string& name, const json& object, const std::string& k
     read(*found, "factor", block.all_pairs->factor);
     read(*found, "in_both_orders", block.all_pairs->in_both_orders);
   }
+  if (const auto found = object.find("exclude"); found != object.end()) {
+    for (const json& row : *found) block.exclude.push_back(levels_of(row));
+  }
+  for_each_named(object, "derived", [&](const std::string& factor, const json& formula) {
+    block.derived[factor] = formula.get<std::string>();
+  });
   read(object, "repetitions", block.repetitions);
+  if (const auto found = object.find("repetitions_of"); found != object.end()) {
+    for (const json& each : *found) {
+      block.repetitions_of.push_back(
+          {levels_of(each.at("levels")), each.at("repetitions").get<int>()});
+    }
+  }
   read(object, "drawn", block.drawn);
   if (const auto found = object.find("anchor"); found != object.end()) {
     block.anchor = levels_of(*found);
@@ -334,6 +347,15 @@ Block block_of(const std::string& name, const json& object, const std::string& k
   for_each_named(object, "maximum_in_a_row", [&](const std::string& factor, const json& value) {
     block.maximum_in_a_row[factor] = value.get<int>();
   });
+  for_each_named(object, "minimum_distance", [&](const std::string& factor, const json& value) {
+    block.minimum_distance[factor] = value.get<int>();
+  });
+  if (const auto found = object.find("fixed_positions"); found != object.end()) {
+    for (const json& each : *found) {
+      block.fixed_positions.push_back(
+          {each.at("position").get<int>(), levels_of(each.at("levels"))});
+    }
+  }
   for (const json& member : object.at("presented")) {
     Protocol::Presented presented{};
     presented.role = kind.roles.front();
@@ -572,6 +594,9 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
       block.procedure = procedure_in(*found, *block.vary);
     }
     declare_dimension(block, protocol, factors_of_file, models);
+  }
+  for (const auto& [name, block] : protocol.blocks) {
+    declare_derived(block, protocol, factors_of_file);
   }
   for (const json& step : root.at("flow")) protocol.flow.push_back(step_of(step));
   if (const auto found = root.find("resume"); found != root.end()) {

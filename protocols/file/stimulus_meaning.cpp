@@ -18,7 +18,7 @@ std::vector<std::pair<std::string, std::string>> Meaning::texts_of(
   }
   std::vector<std::pair<std::string, std::string>> texts{};
   for (std::size_t i = 0; i < factor->second.levels.size(); ++i) {
-    const std::string place = pointer_to(pointer_to("/factors", binding.factor) + "/levels", i);
+    const std::string place = place_of_level(binding.factor, i);
     if (const auto* const text = std::get_if<std::string>(&factor->second.levels[i])) {
       texts.emplace_back(*text, place);
     } else {
@@ -28,6 +28,15 @@ std::vector<std::pair<std::string, std::string>> Meaning::texts_of(
     }
   }
   return texts;
+}
+
+std::string Meaning::place_of_level(const std::string& factor, std::size_t level) const {
+  for (const auto& [name, block] : protocol_.blocks) {
+    if (block.derived.contains(factor)) {
+      return pointer_to(pointer_to("/blocks", name) + "/derived", factor);
+    }
+  }
+  return pointer_to(pointer_to("/factors", factor) + "/levels", level);
 }
 
 void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer) {
@@ -88,8 +97,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     } else if (const auto factor = protocol_.factors.find(binding.factor);
                factor != protocol_.factors.end()) {
       for (std::size_t i = 0; i < factor->second.levels.size(); ++i) {
-        values.emplace_back(factor->second.levels[i],
-                            pointer_to(pointer_to("/factors", binding.factor) + "/levels", i));
+        values.emplace_back(factor->second.levels[i], place_of_level(binding.factor, i));
       }
     } else {
       report(place + "/factor", unknown_name("factor", binding.factor, protocol_.factors));

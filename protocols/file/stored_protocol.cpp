@@ -368,6 +368,14 @@ StoredProtocol stored_protocol(const std::string& source) {
       read.factors[made.vary->factor].meaning =
           "Value of the parameter " + made.vary->parameter + " of the " + made.vary->role;
     }
+    const Json& derived = member_of(block, "derived");
+    if (derived.is_object()) {
+      for (const auto& [factor, formula] : derived.items()) {
+        if (formula.is_string()) {
+          read.factors[factor].meaning = "Computed as " + formula.get<std::string>();
+        }
+      }
+    }
     const auto add = [&](const Json& asked) {
       if (!asked.is_object()) return;
       made.questions.push_back(trial_question_in(asked));

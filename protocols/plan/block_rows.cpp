@@ -1,9 +1,17 @@
-// Implements crossed and listed rows, pairs, and the limits on their order.
+// Implements crossed and listed rows, their levels and repetitions, pairs, and the constraints on their order.
 
 #include "protocols/plan/block_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
+#include <variant>
+
+#include "protocols/design/arithmetic.h"
 
 namespace asperity {
 
@@ -23,6 +31,28 @@ std::vector<FactorLevels> crossed_with(const std::vector<FactorLevels>& rows,
   return longer;
 }
 
+/// 12 significant digits, so that 3 · 0.1 is the level 0.3. Nothing where a level is a name or absent, and where the
+/// value is not finite; the check of meaning refuses these.
+std::optional<double> derived_level(const FactorLevels& row, const std::string& formula) {
+  const auto parsed = Arithmetic::parse(formula);
+  const auto* const arithmetic = std::get_if<Arithmetic>(&parsed);
+  if (arithmetic == nullptr) return {};
+  const double value = arithmetic->value([&row](const std::string& name) {
+    const auto level = row.find(name);
+    const double* const number =
+        level == row.end() ? nullptr : std::get_if<double>(&level->second);
+    return number == nullptr ? std::numeric_limits<double>::quiet_NaN() : *number;
+  });
+  if (!std::isfinite(value)) return {};
+  constexpr int kDigits = 12;
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::scientific, kDigits - 1);
+  double rounded = value;
+  if (error == std::errc()) std::from_chars(text.data(), end, rounded);
+  return rounded;
+}
+
 std::vector<FactorLevels> combinations_of(const Protocol& protocol, const Protocol::Block& block) {
   std::vector<FactorLevels> rows = block.listed;
   if (rows.empty()) rows.emplace_back();
@@ -33,6 +63,11 @@ std::vector<FactorLevels> combinations_of(const Protocol& protocol, const Protoc
     const std::vector<double> values = block.vary->values();
     rows = crossed_with(rows, block.vary->factor, {values.begin(), values.end()});
   }
+  std::erase_if(rows, [&block](const FactorLevels& row) {
+    return std::any_of(block.exclude.begin(), block.exclude.end(),
+                       [&row](const FactorLevels& levels) { return has_levels(row, levels); });
+  });
+  for (FactorLevels& row : rows) add_derived_levels(block, row);
   return rows;
 }
 
@@ -50,7 +85,28 @@ std::vector<std::vector<Level>> pairs_of(const Protocol& protocol, const Protoco
   return pairs;
 }
 
+/// Of the first entry that the row matches, or that of the block.
+int repetitions_of(const Protocol::Block& block, const BlockRow& row) {
+  for (const Protocol::Block::RowRepetitions& each : block.repetitions_of) {
+    if (has_levels(row.factors, each.levels)) return each.repetitions;
+  }
+  return block.repetitions;
+}
+
 }  // namespace
+
+void add_derived_levels(const Protocol::Block& block, FactorLevels& row) {
+  for (const auto& [name, formula] : block.derived) {
+    if (const auto level = derived_level(row, formula)) row[name] = *level;
+  }
+}
+
+bool has_levels(const FactorLevels& row, const FactorLevels& levels) {
+  return std::all_of(levels.begin(), levels.end(), [&row](const auto& stated) {
+    const auto own = row.find(stated.first);
+    return own != row.end() && own->second == stated.second;
+  });
+}
 
 std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
   constexpr std::size_t kEnough = 1U << 20U;  // prevents overflow of the product of many factors
@@ -64,6 +120,35 @@ std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
   }
   if (block.vary && !block.procedure)
     count = std::min(count * block.vary->levels().size(), kEnough);
+  // So many rows are refused in any case, and are not built.
+  constexpr std::size_t kMostRowsToExclude = 1U << 16U;
+  if (block.exclude.empty() || count > kMostRowsToExclude) return count;
+  return rows_of(protocol, block).size();
+}
+
+std::vector<BlockTrial> trials_of(const Protocol::Block& block, const std::vector<BlockRow>& rows) {
+  int most = block.repetitions;
+  for (const Protocol::Block::RowRepetitions& each : block.repetitions_of) {
+    most = std::max(most, each.repetitions);
+  }
+  std::vector<BlockTrial> trials{};
+  for (int repetition = 1; repetition <= most; ++repetition) {
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (repetition <= repetitions_of(block, rows[row])) trials.push_back({row, repetition});
+    }
+  }
+  return trials;
+}
+
+std::size_t trial_count(const Protocol& protocol, const Protocol::Block& block) {
+  const std::size_t of_all =
+      row_count(protocol, block) * static_cast<std::size_t>(block.repetitions);
+  constexpr std::size_t kMostRowsToCount = 1U << 16U;
+  if (block.repetitions_of.empty() || row_count(protocol, block) > kMostRowsToCount) return of_all;
+  std::size_t count = 0;
+  for (const BlockRow& row : rows_of(protocol, block)) {
+    count += static_cast<std::size_t>(repetitions_of(block, row));
+  }
   return count;
 }
 
@@ -76,21 +161,34 @@ std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& b
   return rows;
 }
 
-OrderProblem order_problem(const Protocol::Block& block, const std::vector<BlockRow>& rows) {
+OrderProblem order_problem(const Protocol::Block& block, const std::vector<BlockRow>& rows,
+                           const std::vector<BlockTrial>& trials) {
   OrderProblem problem{};
-  problem.trials = rows.size() * static_cast<std::size_t>(block.repetitions);
+  problem.trials = trials.size();
   problem.group_size = block.order == Protocol::Block::Order::shuffle_within_repetition
                            ? rows.size()
                            : problem.trials;
-  for (const auto& [factor, maximum] : block.maximum_in_a_row) {
-    RowLimit limit{};
-    limit.maximum = static_cast<std::size_t>(maximum);
+  const auto levels_of_trials = [&](const std::string& factor) {
     std::map<Level, std::size_t> numbers{};
-    for (std::size_t trial = 0; trial < problem.trials; ++trial) {
-      const Level& level = rows[trial % rows.size()].factors.find(factor)->second;
-      limit.level_of_trial.push_back(numbers.emplace(level, numbers.size()).first->second);
+    std::vector<std::size_t> levels{};
+    for (const BlockTrial& trial : trials) {
+      const Level& level = rows[trial.row].factors.find(factor)->second;
+      levels.push_back(numbers.emplace(level, numbers.size()).first->second);
     }
-    problem.limits.push_back(std::move(limit));
+    return levels;
+  };
+  for (const auto& [factor, maximum] : block.maximum_in_a_row) {
+    problem.limits.push_back({levels_of_trials(factor), static_cast<std::size_t>(maximum)});
+  }
+  for (const auto& [factor, minimum] : block.minimum_distance) {
+    problem.distances.push_back({levels_of_trials(factor), static_cast<std::size_t>(minimum)});
+  }
+  for (const Protocol::Block::FixedPosition& fixed : block.fixed_positions) {
+    FixedPlace place{.position = static_cast<std::size_t>(fixed.position) - 1};
+    for (const BlockTrial& trial : trials) {
+      place.allows_trial.push_back(has_levels(rows[trial.row].factors, fixed.levels));
+    }
+    problem.places.push_back(std::move(place));
   }
   return problem;
 }

@@ -24,13 +24,30 @@ struct BlockRow {
 
 /// The combinations of the crossed factors (the last one fastest), or the listed rows, once; one empty combination if
 /// there are none. Each of them with every level of the dimension, where the block varies a parameter without a
-/// procedure, and with every pair, where it has pairs.
+/// procedure, and with every pair, where it has pairs. Excluded combinations are absent; each row has its derived levels.
 std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& block);
 
-/// The number of rows, without building them.
+/// The number of rows, built only where combinations are excluded.
 std::size_t row_count(const Protocol& protocol, const Protocol::Block& block);
 
-/// The ordering problem of all repetitions of `rows`. Errors: none; see `random_order`.
-OrderProblem order_problem(const Protocol::Block& block, const std::vector<BlockRow>& rows);
+/// Adds the levels that the block computes from those of the row; none whose formula has no finite value.
+void add_derived_levels(const Protocol::Block& block, FactorLevels& row);
+
+/// Whether the row has all of these levels.
+bool has_levels(const FactorLevels& row, const FactorLevels& levels);
+
+/// One trial of a block before it is ordered.
+struct BlockTrial {
+  std::size_t row = 0;
+  int repetition = 1;
+};
+/// All trials: every row once, then the rows with a second repetition, and so on.
+std::vector<BlockTrial> trials_of(const Protocol::Block& block, const std::vector<BlockRow>& rows);
+/// Their number.
+std::size_t trial_count(const Protocol& protocol, const Protocol::Block& block);
+
+/// The ordering problem of `trials`, which are those of `rows`. Errors: none; see `random_order`.
+OrderProblem order_problem(const Protocol::Block& block, const std::vector<BlockRow>& rows,
+                           const std::vector<BlockTrial>& trials);
 
 }  // namespace asperity

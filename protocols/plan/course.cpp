@@ -63,8 +63,8 @@ std::vector<std::size_t> counterbalanced(const Protocol& protocol, const Allocat
 }
 
 std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow>& rows,
-                                  const Random& random) {
-  const OrderProblem problem = order_problem(block, rows);
+                                  const std::vector<BlockTrial>& unordered, const Random& random) {
+  const OrderProblem problem = order_problem(block, rows, unordered);
   if (block.order == Block::Order::fixed) {
     std::vector<std::size_t> order(problem.trials);
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -74,7 +74,8 @@ std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow
   if (!order) {
     throw std::runtime_error(
         "block " + block.name +
-        ": no order of its trials satisfies maximum_in_a_row; raise maximum_in_a_row");
+        ": no order of its trials satisfies its constraints; relax maximum_in_a_row, "
+        "minimum_distance or fixed_positions");
   }
   return std::move(*order);
 }
@@ -93,7 +94,7 @@ double example_chance(const Dimension& dimension, double value) {
 double expected_trials_of_run(const Protocol& protocol, const Block& block) {
   const auto rows = static_cast<double>(row_count(protocol, block));
   if (!block.procedure) {
-    const double planned = rows * block.repetitions;
+    const auto planned = static_cast<double>(trial_count(protocol, block));
     return (block.until ? std::min(planned, static_cast<double>(block.until->maximum_trials))
                         : planned) +
            (block.anchor.empty() ? 0.0 : 1.0);
@@ -203,7 +204,9 @@ bool Course::add_next_of_tracks() {
 void Course::add_block(const BlockRun& run) {
   const Block& block = *run.block;
   const std::vector<BlockRow> rows = rows_of(*protocol_, block);
-  const std::vector<std::size_t> order = order_of(block, rows, run.random.split("order"));
+  const std::vector<BlockTrial> unordered = trials_of(block, rows);
+  const std::vector<std::size_t> order =
+      order_of(block, rows, unordered, run.random.split("order"));
   const std::size_t trials =
       block.until ? std::min(order.size(), static_cast<std::size_t>(block.until->maximum_trials))
                   : order.size();
@@ -219,6 +222,7 @@ void Course::add_block(const BlockRun& run) {
     anchor.repetition = 0;
     anchor.factors = run.outer;
     anchor.factors.insert(block.anchor.begin(), block.anchor.end());
+    add_derived_levels(block, anchor.factors);
     anchor =
         maker_.make(std::move(anchor), run, {block.presented.front()}, run.random.split("anchor"));
     anchor.presentations.front().role = "anchor";
@@ -227,9 +231,9 @@ void Course::add_block(const BlockRun& run) {
   for (std::size_t i = 0; i < trials; ++i) {
     add_pause(*run.run, i);
     Trial trial{};
-    trial.repetition = static_cast<int>(order[i] / rows.size()) + 1;
+    trial.repetition = unordered[order[i]].repetition;
     trial.factors = run.outer;
-    const BlockRow& row = rows[order[i] % rows.size()];
+    const BlockRow& row = rows[unordered[order[i]].row];
     trial.factors.insert(row.factors.begin(), row.factors.end());
     for (const auto& [factor, levels] : drawn) trial.factors[factor] = levels[i];
     const std::vector<Protocol::Presented> listed = surfaces_of(block, row);

@@ -28,7 +28,10 @@ std::vector<Trial> possible_trials(const Protocol& protocol) {
     block.order = Block::Order::fixed;
     block.positions = Block::Positions::as_listed;
     block.repetitions = 1;
+    block.repetitions_of.clear();
     block.maximum_in_a_row.clear();
+    block.minimum_distance.clear();
+    block.fixed_positions.clear();
     block.until.reset();
     if (block.procedure && block.procedure->catch_trials && block.vary) {
       std::vector<double> levels = block.vary->levels();

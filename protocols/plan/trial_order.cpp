@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace asperity {
@@ -17,8 +18,8 @@ constexpr int kSearches = 8;
 constexpr std::size_t kRandomSteps = 5'000;
 constexpr std::size_t kExactSteps = 100'000;
 
-/// Searches for an order depth-first. Trials that no limit distinguishes are one kind, so that the search does not try
-/// them in turn.
+/// Searches for an order depth-first. Trials that no constraint distinguishes are one kind, so that the search does not
+/// try them in turn.
 class Search {
  public:
   Search(const OrderProblem& problem, Random* random) : problem_(problem), random_(random) {
@@ -27,9 +28,18 @@ class Search {
     for (std::size_t trial = 0; trial < problem.trials; ++trial) {
       std::vector<std::size_t> levels{};
       for (const RowLimit& limit : problem.limits) levels.push_back(limit.level_of_trial[trial]);
-      const auto [found, is_new] = kinds.emplace(levels, kinds.size());
+      std::vector<std::size_t> distant{};
+      for (const LevelDistance& each : problem.distances) {
+        distant.push_back(each.level_of_trial[trial]);
+      }
+      std::vector<std::size_t> key = levels;
+      key.insert(key.end(), distant.begin(), distant.end());
+      for (const FixedPlace& place : problem.places) key.push_back(place.allows_trial[trial]);
+      const auto [found, is_new] = kinds.emplace(std::move(key), kinds.size());
       if (is_new) {
         levels_.push_back(levels);
+        distant_levels_.push_back(std::move(distant));
+        examples_.push_back(trial);
         members_.emplace_back(groups);
       }
       members_[found->second][trial / problem.group_size].push_back(trial);
@@ -40,6 +50,12 @@ class Search {
       }
     }
     runs_.assign(problem.limits.size(), Run{});
+    ages_.resize(problem.distances.size());
+    for (std::size_t i = 0; i < ages_.size(); ++i) {
+      const std::vector<std::size_t>& all = problem.distances[i].level_of_trial;
+      // As if every level had been presented long ago.
+      ages_[i].assign(*std::max_element(all.begin(), all.end()) + 1, problem.distances[i].minimum);
+    }
     left_.resize(levels_.size());
     load_group(0);
   }
@@ -71,7 +87,13 @@ class Search {
     }
   }
 
-  bool allowed(std::size_t kind) const {
+  bool allowed(std::size_t kind, std::size_t position) const {
+    for (std::size_t i = 0; i < ages_.size(); ++i) {
+      if (ages_[i][distant_levels_[kind][i]] < problem_.distances[i].minimum) return false;
+    }
+    for (const FixedPlace& place : problem_.places) {
+      if (place.position == position && !place.allows_trial[examples_[kind]]) return false;
+    }
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       if (runs_[i].length >= problem_.limits[i].maximum && runs_[i].level == levels_[kind][i]) {
         return false;
@@ -82,7 +104,9 @@ class Search {
 
   /// A necessary condition for the rest of the group, checked for each limit (and sufficient for a single limit): the
   /// trials of a level fit into the gaps between the others.
-  bool promising() const {
+  bool promising(std::size_t position) const {
+    const std::size_t end = (position / problem_.group_size + 1) * problem_.group_size;
+    if (!places_can_be_filled(position, end) || !distances_fit(position, end)) return false;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       std::map<std::size_t, std::size_t> of_level{};
       std::size_t all = 0;
@@ -100,11 +124,42 @@ class Search {
     return true;
   }
 
+  /// Whether a remaining trial of the group fits every fixed place in it.
+  bool places_can_be_filled(std::size_t position, std::size_t end) const {
+    for (const FixedPlace& place : problem_.places) {
+      if (place.position < position || place.position >= end) continue;
+      bool is_filled = false;
+      for (std::size_t kind = 0; kind < left_.size(); ++kind) {
+        is_filled = is_filled || (left_[kind] > 0 && place.allows_trial[examples_[kind]]);
+      }
+      if (!is_filled) return false;
+    }
+    return true;
+  }
+
+  /// Whether the remaining trials of each level fit before the end of the group: c of them at a distance of d need
+  /// (c − 1)·d + 1 positions, from the first one that the last trial of the level allows.
+  bool distances_fit(std::size_t position, std::size_t end) const {
+    for (std::size_t i = 0; i < ages_.size(); ++i) {
+      std::vector<std::size_t> count(ages_[i].size());
+      for (std::size_t kind = 0; kind < left_.size(); ++kind) {
+        count[distant_levels_[kind][i]] += left_[kind];
+      }
+      const std::size_t minimum = problem_.distances[i].minimum;
+      for (std::size_t level = 0; level < count.size(); ++level) {
+        if (count[level] == 0) continue;
+        const std::size_t first = position + minimum - ages_[i][level];
+        if (first + (count[level] - 1) * minimum >= end) return false;
+      }
+    }
+    return true;
+  }
+
   /// The kinds that may come next; a kind with more remaining trials is more likely to come first.
-  std::vector<std::size_t> candidates() {
+  std::vector<std::size_t> candidates(std::size_t position) {
     std::vector<std::size_t> kinds{};
     for (std::size_t kind = 0; kind < levels_.size(); ++kind) {
-      if (left_[kind] > 0 && allowed(kind)) kinds.push_back(kind);
+      if (left_[kind] > 0 && allowed(kind, position)) kinds.push_back(kind);
     }
     if (random_ == nullptr) {
       std::stable_sort(kinds.begin(), kinds.end(),
@@ -126,18 +181,23 @@ class Search {
     if (position == problem_.trials) return true;
     if (steps_ == 0) return false;
     --steps_;
-    if (!promising()) return false;
-    const auto state = std::pair(position, std::pair(left_, runs_));
+    if (!promising(position)) return false;
+    const State state{position, left_, runs_, ages_};
     if (failed_.contains(state)) return false;
     const std::vector<Run> runs = runs_;
     const std::vector<std::size_t> left = left_;
-    for (const std::size_t kind : candidates()) {
+    const std::vector<std::vector<std::size_t>> ages = ages_;
+    for (const std::size_t kind : candidates(position)) {
       chosen_.push_back(kind);
       --left_[kind];
       for (std::size_t i = 0; i < runs_.size(); ++i) {
         const std::size_t level = levels_[kind][i];
         runs_[i] = {level,
                     runs_[i].length > 0 && runs_[i].level == level ? runs_[i].length + 1 : 1};
+      }
+      for (std::size_t i = 0; i < ages_.size(); ++i) {
+        ages_[i][distant_levels_[kind][i]] = 0;
+        for (std::size_t& age : ages_[i]) age = std::min(age + 1, problem_.distances[i].minimum);
       }
       const std::size_t next = position + 1;
       if (next % problem_.group_size == 0 && next < problem_.trials) {
@@ -147,6 +207,7 @@ class Search {
       chosen_.pop_back();
       left_ = left;
       runs_ = runs;
+      ages_ = ages;
       if (steps_ == 0) return false;
     }
     failed_.insert(state);
@@ -156,11 +217,18 @@ class Search {
   const OrderProblem& problem_;
   Random* random_ = nullptr;
   std::vector<std::vector<std::size_t>> levels_{};                ///< of a kind, by limit
+  std::vector<std::vector<std::size_t>> distant_levels_{};        ///< of a kind, by distance
+  std::vector<std::size_t> examples_{};                           ///< one trial of a kind
   std::vector<std::vector<std::vector<std::size_t>>> members_{};  ///< trials by kind and group
   std::vector<std::size_t> left_{};  ///< of a kind in this group, not yet placed
   std::vector<Run> runs_{};          ///< by limit
+  /// By distance and level: positions since the last trial of the level, at most the minimum.
+  std::vector<std::vector<std::size_t>> ages_{};
   std::vector<std::size_t> chosen_{};
-  std::set<std::pair<std::size_t, std::pair<std::vector<std::size_t>, std::vector<Run>>>> failed_{};
+  /// The position, and what decides whether the rest can be ordered from there.
+  using State = std::tuple<std::size_t, std::vector<std::size_t>, std::vector<Run>,
+                           std::vector<std::vector<std::size_t>>>;
+  std::set<State> failed_{};
   std::size_t steps_ = 0;
 };
 
@@ -184,6 +252,17 @@ bool meets(const OrderProblem& problem, const std::vector<std::size_t>& order) {
       length = same ? length + 1 : 1;
       if (length > limit.maximum) return false;
     }
+  }
+  for (const LevelDistance& distance : problem.distances) {
+    std::map<std::size_t, std::size_t> last{};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const auto [found, is_first] = last.emplace(distance.level_of_trial[order[i]], i);
+      if (!is_first && i - found->second < distance.minimum) return false;
+      found->second = i;
+    }
+  }
+  for (const FixedPlace& place : problem.places) {
+    if (place.position >= order.size() || !place.allows_trial[order[place.position]]) return false;
   }
   return true;
 }

@@ -1,4 +1,4 @@
-// Declares random trial orders with limits on runs of the same level.
+// Declares random trial orders with constraints on levels and positions.
 
 #pragma once
 
@@ -16,12 +16,26 @@ struct RowLimit {
   std::size_t maximum = 1;
 };
 
+/// The smallest difference of the positions of two trials with the same level of one factor.
+struct LevelDistance {
+  std::vector<std::size_t> level_of_trial{};
+  std::size_t minimum = 2;  ///< 2: two such trials are not adjacent
+};
+
+/// The trial at a position, from 0, is one of these.
+struct FixedPlace {
+  std::size_t position = 0;
+  std::vector<bool> allows_trial{};
+};
+
 /// The trials to be ordered: 0 … trials−1, in consecutive groups of `group_size` that stay together (repetitions); one
 /// group of all trials if there are no groups.
 struct OrderProblem {
   std::size_t trials = 0;
   std::size_t group_size = 0;  ///< divides `trials`
   std::vector<RowLimit> limits{};
+  std::vector<LevelDistance> distances{};
+  std::vector<FixedPlace> places{};
 };
 
 bool meets(const OrderProblem& problem, const std::vector<std::size_t>& order);
@@ -30,7 +44,7 @@ bool meets(const OrderProblem& problem, const std::vector<std::size_t>& order);
 /// none.
 std::optional<std::vector<std::size_t>> some_order(const OrderProblem& problem);
 
-/// A random order that meets all limits, or nullopt if none was found.
+/// A random order that meets all constraints, or nullopt if none was found.
 ///
 /// Complete shuffles are tried first, which makes all valid orders equally likely. Where valid orders are rare, one is
 /// built trial by trial with look-ahead and backtracking, which is nearly uniform. The last resort is `some_order`:

@@ -41,6 +41,34 @@ std::string positions_text(const Protocol::Block& block) {
   return {};
 }
 
+std::string text_of_row(const std::map<std::string, Level, std::less<>>& levels) {
+  std::vector<std::string> parts{};
+  for (const auto& [factor, level] : levels) parts.push_back(factor + ' ' + text_of(level));
+  return comma_separated(parts);
+}
+
+/// "without the combination force 2, texture stone, equal levels of texture at least 3 trials apart, texture stone in trial 1"
+std::string constraints_text(const Protocol::Block& block) {
+  std::vector<std::string> parts{};
+  for (const auto& row : block.exclude) {
+    parts.push_back("without the combination " + text_of_row(row));
+  }
+  for (const auto& [factor, formula] : block.derived) parts.push_back(factor + " = " + formula);
+  for (const auto& each : block.repetitions_of) {
+    parts.push_back(text_of_row(each.levels) + " presented " +
+                    (each.repetitions == 1 ? "once"
+                                           : std::to_string(each.repetitions) + " times"));
+  }
+  for (const auto& [factor, distance] : block.minimum_distance) {
+    parts.push_back("equal levels of " + factor + " at least " + std::to_string(distance) +
+                    " trials apart");
+  }
+  for (const auto& fixed : block.fixed_positions) {
+    parts.push_back(text_of_row(fixed.levels) + " in trial " + std::to_string(fixed.position));
+  }
+  return comma_separated(parts);
+}
+
 std::string order_text(const Protocol::Block& block) {
   std::vector<std::string> parts{order_of_levels(block)};
   if (!block.drawn.empty()) parts.push_back(listed(block.drawn) + " drawn at random in each trial");
@@ -50,6 +78,7 @@ std::string order_text(const Protocol::Block& block) {
   }
   const bool has_both_orders = block.all_pairs && block.all_pairs->in_both_orders;
   if (block.presented.size() >= 2 && !has_both_orders) parts.push_back(positions_text(block));
+  parts.push_back(constraints_text(block));
   std::erase(parts, std::string());
   if (order_of_levels(block).empty() && !parts.empty()) parts.front().insert(0, "with ");
   return comma_separated(parts);
