@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -86,6 +88,9 @@ struct SessionRow {
 struct SessionClaim {
   int rows = 1;                       ///< of the counterbalancing, from 0
   std::vector<std::string> groups{};  ///< levels to choose from where the session states none
+  /// The group of a participant who is assigned after so many others, including those who withdrew. Null: the group with
+  /// the fewest participants.
+  std::function<std::string(std::size_t assigned)> group_after{};
 };
 
 struct PlannedTrialRow {

@@ -145,7 +145,8 @@ class Study final {
   std::int64_t add_session(const SessionRow& session, const std::vector<PlannedTrialRow>& plan);
   /// The same with group and counterbalance row taken inside the transaction. The group, unless the session
   /// states it: that of the participant's earlier sessions of this protocol's name and this mode, otherwise the one
-  /// with the fewest participants who have an open or completed session of that name and mode. The row: the least
+  /// with the fewest participants who have an open or completed session of that name and mode, or that of the claim's
+  /// sequence. The row: the least
   /// used by such sessions of the group. The first of equals in both cases; who withdrew does not count. `plan_of` is
   /// called with the session as it will be stored. Two laboratories that start at once cannot both be given the same.
   std::int64_t add_session(

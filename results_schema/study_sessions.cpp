@@ -107,13 +107,29 @@ std::optional<std::string> earlier_group(Database& database, const std::string& 
   return group;
 }
 
+/// Every participant who was ever assigned to a group of this protocol, in sessions of one mode.
+std::size_t participants_with_a_group(Database& database, const std::string& protocol_name,
+                                      SessionMode mode) {
+  Statement statement(database,
+                      "SELECT count(DISTINCT participant_id) FROM session "
+                      "WHERE protocol_id IN (SELECT id FROM protocol WHERE name = ?1) "
+                      "AND mode = ?2 AND group_level NOT NULL");
+  int count = 0;
+  if (statement.bind(protocol_name, text_of(mode)).step()) statement.read(count);
+  return static_cast<std::size_t>(count);
+}
+
 std::string claimed_group(Database& database, const std::string& protocol_name,
-                          const SessionRow& session, const std::vector<std::string>& groups) {
+                          const SessionRow& session, const SessionClaim& claim) {
+  const std::vector<std::string>& groups = claim.groups;
   if (const auto own = earlier_group(database, session.participant, protocol_name, session.mode)) {
     if (std::find(groups.begin(), groups.end(), *own) != groups.end()) return *own;
     refuse(database.folder(), "has participant " + session.participant + " in the group " + *own +
                                   ", and this version of the protocol " + protocol_name +
                                   " has no such group; add it to the protocol");
+  }
+  if (claim.group_after) {
+    return claim.group_after(participants_with_a_group(database, protocol_name, session.mode));
   }
   const std::vector<int> counts =
       participants_of_groups(database, protocol_name, groups, session.mode);
@@ -263,7 +279,7 @@ std::int64_t Study::add_session(
   protocol_name.read(name);
   SessionRow row = session;
   if (!row.group_level && !claim.groups.empty()) {
-    row.group_level = claimed_group(database, name, session, claim.groups);
+    row.group_level = claimed_group(database, name, session, claim);
   }
   const std::vector<int> counts =
       counts_of(database, name, claim.rows, session.mode, row.group_level);

@@ -105,6 +105,18 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check,
   return json;
 }
 
+const char* assignment_text(Protocol::Groups::Assignment assigned) {
+  switch (assigned) {
+    case Protocol::Groups::Assignment::balanced:
+      return "balanced by the program";
+    case Protocol::Groups::Assignment::permuted_blocks:
+      return "assigned by the program in permuted blocks";
+    case Protocol::Groups::Assignment::by_experimenter:
+      return "assigned by the experimenter";
+  }
+  return "";
+}
+
 /// "training (haptic, visual), balanced by the program"
 std::string groups_text(const Protocol& protocol) {
   std::string levels{};
@@ -112,9 +124,7 @@ std::string groups_text(const Protocol& protocol) {
     levels += (levels.empty() ? "" : ", ") + group;
   }
   return protocol.groups->factor + " (" + levels + "), " +
-         (protocol.groups->assigned == Protocol::Groups::Assignment::balanced
-              ? "balanced by the program"
-              : "assigned by the experimenter");
+         assignment_text(protocol.groups->assigned);
 }
 
 /// Both as an author meets them, from the first line to the last; of one place the problem first.

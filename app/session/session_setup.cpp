@@ -177,7 +177,13 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
     session.course.emplace(protocol, allocation_of(row));
     row.id = study.add_session(row, planned_rows(session.course->plan()));
   } else {
-    const SessionClaim claim{.rows = counterbalance_rows(protocol), .groups = groups_of(protocol)};
+    SessionClaim claim{.rows = counterbalance_rows(protocol), .groups = groups_of(protocol)};
+    if (protocol.groups &&
+        protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
+      claim.group_after = [&protocol, mode = text_of(row.mode)](std::size_t assigned) {
+        return permuted_group(protocol, mode, assigned);
+      };
+    }
     row.id = study.add_session(row, claim, [&](const SessionRow& claimed) {
       session.course.emplace(protocol, allocation_of(claimed));
       return planned_rows(session.course->plan());

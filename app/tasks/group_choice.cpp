@@ -27,13 +27,14 @@ std::optional<Phrase> complaint_about_group(const Protocol& protocol,
                   "in all sessions; leave out --group")
         .with(*before, protocol.name);
   }
-  const bool is_balanced = protocol.groups->assigned == Protocol::Groups::Assignment::balanced;
-  if (is_balanced && stated) {
+  const bool is_by_program =
+      protocol.groups->assigned != Protocol::Groups::Assignment::by_experimenter;
+  if (is_by_program && stated) {
     return phrase("GroupChoice",
                   "the program assigns the groups of the protocol \"%1\"; leave out --group")
         .with(protocol.name);
   }
-  if (!is_balanced && !stated && !before) {
+  if (!is_by_program && !stated && !before) {
     return phrase("GroupChoice",
                   "the experimenter assigns the groups of the protocol \"%1\"; state the group of "
                   "the participant with --group: %2")

@@ -68,6 +68,8 @@ const char* text_of(Protocol::Groups::Assignment assigned) noexcept {
   switch (assigned) {
     case Protocol::Groups::Assignment::balanced:
       return "balanced";
+    case Protocol::Groups::Assignment::permuted_blocks:
+      return "permuted_blocks";
     case Protocol::Groups::Assignment::by_experimenter:
       return "by_experimenter";
   }

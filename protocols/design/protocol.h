@@ -412,10 +412,14 @@ struct Protocol {
   struct Groups {
     enum class Assignment {
       balanced,         ///< by the program: the group with the fewest participants
+      permuted_blocks,  ///< by the program: blocks of random size in random order
       by_experimenter,  ///< stated when the participant's first session begins
     };
     std::string factor{};
     Assignment assigned = Assignment::balanced;
+    /// Of permuted blocks: the possible sizes, multiples of the number of groups, and the seed of the sequence.
+    std::vector<int> block_sizes{};
+    std::optional<std::uint64_t> seed{};
   };
   std::optional<Groups> groups{};
   std::map<std::string, Block, std::less<>> blocks{};

@@ -26,6 +26,26 @@ void Meaning::check_groups() {
            "the factor of the groups must have 2 to " + std::to_string(kMaximumGroups) +
                " levels, one per group; add or remove levels");
   }
+  const bool is_permuted =
+      protocol_.groups->assigned == Protocol::Groups::Assignment::permuted_blocks;
+  if (is_permuted && !protocol_.groups->seed) {
+    report("/groups",
+           "permuted blocks are a random sequence: state its \"seed\", a whole number");
+  }
+  for (const char* const key : {"block_sizes", "seed"}) {
+    if (is_permuted || !document_.root().at("groups").contains(key)) continue;
+    report_key(std::string("/groups/") + key,
+               "only the assignment \"permuted_blocks\" has this key; remove it, or set assigned "
+               "to \"permuted_blocks\"");
+  }
+  for (std::size_t i = 0; i < protocol_.groups->block_sizes.size(); ++i) {
+    const int size = protocol_.groups->block_sizes[i];
+    if (!is_permuted || levels == 0 || size % static_cast<int>(levels) == 0) continue;
+    report(pointer_to("/groups/block_sizes", i),
+           "a block of " + std::to_string(size) + " participants does not contain the " +
+               std::to_string(levels) + " groups equally often; use a multiple of " +
+               std::to_string(levels));
+  }
   constexpr const char* kWhy =
       " is the factor of the groups, and the group of the participant sets its level; use another "
       "factor here, or remove the key groups";

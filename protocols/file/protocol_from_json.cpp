@@ -616,7 +616,11 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
     read(*found, "factor", protocol.groups->factor);
     read_choice(
         *found, "assigned", protocol.groups->assigned,
-        {{"balanced", Assignment::balanced}, {"by_experimenter", Assignment::by_experimenter}});
+        {{"balanced", Assignment::balanced},
+         {"permuted_blocks", Assignment::permuted_blocks},
+         {"by_experimenter", Assignment::by_experimenter}});
+    read(*found, "block_sizes", protocol.groups->block_sizes);
+    read(*found, "seed", protocol.groups->seed);
   }
   if (const auto found = root.find("participants"); found != root.end()) {
     read(*found, "planned", protocol.planned_participants);

@@ -2,8 +2,11 @@
 
 #include "protocols/plan/groups.h"
 
+#include <cstdint>
+#include <span>
 #include <stdexcept>
 
+#include "analysis/random.h"
 #include "protocols/design/wording.h"
 
 namespace asperity {
@@ -33,10 +36,44 @@ FactorLevels group_factor(const Protocol& protocol, const std::string& group) {
                            in_quotes(group) + "; use " + one_of(groups_of(protocol)));
 }
 
+std::vector<int> block_sizes_of(const Protocol& protocol) {
+  if (!protocol.groups->block_sizes.empty()) return protocol.groups->block_sizes;
+  const int groups = static_cast<int>(groups_of(protocol).size());
+  return {2 * groups, 3 * groups};
+}
+
+std::string permuted_group(const Protocol& protocol, const std::string& mode,
+                           std::size_t assigned) {
+  const std::vector<std::string> groups = groups_of(protocol);
+  const std::vector<int> sizes = block_sizes_of(protocol);
+  const Random sequence = Random(protocol.groups->seed.value_or(0)).split("groups").split(mode);
+  for (std::uint64_t block = 0;; ++block) {
+    Random random = sequence.split(block);
+    const auto size = static_cast<std::size_t>(sizes[random.below(sizes.size())]);
+    if (assigned >= size) {
+      assigned -= size;
+      continue;
+    }
+    std::vector<std::size_t> order(size);
+    for (std::size_t i = 0; i < size; ++i) order[i] = i % groups.size();
+    random.shuffle(std::span<std::size_t>(order));
+    return groups[order[assigned]];
+  }
+}
+
 Allocation allocation_in_turn(const Protocol& protocol, int n) {
   const int rows = counterbalance_rows(protocol);
   const std::vector<std::string> groups = groups_of(protocol);
   if (groups.empty()) return {.counterbalance_row = n % rows};
+  if (protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
+    const auto group_at = [&protocol](int i) {
+      return permuted_group(protocol, "simulate", static_cast<std::size_t>(i));
+    };
+    const std::string group = group_at(n);
+    int before = 0;
+    for (int i = 0; i < n; ++i) before += group_at(i) == group ? 1 : 0;
+    return {.counterbalance_row = before % rows, .group = group};
+  }
   const int count = static_cast<int>(groups.size());
   const int round = n / count;
   const int shift = count % 2 == 0 ? round : 0;

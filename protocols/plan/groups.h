@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,21 @@ std::vector<std::string> groups_of(const Protocol& protocol);
 /// Errors: std::runtime_error for a text that is not a group of the protocol.
 FactorLevels group_factor(const Protocol& protocol, const std::string& group);
 
+/// Of permuted blocks: the sizes from which that of each block is drawn.
+std::vector<int> block_sizes_of(const Protocol& protocol);
+
+/// The group of the participant who is assigned after `assigned` others, by permuted blocks: the size of each block is drawn
+/// from the declared sizes, and its order is drawn, so that every block has each group equally often. Sequences of
+/// different modes are independent: pilot sessions do not reveal that of the study.
+///
+/// [Schulz 2002] K. F. Schulz, D. A. Grimes: Unequal group sizes in randomised trials: guarding against guessing. Lancet
+/// 359(9310), 966–970.
+std::string permuted_group(const Protocol& protocol, const std::string& mode, std::size_t assigned);
+
 /// The allocation of the n-th simulated participant, from 0: groups in turn, and the rows of counterbalancing in turn
 /// within each group. With an even number of groups every round begins one group later, so that participants whose
-/// attributes alternate do not always belong to the same groups.
+/// attributes alternate do not always belong to the same groups. With permuted blocks the group is that of the sequence of
+/// the mode simulate.
 Allocation allocation_in_turn(const Protocol& protocol, int n);
 
 }  // namespace asperity

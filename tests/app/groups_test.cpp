@@ -10,6 +10,8 @@
 #include "app/tasks/run_session.h"
 #include "app/tasks/simulation.h"
 #include "app/tasks/verify_study.h"
+#include "protocols/file/protocol_reader.h"
+#include "protocols/plan/groups.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/exported_study.h"
@@ -188,6 +190,25 @@ TEST(GroupsOfEarlierStudies, AreNoColumns) {
   const auto described = columns_in_codebook(tables.codebook());
   EXPECT_FALSE(described.contains({"participants.tsv", "group"}));
   EXPECT_FALSE(described.contains({"sessions.tsv", "group"}));
+}
+
+TEST_F(GroupsOfASession, FollowThePermutedBlocksOfTheProtocol) {
+  std::string text = grouped_protocol("permuted_blocks");
+  text.replace(text.find("permuted_blocks\"") + 16, 0, R"(, "seed": 8, "block_sizes": [2])");
+  text.replace(text.find("asperity.protocol/1"), 19, "asperity.protocol/2");
+  write(text);
+  for (const char* const label : {"p1", "p2", "p3", "p4"}) {
+    EXPECT_EQ(run(label).state, SessionState::completed);
+  }
+  std::map<std::string, std::string> expected{};
+  const Protocol protocol = read_protocol(text, "small.json", declarations_of(models_));
+  for (std::size_t i = 0; i < 4; ++i) {
+    expected["p" + std::to_string(i + 1) + "/1"] = permuted_group(protocol, "pilot", i);
+  }
+  EXPECT_EQ(groups(), expected);
+  EXPECT_NE(expected["p1/1"], expected["p2/1"]) << "a block of two has both groups";
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_THAT(refused("p5", "haptic"), HasSubstr("the program assigns the groups"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "protocols/plan/groups.h"
 
 #include <algorithm>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -149,7 +150,7 @@ TEST(Groups, AreTheOnlyOnesToSetTheirFactor) {
               HasSubstr("2 to 32 levels"));
   EXPECT_THAT(problems_in(replaced(grouped(), R"({"factor": "training"},)",
                                    R"({"factor": "training", "assigned": "by_age"},)")),
-              HasSubstr("\"balanced\" or \"by_experimenter\""));
+              HasSubstr("\"balanced\", \"permuted_blocks\" or \"by_experimenter\""));
   EXPECT_THAT(problems_in(replaced(grouped(), R"({"factor": "training"},)", R"({},)")),
               HasSubstr("\"factor\" is missing"));
 }
@@ -189,6 +190,77 @@ TEST(Groups, OfSimulatedParticipantsAreEquallyOftenOfEitherSex) {
     EXPECT_TRUE(std::all_of(by_sex.begin(), by_sex.end(), is_two)) << levels;
     EXPECT_TRUE(std::all_of(by_row.begin(), by_row.end(), is_two)) << levels;
   }
+}
+
+std::string permuted(const std::string& further) {
+  return replaced(replaced(grouped(), R"({"factor": "training"},)",
+                           R"({"factor": "training", "assigned": "permuted_blocks")" + further +
+                               "},"),
+                  "asperity.protocol/1", "asperity.protocol/2");
+}
+
+TEST(PermutedBlocks, ContainEveryGroupEquallyOften) {
+  const Protocol protocol = read_grouped(permuted(R"(, "seed": 4, "block_sizes": [4])"));
+  std::set<std::string> orders{};
+  for (std::size_t block = 0; block < 40; ++block) {
+    std::string order{};
+    int stroking = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::string group = permuted_group(protocol, "run", 4 * block + i);
+      stroking += group == "stroking" ? 1 : 0;
+      order += group.front();
+    }
+    EXPECT_EQ(stroking, 2) << block;
+    orders.insert(order);
+  }
+  EXPECT_EQ(orders.size(), 6U) << "4!/(2!·2!) orders";
+}
+
+TEST(PermutedBlocks, HaveRandomSizesUnlessOneIsStated) {
+  const Protocol protocol = read_grouped(permuted(R"(, "seed": 4)"));
+  EXPECT_THAT(block_sizes_of(protocol), ElementsAre(4, 6));
+  // Blocks of 4 or of 6 alone are balanced after every 12 participants; here the balance after 4 and 6 varies.
+  int balanced_after_4 = 0;
+  int balanced_after_10 = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Protocol other = protocol;
+    other.groups->seed = seed;
+    int stroking = 0;
+    for (std::size_t i = 0; i < 10; ++i) {
+      stroking += permuted_group(other, "run", i) == "stroking" ? 1 : 0;
+      if (i == 3 && stroking == 2) ++balanced_after_4;
+    }
+    if (stroking == 5) ++balanced_after_10;
+  }
+  EXPECT_LT(balanced_after_4, 100);
+  EXPECT_GT(balanced_after_4, 50);
+  EXPECT_GT(balanced_after_10, 50);
+}
+
+TEST(PermutedBlocks, AreDeterminedBySeedAndMode) {
+  const Protocol protocol = read_grouped(permuted(R"(, "seed": 4)"));
+  const auto sequence = [](const Protocol& of, const std::string& mode) {
+    std::string groups{};
+    for (std::size_t i = 0; i < 60; ++i) groups += permuted_group(of, mode, i).front();
+    return groups;
+  };
+  EXPECT_EQ(sequence(protocol, "run"), sequence(protocol, "run"));
+  EXPECT_NE(sequence(protocol, "run"), sequence(protocol, "pilot"));
+  EXPECT_NE(sequence(protocol, "run"),
+            sequence(read_grouped(permuted(R"(, "seed": 5)")), "run"));
+}
+
+TEST(PermutedBlocks, NeedASeedAndSizesThatFit) {
+  EXPECT_EQ(problems_in(permuted(R"(, "seed": 4, "block_sizes": [2, 4])")), "");
+  EXPECT_THAT(problems_in(permuted("")), HasSubstr("state its \"seed\""));
+  EXPECT_THAT(problems_in(permuted(R"(, "seed": 4, "block_sizes": [4, 5])")),
+              HasSubstr("does not contain the 2 groups equally often; use a multiple of 2 "
+                        "(/groups/block_sizes/1)"));
+  EXPECT_THAT(problems_in(replaced(grouped(), R"({"factor": "training"},)",
+                                   R"({"factor": "training", "seed": 4},)")),
+              HasSubstr("only the assignment \"permuted_blocks\" has this key"));
+  EXPECT_THAT(problems_in(replaced(permuted(R"(, "seed": 4)"), "protocol/2", "protocol/1")),
+              HasSubstr("requires the format"));
 }
 
 }  // namespace

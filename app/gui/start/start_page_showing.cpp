@@ -225,7 +225,7 @@ QString StartPage::session_text() const {
     if (const std::optional<std::string> group = group_before()) {
       return tr("%1 Group %2, as before.").arg(number, QString::fromStdString(*group));
     }
-    if (protocol->groups->assigned == Protocol::Groups::Assignment::balanced) {
+    if (protocol->groups->assigned != Protocol::Groups::Assignment::by_experimenter) {
       return tr("%1 The program assigns the group.").arg(number);
     }
     return number;
@@ -252,7 +252,7 @@ std::optional<std::string> StartPage::group_before() const {
 std::vector<std::string> StartPage::groups_to_choose() const {
   const Protocol* protocol = chosen();
   if (protocol == nullptr || !protocol->groups || is_batch() || resume_ || group_before() ||
-      protocol->groups->assigned == Protocol::Groups::Assignment::balanced) {
+      protocol->groups->assigned != Protocol::Groups::Assignment::by_experimenter) {
     return {};
   }
   return groups_of(*protocol);

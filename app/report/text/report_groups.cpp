@@ -12,6 +12,34 @@
 
 namespace asperity {
 
+namespace {
+
+/// ", in permuted blocks of 4 or 6 participants (seed 3)"
+std::string blocks_text(const Protocol& protocol) {
+  const std::vector<int> sizes = block_sizes_of(protocol);
+  std::string text{};
+  for (const int size : std::set<int>(sizes.begin(), sizes.end())) {
+    text += (text.empty() ? "" : " or ") + std::to_string(size);
+  }
+  return ", by a random sequence in permuted blocks of " + text + " participants (seed " +
+         std::to_string(protocol.groups->seed.value_or(0)) + ')';
+}
+
+std::string assignment_text(const Protocol& protocol, bool are_virtual) {
+  switch (protocol.groups->assigned) {
+    case Protocol::Groups::Assignment::balanced:
+      return are_virtual ? ", in turn"
+                         : ", each to the group with the fewest participants at that time";
+    case Protocol::Groups::Assignment::permuted_blocks:
+      return blocks_text(protocol);
+    case Protocol::Groups::Assignment::by_experimenter:
+      return are_virtual ? ", in turn" : ", by the experimenter";
+  }
+  return {};
+}
+
+}  // namespace
+
 std::string groups_text(const ReportFacts& facts) {
   std::map<std::string, std::set<std::string>> members{};
   for (const ReportedSession& session : facts.sessions) {
@@ -25,10 +53,7 @@ std::string groups_text(const ReportFacts& facts) {
     const Protocol::Groups& declared = *facts.file.protocol->groups;
     groups = groups_of(*facts.file.protocol);
     factor = " of the factor " + declared.factor;
-    how = facts.group == AnswerGroup::virtual_participants ? ", in turn"
-          : declared.assigned == Protocol::Groups::Assignment::balanced
-              ? ", each to the group with the fewest participants at that time"
-              : ", by the experimenter";
+    how = assignment_text(*facts.file.protocol, facts.group == AnswerGroup::virtual_participants);
   } else {
     for (const auto& [group, labels] : members) groups.push_back(group);
   }
