@@ -155,10 +155,11 @@ void fill_demo_study(const std::filesystem::path& folder,
                      const std::function<void(double)>& progress) {
   for (const LibraryProtocol& protocol : library_protocols()) {
     // The protocols of the demo data: one session without sight, one with tools in six degrees of
-    // freedom, those of numbers, and one of a threshold, which needs no files.
+    // freedom, those of numbers and ratings, and one of a threshold, which needs no files.
     if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
         protocol.name != "tools_matching" && protocol.name != "amplitude_jnd" &&
-        protocol.name != "models_in_pairs" && !protocol.name.starts_with("roughness_")) {
+        protocol.name != "models_in_pairs" && protocol.name != "semantic_differential" &&
+        !protocol.name.starts_with("roughness_")) {
       continue;
     }
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
