@@ -106,17 +106,23 @@ Dissimilarities linear_dissimilarities(const ConfusionCounts& counts) {
   return d;
 }
 
-ClassicalScaling classical_scaling(const Dissimilarities& dissimilarities) {
+ClassicalScaling classical_scaling(const Dissimilarities& dissimilarities,
+                                   Eigen::Index dimensions) {
   refuse_impossible_matrix(dissimilarities);
   const Eigen::Index m = dissimilarities.rows();
+  if (dimensions < 1 || dimensions > m) {
+    throw std::invalid_argument("dimensions is " + std::to_string(dimensions) +
+                                "; it must lie between 1 and the number of items, " +
+                                std::to_string(m));
+  }
   const Eigen::MatrixXd centre = Eigen::MatrixXd::Identity(m, m) -
                                  Eigen::MatrixXd::Constant(m, m, 1.0 / static_cast<double>(m));
   const Eigen::MatrixXd squares = dissimilarities.cwiseAbs2();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(-0.5 * centre * squares * centre);
   ClassicalScaling answer{.eigenvalues = solver.eigenvalues().reverse(),
-                          .points = Eigen::MatrixXd::Zero(m, 2)};
+                          .points = Eigen::MatrixXd::Zero(m, dimensions)};
   double shown = 0.0;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+  for (Eigen::Index axis = 0; axis < dimensions; ++axis) {
     const double eigenvalue = answer.eigenvalues(axis);
     if (eigenvalue > 0.0) {
       answer.points.col(axis) = std::sqrt(eigenvalue) * solver.eigenvectors().col(m - 1 - axis);

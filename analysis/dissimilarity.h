@@ -31,15 +31,18 @@ Dissimilarities linear_dissimilarities(const ConfusionCounts& counts);
 /// [Torgerson 1952] Torgerson: Multidimensional scaling: I. Theory and method.
 struct ClassicalScaling {
   Eigen::VectorXd eigenvalues{};  ///< decreasing
-  Eigen::MatrixXd points{};       ///< m × 2; a coordinate whose eigenvalue is not positive is 0
-  /// Σ of the positive among the first two eigenvalues, over Σ|λ| and over Σmax(λ, 0). Absent where
-  /// all eigenvalues are 0.
+  /// m × `dimensions`; a coordinate whose eigenvalue is not positive is 0
+  Eigen::MatrixXd points{};
+  /// Σ of the positive among the first `dimensions` eigenvalues, over Σ|λ| and over Σmax(λ, 0).
+  /// Absent where all eigenvalues are 0.
   std::optional<double> fit_of_absolute{};
   std::optional<double> fit_of_positive{};
   /// Whether the first three eigenvalues differ: where they do not, the plane is arbitrary.
   bool plane_is_unique = false;
 };
-ClassicalScaling classical_scaling(const Dissimilarities& dissimilarities);
+/// Throws std::invalid_argument for less than one dimension and for more than items.
+ClassicalScaling classical_scaling(const Dissimilarities& dissimilarities,
+                                   Eigen::Index dimensions = 2);
 
 /// What a joined cluster's distance to another is: mean over all pairs of members, the greatest, or
 /// the least.

@@ -1,0 +1,20 @@
+// Isotonic regression: the nondecreasing numbers that are nearest to given ones.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace asperity {
+
+/// The x̂_1 ≤ x̂_2 ≤ … that minimise Σ w_i·(x_i − x̂_i)², by pooling adjacent violators [Barlow 1972]: blocks of
+/// neighbours in the wrong order are replaced by their weighted mean, until no two are. Every block keeps its mean, so
+/// that Σ w·x̂ = Σ w·x.
+///
+/// Throws std::invalid_argument where the lengths differ and for a weight that is not above 0.
+///
+/// [Barlow 1972] Barlow, Bartholomew, Bremner, Brunk: Statistical Inference under Order Restrictions.
+std::vector<double> isotonic_regression(std::span<const double> values,
+                                        std::span<const double> weights);
+
+}  // namespace asperity
