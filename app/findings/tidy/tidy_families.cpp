@@ -78,6 +78,11 @@ constexpr std::array kFamilies{
         "place of a trial, response empty where it was left blank; and optionally times: number of "
         "identical trials",
         "conf; parts: all, summary, totals", matching_findings, "conf,parts"},
+    TidyFamily{"mds",
+               "item,other,dissimilarity: each pair of items once, dissimilarity empty where it "
+               "was not judged",
+               "items (all, in order); dimensions: of the configuration, 2 if absent", mds_findings,
+               "items,dimensions"},
     TidyFamily{"ordinal", "subject,item,score: one response per row, on ordered categories",
                "items (all that were rated; effects refer to the first), conf", ordinal_findings,
                "items,conf"},
@@ -141,6 +146,14 @@ constexpr std::array kFamilies{
                "subject,sample,choice: the best of several, empty where none was chosen",
                "renderers (all that can be chosen), target (one of them), conf", selection_findings,
                "renderers,target,conf"},
+    TidyFamily{
+        "similarity",
+        "subject,first,second,dissimilarity: one judgement of a pair per row, first and second in "
+        "the order of presentation, the same item for an identical pair; and "
+        "item,property,value: physical properties of the items",
+        "items (all, in order); dimensions: of the configuration, by cross-validation if absent; "
+        "conf",
+        similarity_findings, "items,dimensions,conf", 2},
     TidyFamily{
         "staircase",
         "track,trial,response: one trial per row, response 1 for a correct one, 0 for an "

@@ -75,6 +75,7 @@ std::vector<Finding> learning_findings(const TidyInput& input);
 std::vector<Finding> lmm_findings(const TidyInput& input);
 std::vector<Finding> magnitude_findings(const TidyInput& input);
 std::vector<Finding> matching_findings(const TidyInput& input);
+std::vector<Finding> mds_findings(const TidyInput& input);
 std::vector<Finding> ordinal_findings(const TidyInput& input);
 std::vector<Finding> paired_findings(const TidyInput& input);
 std::vector<Finding> power_findings(const TidyInput& input);
@@ -88,6 +89,7 @@ std::vector<Finding> rmanova_findings(const TidyInput& input);
 std::vector<Finding> roc_findings(const TidyInput& input);
 std::vector<Finding> seedpaper_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);
+std::vector<Finding> similarity_findings(const TidyInput& input);
 std::vector<Finding> staircase_findings(const TidyInput& input);
 
 }  // namespace asperity
