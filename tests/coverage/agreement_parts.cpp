@@ -143,7 +143,7 @@ std::vector<Finding> reliability_of_estimates(const TidyInput& input) {
     estimates.push_back({.person = static_cast<std::uint32_t>(participants.codes[row]),
                          .surface = surfaces.names[surfaces.codes[row]],
                          .repetition = static_cast<int>(repetitions[row]),
-                         .logarithm = logarithms[row]});
+                         .value = logarithms[row]});
   }
   AnalysisOutcome outcome{};
   ask_reliability_of_estimates(gathered, estimates, outcome);
