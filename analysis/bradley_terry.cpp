@@ -174,7 +174,7 @@ PairFit pair_fit(const PairCells& cells, const PairModel& model, std::size_t par
     add(cell.second_wins, scale * second);
     if (model.tie) add(cell.ties, scale * tie);
   }
-  fit.below_five = static_cast<double>(below_five) / static_cast<double>(counts);
+  if (counts > 0) fit.below_five = static_cast<double>(below_five) / static_cast<double>(counts);
   fit.deviance = std::max(0.0, fit.deviance);  // of a perfect fit, rounding may leave less
   fit.df = cells.size() * (model.tie ? 2 : 1) - parameters;
   return fit;

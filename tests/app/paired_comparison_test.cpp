@@ -222,11 +222,18 @@ TEST(FitOfPairs, IsTestedOnlyWithSufficientExpectedCounts) {
   EXPECT_EQ(model.rows.back()[6], Cell{});
   EXPECT_THAT(paired_table(unreliable, "paired_model").note.english(),
               HasSubstr("Goodness of fit has no p: 100 %"));
+  const FoundNumbers found(unreliable.findings);
+  const Finding* const p = found.find("model.fit.p");
+  ASSERT_NE(p, nullptr);
+  EXPECT_FALSE(p->value);
+  EXPECT_THAT(p->status, HasSubstr("expected counts too small"));
+  EXPECT_TRUE(found.value("model.equal.p")) << "only the fit depends on the expected counts";
 
   MadeUpStudy many{};
   study_of(many, 36);
   const AnalysisOutcome reliable = outcome_of_pairs(many);
   EXPECT_THAT(paired_question(reliable, "fit").answer.english(), HasSubstr("G²("));
+  EXPECT_TRUE(FoundNumbers(reliable.findings).value("model.fit.p"));
   EXPECT_NE(paired_table(reliable, "paired_model").table.rows.back()[6], Cell{});
 }
 

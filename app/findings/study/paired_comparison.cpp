@@ -279,8 +279,7 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
         "Ties: ln ν, where ν is the odds of a tie between equal items, relative to the choice "
         "of one of them."));
   }
-  const bool has_reliable_fit = !is_fit_unreliable(found);
-  if (!has_reliable_fit && study.choices.items.size() > 2) {
+  if (is_fit_unreliable(found) && study.choices.items.size() > 2) {
     add(phrase("Analysis", "Goodness of fit has no p: %1.").with(expected_counts_text(found)));
   }
   NamedTable model{kModel,
@@ -298,11 +297,10 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
     if (found.find(quantity) == nullptr && found.find(quantity + ".lr") == nullptr) continue;
     // Two items always lie on one scale.
     if (quantity == "model.fit" && study.choices.items.size() < 3) continue;
-    const bool has_p = quantity != "model.fit" || has_reliable_fit;
     const auto [low, high] = found.interval(quantity);
     model.table.rows.push_back({std::string(shown), found.cell(quantity), low, high,
                                 found.cell(quantity + ".lr"), found.count(quantity + ".df"),
-                                has_p ? found.cell(quantity + ".p") : Cell{}});
+                                found.cell(quantity + ".p")});
   }
   outcome.tables.push_back(std::move(model));
 }
@@ -420,8 +418,7 @@ void ask_items(const PairedStudy& study, const FoundNumbers& found, const StudyT
 void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
   if (study.choices.items.size() < 3) return;
   const Finding* const fit = found.find("model.fit.lr");
-  const std::optional<double> p = found.value("model.fit.p");
-  if (fit == nullptr || !p) return;
+  if (fit == nullptr || found.find("model.fit.p") == nullptr) return;
   constexpr double kLevel = 0.05;
   const std::string statistic = statistic_text(
       "G²", std::vector<double>{found.value("model.fit.df").value_or(0.0)}, *fit->value);
@@ -440,6 +437,8 @@ void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcom
         kModel, nullptr);
     return;
   }
+  const std::optional<double> p = found.value("model.fit.p");
+  if (!p) return;
   add_question(
       outcome, "fit", question,
       (*p < kLevel

@@ -205,8 +205,14 @@ void add_davidson(const Paired& read, FindingList& findings) {
   findings.count("davidson.df", "", fit->df, basis);
 }
 
+constexpr const char* kModelFit = "model.fit";
+/// The status of its p where `PairFit::is_approximately_chi_squared` is false.
+constexpr const char* kExpectedCountsTooSmall =
+    "expected counts too small: collect more comparisons of each pair";
+
 /// Order effect, ties and fit together, from `paired_model`: `model.order` and `model.tie`; `model.order`, `model.equal`
-/// and `model.fit` with their tests (`.lr`, `.df`, `.p`). Without a finite estimate `model.status`.
+/// and `model.fit` with their tests (`.lr`, `.df`, `.p`). `model.fit.p` has no value where expected counts are too small.
+/// Without a finite estimate `model.status`.
 void add_pair_model(const Paired& read, FindingList& findings) {
   const std::size_t items = read.items.size();
   std::size_t n = 0;  // judgements, which count as independent here
@@ -241,7 +247,9 @@ void add_pair_model(const Paired& read, FindingList& findings) {
     const Basis basis{.n = n, .method = method + ": " + against};
     findings.number(quantity + ".lr", "", statistic, basis);
     findings.number(quantity + ".df", "", df, basis);
-    if (df > 0.0) {
+    if (df > 0.0 && quantity == kModelFit && !full.model->fit.is_approximately_chi_squared()) {
+      findings.word(quantity + ".p", "", "NA", kExpectedCountsTooSmall, basis);
+    } else if (df > 0.0) {
       findings.number(quantity + ".p", "",
                       *upper_tail(ChiSquaredStatistic{.value = std::max(statistic, 0.0), .df = df}),
                       basis);
@@ -258,7 +266,7 @@ void add_pair_model(const Paired& read, FindingList& findings) {
   if (model.tie) parameter("model.tie", *model.tie, "ln ν of ties");
   test("model.equal", model.equal_abilities, static_cast<double>(items - 1),
        "likelihood-ratio test against equal abilities");
-  test("model.fit", model.fit.deviance, static_cast<double>(model.fit.df),
+  test(kModelFit, model.fit.deviance, static_cast<double>(model.fit.df),
        "deviance from the saturated model");
   const Basis fit{.n = n, .method = method + ": fit"};
   findings.number("model.fit.pearson", "", model.fit.pearson, fit);
