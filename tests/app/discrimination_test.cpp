@@ -651,7 +651,8 @@ TEST(Discrimination, StatesWhoIsLeftOutOfASignedRankTestAndHowManyItNeeds) {
   const AnalysisOutcome outcome = outcome_of_discrimination(made);
   EXPECT_THAT(answer_to(outcome, "order"),
               HasSubstr("the smallest attainable p is .500, so that no result could be significant "
-                        "with 2 participants; at least 6 are required"));
+                        "with 2 participants whose difference is not zero; at least 6 such "
+                        "participants are required"));
   EXPECT_THAT(
       answer_to(outcome, "order"),
       HasSubstr("One of 3 participants has a difference of zero and is left out of the test."));

@@ -149,9 +149,10 @@ TEST_F(Pairs, HaveAScaleOnlyWhereEveryItemAlsoLoses) {
   const AnalysisOutcome unbounded = outcome_of_pairs(alike);
   EXPECT_FALSE(has_paired_table(unbounded, "scale"));
   EXPECT_FALSE(has_paired_table(unbounded, "paired_model"));
-  EXPECT_TRUE(std::any_of(unbounded.remarks.begin(), unbounded.remarks.end(), [](const Phrase& one) {
-    return one.english().find("cannot be placed on a scale") != std::string::npos;
-  }));
+  EXPECT_TRUE(
+      std::any_of(unbounded.remarks.begin(), unbounded.remarks.end(), [](const Phrase& one) {
+        return one.english().find("cannot be placed on a scale") != std::string::npos;
+      }));
 }
 
 TEST_F(Pairs, CountATieHalfAndLeaveItsRoundOutOfTheTriads) {
@@ -181,9 +182,11 @@ TEST_F(Pairs, LeaveAParticipantWithoutOneOfThePairsOutOfTheScores) {
 // Three pairs, Holm-corrected: 3·2^(1 − n) is below .05 from n = 7 on.
 TEST_F(Pairs, StateHowManyParticipantsAreRequiredWhereNoResultCouldBeSignificant) {
   const std::string six = paired_question(outcome_of_pairs(made_), "pairs").answer.english();
-  EXPECT_THAT(six, HasSubstr("No pair could differ significantly: "));
-  EXPECT_THAT(six, HasSubstr("the smallest attainable p is .094, so that no result could be "
-                             "significant with 6 participants; at least 7 are required"));
+  EXPECT_THAT(six, HasSubstr("No pair could differ significantly in these data: "));
+  EXPECT_THAT(six,
+              HasSubstr("the smallest attainable p is .094, so that no result could be "
+                        "significant with 6 participants whose difference is not zero; at least 7 "
+                        "such participants are required"));
   made_.add_person("p7", "");
   made_.add_session("p7", 1, round_of({"a", "b", "c"}, true));
   const std::string seven = paired_question(outcome_of_pairs(made_), "pairs").answer.english();

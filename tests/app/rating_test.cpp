@@ -187,6 +187,27 @@ TEST(RatedPairs, StateHowManyEqualRatingsWereLeftOut) {
               HasSubstr("N = 5 (two with a difference of zero left out), p = .062"));
 }
 
+// The p of one difference can only be 1.
+TEST(RatedPairs, AreNotTestedWhereOnlyOneParticipantHasADifference) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("two_scales", "rating", kTwoScales);
+  for (int person = 0; person < 5; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    made.add_session(label, protocol,
+                     {rated("wood", 1 + person % 2, 2), rated("stone", 6, person == 0 ? 5 : 2)});
+  }
+  const auto outcomes = analyze_study(made.study(), std::nullopt, {});
+  const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
+  const auto sentence =
+      std::find_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
+                   [](const TestSentence& each) { return each.about == "hard: stone|wood"; });
+  ASSERT_NE(sentence, ratings.test_sentences.end());
+  EXPECT_TRUE(sentence->is_untested);
+  EXPECT_THAT(sentence->text, HasSubstr("only one participant has a difference that is not zero"));
+  EXPECT_FALSE(sentence->p);
+}
+
 TEST(DeclaredFamily, IsThatOfTheKindWhoseTestsItNames) {
   const auto outcomes = six_who_agree(R"({"family": ["right"]})");
   const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
@@ -354,8 +375,8 @@ TEST(AccompanyingScale, IsReportedByTheChosenItemWhereNoResponseIsCorrect) {
 }
 
 /// A participant's rating of an item on the scale `rough`, and on `smooth` where it is given.
-MadeUpTrial rated_on(const std::string& item, const std::string& rough, const std::string& smooth = {},
-                     int repetition = 1) {
+MadeUpTrial rated_on(const std::string& item, const std::string& rough,
+                     const std::string& smooth = {}, int repetition = 1) {
   MadeUpTrial trial{};
   trial.surfaces = {surface_of(item, "height_map", item)};
   trial.questions = {"rough"};
@@ -384,7 +405,8 @@ std::string two_scales_with(const std::string& analysis) {
   return R"({"kind": "rating", "blocks": {"only": {"questions": [
     {"name": "rough", "prompt": "How rough?", "scale": {"minimum": 1, "maximum": 7, "points": 7}},
     {"name": "smooth", "prompt": "How smooth?", "scale": {"minimum": 1, "maximum": 7, "points": 7}}]}},
-    "analysis": )" + analysis + "}";
+    "analysis": )" +
+         analysis + "}";
 }
 
 TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
@@ -393,18 +415,19 @@ TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
   const std::vector<std::vector<MadeUpTrial>> people{
       {rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
       {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}};
-  const AnalysisOutcome outcome = analysed(
-      two_scales_with(R"({"constructs": {"roughness": {"scales": ["rough", "smooth"],
+  const AnalysisOutcome outcome =
+      analysed(two_scales_with(R"({"constructs": {"roughness": {"scales": ["rough", "smooth"],
                                                        "reverse_keyed": ["smooth"]}}})"),
-      people);
+               people);
   const FoundNumbers found(outcome.findings);
   EXPECT_NEAR(found.value("cronbach.alpha", "roughness").value(), 16.0 / 17.0, 1e-12);
   const NamedTable* const table = table_named(outcome, "constructs");
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->table.rows.at(0).at(2), Cell(std::string("smooth")));
   EXPECT_EQ(table->table.rows.at(0).at(4), Cell(std::int64_t{4}));
-  const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
-                                  [](const auto& each) { return each.name == "construct_roughness"; });
+  const auto asked =
+      std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                   [](const auto& each) { return each.name == "construct_roughness"; });
   ASSERT_NE(asked, outcome.questions.end());
   EXPECT_THAT(asked->answer.english(), HasSubstr("α = .94"));
   EXPECT_THAT(asked->answer.english(), HasSubstr("rough, smooth (reverse-keyed: smooth)"));
@@ -422,22 +445,23 @@ TEST(Construct, IsNotMadeOfParticipants) {
 
 std::string one_scale(const std::string& scale) {
   return R"({"kind": "rating", "blocks": {"only": {"question":
-    {"name": "rough", "prompt": "How rough?", "scale": )" + scale + "}}}}";
+    {"name": "rough", "prompt": "How rough?", "scale": )" +
+         scale + "}}}}";
 }
 
 /// Four participants with different means; stone is rated 20, 22, 18 and 24 above wood.
 std::vector<std::vector<MadeUpTrial>> four_on_a_line() {
   std::vector<std::vector<MadeUpTrial>> people{};
   for (const auto& [wood, stone] : {std::pair{10, 30}, {30, 52}, {20, 38}, {50, 74}}) {
-    people.push_back({rated_on("wood", std::to_string(wood)),
-                      rated_on("stone", std::to_string(stone))});
+    people.push_back(
+        {rated_on("wood", std::to_string(wood)), rated_on("stone", std::to_string(stone))});
   }
   return people;
 }
 
 TEST(RatingModel, IsLinearOnAContinuousScale) {
-  const AnalysisOutcome outcome = analysed(one_scale(R"({"minimum": 0, "maximum": 100})"),
-                                           four_on_a_line());
+  const AnalysisOutcome outcome =
+      analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), four_on_a_line());
   EXPECT_EQ(table_named(outcome, "ordinal"), nullptr);
   const NamedTable* const table = table_named(outcome, "mixed_model");
   ASSERT_NE(table, nullptr);
@@ -457,8 +481,8 @@ TEST(RatingModel, IsOrdinalUpToElevenPoints) {
   const auto tables = [](const std::string& points) {
     std::vector<std::vector<MadeUpTrial>> people{};
     for (const auto& [wood, stone] : {std::pair{1, 3}, {3, 2}, {2, 4}, {4, 5}, {1, 2}}) {
-      people.push_back({rated_on("wood", std::to_string(wood)),
-                        rated_on("stone", std::to_string(stone))});
+      people.push_back(
+          {rated_on("wood", std::to_string(wood)), rated_on("stone", std::to_string(stone))});
     }
     return analysed(one_scale(R"({"minimum": 0, "maximum": 11, "points": )" + points + "}"),
                     people);
@@ -505,8 +529,7 @@ TEST(RatingReliability, IsThatOfEachParticipantsRepetitions) {
        rated_on("b", "20", {}, 2), rated_on("c", "50", {}, 2)},
       {rated_on("a", "40"), rated_on("b", "50"), rated_on("c", "90"), rated_on("a", "40", {}, 2),
        rated_on("b", "50", {}, 2), rated_on("c", "90", {}, 2)}};
-  const AnalysisOutcome outcome =
-      analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
+  const AnalysisOutcome outcome = analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
   // The first: items 15, 20, 40 and repetitions 20, 30 around the mean 25: MSB = 2·(100 + 25 + 225)/2 =
   // 350; residuals ±0, ±5, ∓5: MSE = 2·(0 + 25 + 25)/2 = 50; ICC3 = 300/400. The second: 1.
   EXPECT_NEAR(FoundNumbers(outcome.findings).value("icc.mean", "rough|ICC3").value(), 0.875, 1e-12);

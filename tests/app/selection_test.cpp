@@ -255,7 +255,33 @@ TEST(SelectionTies, NameAllPairsWithTheSmallestP) {
   EXPECT_THAT(
       answer_of(outcome, "pairs"),
       StartsWith(
-          "No pair could differ significantly: the smallest p is shared by 6 pairs (each p"));
+          "No pair could differ significantly in these data: the smallest p is shared by 6 pairs "
+          "(each p"));
+}
+
+// Of 12 participants 8 choose each model once. The p of the other four is at least 2/2⁴ = .125; of six it is 2/2⁶ = .031.
+TEST(SelectionTies, StateTheParticipantsWhoseDifferenceIsNotZero) {
+  const AnalysisOutcome outcome = analysed(12, "{}", [](int person) {
+    return std::vector<MadeUpTrial>{trial_of({"a", "b"}, "a"),
+                                    trial_of({"b", "a"}, person < 4 ? "a" : "b")};
+  });
+  EXPECT_THAT(answer_of(outcome, "pairs"),
+              AllOf(StartsWith("a / b do not differ significantly (p = .125"),
+                    HasSubstr("the smallest attainable p is .125, so that no result could be "
+                              "significant with 4 participants whose difference is not zero; at "
+                              "least 6 such participants are required"),
+                    HasSubstr("Participants with a difference of zero, who do not affect p: 8 of "
+                              "12.")));
+  const Table& tests = table_of(outcome, "tests").table;
+  const std::size_t method = column_of(tests, "method").value();
+  const auto row = std::find_if(tests.rows.begin(), tests.rows.end(), [method](const auto& cells) {
+    return cells[method] == Cell(std::string("sign_flip"));
+  });
+  ASSERT_NE(row, tests.rows.end());
+  EXPECT_EQ((*row)[column_of(tests, "n").value()], Cell(std::int64_t{12}));
+  EXPECT_EQ((*row)[column_of(tests, "left_out").value()], Cell(std::int64_t{0}));
+  EXPECT_THAT(table_of(outcome, "tests").note.english(),
+              HasSubstr("do not affect the p of sign-flip tests, although n counts them: "));
 }
 
 TEST(SelectionTies, AnswerOfTwoModelsAndOfTheirOnlyPairInTheSingular) {

@@ -72,17 +72,24 @@ UnfinishedParticipants unfinished_participants(const std::vector<Finding>& thres
   return found;
 }
 
-/// The answer, and after it how many participants have an unfinished track.
+/// The answer, and after it how many participants have an unfinished track. `means`: empty without a mean.
 Phrase with_unfinished_tracks(const Phrase& answer, const DiscriminationResults& results,
-                              std::string_view quantity) {
-  const UnfinishedParticipants unfinished =
-      unfinished_participants(results.fit.thresholds, quantity);
-  if (unfinished.all.empty()) return answer;
+                              std::string_view quantity, const Phrase& means) {
+  const UnfinishedTracks unfinished = unfinished_tracks(results.fit.thresholds, quantity);
+  if (unfinished.participants.empty()) return answer;
+  const Phrase stated = phrase("Analysis", "%1 Participants with an unfinished track: %2 of %3.")
+                            .with(answer, std::to_string(unfinished.participants.size()),
+                                  std::to_string(unfinished.of.size()));
+  if (means.empty()) return stated;
   return phrase("Analysis",
-                "%1 Participants with an unfinished track: %2 of %3; included in the mean, because "
-                "their threshold could be estimated from the presented trials: %4.")
-      .with(answer, std::to_string(unfinished.all.size()), std::to_string(unfinished.of.size()),
-            std::to_string(unfinished.with_threshold.size()));
+                "%1 Estimates from unfinished tracks that are included in the mean, because the "
+                "presented trials were sufficient: %2 of %3.")
+      .with(stated, std::to_string(unfinished.included), std::to_string(unfinished.estimates));
+}
+
+/// A signed-rank test that could not be made because at most one participant has a difference other than zero.
+bool has_too_few_differences(const StudyTest& test) {
+  return test.status == StudyTests::kOneDifference || test.status == StudyTests::kNoDifference;
 }
 
 const Finding* first_mean(const DiscriminationResults& results, const std::string& quantity,
@@ -174,8 +181,13 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
     const StudyTest* const test =
         tests.find("point_of_subjective_equality", results.about_equality(condition));
-    if (test == nullptr || !test->p) continue;
+    if (test == nullptr) continue;
     const Phrase about = words_of_cell("about", test->about);
+    if (has_too_few_differences(*test)) {
+      answer = phrase("Analysis", "%1 Not tested, %2: %3.")
+                   .with(answer, about, words_of_cell("status", test->status));
+    }
+    if (!test->p) continue;
     answer = (test->is_significant()
                   ? phrase("Analysis", "%1 Significantly different from the standard, %2: %3.")
                   : phrase("Analysis", "%1 Not significantly different from the standard, %2: %3."))
@@ -200,15 +212,18 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
           : phrase("Analysis", "Friedman test of the participants' thresholds.");
   const std::string name = name_of_question("conditions", results);
   if (test == nullptr || !test->p) {
-    add_question(outcome, name.c_str(), question,
-                 results.has_participant_in_all_conditions()
-                     ? phrase("Analysis",
-                              "Not tested: fewer than two participants have a threshold in every "
-                              "condition.")
-                     : phrase("Analysis",
-                              "Not tested: no participant has trials in every condition, and this "
-                              "test compares conditions within participants."),
-                 method, kThresholds, nullptr);
+    add_question(
+        outcome, name.c_str(), question,
+        test != nullptr && has_too_few_differences(*test)
+            ? phrase("Analysis", "Not tested: %1.").with(words_of_cell("status", test->status))
+        : results.has_participant_in_all_conditions()
+            ? phrase("Analysis",
+                     "Not tested: fewer than two participants have a threshold in every "
+                     "condition.")
+            : phrase("Analysis",
+                     "Not tested: no participant has trials in every condition, and this "
+                     "test compares conditions within participants."),
+        method, kThresholds, nullptr);
     return;
   }
   const FoundNumbers found(results.means);

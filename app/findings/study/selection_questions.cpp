@@ -165,7 +165,14 @@ std::string pair_text(const StudyTests::Test& test) {
 /// "the smallest p is that of a / b (p = .012, Holm-corrected)"
 Phrase smallest_text(const std::vector<const StudyTests::Test*>& smallest) {
   constexpr std::size_t kMostNamed = 3;  // the table lists further pairs
-  const Phrase p = p_text(*smallest.front());
+  StudyTests::Test shared = *smallest.front();
+  const bool is_same_attainable =
+      std::all_of(smallest.begin(), smallest.end(), [&shared](const StudyTests::Test* test) {
+        return test->unattainable_p() == shared.unattainable_p() &&
+               test->differing == shared.differing;
+      });
+  if (!is_same_attainable) shared.smallest_p.reset();  // the table of tests contains that of each
+  const Phrase p = p_text(shared);
   if (smallest.size() > kMostNamed) {
     return phrase("Analysis", "the smallest p is shared by %1 pairs (each %2)")
         .with(std::to_string(smallest.size()), p);
@@ -372,17 +379,21 @@ void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbe
       });
   const Phrase chosen_more = preferences_text(name, tests, found);
   const Sayings sayings =
-      is_only_pair ? Sayings{chosen_more,
-                             phrase("Analysis", "%1 do not differ significantly (%2).")
-                                 .with(pair_text(least), p_text(least)),
-                             phrase("Analysis", "%1: %2.").with(pair_text(least), p_text(least))}
-                   : Sayings{chosen_more,
-                             (is_any_attainable
-                                  ? phrase("Analysis", "No pair differs significantly: %1.")
-                                  : phrase("Analysis", "No pair could differ significantly: %1."))
-                                 .with(of_smallest),
-                             phrase("Analysis", "Among all pairs, %1.").with(of_smallest)};
-  add_question(outcome, "pairs", words.question, said_of(least, sayings), words.method, "pairs",
+      is_only_pair
+          ? Sayings{chosen_more,
+                    phrase("Analysis", "%1 do not differ significantly (%2).")
+                        .with(pair_text(least), p_text(least)),
+                    phrase("Analysis", "%1: %2.").with(pair_text(least), p_text(least))}
+          : Sayings{chosen_more,
+                    (is_any_attainable ? phrase("Analysis", "No pair differs significantly: %1.")
+                                       : phrase("Analysis",
+                                                "No pair could differ significantly in these data: "
+                                                "%1."))
+                        .with(of_smallest),
+                    phrase("Analysis", "Among all pairs, %1.").with(of_smallest)};
+  const Phrase answer = said_of(least, sayings);
+  add_question(outcome, "pairs", words.question,
+               is_only_pair ? with_zero_differences(answer, least) : answer, words.method, "pairs",
                found.find("signflip.p.two", least.about));
 }
 

@@ -26,16 +26,19 @@ struct StudyTest {
   /// Participants who responded and do not contribute, because they have nothing that can be
   /// exchanged.
   std::size_t left_out = 0;
-  std::size_t ties =
-      0;  ///< participants whose two values are equal, which a signed-rank test drops
+  /// Participants whose two values are equal, which a signed-rank test drops; n does not count them.
+  std::size_t ties = 0;
+  /// Participants whose difference is not zero, in a test that permutes the signs of the differences. The n of a sign-flip
+  /// test also counts those with a difference of zero, who do not affect its p.
+  std::optional<std::size_t> differing{};
   Phrase why_left_out{};  ///< a sentence without its end
   std::optional<double> p{};
   FindingName source{};  ///< the finding that has its p
   /// The smallest attainable p, Holm-corrected for a test of the family: above 5 %, significance
   /// is impossible.
   std::optional<double> smallest_p{};
-  /// Where significance is impossible, the number of participants with which it would be possible; nothing where it is
-  /// unknown.
+  /// Where significance is impossible, the number of participants with a difference other than zero with which it would be
+  /// possible; nothing where it is unknown.
   std::optional<std::size_t> required_n{};
   std::optional<double> statistic{};
   std::vector<double> degrees{};  ///< of freedom: none, one, or two of an F; uncorrected
@@ -57,6 +60,10 @@ struct StudyTest {
   bool pools_participants = false;  ///< n counts responses of more than one participant
   std::string status = "ok";
 
+  /// Participants with a difference of zero, counted in n or not.
+  std::size_t zero_differences() const noexcept {
+    return ties + (differing && *differing < n ? n - *differing : 0);
+  }
   /// Only a test of the family can be significant here; adjusted within it.
   bool shows() const noexcept { return adjusted && *adjusted < kLevel; }
   /// For tests outside the family without correction.

@@ -190,16 +190,20 @@ Table with_joined_cells(const Table& tests) {
   return made;
 }
 
-/// Records the smallest attainable p; that of a single participant is 1, which is not a test.
-void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
+/// Records the smallest attainable p; that of a single participant is 1, which is not a test. `people`: all participants, of
+/// whom a signed-rank test does not count those with a difference of zero in n.
+void note_smallest_p(std::optional<double> smallest, std::size_t people, StudyTests::Test& test) {
   if (!test.p || !smallest) return;
   constexpr double kRounding = 1e-9;  // of a sum over all permutations
   if (test.n > 1 || *smallest < 1.0 - kRounding) {
     test.smallest_p = smallest;
     return;
   }
+  const bool drops_zeros = test.made_by->code == "wilcoxon";
   test.p.reset();
-  test.status = StudyTests::kOneParticipantAlone;
+  test.status = people < 2 || !drops_zeros ? StudyTests::kOneParticipantAlone
+                : test.n == 0              ? StudyTests::kNoDifference
+                                           : StudyTests::kOneDifference;
 }
 
 }  // namespace
@@ -248,8 +252,11 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
     test.status = "nothing_varies";
     return;
   }
-  if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), test);
+  if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), people_, test);
   if (!test.p) return;  // without a p there is no statistic either
+  if (const auto differing = found.value(by.differing, key)) {
+    test.differing = static_cast<std::size_t>(*differing);
+  }
   test.statistic = found.value(by.statistic, key);
   for (const std::string_view quantity : by.degrees) {
     if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
@@ -349,27 +356,47 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
 
 Phrase StudyTests::note_on_zero_differences() const {
   constexpr std::size_t kMostNamed = 4;
-  std::size_t tests = 0;
-  Phrase named{};
+  struct Named {
+    std::size_t tests = 0;
+    Phrase names{};
+  };
+  Named left_out{};  // by signed-rank tests
+  Named counted{};   // by sign-flip tests
   for (const Test& test : tests_) {
-    if (test.ties == 0) continue;
-    ++tests;
+    const std::size_t zero = test.zero_differences();
+    if (zero == 0) continue;
+    Named& named = test.ties > 0 ? left_out : counted;
+    ++named.tests;
     const std::string of = test.about.empty() ? test.name : test.name + '|' + test.about;
     const Phrase one = phrase("Analysis", "%1 (%2 of %3)")
-                           .with(words_of_cell("test", of), std::to_string(test.ties),
+                           .with(words_of_cell("test", of), std::to_string(zero),
                                  std::to_string(test.n + test.ties));
-    named = named.empty() ? one : phrase("Analysis", "%1; %2").with(named, one);
+    named.names = named.names.empty() ? one : phrase("Analysis", "%1; %2").with(named.names, one);
   }
-  if (tests == 0) return {};
-  if (tests > kMostNamed) {
-    return phrase("Analysis",
-                  "Signed-rank tests leave out participants with a difference of zero, so that n "
-                  "differs between the tests.");
-  }
-  return phrase("Analysis",
-                "Signed-rank tests leave out participants with a difference of zero, whom n does not "
-                "count: %1.")
-      .with(named);
+  const Phrase of_left_out =
+      left_out.tests == 0 ? Phrase{}
+      : left_out.tests > kMostNamed
+          ? phrase("Analysis",
+                   "Signed-rank tests leave out participants with a difference of zero, so that n "
+                   "differs between the tests.")
+          : phrase(
+                "Analysis",
+                "Signed-rank tests leave out participants with a difference of zero, whom n does "
+                "not count: %1.")
+                .with(left_out.names);
+  const Phrase of_counted =
+      counted.tests == 0 ? Phrase{}
+      : counted.tests > kMostNamed
+          ? phrase("Analysis",
+                   "Participants with a difference of zero do not affect the p of sign-flip tests, "
+                   "although n counts them.")
+          : phrase("Analysis",
+                   "Participants with a difference of zero do not affect the p of sign-flip tests, "
+                   "although n counts them: %1.")
+                .with(counted.names);
+  if (of_left_out.empty()) return of_counted;
+  if (of_counted.empty()) return of_left_out;
+  return phrase("Analysis", "%1 %2").with(of_left_out, of_counted);
 }
 
 Phrase StudyTests::note_on_columns(std::string_view left_out) const {
@@ -459,16 +486,23 @@ void StudyTests::adjust() {
   }
 }
 
-// With n participants the smallest p of a test that permutes signs is 2^(1 − n): all signs equal, in either of two
-// directions. The correction takes this p for all such tests of the family, 0 for tests of another kind, whose smallest p
-// may decrease faster, and 1 for tests that cannot be made: a bound that no data can undercut.
+// With k participants whose difference is not zero the smallest p of a test that permutes signs is 2^(1 − k): all signs
+// equal, in either of two directions. For the other tests of this kind in the family the correction takes the smallest p of
+// their own k or of the k that is required here, whichever is greater; 0 for tests of another kind, whose smallest p may
+// decrease faster; and 1 for tests that cannot be made.
 std::optional<std::size_t> StudyTests::required_participants(const Test& test) const {
-  if (!test.made_by->permutes_signs) return std::nullopt;
+  if (!test.differing || test.random_permutations.value_or(0) > 0) return std::nullopt;
   constexpr std::size_t kMost = 64;
-  for (std::size_t n = test.n + 1; n <= kMost; ++n) {
-    const double smallest = std::ldexp(1.0, 1 - static_cast<int>(n));
+  const auto smallest_of = [](std::size_t differing) {
+    return std::ldexp(1.0, 1 - static_cast<int>(differing));
+  };
+  const auto raw_of = [&](const Test& each, std::size_t required) {
+    if (!each.p) return 1.0;
+    return each.differing ? smallest_of(std::max(*each.differing, required)) : 0.0;
+  };
+  for (std::size_t required = *test.differing + 1; required <= kMost; ++required) {
     if (!test.adjusted) {
-      if (smallest < Test::kLevel) return n;
+      if (smallest_of(required) < Test::kLevel) return required;
       continue;
     }
     std::vector<double> raw{};
@@ -476,9 +510,9 @@ std::optional<std::size_t> StudyTests::required_participants(const Test& test) c
     for (const Test& each : tests_) {
       if (!is_in_family(each.name)) continue;
       if (&each == &test) own = raw.size();
-      raw.push_back(!each.p ? 1.0 : each.made_by->permutes_signs ? smallest : 0.0);
+      raw.push_back(raw_of(each, required));
     }
-    if (holm_adjusted(raw)[own] < Test::kLevel) return n;
+    if (holm_adjusted(raw)[own] < Test::kLevel) return required;
   }
   return std::nullopt;
 }

@@ -24,6 +24,12 @@ class StudyTests final {
   /// The status of a permutation test of one participant, whose p could only be 1.
   static constexpr const char* kOneParticipantAlone = "cannot be tested with one participant";
 
+  /// The status of a signed-rank test of several participants of whom only one has a difference other than zero: its p could
+  /// only be 1. A code of cell_words.h.
+  static constexpr const char* kOneDifference = "one_difference";
+  /// The status where all their differences are zero. A code of cell_words.h.
+  static constexpr const char* kNoDifference = "no_difference";
+
   /// The family that the protocol declares, or the first test of its kind. Without a declaration,
   /// scales that only accompany other questions have no family.
   explicit StudyTests(const GatheredAnswers& gathered);
@@ -56,14 +62,16 @@ class StudyTests final {
  private:
   /// Applies Holm's correction to the p of the family, and to the smallest attainable ones.
   void adjust();
-  /// The smallest number of participants with which a test that permutes signs can be significant.
+  /// The smallest number of participants with a difference other than zero with which a test that permutes signs can be
+  /// significant.
   std::optional<std::size_t> required_participants(const Test& test) const;
   std::size_t tests_in_family() const;
   /// The note below the table: the number of tests in the family, and the contents of the columns,
   /// without the symbols of the tests that are called `left_out`.
   Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
   Phrase note_on_columns(std::string_view left_out) const;
-  /// The tests with participants whose difference is zero, and how many they are; empty without such a test.
+  /// The tests with participants whose difference is zero, and how many they are; empty without such a test. Signed-rank
+  /// tests first, which do not count them in n, then sign-flip tests.
   Phrase note_on_zero_differences() const;
 
   std::string kind_{};

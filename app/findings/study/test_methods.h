@@ -32,8 +32,9 @@ struct TestMethod {
   std::string_view draws{};
   /// The smallest attainable p; empty where every p is possible.
   std::string_view smallest{};
-  /// Permutes the sign of one number per participant, so that the smallest p of n participants is 2^(1 − n).
-  bool permutes_signs = false;
+  /// The number of participants whose difference is not zero, in a test that permutes the signs of the participants'
+  /// differences: with k of them the smallest p is 2^(1 − k). Empty for other tests.
+  std::string_view differing{};
   std::string_view effect_symbol{};  ///< "d"
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   std::string_view effect{};         ///< the effect size, whose finding has its interval

@@ -193,14 +193,29 @@ Phrase p_text(const StudyTest& test) {
   if (!test.required_n) {
     return phrase("Analysis", "%1; the smallest attainable p is %2").with(text, shown);
   }
+  const std::size_t differing = test.differing.value_or(test.n);
+  if (differing == 1) {
+    return phrase(
+               "Analysis",
+               "%1; the smallest attainable p is %2, so that no result could be significant with "
+               "one participant whose difference is not zero; at least %3 such participants are "
+               "required")
+        .with(text, shown, std::to_string(*test.required_n));
+  }
   return phrase("Analysis",
                 "%1; the smallest attainable p is %2, so that no result could be significant with "
-                "%3 participants; at least %4 are required")
-      .with(text, shown, std::to_string(test.n), std::to_string(*test.required_n));
+                "%3 participants whose difference is not zero; at least %4 such participants are "
+                "required")
+      .with(text, shown, std::to_string(differing), std::to_string(*test.required_n));
 }
 
 Phrase with_zero_differences(const Phrase& answer, const StudyTest& test) {
-  if (test.ties == 0) return answer;
+  if (test.zero_differences() == 0) return answer;
+  if (test.ties == 0) {  // a sign-flip test
+    return phrase("Analysis",
+                  "%1 Participants with a difference of zero, who do not affect p: %2 of %3.")
+        .with(answer, std::to_string(test.zero_differences()), std::to_string(test.n));
+  }
   const std::string compared = std::to_string(test.n + test.ties);
   if (test.ties == 1) {
     return phrase("Analysis",
@@ -217,7 +232,8 @@ Phrase said_of(const StudyTest& test, const Sayings& sayings) {
                         : test.adjusted
                             ? sayings.nothing
                             : phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
-  return with_zero_differences(answer, test);
+  // The answer can concern several sign-flip tests, each with its own differences of zero.
+  return test.ties == 0 ? answer : with_zero_differences(answer, test);
 }
 
 }  // namespace asperity

@@ -53,11 +53,12 @@ void state_means(AnalysisOutcome& outcome, std::string_view test, const std::str
 /// number of participants with which it is below 5 %.
 /// Without a declaration no test is confirmatory.
 Phrase p_text(const StudyTest& test);
-/// An answer, and after it the participants whom the signed-rank test leaves out because their difference is zero, so that
-/// its n is smaller than the number of participants.
+/// An answer, and after it the participants with a difference of zero: a signed-rank test leaves them out, so that its n is
+/// smaller than the number of participants; they do not affect the p of a sign-flip test.
 Phrase with_zero_differences(const Phrase& answer, const StudyTest& test);
 /// The answers that a test that was made may give: `claim` if it is significant, `nothing` if it is not, and `told` for a
-/// test outside the family, to which the sentence that it is exploratory is added. `with_zero_differences` holds for all.
+/// test outside the family, to which the sentence that it is exploratory is added. `with_zero_differences` holds for all
+/// of a signed-rank test.
 struct Sayings {
   Phrase claim{};
   Phrase nothing{};

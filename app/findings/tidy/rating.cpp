@@ -1,5 +1,6 @@
 // Ratings: each participant scores every item once; only the order of the scores counts.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -82,12 +83,10 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       findings.count("wilcoxon.n", key, test.n, basis);
       findings.number("wilcoxon.Wplus", key, test.positive, basis);
       findings.number("wilcoxon.exact.p.two", key, test.p, basis);
-      // Of one difference there is no test, although its p is 1.
-      if (test.n > 1) {
-        findings.number(
-            "wilcoxon.exact.smallest", key, std::ldexp(1.0, 1 - static_cast<int>(test.n)),
-            {.n = test.n, .method = "smallest attainable p: all differences with the same sign"});
-      }
+      findings.number(
+          "wilcoxon.exact.smallest", key,
+          std::min(1.0, std::ldexp(1.0, 1 - static_cast<int>(test.n))),
+          {.n = test.n, .method = "smallest attainable p: all differences with the same sign"});
       pairs.push_back(key);
       p.push_back(test.p);
       findings.number(

@@ -326,6 +326,11 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
       const SignFlipTest flips = sign_flip_test(differences);
       findings.number("signflip.p.two", key, flips.two_sided,
                       {.n = n, .method = method + ", " + way_of_counting(flips.drawn)});
+      const auto differing = static_cast<std::size_t>(
+          std::count_if(differences.begin(), differences.end(),
+                        [](std::int64_t difference) { return difference != 0; }));
+      findings.count("signflip.n", key, differing,
+                     {.n = n, .method = "participants whose difference is not zero"});
       findings.number(
           "signflip.smallest", key, flips.smallest,
           {.n = n, .method = "smallest attainable p: all differences with the same sign"});

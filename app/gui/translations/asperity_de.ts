@@ -1976,8 +1976,8 @@
         <translation>%1 Nicht signifikant verschieden: %2.</translation>
     </message>
     <message>
-        <source>No pair could differ significantly: %1.</source>
-        <translation>Kein Paar konnte sich signifikant unterscheiden: %1.</translation>
+        <source>No pair could differ significantly in these data: %1.</source>
+        <translation>In diesen Daten konnte sich kein Paar signifikant unterscheiden: %1.</translation>
     </message>
     <message>
         <source>%1 (%2 of %3)</source>
@@ -1992,8 +1992,24 @@
         <translation>Vorzeichen-Rang-Tests lassen Versuchspersonen mit einer Differenz von null aus, die n nicht mitzählt: %1.</translation>
     </message>
     <message>
-        <source>%1; the smallest attainable p is %2, so that no result could be significant with %3 participants; at least %4 are required</source>
-        <translation>%1; das kleinste erreichbare p ist %2, sodass mit %3 Versuchspersonen kein Ergebnis signifikant sein könnte; erforderlich sind mindestens %4</translation>
+        <source>%1; the smallest attainable p is %2, so that no result could be significant with one participant whose difference is not zero; at least %3 such participants are required</source>
+        <translation>%1; das kleinste erreichbare p ist %2, sodass mit einer Versuchsperson, deren Differenz nicht null ist, kein Ergebnis signifikant sein könnte; erforderlich sind mindestens %3 solche Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>%1; the smallest attainable p is %2, so that no result could be significant with %3 participants whose difference is not zero; at least %4 such participants are required</source>
+        <translation>%1; das kleinste erreichbare p ist %2, sodass mit %3 Versuchspersonen, deren Differenz nicht null ist, kein Ergebnis signifikant sein könnte; erforderlich sind mindestens %4 solche Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>%1 Participants with a difference of zero, who do not affect p: %2 of %3.</source>
+        <translation>%1 Versuchspersonen mit einer Differenz von null, die p nicht beeinflussen: %2 von %3.</translation>
+    </message>
+    <message>
+        <source>Participants with a difference of zero do not affect the p of sign-flip tests, although n counts them.</source>
+        <translation>Versuchspersonen mit einer Differenz von null beeinflussen das p von Vorzeichen-Permutationstests nicht, obwohl n sie mitzählt.</translation>
+    </message>
+    <message>
+        <source>Participants with a difference of zero do not affect the p of sign-flip tests, although n counts them: %1.</source>
+        <translation>Versuchspersonen mit einer Differenz von null beeinflussen das p von Vorzeichen-Permutationstests nicht, obwohl n sie mitzählt: %1.</translation>
     </message>
     <message>
         <source>%1 One of %2 participants has a difference of zero and is left out of the test.</source>
@@ -2030,6 +2046,10 @@
     <message>
         <source>%1 Participants with an unfinished track: %2 of %3; included in the mean, because their threshold could be estimated from the presented trials: %4.</source>
         <translation>%1 Versuchspersonen mit einer unvollständigen Folge (Track): %2 von %3; davon im Mittelwert enthalten, weil sich ihre Schwelle aus den dargebotenen Durchgängen schätzen ließ: %4.</translation>
+    </message>
+    <message>
+        <source>%1 Not tested, %2: %3.</source>
+        <translation>%1 Nicht getestet, %2: %3.</translation>
     </message>
     <message>
         <source>Unfinished tracks: the session ended before the procedure stopped. The threshold is estimated from the presented trials and is included in the means and tests if it lies within the presented levels, the condition for every threshold.</source>
@@ -3298,6 +3318,14 @@
     <message>
         <source>responses are correct or incorrect, so that there is no point of subjective equality</source>
         <translation>Antworten sind richtig oder falsch, sodass es keinen Punkt der subjektiven Gleichheit gibt</translation>
+    </message>
+    <message>
+        <source>no participant has a difference that is not zero</source>
+        <translation>keine Versuchsperson hat eine Differenz, die nicht null ist</translation>
+    </message>
+    <message>
+        <source>only one participant has a difference that is not zero</source>
+        <translation>nur eine Versuchsperson hat eine Differenz, die nicht null ist</translation>
     </message>
     <message>
         <source>too few thresholds could be estimated</source>
