@@ -116,7 +116,8 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
     Column unfinished{};
     unfinished.column = {.name = name_of_condition + "_unfinished_tracks",
                          .description =
-                             "number of tracks whose session ended before the procedure stopped, "
+                             "number of tracks that were begun and whose session ended before the "
+                             "procedure stopped, "
                              "their threshold being estimated from the presented trials" +
                              of + when,
                          .type = "integer",

@@ -1074,11 +1074,13 @@ TEST(Discrimination, MarksParticipantsWithAnUnfinishedTrack) {
   ASSERT_TRUE(unfinished);
   EXPECT_EQ(table.table.rows[0][*unfinished], Cell{});
   EXPECT_EQ(table.table.rows[2][*unfinished], Cell(std::int64_t{1}));
-  EXPECT_THAT(table.note.english(), HasSubstr("Unfinished tracks: the session ended before"));
+  EXPECT_THAT(table.note.english(),
+              HasSubstr("Unfinished tracks: tracks that were begun and not finished"));
   EXPECT_THAT(
       answer_to(outcome, "threshold"),
-      HasSubstr(" Participants with an unfinished track: 1 of 3; included in the mean, "
-                "because their threshold could be estimated from the presented trials: 1."));
+      HasSubstr(" Participants with an unfinished track: 1 of 3. Estimates from unfinished tracks "
+                "that are included in the mean, because the presented trials were sufficient: 1 of "
+                "1."));
   EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
               HasSubstr("Tracks of one of 3 participants were unfinished; the threshold was "
                         "estimated from the presented trials and is included in the means."));
@@ -1091,6 +1093,25 @@ TEST(Discrimination, MarksParticipantsWithAnUnfinishedTrack) {
       column_of(discrimination_table(outcome_of_discrimination(completed), "thresholds").table,
                 "unfinished_tracks"));
   EXPECT_FALSE(wide_row(completed, 2).contains("jnd_which_unfinished_tracks"));
+}
+
+// Three trials at one or two levels have no threshold.
+TEST(Discrimination, StatesNothingAboutTheMeanWhereAnUnfinishedTrackHasNoThreshold) {
+  const json protocol = staircase_protocol(40);
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
+  made.add_person("p10", "");
+  std::vector<MadeUpTrial> trials = staircase_trials(kPerformer, protocol, 200);
+  trials.resize(3);
+  made.set_state(SessionState::stopped);
+  made.add_session("p10", id, trials);
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  EXPECT_THAT(answer_to(outcome, "threshold"),
+              testing::AllOf(HasSubstr(" Participants with an unfinished track: 1 of 1."),
+                             Not(HasSubstr("included in the mean"))));
+  EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
+              HasSubstr("Tracks of the only participant were unfinished; no threshold could be "
+                        "estimated from the presented trials."));
 }
 
 TEST(Discrimination, HasNoIntervalOfAProcedureThatCannotBeRepeated) {

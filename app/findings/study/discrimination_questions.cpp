@@ -49,25 +49,29 @@ Phrase mean_thresholds_text(const DiscriminationResults& results, const std::str
   return all;
 }
 
-/// Participants with an unfinished track, and those of them with a threshold of this quantity.
-struct UnfinishedParticipants {
-  std::set<std::string> all{};
-  std::set<std::string> with_threshold{};
+/// Participants with an unfinished track, and the estimates of one quantity from unfinished tracks: one for each of these
+/// participants and conditions.
+struct UnfinishedTracks {
+  std::set<std::string> participants{};
   std::set<std::string> of{};  ///< all participants
+  bool is_measured = false;    ///< the task has this quantity
+  std::size_t estimates = 0;
+  std::size_t included = 0;  ///< estimates that exist, and are therefore included in the mean
 };
 
-UnfinishedParticipants unfinished_participants(const std::vector<Finding>& thresholds,
-                                               std::string_view quantity) {
-  UnfinishedParticipants found{};
+UnfinishedTracks unfinished_tracks(const std::vector<Finding>& thresholds,
+                                   std::string_view quantity) {
+  UnfinishedTracks found{};
   const FoundNumbers numbers(thresholds);
   for (const Finding& finding : thresholds) {
     if (finding.analysis != kThresholds) continue;
     const std::string participant = finding.key.substr(0, finding.key.find('|'));
     found.of.insert(participant);
+    found.is_measured = found.is_measured || finding.quantity == quantity;
     if (finding.quantity != "unfinished.tracks") continue;
-    found.all.insert(participant);
-    const Finding* const threshold = numbers.find(quantity, finding.key);
-    if (threshold != nullptr && threshold->value) found.with_threshold.insert(participant);
+    found.participants.insert(participant);
+    ++found.estimates;
+    if (numbers.value(quantity, finding.key)) ++found.included;
   }
   return found;
 }
@@ -148,7 +152,7 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                  : phrase("Analysis", "Geometric mean of the just-noticeable differences: %1."))
                 .with(means);
   add_question(outcome, name_of_question("threshold", results).c_str(), question,
-               with_unfinished_tracks(answer, results, "jnd"), method_of_thresholds(results),
+               with_unfinished_tracks(answer, results, "jnd", means), method_of_thresholds(results),
                means.empty() ? kThresholds : kMeanThresholds,
                first_mean(results, "geomean.jnd", found));
 }
@@ -167,17 +171,18 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
   const Phrase means = mean_thresholds_text(results, "mean.pse", "");
   const std::string name = name_of_question("point_of_subjective_equality", results);
   if (means.empty()) {
+    const Phrase answer = phrase("Analysis",
+                                 "It could not be estimated: no participant has a point of "
+                                 "subjective equality within the presented levels.");
     add_question(outcome, name.c_str(), question,
-                 phrase("Analysis",
-                        "It could not be estimated: no participant has a point of subjective "
-                        "equality within the presented levels."),
-                 method, kThresholds, nullptr);
+                 with_unfinished_tracks(answer, results, "pse", means), method, kThresholds,
+                 nullptr);
     return;
   }
   const std::string standard = stated_quantity(task.standard(), task.varied.unit);
   Phrase answer = phrase("Analysis", "Mean point of subjective equality: %1; standard: %2.")
                       .with(means, standard);
-  answer = with_unfinished_tracks(answer, results, "pse");
+  answer = with_unfinished_tracks(answer, results, "pse", means);
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
     const StudyTest* const test =
         tests.find("point_of_subjective_equality", results.about_equality(condition));
@@ -353,24 +358,35 @@ std::string missing_sentences(const std::vector<Finding>& findings, const std::s
   return text;
 }
 
+/// "the JND was estimated from the presented trials and is included in the means"
+std::string included_text(const UnfinishedTracks& unfinished, const std::string& measure) {
+  if (unfinished.included == 0) {
+    return "no " + measure + " could be estimated from the presented trials";
+  }
+  if (unfinished.included < unfinished.estimates) {
+    return "the means include " + count_in_words(unfinished.included) + " of " +
+           reading_count(unfinished.estimates) + ' ' + measure +
+           "s of these tracks, for which the presented trials were sufficient";
+  }
+  return "the " + measure + (unfinished.estimates == 1 ? " was" : "s were") +
+         " estimated from the presented trials and " + (unfinished.estimates == 1 ? "is" : "are") +
+         " included in the means";
+}
+
 /// " Tracks of one of 3 participants were unfinished; the threshold was estimated from the presented trials and is included in
-/// the means."
+/// the means." Of a task with PSE and JND, both are stated.
 std::string unfinished_sentence(const std::vector<Finding>& findings) {
-  const UnfinishedParticipants unfinished = unfinished_participants(findings, "jnd");
-  if (unfinished.all.empty()) return {};
-  const std::size_t all = unfinished.all.size();
-  const std::size_t included = unfinished.with_threshold.size();
-  const std::string how =
-      included == 0 ? "no threshold could be estimated from the presented trials"
-      : included == all && all == 1
-          ? "the threshold was estimated from the presented trials and is included in the means"
-      : included == all
-          ? "the thresholds were estimated from the presented trials and are included in the means"
-          : "the means include " + count_in_words(included) +
-                " of them, whose thresholds could be estimated from the presented trials";
-  return " Tracks of " + count_in_words(all) + " of " + reading_count(unfinished.of.size()) +
-         (unfinished.of.size() == 1 ? " participant" : " participants") + " were unfinished; " +
-         how + '.';
+  const UnfinishedTracks of_jnd = unfinished_tracks(findings, "jnd");
+  if (of_jnd.participants.empty()) return {};
+  const UnfinishedTracks of_pse = unfinished_tracks(findings, "pse");
+  const std::string how = of_pse.is_measured
+                              ? included_text(of_pse, "PSE") + "; " + included_text(of_jnd, "JND")
+                              : included_text(of_jnd, "threshold");
+  const std::string participants = of_jnd.of.size() == 1
+                                       ? "the only participant"
+                                       : count_in_words(of_jnd.participants.size()) + " of " +
+                                             reading_count(of_jnd.of.size()) + " participants";
+  return " Tracks of " + participants + " were unfinished; " + how + '.';
 }
 
 /// " Of 24 responses in catch trials, 23 were correct (75 % to 100 % for single participants)."

@@ -222,7 +222,8 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
   }
   if (shown.has_unfinished_tracks) {
     add(phrase("Analysis",
-               "Unfinished tracks: the session ended before the procedure stopped. The threshold "
+               "Unfinished tracks: tracks that were begun and not finished, because the session "
+               "ended before the procedure stopped. The threshold "
                "is estimated from the presented trials and is included in the means and tests if "
                "it lies within the presented levels, the condition for every threshold."));
   }

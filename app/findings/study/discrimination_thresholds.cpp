@@ -126,9 +126,10 @@ class ThresholdList final {
   void unfinished(const std::optional<PlacedTrials>& placed) {
     const std::size_t tracks = placed ? placed->unfinished_tracks() : 0;
     if (tracks == 0) return;
-    number("unfinished.tracks", static_cast<double>(tracks),
-           {.n = placed->tracks.size(),
-            .method = "tracks whose session ended before the procedure stopped"});
+    number(
+        "unfinished.tracks", static_cast<double>(tracks),
+        {.n = placed->tracks.size(),
+         .method = "tracks that were begun and whose session ended before the procedure stopped"});
   }
 
   Basis basis(std::string method, const std::string& unit) const {

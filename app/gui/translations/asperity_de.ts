@@ -2044,16 +2044,20 @@
         <translation>Mittelwerte über die Versuchspersonen, die jedes Paar gleich häufig verglichen haben, mit t-basierten 95-%-KI, auf den Bereich von 0 bis 1 begrenzt (auf der Logit-Skala, wenn die Anteile aller Versuchspersonen gleich sind); ein Gleichstand zählt halb. Mittlerer Rang: 1 für das Item, das eine Versuchsperson am seltensten gewählt hat.</translation>
     </message>
     <message>
-        <source>%1 Participants with an unfinished track: %2 of %3; included in the mean, because their threshold could be estimated from the presented trials: %4.</source>
-        <translation>%1 Versuchspersonen mit einer unvollständigen Folge (Track): %2 von %3; davon im Mittelwert enthalten, weil sich ihre Schwelle aus den dargebotenen Durchgängen schätzen ließ: %4.</translation>
+        <source>%1 Participants with an unfinished track: %2 of %3.</source>
+        <translation>%1 Versuchspersonen mit einer unvollständigen Folge (Track): %2 von %3.</translation>
+    </message>
+    <message>
+        <source>%1 Estimates from unfinished tracks that are included in the mean, because the presented trials were sufficient: %2 of %3.</source>
+        <translation>%1 Schätzungen aus unvollständigen Folgen (Tracks), die im Mittelwert enthalten sind, weil die dargebotenen Durchgänge ausreichten: %2 von %3.</translation>
     </message>
     <message>
         <source>%1 Not tested, %2: %3.</source>
         <translation>%1 Nicht getestet, %2: %3.</translation>
     </message>
     <message>
-        <source>Unfinished tracks: the session ended before the procedure stopped. The threshold is estimated from the presented trials and is included in the means and tests if it lies within the presented levels, the condition for every threshold.</source>
-        <translation>Unvollständige Folgen (Tracks): Die Sitzung endete, bevor das Verfahren abgeschlossen war. Die Schwelle ist aus den dargebotenen Durchgängen geschätzt und in Mittelwerten und Tests enthalten, wenn sie innerhalb der dargebotenen Stufen liegt; diese Bedingung gilt für jede Schwelle.</translation>
+        <source>Unfinished tracks: tracks that were begun and not finished, because the session ended before the procedure stopped. The threshold is estimated from the presented trials and is included in the means and tests if it lies within the presented levels, the condition for every threshold.</source>
+        <translation>Unvollständige Folgen (Tracks): begonnene Folgen, die nicht abgeschlossen wurden, weil die Sitzung endete, bevor das Verfahren abgeschlossen war. Die Schwelle ist aus den dargebotenen Durchgängen geschätzt und in Mittelwerten und Tests enthalten, wenn sie innerhalb der dargebotenen Stufen liegt; diese Bedingung gilt für jede Schwelle.</translation>
     </message>
     <message>
         <source>Intraclass correlations with the items as targets and the participants as raters: ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants.</source>
