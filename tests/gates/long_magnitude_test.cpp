@@ -39,7 +39,7 @@ AnalysisOutcome answers_of_twenty() {
   SimulationInputs inputs{};
   inputs.protocols = {study / "protocols/roughness_diameter.json"};
   inputs.study = study;
-  inputs.seed = 1;
+  inputs.seed = 2;  // the criteria were chosen after participants of seed 1
   inputs.participants = 20;
   inputs.jobs = every_core();
   inputs.recordings = Recordings::none;
