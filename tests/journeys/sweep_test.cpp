@@ -138,7 +138,10 @@ TEST(Sweep, TakesTheFilesOfAModelOrThoseOfTheTexture) {
   const Outcome recorded =
       asperity({"texture-recording", "--relief", (place / "wave.png").string(), "--out", recording});
   ASSERT_EQ(recorded.status, 0) << recorded.err;
-  (void)accelerations(place / "file.tsv", {"--asset", "recording=" + recording});
+  const auto of_file = accelerations(place / "file.tsv", {"--asset", "recording=" + recording});
+  ASSERT_EQ(of_file.size(), 2U);
+  EXPECT_NE(of_file[0], of_texture[0]);
+  EXPECT_NE(of_file[1], of_texture[1]);
   EXPECT_THAT(text_of(place / "file.tsv.json"), HasSubstr("\"assets_sha256\""));
   const Outcome refused =
       asperity(sweep_into(place / "no.tsv", {"--model", "sinusoid", "--vary", "applied_force",

@@ -137,7 +137,11 @@ TEST(Stroke, TakesTheFilesOfAModelFromTheTexture) {
                       recorded_relief(texture_at_spacing(sinusoid_of(0.4e-3), 0.002)));
   stroke.assets = files.assets;
   const DragResult of_file = result_of(stroke, 0.002);
+  ASSERT_TRUE(of_file.roughness);
   EXPECT_EQ(of_file.roughness->rms_accel_m_per_s2, rms[0.002]);
+  const DragResult elsewhere = result_of(stroke, 0.0005);
+  ASSERT_TRUE(elsewhere.roughness);
+  EXPECT_NE(elsewhere.roughness->rms_accel_m_per_s2, rms[0.0005]);
 }
 
 TEST(RecordedRelief, ContinuesTheTextureWithoutASeam) {
