@@ -421,8 +421,8 @@ TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
   const std::string methods = paragraph(report, "Methods");
   EXPECT_THAT(methods,
               HasSubstr("The parameters of the force model were: amplitude 50 µm and 60 µm, "
-                        "wavelength 2.5 mm. All others had their default values; the appendix "
-                        "contains a table of all parameters."));
+                        "wavelength 2.5 mm. All others had their default values; the report "
+                        "of the study lists all parameters."));
   EXPECT_THAT(methods, Not(HasSubstr("force direction")));
   std::vector<std::vector<std::string>> rows{};
   for (const ReportSection& section : report.chapters.back().sections) {

@@ -98,7 +98,7 @@ std::string paper_parameters(const ReportFacts& facts) {
   const std::string force_models = with_parameters == 1 ? "the force model" : "the force models";
   if (of_models.empty()) {
     return "All parameters of " + force_models +
-           " had their default values; the appendix contains a table of them.";
+           " had their default values, which the report of the study lists.";
   }
   std::string text = "The parameters of " + force_models + " were: ";
   for (const auto& [model, parameters] : of_models) {
@@ -106,7 +106,7 @@ std::string paper_parameters(const ReportFacts& facts) {
     text += with_parameters == 1 ? parameters : model + " (" + parameters + ')';
   }
   return text +
-         ". All others had their default values; the appendix contains a table of all parameters.";
+         ". All others had their default values; the report of the study lists all parameters.";
 }
 
 ReportSection parameters_section(const ReportFacts& facts) {
