@@ -100,6 +100,12 @@ constexpr std::array kFamilies{
         "proportion",
         "id,k,n,p0: hits k of n trials each, chance level p0; and conf, if it differs between rows",
         "conf, unless the table has this column", proportion_findings, "conf"},
+    TidyFamily{
+        "psi", "trial,response: one trial per row, response 1 or 0, empty where there is none",
+        "shape: logistic, normal; stim: the possible levels; alpha, gamma, lambda: values of "
+        "the parameters; beta: values of log10 of the slope; nuisance: parameters over which "
+        "is marginalised",
+        psi_findings, "shape,stim,alpha,beta,gamma,lambda,nuisance"},
     TidyFamily{"psyfit",
                "condition,x,n,k: k correct of n trials at level x; and b,k1,k2,...: resampled k of "
                "the first condition",
@@ -107,6 +113,12 @@ constexpr std::array kFamilies{
                "lambda_max; pt: performance at the threshold, between gamma and 1 - lambda; "
                "bootstrap: draws of the parametric bootstrap, 1000 where absent, 0 for none; conf",
                psyfit_findings, "shape,gamma,lambda,lambda_max,pt,bootstrap,conf", 2},
+    TidyFamily{"questplus",
+               "trial,response: one trial per row, response 1 or 0, empty where there is none",
+               "shape: weibull_db (levels in dB), normal; stim: the possible levels; gamma: the "
+               "guess rate; alpha, beta, lambda: values of the parameters, beta of normal as a "
+               "standard deviation",
+               questplus_findings, "shape,stim,gamma,alpha,beta,lambda"},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was presented and "
                "ranks behind all that were ranked; an item that was not presented has no row; and "
