@@ -76,6 +76,20 @@ std::string_view key_of(LevelMeasure measure) noexcept {
   return "levels";
 }
 
+double Dimension::level_of_standard() const {
+  switch (measure) {
+    case LevelMeasure::value:
+      return standard.value_or(0.0);
+    case LevelMeasure::ratio:
+      return 1.0;
+    case LevelMeasure::difference:
+    case LevelMeasure::percent:
+    case LevelMeasure::decibels:
+      break;
+  }
+  return 0.0;
+}
+
 std::vector<double> Dimension::levels() const {
   std::vector<double> all = list;
   if (grid) {

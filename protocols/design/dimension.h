@@ -45,12 +45,15 @@ struct Dimension {
   std::optional<LevelGrid> grid{};  ///< in the unit of the measure
   /// The value of the parameter in the stimulus of the standard; absent without a standard, or if it is not stated.
   std::optional<double> standard{};
-  std::string unit{};  ///< of the parameter, as its force model declares it
+  std::string unit{};     ///< of the parameter, as its force model declares it
+  std::string meaning{};  ///< the same
 
   /// The levels as stated, ascending; none of a grid with problems.
   std::vector<double> levels() const;
   /// The same as values of the parameter.
   std::vector<double> values() const;
+  /// The level of the standard: its value, a difference of 0, or a ratio of 1.
+  double level_of_standard() const;
   double value_of(double level) const { return value_at(measure, level, standard.value_or(0.0)); }
   double level_of(double value) const {
     return level_at_value(measure, value, standard.value_or(0.0));

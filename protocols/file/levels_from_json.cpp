@@ -39,6 +39,46 @@ LevelGrid grid_of(const json& object) {
   return grid;
 }
 
+void read_range(const json& object, const char* key, ValueRange& range) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  read(*found, "lowest", range.lowest);
+  read(*found, "highest", range.highest);
+  read(*found, "count", range.count);
+}
+
+PosteriorTrack posterior_track_in(const json& object, const Dimension& dimension) {
+  PosteriorTrack track{.grid = dimension.grid.value_or(LevelGrid{}),
+                       .origin = dimension.level_of_standard()};
+  track.prior.thresholds = thresholds_within(track.grid, track.origin);
+  read(object, "target", track.prior.performance);
+  if (const auto prior = object.find("prior"); prior != object.end()) {
+    read_range(*prior, "threshold", track.prior.thresholds);
+    read_range(*prior, "slope", track.prior.slopes);
+    read_range(*prior, "lapse", track.prior.lapses);
+  }
+  const auto stop = object.find("stop");
+  if (stop == object.end()) return track;
+  read(*stop, "trials", track.stop.trials);
+  if (const auto interval = stop->find("interval"); interval != stop->end()) {
+    IntervalRule& rule = track.stop.interval.emplace();
+    read(*interval, "ratio", rule.ratio);
+    read(*interval, "minimum_trials", rule.minimum_trials);
+    read(*interval, "minimum_of_each", rule.minimum_of_each);
+  }
+  return track;
+}
+
+std::vector<NuisanceParameter> marginalised_in(const json& object) {
+  const auto found = object.find("marginalise");
+  if (found == object.end()) return Psi{}.marginalised;
+  std::vector<NuisanceParameter> nuisances{};
+  for (const json& name : *found) {
+    nuisances.push_back(name == "slope" ? NuisanceParameter::slope : NuisanceParameter::lapse);
+  }
+  return nuisances;
+}
+
 StopRules stop_rules_of(const json& object) {
   StopRules stop{};
   const auto found = object.find("stop");
@@ -81,6 +121,11 @@ ProcedureSettings settings_of(const json& object, const json& track, const Dimen
     read(object, "target", settings.target);
     return settings;
   }
+  if (method == psi().id) {
+    return Psi{.track = posterior_track_in(object, dimension),
+               .marginalised = marginalised_in(object)};
+  }
+  if (method == quest_plus().id) return QuestPlus{.track = posterior_track_in(object, dimension)};
   ConstantStimuli settings{};
   if (has_levels(dimension)) settings.levels = dimension.levels();
   read(object, "repetitions", settings.repetitions);
@@ -111,8 +156,8 @@ Dimension dimension_in(const json& object) {
   return dimension;
 }
 
-void declare_dimension(Block& block, Protocol& protocol, const std::set<std::string>& of_file,
-                       const std::vector<ModelDeclaration>& models) {
+void complete_dimension(Block& block, const Protocol& protocol,
+                        const std::vector<ModelDeclaration>& models) {
   Dimension& dimension = *block.vary;
   std::string model{};
   for (const Protocol::Presented& presented : block.presented) {
@@ -127,13 +172,19 @@ void declare_dimension(Block& block, Protocol& protocol, const std::set<std::str
     }
   }
   const Parameter* const parameter = parameter_of(models, model, dimension.parameter);
-  if (parameter != nullptr) dimension.unit = parameter->unit;
+  if (parameter == nullptr) return;
+  dimension.unit = parameter->unit;
+  dimension.meaning = parameter->meaning;
+}
+
+void declare_dimension(Block& block, Protocol& protocol, const std::set<std::string>& of_file) {
+  const Dimension& dimension = *block.vary;
   if (!has_levels(dimension) || of_file.contains(dimension.factor)) return;
   Factor& factor = protocol.factors[dimension.factor];
   factor.name = dimension.factor;
-  if (parameter != nullptr && factor.meaning.empty()) {
-    factor.meaning = parameter->meaning;
-    factor.unit = parameter->unit;
+  if (!dimension.meaning.empty() && factor.meaning.empty()) {
+    factor.meaning = dimension.meaning;
+    factor.unit = dimension.unit;
   }
   std::vector<double> values = dimension.values();
   if (block.procedure && block.procedure->catch_trials) {

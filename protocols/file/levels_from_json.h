@@ -15,14 +15,16 @@ namespace asperity {
 /// The key "vary", as it is stated.
 Dimension dimension_in(const nlohmann::json& object);
 
-/// Completes the dimension of a block by what the presented stimuli state, and declares its factor in the protocol. A
-/// factor of the file (`of_file`) with this name remains, which the check of meaning reports. The levels of the factor
+/// Completes the dimension of a block by what the presented stimuli state: the value of the standard, and the unit.
+void complete_dimension(Protocol::Block& block, const Protocol& protocol,
+                        const std::vector<ModelDeclaration>& models);
+
+/// Declares the factor of a completed dimension in the protocol. A factor of the file (`of_file`) with this name remains, which the check of meaning reports. The levels of the factor
 /// are those of the dimension, and that of the catch trials of the block's procedure.
 void declare_dimension(Protocol::Block& block, Protocol& protocol,
-                       const std::set<std::string>& of_file,
-                       const std::vector<ModelDeclaration>& models);
+                       const std::set<std::string>& of_file);
 
-/// The key "procedure", with the levels of the block's dimension.
+/// The key "procedure", with the levels of the block's completed dimension.
 Protocol::Block::LevelProcedure procedure_in(const nlohmann::json& object,
                                              const Dimension& dimension);
 

@@ -21,13 +21,23 @@ struct MethodKeys {
   std::vector<std::string_view> keys{};
 };
 
-const std::array<MethodKeys, 3>& keys_of_methods() {
-  static const std::array<MethodKeys, 3> kKeys{
+const std::array<MethodKeys, 5>& keys_of_methods() {
+  static const std::array<MethodKeys, 5> kKeys{
       MethodKeys{"constant_stimuli", {"repetitions"}},
       MethodKeys{"transformed_up_down",
                  {"down", "up", "start", "steps", "steps_up", "steps_down", "stop", "tracks"}},
-      MethodKeys{"weighted_up_down", {"target", "start", "steps", "steps_down", "stop", "tracks"}}};
+      MethodKeys{"weighted_up_down", {"target", "start", "steps", "steps_down", "stop", "tracks"}},
+      MethodKeys{"psi", {"target", "prior", "marginalise", "stop", "tracks"}},
+      MethodKeys{"quest_plus", {"target", "prior", "stop", "tracks"}}};
   return kKeys;
+}
+
+/// Whether a method has a key of "stop" or of one of its "tracks".
+bool has_inner_key(std::string_view method, std::string_view key) {
+  const bool is_posterior = method == psi().id || method == quest_plus().id;
+  if (key == "interval") return is_posterior;
+  if (key == "reversals" || key == "clipped_moves" || key == "start") return !is_posterior;
+  return true;
 }
 
 /// The place of a setting of a procedure in its file.
@@ -37,11 +47,12 @@ std::string place_of_setting(const std::string& setting, const nlohmann::json& s
   std::string key = setting;
   std::replace(key.begin(), key.end(), '.', '/');
   if (key.starts_with("steps_") && !stated.contains(key)) key = "steps";
-  const std::string first = key.substr(0, key.find('/'));
-  const std::string place = pointer + "/procedure";
-  if (!stated.contains(first)) return place;
-  const bool has_member = key == first || stated.at(first).contains(key.substr(first.size() + 1));
-  return place + '/' + (has_member ? key : first);
+  // The innermost stated part of the setting.
+  while (!key.empty() && !stated.contains(nlohmann::json::json_pointer('/' + key))) {
+    const std::size_t end = key.rfind('/');
+    key = end == std::string::npos ? "" : key.substr(0, end);
+  }
+  return pointer + "/procedure" + (key.empty() ? "" : '/' + key);
 }
 
 /// "transformed_up_down" or "weighted_up_down": the methods that have a key.
@@ -121,6 +132,20 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
                      listed_keys(own));
     }
   }
+  const auto check_inner_keys = [&](const nlohmann::json& inner, const std::string& at) {
+    for (const auto& [key, value] : inner.items()) {
+      if (has_inner_key(method, key)) continue;
+      report_key(pointer_to(at, key), "the method " + in_quotes(method) + " has no key " +
+                                          in_quotes(key) + " here; remove it");
+    }
+  };
+  const bool has_stop = std::find(own.begin(), own.end(), "stop") != own.end();
+  if (has_stop && stated->contains("stop")) check_inner_keys(stated->at("stop"), place + "/stop");
+  if (has_stop && stated->contains("tracks")) {
+    for (std::size_t i = 0; i < stated->at("tracks").size(); ++i) {
+      check_inner_keys(stated->at("tracks").at(i), pointer_to(place + "/tracks", i));
+    }
+  }
   for (const auto& [name, at] : texts_of(block.exploration, pointer + "/exploration")) {
     const auto exploration = protocol_.explorations.find(name);
     if (exploration == protocol_.explorations.end() ||
@@ -137,14 +162,16 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
   if (!is_constant && !block.vary->grid) {
     report(pointer + "/vary/" + std::string(key_of(block.vary->measure)),
            "the method " + in_quotes(method) +
-               " moves in steps; state the levels as a grid: {\"lowest\": …, \"highest\": …, "
-               "\"step\": …}");
+               " needs levels in equal steps; state the levels as a grid: {\"lowest\": …, "
+               "\"highest\": …, \"step\": …}");
     return;
   }
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
   const std::vector<double> values = block.vary->values();
-  if (!is_constant && block.vary->standard && values.back() <= *block.vary->standard &&
-      judged != nullptr && judged->judgement == DiscriminationJudgement::performance) {
+  if (posterior_track_of(block.procedure->tracks.front()) != nullptr) {
+    check_bayesian_procedure(block, method, pointer);
+  } else if (!is_constant && block.vary->standard && values.back() <= *block.vary->standard &&
+             judged != nullptr && judged->judgement == DiscriminationJudgement::performance) {
     report(
         place + "/method",
         "the method " + in_quotes(method) +
@@ -154,6 +181,25 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
   }
   check_catch_trials(block, pointer);
   check_track_starts(block, pointer);
+}
+
+/// Psi and QUEST+ assume a Weibull function of the difference from the standard.
+void Meaning::check_bayesian_procedure(const Block& block, const std::string& method,
+                                       const std::string& pointer) {
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+  if (judged != nullptr && judged->judgement != DiscriminationJudgement::performance) {
+    report(pointer + "/procedure/method",
+           "the method " + in_quotes(method) +
+               " estimates a threshold of correct responses, but with the judgement "
+               "\"comparison\" no response is correct; use \"judgement\": \"performance\", "
+               "\"transformed_up_down\" or \"constant_stimuli\"");
+  }
+  if (block.vary->measure == LevelMeasure::decibels) {
+    report(pointer + "/vary/" + std::string(key_of(block.vary->measure)),
+           "the method " + in_quotes(method) +
+               " needs levels that are proportional to the difference from the standard; state "
+               "them as \"levels_percent\" or \"levels_difference\"");
+  }
 }
 
 /// Errors in catch trials are lapses only if their level is easy and the correct response is known.
@@ -197,7 +243,8 @@ void Meaning::check_track_starts(const Block& block, const std::string& pointer)
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const bool has_start = stated.contains("tracks") && stated.at("tracks").at(i).contains("start");
     if (!has_start && !stated.contains("start") &&
-        !std::holds_alternative<ConstantStimuli>(tracks[i])) {
+        !std::holds_alternative<ConstantStimuli>(tracks[i]) &&
+        posterior_track_of(tracks[i]) == nullptr) {
       report(pointer + "/procedure",
              "no start is stated; add \"start\", the level of the first "
              "trial, well above the expected threshold");

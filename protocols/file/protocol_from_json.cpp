@@ -589,11 +589,12 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
   for (const auto& [name, factor] : protocol.factors) factors_of_file.insert(name);
   for (auto& [name, block] : protocol.blocks) {
     if (!block.vary) continue;
+    complete_dimension(block, protocol, models);
     const json& object = root.at("blocks").at(name);
     if (const auto found = object.find("procedure"); found != object.end()) {
       block.procedure = procedure_in(*found, *block.vary);
     }
-    declare_dimension(block, protocol, factors_of_file, models);
+    declare_dimension(block, protocol, factors_of_file);
   }
   for (const auto& [name, block] : protocol.blocks) {
     declare_derived(block, protocol, factors_of_file);

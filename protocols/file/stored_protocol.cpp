@@ -244,10 +244,13 @@ std::optional<Dimension> stored_dimension(const Json& protocol, const Json& bloc
   return dimension;
 }
 
-std::vector<ProcedureSettings> stored_tracks(const Json& block) {
+std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& block) {
   try {
+    Dimension dimension = dimension_in(member_of(block, "vary"));
+    dimension.standard =
+        stored_standard(protocol, block, dimension.standard_role, dimension.parameter);
     std::vector<ProcedureSettings> tracks =
-        procedure_in(member_of(block, "procedure"), dimension_in(member_of(block, "vary"))).tracks;
+        procedure_in(member_of(block, "procedure"), dimension).tracks;
     const bool can_be_used =
         std::all_of(tracks.begin(), tracks.end(),
                     [](const ProcedureSettings& each) { return problems_of(each).empty(); });
@@ -363,7 +366,7 @@ StoredProtocol stored_protocol(const std::string& source) {
     const Json& procedure = member_of(block, "procedure");
     made.has_procedure =
         procedure.is_object() && text_in(procedure, "method") != "constant_stimuli";
-    if (made.has_procedure) made.tracks = stored_tracks(block);
+    if (made.has_procedure) made.tracks = stored_tracks(root, block);
     if (made.vary) {
       read.factors[made.vary->factor].meaning =
           "Value of the parameter " + made.vary->parameter + " of the " + made.vary->role;

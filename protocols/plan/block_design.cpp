@@ -39,11 +39,15 @@ double information_at(const PsychometricFunction& f, double increment) {
 
 /// The sum over the tracks of one combination, averaged over simulated sets of tracks.
 double information_of_tracks(const Block& block, const PsychometricFunction& f) {
+  const std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
   // A simulated track of n trials takes n²/2 steps.
-  const std::size_t trials =
-      procedure_of(block.procedure->tracks.front()).most_trials(block.procedure->tracks.front());
-  const std::uint64_t sets =
-      std::clamp<std::uint64_t>(20'000 / std::max<std::size_t>(trials, 1), 5, 200);
+  const Procedure& procedure = procedure_of(tracks.front());
+  const std::size_t trials = procedure.most_trials(tracks.front());
+  const std::uint64_t sets = std::min<std::uint64_t>(
+      std::clamp<std::uint64_t>(20'000 / std::max<std::size_t>(trials, 1), 5, 200),
+      procedure.simulated_tracks);
+  std::vector<LevelRule> rules{};
+  for (const ProcedureSettings& settings : tracks) rules.push_back(level_rule(settings));
   const Dimension& dimension = *block.vary;
   const auto increment_of = [&dimension](double level) {
     return dimension.value_of(level) - *dimension.standard;
@@ -53,9 +57,9 @@ double information_of_tracks(const Block& block, const PsychometricFunction& f) 
   double sum = 0.0;
   for (std::uint64_t set = 0; set < sets; ++set) {
     std::uint64_t track = 0;
-    for (const ProcedureSettings& settings : block.procedure->tracks) {
+    for (const LevelRule& rule : rules) {
       const Random of_track = seeded.split(set).split(track++);
-      for (const LevelAnswer& answer : simulated_track(settings, chance, of_track)) {
+      for (const LevelAnswer& answer : simulated_track(rule, chance, of_track)) {
         sum += information_at(f, increment_of(answer.level));
       }
     }
@@ -114,6 +118,8 @@ std::string procedure_text(const Protocol::Block& block) {
            std::to_string(transformed->track.rule.up) + "-up staircase";
   } else if (std::holds_alternative<WeightedUpDown>(first)) {
     text = "weighted up-down staircase";
+  } else if (posterior_track_of(first) != nullptr) {
+    text = procedure.id == psi().id ? "psi procedure" : "QUEST+";
   }
   if (const auto target = procedure.target(first)) text += " (" + per_cent(*target) + ")";
   text += procedure.has_fixed_length(first) ? ", " : ", at most ";

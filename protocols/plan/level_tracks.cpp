@@ -14,9 +14,15 @@ namespace asperity {
 
 LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
     : protocol_(&protocol), run_(std::move(run)), rows_(rows_of(protocol, *run_.block)) {
+  std::vector<Track> of_row{};  // the tracks of all rows share their rules
+  for (const ProcedureSettings& settings : run_.block->procedure->tracks) {
+    const Procedure& procedure = procedure_of(settings);
+    of_row.push_back(
+        {.most_trials = procedure.most_trials(settings), .rule = procedure.rule(settings)});
+  }
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    for (const ProcedureSettings& settings : run_.block->procedure->tracks) {
-      Track track{.row = row, .settings = settings};
+    for (Track track : of_row) {
+      track.row = row;
       track.random = run_.random.split("track").split(static_cast<std::uint64_t>(tracks_.size()));
       tracks_.push_back(std::move(track));
     }
@@ -24,10 +30,9 @@ LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
 }
 
 std::optional<double> LevelTracks::next_level(const Track& track) {
-  const Procedure& procedure = procedure_of(track.settings);
   // Trials without an answer repeat their level: a participant who no longer responds must not repeat it for ever.
-  if (track.trials >= kMostPresented * procedure.most_trials(track.settings)) return std::nullopt;
-  const NextStep step = procedure.next(track.settings, track.answers, track.random);
+  if (track.trials >= kMostPresented * track.most_trials) return std::nullopt;
+  const NextStep step = track.rule(track.answers, track.random);
   const auto* const next = std::get_if<NextLevel>(&step);
   return next == nullptr ? std::nullopt : std::optional(next->level);
 }

@@ -44,7 +44,8 @@ class LevelTracks final {
  private:
   struct Track {
     std::size_t row = 0;
-    ProcedureSettings settings{};
+    std::size_t most_trials = 0;
+    LevelRule rule{};
     Random random{0};
     std::vector<LevelAnswer> answers{};
     std::size_t trials = 0;

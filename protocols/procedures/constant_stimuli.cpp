@@ -54,10 +54,9 @@ std::size_t constant_trials(const ProcedureSettings& settings) {
   return of(settings).levels.size() * of(settings).repetitions;
 }
 
-NextStep constant_next(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
+NextStep constant_next(const ConstantStimuli& method, std::span<const LevelAnswer> answers,
                        const Random& of_track) {
-  const ConstantStimuli& method = of(settings);
-  if (answers.size() >= constant_trials(settings)) return TrackEnd::trials;
+  if (answers.size() >= method.levels.size() * method.repetitions) return TrackEnd::trials;
   const std::size_t count = method.levels.size();
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -66,12 +65,18 @@ NextStep constant_next(const ProcedureSettings& settings, std::span<const LevelA
   return NextLevel{.level = method.levels[order[answers.size() % count]]};
 }
 
+LevelRule constant_rule(const ProcedureSettings& settings) {
+  return [method = of(settings)](std::span<const LevelAnswer> answers, const Random& of_track) {
+    return constant_next(method, answers, of_track);
+  };
+}
+
 constexpr Procedure kConstantStimuli{
     .id = "constant_stimuli",
     .meaning = "every level equally often, in random order",
     .check = check_constant,
     .levels = constant_levels,
-    .next = constant_next,
+    .rule = constant_rule,
     .most_trials = constant_trials,
     .has_fixed_length = [](const ProcedureSettings&) { return true; },
     .target = [](const ProcedureSettings&) -> std::optional<double> { return std::nullopt; }};

@@ -3,7 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <variant>
+
+#include "analysis/random.h"
 
 namespace asperity {
 
@@ -27,8 +31,13 @@ struct NextLevel {
 };
 
 /// Why a track is finished. The first rule in this order that applies is reported.
-enum class TrackEnd { trials, reversals, bound };
+enum class TrackEnd { trials, reversals, bound, interval };
 
 using NextStep = std::variant<NextLevel, TrackEnd>;
+
+/// The level of the next trial of a track with these answers, or why there is none. Once a track is finished, further
+/// answers leave it so. `of_track`: the stream of the track, at its beginning.
+using LevelRule =
+    std::function<NextStep(std::span<const LevelAnswer> answers, const Random& of_track)>;
 
 }  // namespace asperity

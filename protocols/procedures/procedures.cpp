@@ -9,20 +9,6 @@
 namespace asperity {
 namespace {
 
-std::vector<LevelAnswer> drawn_track(const ProcedureSettings& settings,
-                                     const ChanceOfCorrect& observer, const Random& of_track) {
-  const Procedure& procedure = procedure_of(settings);
-  Random responses = of_track.split("responses");
-  std::vector<LevelAnswer> answers{};
-  for (;;) {
-    const NextStep step = procedure.next(settings, answers, of_track);
-    const NextLevel* const next = std::get_if<NextLevel>(&step);
-    if (next == nullptr) return answers;
-    answers.push_back(
-        {.level = next->level, .is_correct = responses.uniform() < observer(next->level)});
-  }
-}
-
 void refuse_problems(const ProcedureSettings& settings) {
   const std::vector<ProcedureProblem> problems = problems_of(settings);
   if (problems.empty()) return;
@@ -33,7 +19,7 @@ void refuse_problems(const ProcedureSettings& settings) {
 
 std::span<const Procedure* const> procedures() {
   static const std::array kProcedures{&constant_stimuli(), &transformed_up_down(),
-                                      &weighted_up_down()};
+                                      &weighted_up_down(), &psi(), &quest_plus()};
   static_assert(kProcedures.size() == std::variant_size_v<ProcedureSettings>);
   return kProcedures;
 }
@@ -49,22 +35,44 @@ const Procedure& procedure_of(const ProcedureSettings& settings) {
   return *procedures()[settings.index()];
 }
 
+const PosteriorTrack* posterior_track_of(const ProcedureSettings& settings) noexcept {
+  if (const auto* const psi = std::get_if<Psi>(&settings)) return &psi->track;
+  if (const auto* const quest = std::get_if<QuestPlus>(&settings)) return &quest->track;
+  return nullptr;
+}
+
 std::vector<ProcedureProblem> problems_of(const ProcedureSettings& settings) {
   ProcedureProblems problems{};
   procedure_of(settings).check(settings, problems);
   return problems.all();
 }
 
+LevelRule level_rule(const ProcedureSettings& settings) {
+  refuse_problems(settings);
+  return procedure_of(settings).rule(settings);
+}
+
 NextStep next_step(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
                    const Random& of_track) {
-  refuse_problems(settings);
-  return procedure_of(settings).next(settings, answers, of_track);
+  return level_rule(settings)(answers, of_track);
+}
+
+std::vector<LevelAnswer> simulated_track(const LevelRule& rule, const ChanceOfCorrect& observer,
+                                         const Random& of_track) {
+  Random responses = of_track.split("responses");
+  std::vector<LevelAnswer> answers{};
+  for (;;) {
+    const NextStep step = rule(answers, of_track);
+    const NextLevel* const next = std::get_if<NextLevel>(&step);
+    if (next == nullptr) return answers;
+    answers.push_back(
+        {.level = next->level, .is_correct = responses.uniform() < observer(next->level)});
+  }
 }
 
 std::vector<LevelAnswer> simulated_track(const ProcedureSettings& settings,
                                          const ChanceOfCorrect& observer, const Random& of_track) {
-  refuse_problems(settings);
-  return drawn_track(settings, observer, of_track);
+  return simulated_track(level_rule(settings), observer, of_track);
 }
 
 double expected_trials(const ProcedureSettings& settings, const ChanceOfCorrect& observer) {
@@ -73,14 +81,14 @@ double expected_trials(const ProcedureSettings& settings, const ChanceOfCorrect&
   if (procedure.has_fixed_length(settings)) {
     return static_cast<double>(procedure.most_trials(settings));
   }
-  constexpr std::size_t kTracks = 400;
+  const LevelRule rule = procedure.rule(settings);
   const Random seeded = Random(1).split("expected_trials");
   std::size_t trials = 0;
-  for (std::size_t track = 0; track < kTracks; ++track) {
+  for (std::size_t track = 0; track < procedure.simulated_tracks; ++track) {
     trials +=
-        drawn_track(settings, observer, seeded.split(static_cast<std::uint64_t>(track))).size();
+        simulated_track(rule, observer, seeded.split(static_cast<std::uint64_t>(track))).size();
   }
-  return static_cast<double>(trials) / static_cast<double>(kTracks);
+  return static_cast<double>(trials) / static_cast<double>(procedure.simulated_tracks);
 }
 
 }  // namespace asperity

@@ -13,9 +13,10 @@ void check_transformed(const ProcedureSettings& settings, ProcedureProblems& pro
   check_track(track_of(settings), problems);
 }
 
-NextStep transformed_next(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
-                          const Random&) {
-  return next_of(track_of(settings), answers);
+LevelRule transformed_rule(const ProcedureSettings& settings) {
+  return [track = track_of(settings)](std::span<const LevelAnswer> answers, const Random&) {
+    return next_of(track, answers);
+  };
 }
 
 std::optional<double> transformed_target(const ProcedureSettings& settings) {
@@ -27,7 +28,7 @@ constexpr Procedure kTransformedUpDown{
     .meaning = "down after n correct responses in succession, up after m incorrect ones",
     .check = check_transformed,
     .levels = [](const ProcedureSettings& settings) { return levels_of(track_of(settings).grid); },
-    .next = transformed_next,
+    .rule = transformed_rule,
     .most_trials = [](const ProcedureSettings& settings) { return track_of(settings).stop.trials; },
     .has_fixed_length =
         [](const ProcedureSettings& settings) { return has_fixed_length(track_of(settings).stop); },

@@ -51,9 +51,10 @@ void check_weighted(const ProcedureSettings& settings, ProcedureProblems& proble
           "number, such as 0.75 (ratio 3), a larger step down, or a finer grid");
 }
 
-NextStep weighted_next(const ProcedureSettings& settings, std::span<const LevelAnswer> answers,
-                       const Random&) {
-  return next_of(*track_of(settings_in(settings)), answers);
+LevelRule weighted_rule(const ProcedureSettings& settings) {
+  return
+      [track = *track_of(settings_in(settings))](std::span<const LevelAnswer> answers,
+                                                 const Random&) { return next_of(track, answers); };
 }
 
 constexpr Procedure kWeightedUpDown{
@@ -62,7 +63,7 @@ constexpr Procedure kWeightedUpDown{
     .check = check_weighted,
     .levels =
         [](const ProcedureSettings& settings) { return levels_of(settings_in(settings).grid); },
-    .next = weighted_next,
+    .rule = weighted_rule,
     .most_trials =
         [](const ProcedureSettings& settings) { return settings_in(settings).stop.trials; },
     .has_fixed_length =

@@ -131,6 +131,32 @@ TEST_F(StaircaseSession, GoesOnWithTheSameLevelsWhenInterruptedAfterEachTrial) {
   }
 }
 
+/// The same tracks with psi.
+class PsiSession : public StaircaseSession {
+ protected:
+  void SetUp() override {
+    std::string text = kStaircases;
+    const std::size_t first = text.find(R"({"method": "transformed_up_down")");
+    const std::string end = R"({"start": 25}]})";
+    text.replace(first, text.find(end) + end.size() - first,
+                 R"({"method": "psi", "stop": {"trials": 4}, "tracks": [{}, {}]})");
+    begin(text);
+    links_ = {};
+  }
+};
+
+TEST_F(PsiSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
+  const std::vector<std::string> expected = uninterrupted(1);
+  ASSERT_EQ(expected.size(), static_cast<std::size_t>(kTrials));
+  for (int position = 1; position < kTrials; ++position) {
+    SCOPED_TRACE("after " + std::to_string(position));
+    start(1);
+    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
+    EXPECT_EQ(resume(1000).state, SessionState::completed);
+    EXPECT_EQ(stored_plan(), expected);
+  }
+}
+
 TEST_F(StaircaseSession, IsResumedWhereTheNextTrialWasNotYetStored) {
   const std::vector<std::string> expected = uninterrupted(2);
   start(2);

@@ -700,7 +700,95 @@ INSTANTIATE_TEST_SUITE_P(
         PlantedFault{R"({"repetitions": 3})", "/repetitions",
                      "the procedure of a block determines its trials"},
         PlantedFault{R"({"procedure": {"stop": {"trials": 600}}})", "/procedure",
-                     "too many for a participant"}));
+                     "too many for a participant"},
+        PlantedFault{R"({"procedure": {"stop": {"interval": {"ratio": 2, "minimum_trials": 2,
+                         "minimum_of_each": 1}}}})",
+                     "/procedure/stop/interval", "has no key \"interval\" here"},
+        PlantedFault{R"({"procedure": {"prior": {}}})", "/procedure/prior",
+                     "belongs to \"psi\" or \"quest_plus\""}));
+
+/// The staircases with psi instead; null members are left out.
+json psi_blocks() {
+  json file = staircases();
+  file["blocks"]["tracks"]["procedure"] = {{"method", "psi"}, {"stop", {{"trials", 6}}}};
+  return file;
+}
+
+class FaultOfPsi : public testing::TestWithParam<PlantedFault> {};
+
+TEST_P(FaultOfPsi, IsReportedAtItsPlace) {
+  json file = psi_blocks();
+  file["blocks"]["tracks"].merge_patch(json::parse(GetParam().patch));
+  std::vector<std::string> found{};
+  for (const Diagnostic& problem :
+       read_protocol_with_problems(file.dump(1), "file.json", test::example_models()).problems) {
+    found.push_back(problem.pointer + ": " + problem.message);
+    EXPECT_GT(problem.line, 1);
+  }
+  EXPECT_THAT(found,
+              testing::Contains(testing::AllOf(
+                  testing::StartsWith(std::string("/blocks/tracks") + GetParam().pointer + ": "),
+                  HasSubstr(GetParam().message))));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Planted, FaultOfPsi,
+    testing::Values(
+        PlantedFault{R"({"procedure": {"stop": null}})", "/procedure", "has no limit"},
+        PlantedFault{R"({"procedure": {"target": 0.4}})", "/procedure/target", "above 0.5"},
+        PlantedFault{R"({"procedure": {"target": 0.95}})", "/procedure/target", "below 0.94"},
+        PlantedFault{R"({"procedure": {"stop": {"reversals": 3}}})", "/procedure/stop/reversals",
+                     "has no key"},
+        PlantedFault{R"({"procedure": {"tracks": [{"start": 50}]}})", "/procedure/tracks/0/start",
+                     "has no key"},
+        PlantedFault{R"({"procedure": {"steps": [10]}})", "/procedure/steps", "has no key"},
+        PlantedFault{R"({"procedure": {"method": "quest_plus", "marginalise": ["slope"]}})",
+                     "/procedure/marginalise", "has no key"},
+        PlantedFault{R"({"procedure": {"stop": {"interval": {"ratio": 1.5, "minimum_trials": 9,
+                         "minimum_of_each": 1}}}})",
+                     "/procedure/stop/interval/minimum_trials", "allow more trials"},
+        PlantedFault{R"({"procedure": {"stop": {"interval": {"ratio": 1.5, "minimum_trials": 2,
+                         "minimum_of_each": 4}}}})",
+                     "/procedure/stop/interval/minimum_of_each", "lower the number"},
+        PlantedFault{R"({"procedure": {"prior": {"threshold": {"lowest": 20, "highest": 10,
+                         "count": 5}}}})",
+                     "/procedure/prior/threshold", "are not a range"},
+        PlantedFault{R"({"procedure": {"prior": {"threshold": {"lowest": 10, "highest": 10,
+                         "count": 1}}}})",
+                     "/procedure/prior/threshold", "nothing to estimate"},
+        PlantedFault{R"({"procedure": {"prior": {"lapse": {"lowest": 0, "highest": 0,
+                         "count": 1}}}})",
+                     "/procedure/prior/lapse", "above 0"},
+        PlantedFault{R"({"procedure": {"prior": {"threshold": {"lowest": 1, "highest": 100,
+                         "count": 900}, "slope": {"lowest": 1, "highest": 8, "count": 40}}}})",
+                     "/procedure/prior/threshold", "combinations"},
+        PlantedFault{R"({"vary": {"levels_percent": [10, 20]}})", "/vary/levels_percent",
+                     "state the levels as a grid"},
+        PlantedFault{R"({"vary": {"levels_percent": null, "levels_decibels": {"lowest": 1,
+                         "highest": 10, "step": 1}}})",
+                     "/vary/levels_decibels", "proportional to the difference"},
+        PlantedFault{R"({"question": {"judgement": "comparison"}})", "/procedure/method",
+                     "no response is correct"}));
+
+// The level of the standard is a ratio of 1: a difference of 10 % is a ratio of 1.1, and both have the same threshold.
+TEST(Course, OfPsiIsTheSameForLevelsInPercentAndAsRatios) {
+  const Protocol in_percent = protocol_of(psi_blocks());
+  json file = psi_blocks();
+  file["blocks"]["tracks"]["vary"].erase("levels_percent");
+  file["blocks"]["tracks"]["vary"]["levels_ratio"] = {
+      {"lowest", 1.1}, {"highest", 2}, {"step", 0.1}};
+  const Protocol as_ratios = protocol_of(file);
+  const auto gains = [](const Protocol& protocol) {
+    std::vector<double> all{};
+    const Course course = answered_course(protocol, 5);
+    for (const Trial& trial : course.plan().trials) all.push_back(gain_of(trial));
+    return all;
+  };
+  const std::vector<double> expected = gains(in_percent);
+  ASSERT_EQ(expected.size(), 14U);  // 2 × 6, and 2 of the block after them
+  EXPECT_THAT(gains(as_ratios), testing::Pointwise(testing::DoubleNear(1e-9), expected));
+  EXPECT_NE(expected[0], expected[11]);
+}
 
 TEST(FaultOfAProcedure, WithoutAParameterToVary) {
   json file = staircases();

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/function_table.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {
@@ -109,6 +110,105 @@ TEST(ConstantStimuli, PresentsEveryLevelOnceInEveryRepetition) {
   EXPECT_EQ(levels, levels_along(method, std::vector<bool>(12, false)));
 }
 
+PosteriorTrack posterior_track() {
+  return {
+      .grid = kOneToTwenty,
+      .prior = {.performance = 0.75, .thresholds = {.lowest = 1.0, .highest = 20.0, .count = 14}},
+      .stop = {.trials = 40}};
+}
+
+// The trial of psi serves the threshold; QUEST+ also spends trials on the lapse rate, at the highest level, where a threshold
+// cannot be learnt: its levels are therefore others.
+TEST(Psi, BeginsAtTheLevelOfThePriorAndMovesTowardsTheThreshold) {
+  const Psi method{.track = posterior_track()};
+  const std::vector<double> levels = levels_along(method, std::vector<bool>(12, true));
+  // Every correct response makes lower thresholds more probable.
+  EXPECT_TRUE(std::is_sorted(levels.rbegin(), levels.rend()));
+  EXPECT_LT(levels.back(), levels.front());
+  const std::vector<double> after_errors = levels_along(method, {false, false, false});
+  EXPECT_EQ(after_errors.front(), levels.front());
+  EXPECT_GT(after_errors.back(), levels.front());
+  EXPECT_NE(levels_along(QuestPlus{.track = posterior_track()}, std::vector<bool>(12, true)),
+            levels);
+}
+
+// The choice of the first level by the definition, from the prior alone.
+TEST(Psi, ChoosesTheLevelWithTheLeastExpectedEntropyOfTheParametersOfInterest) {
+  for (const std::vector<NuisanceParameter>& nuisances :
+       {std::vector<NuisanceParameter>{}, std::vector{NuisanceParameter::slope},
+        std::vector{NuisanceParameter::slope, NuisanceParameter::lapse}}) {
+    const PosteriorTrack track = posterior_track();
+    const FunctionTable table(functions_of(track.prior, nuisances),
+                              functions_of_group(track.prior, nuisances), levels_of(track.grid));
+    const std::vector<double> expected = table.expected_entropies(table.uniform());
+    const double least = *std::min_element(expected.begin(), expected.end());
+    const double chosen = levels_along(Psi{.track = track, .marginalised = nuisances}, {}).front();
+    EXPECT_NEAR(expected[nearest_index(track.grid, chosen)], least, 1e-9);
+  }
+}
+
+TEST(QuestPlus, IsPsiWithoutNuisanceParameters) {
+  const std::vector<bool> responses{true, true, false, true, true, true, false, true, true, false};
+  EXPECT_EQ(levels_along(QuestPlus{.track = posterior_track()}, responses),
+            levels_along(Psi{.track = posterior_track(), .marginalised = {}}, responses));
+}
+
+// A delivered level is used as it is: an error at 19.4 is evidence for a higher threshold than one at 6.4.
+TEST(Psi, LearnsFromTheDeliveredLevel) {
+  const Psi method{.track = posterior_track()};
+  const auto next = [&](double delivered) {
+    const NextStep step =
+        next_step(method, answers_at(delivered, {false, false, false}), Random(1));
+    return std::get<NextLevel>(step).level;
+  };
+  EXPECT_GT(next(14.4), next(3.4));
+  // On the other side of the standard the difference is the same.
+  Psi shifted = method;
+  shifted.track.origin = 100.0;
+  shifted.track.grid = {.scale = LevelScale::linear, .lowest = 80.0, .highest = 99.0, .step = 1.0};
+  const auto below = next_step(shifted, answers_at(100.0 - 14.4, {false, false, false}), Random(1));
+  EXPECT_EQ(100.0 - std::get<NextLevel>(below).level, next(14.4));
+}
+
+TEST(Psi, EndsWithAPreciseThresholdAfterEnoughResponsesOfEachKind) {
+  Psi method{.track = posterior_track()};
+  method.track.stop.trials = 200;
+  method.track.stop.interval =
+      IntervalRule{.ratio = 2.0, .minimum_trials = 10, .minimum_of_each = 8};
+  const auto observer = [](double level) { return level < 6.0 ? 0.55 : 0.97; };
+  const std::vector<LevelAnswer> track = simulated_track(method, observer, Random(7));
+  EXPECT_GE(track.size(), 16U);
+  EXPECT_LT(track.size(), 200U);
+  EXPECT_EQ(next_step(method, track, Random(7)), NextStep(TrackEnd::interval));
+  const auto incorrect = static_cast<std::size_t>(std::count_if(
+      track.begin(), track.end(), [](const LevelAnswer& answer) { return !answer.is_correct; }));
+  EXPECT_GE(incorrect, 8U);
+  // The interval at the end, by its definition.
+  const auto functions = functions_of(method.track.prior, {});
+  std::vector<PsychometricBlock> blocks{};
+  for (const LevelAnswer& answer : track) {
+    blocks.push_back({.x = answer.level, .trials = 1, .hits = answer.is_correct ? 1U : 0U});
+  }
+  const auto ratio = [&] {
+    const CredibleThreshold threshold = credible_threshold(
+        method.track.prior, functions, posterior_of(functions, blocks), {.performance = 0.75});
+    return threshold.interval.high / threshold.interval.low;
+  };
+  EXPECT_LE(ratio(), 2.0);
+  const bool had_enough = incorrect > 8 || track.back().is_correct;
+  blocks.pop_back();
+  EXPECT_TRUE(ratio() > 2.0 || !had_enough || track.size() == 16U);
+  method.track.stop.interval->minimum_of_each = 0;
+  method.track.stop.interval->minimum_trials = track.size() + 5;
+  EXPECT_GE(simulated_track(method, observer, Random(7)).size(), track.size() + 5);
+}
+
+Psi precise_psi() {
+  Psi psi{.track = posterior_track()};
+  psi.track.stop.interval = IntervalRule{.ratio = 3.0, .minimum_trials = 10, .minimum_of_each = 3};
+  return psi;
+}
+
 /// One of each procedure, with all stop rules.
 std::vector<ProcedureSettings> one_of_each() {
   TransformedUpDown transformed = two_down();
@@ -118,7 +218,8 @@ std::vector<ProcedureSettings> one_of_each() {
                          .start = 12.0,
                          .target = 0.75,
                          .steps_down = {2.0, 1.0},
-                         .stop = {.trials = 40, .reversals = 12}}};
+                         .stop = {.trials = 40, .reversals = 12}},
+          precise_psi(), QuestPlus{.track = posterior_track()}};
 }
 
 TEST(Procedures, GiveTheSameLevelsForEveryPrefixOfTheAnswers) {

@@ -53,7 +53,7 @@ Analysed analysed(const std::string& name) {
   return all;
 }
 
-std::vector<std::string> places_of(const FigureAxis& axis) {
+std::vector<std::string> drawn_places(const FigureAxis& axis) {
   std::vector<std::string> names{};
   for (const Phrase& place : axis.places) names.push_back(place.english());
   return names;
@@ -74,7 +74,7 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
   const Figure& figure = figures.front();
   EXPECT_TRUE(figure.is_drawn());
   EXPECT_EQ(figure.table, "shares");
-  EXPECT_EQ(places_of(figure.y),
+  EXPECT_EQ(drawn_places(figure.y),
             (std::vector<std::string>{"repetition 1 · wave (3 of 10)", "all · wave (12 of 20)"}));
   ASSERT_EQ(figure.series.size(), 2U);
   EXPECT_FALSE(figure.series[0].hollow);  // all columns
@@ -179,8 +179,8 @@ TEST(FiguresOf, ShadeConfusionsByTheirShareOfARow) {
   const Analysed all = analysed("recognition_01");
   const Figure& figure = all.figure("confusions");
   const auto labels = all.read.input.options.texts("labels");
-  EXPECT_EQ(places_of(figure.x), labels);
-  EXPECT_EQ(places_of(figure.y), labels);
+  EXPECT_EQ(drawn_places(figure.x), labels);
+  EXPECT_EQ(drawn_places(figure.y), labels);
   ASSERT_EQ(figure.cells.size(), labels.size() * labels.size());
   std::map<std::size_t, double> sums{};
   for (const FigureCell& cell : figure.cells) {
@@ -237,7 +237,7 @@ TEST(FiguresOf, OrderAScaleFromTheTopDown) {
   const Analysed all = analysed("paired_01");
   const Figure& figure = all.figure("preference");
   const std::vector<FigurePoint>& points = figure.series.front().points;
-  const std::vector<std::string> items = places_of(figure.y);
+  const std::vector<std::string> items = drawn_places(figure.y);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_EQ(points[i].y, static_cast<double>(i));
     EXPECT_EQ(points[i].x, all.number("bt.ability.sumzero", items[i]));
@@ -412,7 +412,7 @@ TEST(FiguresOf, SetTheMeanOfPersonsBesideTheSharesOfTheirAnswers) {
   ASSERT_EQ(figures.size(), 1U) << "no figure of one mean alone";
   const Figure& figure = figures.front();
   EXPECT_EQ(figure.question, "right");
-  EXPECT_EQ(places_of(figure.y),
+  EXPECT_EQ(drawn_places(figure.y),
             (std::vector<std::string>{"wood (12 of 20)", "mean of 5 participants"}));
   ASSERT_EQ(figure.series.size(), 2U);
   EXPECT_NE(figure.series[0].style, figure.series[1].style);
@@ -443,7 +443,7 @@ TEST(FiguresOf, SetTheMeansOfPersonsBesideTheSharesOfPositions) {
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures.front().question, "position");
-  EXPECT_EQ(places_of(figures.front().y),
+  EXPECT_EQ(drawn_places(figures.front().y),
             (std::vector<std::string>{"position 1 (27 of 40)", "position 2 (13 of 40)",
                                       "position 1 · mean of 4 participants",
                                       "position 2 · mean of 4 participants"}));
@@ -654,7 +654,7 @@ TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
   const Analysed times = analysed("response_times_01");
   const Figure& figure = times.figure("response_times");
   EXPECT_EQ(figure.x.scale, AxisScale::log10);
-  EXPECT_EQ(places_of(figure.y),
+  EXPECT_EQ(drawn_places(figure.y),
             (std::vector<std::string>{"all trials (n = 5)", "1 (n = 5)", "2 (n = 5)",
                                       "wood (n = 4)", "metal (n = 5)"}));
   const FigureSeries& means = figure.series.front();
@@ -701,7 +701,8 @@ TEST(FiguresOf, PutContactTimesByConditionWithTheirQuartiles) {
   const Figure& figure = figures.front();
   EXPECT_EQ(figure.name, "contact_times");
   EXPECT_EQ(figure.table, kExploration);
-  EXPECT_EQ(places_of(figure.y), (std::vector<std::string>{"all trials (n = 3)", "wood (n = 2)"}));
+  EXPECT_EQ(drawn_places(figure.y),
+            (std::vector<std::string>{"all trials (n = 3)", "wood (n = 2)"}));
   const FigureSeries& medians = figure.series.front();
   ASSERT_EQ(medians.points.size(), 2U);
   EXPECT_EQ(medians.points[0].x, 4.0);
@@ -717,7 +718,7 @@ TEST(FiguresOf, PutContactTimesByConditionWithTheirQuartiles) {
 TEST(FiguresOf, PutALineOfEachParticipantBehindTheCourseOverTrials) {
   const Analysed times = analysed("learning_01");
   const Figure& figure = times.figure("times_over_trials");
-  EXPECT_EQ(places_of(figure.x), (std::vector<std::string>{"1–3", "4–6", "7–9", "10–12", "13"}));
+  EXPECT_EQ(drawn_places(figure.x), (std::vector<std::string>{"1–3", "4–6", "7–9", "10–12", "13"}));
   const FigureSeries& singles = singles_in(figure);
   ASSERT_EQ(singles.lines.size(), 4U);
   EXPECT_EQ(singles.lines[3].size(), 3U);  // nine trials

@@ -1,0 +1,203 @@
+#include "protocols/procedures/posterior_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analysis/function_table.h"
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kThresholdsOfGrid = 41;
+/// A level is chosen within a few milliseconds.
+constexpr double kMostTableEntries = 500'000.0;
+constexpr std::size_t kMostValues = 1000;
+
+double difference_of(const PosteriorTrack& track, double level) {
+  return std::abs(level - track.origin);
+}
+
+std::vector<double> differences_of(const PosteriorTrack& track) {
+  std::vector<double> differences = levels_of(track.grid);
+  for (double& each : differences) each = difference_of(track, each);
+  return differences;
+}
+
+void check_posterior_stop(const PosteriorStop& stop, ProcedureProblems& problems) {
+  if (stop.trials == 0) {
+    problems.report("stop.trials",
+                    "the number of trials has no limit; state a maximum number of trials");
+  } else if (stop.trials > kMostTrials) {
+    problems.report("stop.trials", "the maximum number of trials is above " +
+                                       std::to_string(kMostTrials) + "; lower it");
+  }
+  if (!stop.interval) return;
+  const IntervalRule& rule = *stop.interval;
+  if (!(std::isfinite(rule.ratio) && rule.ratio > 1.0)) {
+    problems.report("stop.interval.ratio",
+                    "the ratio " + number_text(rule.ratio) +
+                        " of the upper to the lower end of an interval must be above 1, such as "
+                        "1.5; raise it");
+  }
+  if (rule.minimum_trials > stop.trials) {
+    problems.report("stop.interval.minimum_trials",
+                    "the interval cannot end a track before trial " +
+                        std::to_string(rule.minimum_trials) + ", but the track has at most " +
+                        std::to_string(stop.trials) + "; lower the minimum, or allow more trials");
+  }
+  if (rule.minimum_of_each > stop.trials / 2) {
+    problems.report("stop.interval.minimum_of_each",
+                    "a track of " + std::to_string(stop.trials) + " trials cannot have " +
+                        std::to_string(rule.minimum_of_each) +
+                        " correct and as many incorrect responses; lower the number");
+  }
+}
+
+/// Returns whether the range can be used.
+bool check_range(const ValueRange& range, const std::string& setting, bool may_begin_at_0,
+                 ProcedureProblems& problems) {
+  if (!std::isfinite(range.lowest) || !std::isfinite(range.highest) ||
+      !(may_begin_at_0 ? range.lowest >= 0.0 : range.lowest > 0.0)) {
+    problems.report(setting, "the range begins at " + number_text(range.lowest) +
+                                 "; it must begin " +
+                                 (may_begin_at_0 ? "at 0 or above" : "above 0"));
+    return false;
+  }
+  if (range.count == 0 || range.count > kMostValues) {
+    problems.report(setting, "the range has " + std::to_string(range.count) +
+                                 " values; state 1 to " + std::to_string(kMostValues));
+    return false;
+  }
+  const bool is_ascending =
+      range.count == 1 ? range.lowest == range.highest : range.lowest < range.highest;
+  if (!is_ascending) {
+    problems.report(setting, std::to_string(range.count) + " values from " +
+                                 number_text(range.lowest) + " to " + number_text(range.highest) +
+                                 " are not a range; state a highest value above the lowest one, or "
+                                 "1 value with both equal");
+  }
+  return is_ascending;
+}
+
+void check_prior(const PosteriorTrack& track, ProcedureProblems& problems) {
+  const ThresholdPrior& prior = track.prior;
+  bool is_usable = check_range(prior.thresholds, "prior.threshold", false, problems);
+  is_usable = check_range(prior.slopes, "prior.slope", false, problems) && is_usable;
+  is_usable = check_range(prior.lapses, "prior.lapse", true, problems) && is_usable;
+  if (!is_usable) return;
+  if (prior.thresholds.count < 2) {
+    problems.report("prior.threshold",
+                    "a single threshold leaves nothing to estimate; state at least 2 values");
+  }
+  if (!(prior.lapses.highest > 0.0)) {
+    problems.report("prior.lapse",
+                    "without lapses an incorrect response to an easy level is impossible; state a "
+                    "highest lapse rate above 0, such as 0.06");
+  }
+  if (!(prior.performance > 0.5 && prior.performance < 1.0 - prior.lapses.highest)) {
+    problems.report("target", "the target " + number_text(prior.performance) +
+                                  " must be above 0.5, the proportion of guesses, and below " +
+                                  number_text(1.0 - prior.lapses.highest) +
+                                  ", 1 minus the highest lapse rate; state one, such as 0.75");
+  }
+  const double entries =
+      static_cast<double>(prior.thresholds.count) * static_cast<double>(prior.slopes.count) *
+      static_cast<double>(prior.lapses.count) * static_cast<double>(size_of(track.grid));
+  if (entries > kMostTableEntries) {
+    problems.report("prior.threshold",
+                    "thresholds, slopes, lapse rates and levels have " + number_text(entries) +
+                        " combinations, which would delay the trials; reduce their numbers to " +
+                        number_text(kMostTableEntries) + " combinations or less");
+  }
+}
+
+/// The track with its table; immutable.
+class PreparedTrack final {
+ public:
+  PreparedTrack(const PosteriorTrack& track, std::span<const NuisanceParameter> nuisances)
+      : track_(track),
+        table_(functions_of(track.prior, nuisances), functions_of_group(track.prior, nuisances),
+               differences_of(track)) {}
+
+  NextStep next(std::span<const LevelAnswer> answers) const {
+    if (answers.size() >= track_.stop.trials) return TrackEnd::trials;
+    Eigen::ArrayXd weights = table_.uniform();
+    std::size_t correct = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      respond(weights, answers[i]);
+      correct += answers[i].is_correct ? 1 : 0;
+      // After every answer: an interval that becomes wider again does not continue a finished track.
+      if (is_precise(weights, i + 1, correct)) return TrackEnd::interval;
+    }
+    const std::size_t index = place_of_least(table_.expected_entropies(weights));
+    return NextLevel{.level = level_of(track_.grid, index)};
+  }
+
+ private:
+  void respond(Eigen::ArrayXd& weights, const LevelAnswer& answer) const {
+    if (is_on(track_.grid, answer.level)) {
+      table_.respond(weights, nearest_index(track_.grid, answer.level), answer.is_correct);
+    } else {
+      table_.respond_at(weights, difference_of(track_, answer.level), answer.is_correct);
+    }
+  }
+
+  bool is_precise(const Eigen::ArrayXd& weights, std::size_t answers, std::size_t correct) const {
+    if (!track_.stop.interval) return false;
+    const IntervalRule& rule = *track_.stop.interval;
+    if (answers < rule.minimum_trials || correct < rule.minimum_of_each ||
+        answers - correct < rule.minimum_of_each) {
+      return false;
+    }
+    const CredibleThreshold threshold = credible_threshold(
+        track_.prior, table_.functions(), weights,
+        {.performance = track_.prior.performance, .confidence = kConfidenceOfIntervalRule});
+    return threshold.interval.high <= rule.ratio * threshold.interval.low;
+  }
+
+  PosteriorTrack track_{};
+  FunctionTable table_;
+};
+
+}  // namespace
+
+ValueRange thresholds_within(const LevelGrid& grid, double origin) {
+  ProcedureProblems problems{};
+  check_grid(grid, "", problems);
+  if (!problems.empty()) return {.count = kThresholdsOfGrid};
+  ValueRange range{.count = kThresholdsOfGrid};
+  for (const double level : levels_of(grid)) {
+    const double difference = std::abs(level - origin);
+    if (difference <= 0.0) continue;
+    range.lowest = range.lowest == 0.0 ? difference : std::min(range.lowest, difference);
+    range.highest = std::max(range.highest, difference);
+  }
+  return range;
+}
+
+void check_posterior_track(const PosteriorTrack& track, ProcedureProblems& problems) {
+  check_posterior_stop(track.stop, problems);
+  const std::size_t before = problems.all().size();
+  check_grid(track.grid, "grid", problems);
+  if (problems.all().size() > before) return;  // the prior refers to the grid
+  if (size_of(track.grid) < 2) {
+    problems.report("grid.step", "the grid has only one level, " + number_text(track.grid.lowest) +
+                                     ", so that there is nothing to choose; reduce its step, or "
+                                     "widen its bounds");
+    return;
+  }
+  check_prior(track, problems);
+}
+
+LevelRule posterior_rule(const PosteriorTrack& track,
+                         std::span<const NuisanceParameter> nuisances) {
+  return
+      [prepared = std::make_shared<const PreparedTrack>(track, nuisances)](
+          std::span<const LevelAnswer> answers, const Random&) { return prepared->next(answers); };
+}
+
+}  // namespace asperity
