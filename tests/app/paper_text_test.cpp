@@ -463,6 +463,34 @@ TEST(PaperText, StatesTheStepsOfAWeightedStaircase) {
                         "large. The staircase ended after 60 trials."));
 }
 
+TEST(PaperText, StatesHowPsiChoseTheLevels) {
+  const nlohmann::json psi{
+      {"method", "psi"},
+      {"marginalise", {"slope", "lapse"}},
+      {"stop",
+       {{"trials", 60},
+        {"interval", {{"ratio", 1.5}, {"minimum_trials", 30}, {"minimum_of_each", 5}}}}}};
+  nlohmann::json patch{{"blocks", {{"comparisons", {{"procedure", psi}}}}}};
+  for (const char* const key : {"target", "steps_down", "start", "tracks", "catch_trials"}) {
+    patch["blocks"]["comparisons"]["procedure"][key] = nullptr;
+  }
+  const std::string methods = methods_of_discrimination("spacing_jnd", patch);
+  EXPECT_THAT(
+      methods,
+      HasSubstr("The psi procedure (Kontsevich & Tyler, 1999), with slope and lapse rate "
+                "marginalised (Prins, 2013), chose the wavelength of the comparison from the "
+                "responses. Levels remained between 1 % and 60 %. Before the first response, a "
+                "Weibull function of the difference from the standard had equally probable values "
+                "of its threshold at 75.0 % correct responses (41 values between 1 % and 60 %, in "
+                "steps of equal ratio), its slope (8 values between 1 and 8) and its lapse rate (4 "
+                "values between 0 % and 6 %). The track ended when the upper end of the 95 % "
+                "credible interval of the threshold was at most 1.5 times the lower end, after at "
+                "least 30 trials with at least 5 correct and as many incorrect responses, or at "
+                "the latest after 60 trials."));
+  EXPECT_THAT(methods, HasSubstr("its 95 % credible interval (CrI) has equal tails."));
+  EXPECT_THAT(methods, Not(HasSubstr("running the procedure again")));
+}
+
 TEST(PaperText, StatesEveryRuleThatEndsATrack) {
   const std::string methods = methods_of_discrimination(
       "spacing_jnd",

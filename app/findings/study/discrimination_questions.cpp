@@ -442,7 +442,7 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   std::string text{};
   const FoundNumbers found(means);
   std::vector<std::string> conditions{};
-  for (const char* const quantity : {"mean.pse", "geomean.jnd"}) {
+  for (const char* const quantity : {"mean.pse", "geomean.jnd", "geomean.jnd.posterior"}) {
     for (const Finding* const mean : found.all(quantity)) {
       if (std::find(conditions.begin(), conditions.end(), mean->key) == conditions.end()) {
         conditions.push_back(mean->key);
@@ -460,6 +460,8 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
     };
     add("mean.pse", "PSE");
     add("geomean.jnd", detections.contains(condition) ? "detection threshold" : "JND");
+    add("geomean.jnd.posterior",
+        detections.contains(condition) ? "posterior detection threshold" : "posterior JND");
     add("geomean.weber", "Weber fraction");
     const bool is_same_n = std::all_of(shown.begin(), shown.end(), [&shown](const Finding* mean) {
       return mean->n == shown.front()->n;

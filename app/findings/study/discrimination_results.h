@@ -47,6 +47,8 @@ inline constexpr std::array kThresholdColumns{
     ThresholdColumn{"pse", "pse", "mean.pse", nullptr},
     ThresholdColumn{"jnd", "jnd", "mean.jnd", "geomean.jnd"},
     ThresholdColumn{"jnd.dprime1", "jnd_dprime1", "mean.jnd.dprime1", "geomean.jnd.dprime1"},
+    ThresholdColumn{"jnd.posterior", "jnd_posterior", "mean.jnd.posterior",
+                    "geomean.jnd.posterior"},
     ThresholdColumn{"weber", "weber", "mean.weber", "geomean.weber"}};
 
 /// The results of one task.
@@ -68,7 +70,7 @@ struct DiscriminationResults {
   std::vector<Function> functions{};
   DiscriminationFit fit{};
   /// By condition, analysis `mean_thresholds`, over the participants with such a number: mean.pse, mean.jnd,
-  /// mean.jnd.dprime1, mean.weber; and geomean.jnd, geomean.jnd.dprime1, geomean.weber with intervals on the logarithmic
+  /// mean.jnd.dprime1, mean.jnd.posterior, mean.weber; and geomean.… of all but the PSE with intervals on the logarithmic
   /// scale, which contain no negative numbers.
   std::vector<Finding> means{};
   std::vector<OrderOfPerson> orders{};  ///< of the participants with trials

@@ -153,6 +153,7 @@ struct ShownFunctions {
   bool has_limited_slopes = false;
   bool has_repeated_procedure = false;
   bool has_unfinished_tracks = false;
+  bool has_posterior = false;
 };
 
 ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
@@ -173,6 +174,8 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
       shown.has_unfinished_tracks =
           shown.has_unfinished_tracks ||
           thresholds.find("unfinished.tracks", function.data.key) != nullptr;
+      shown.has_posterior =
+          shown.has_posterior || thresholds.find("jnd.posterior", function.data.key) != nullptr;
     }
   }
   return shown;
@@ -226,6 +229,12 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
                "ended before the procedure stopped. The threshold "
                "is estimated from the presented trials and is included in the means and tests if "
                "it lies within the presented levels, the condition for every threshold."));
+  }
+  if (shown.has_posterior) {
+    add(phrase("Analysis",
+               "Posterior JND: mean of the posterior distribution of the difference at 75 % "
+               "correct responses on the logarithmic scale, with the prior of the procedure, and "
+               "its 95 % credible interval (CrI)."));
   }
   add(phrase("Analysis",
              "Weber fraction: JND divided by the standard. Thresholds outside the presented levels "
@@ -393,8 +402,9 @@ Table with_quantities(const NamedTable& table) {
   static const std::set<std::string> kTables{kThresholds, kMeanThresholds, kPsychometric, kTracks};
   const std::optional<std::size_t> unit = column_of(table.table, "unit");
   if (!kTables.contains(table.name) || !unit) return table.table;
-  static const std::set<std::string> kQuantities{
-      "pse", "jnd", "jnd_dprime1", "mean", "geometric_mean", "level", "difference"};
+  static const std::set<std::string> kQuantities{"pse",           "jnd",       "jnd_dprime1",
+                                                 "jnd_posterior", "mean",      "geometric_mean",
+                                                 "level",         "difference"};
   Table made = table.table;
   for (std::size_t column = 0; column < made.columns.size(); ++column) {
     std::string name = made.columns[column];

@@ -14,6 +14,7 @@
 #include "analysis/tail_probabilities.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/discrimination_posterior.h"
 #include "app/findings/study/missing_threshold.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
@@ -182,6 +183,11 @@ std::optional<ProcedureBootstrap> repeated_procedure(const DiscriminationTask& t
   return procedure_interval(task, blocks_of(task, data.hits), *data.placed, proportion_of_hits);
 }
 
+/// Whether psi or QUEST+ placed the trials.
+bool has_prior(const DiscriminationData& data) {
+  return data.placed && common_prior(*data.placed).has_value();
+}
+
 /// The difference at a proportion correct, from the findings of the fit with this proportion.
 void add_performance(const DiscriminationTask& task, const DiscriminationData& data,
                      const char* quantity, double proportion_of_hits, const FoundNumbers& found,
@@ -202,9 +208,14 @@ void add_performance(const DiscriminationTask& task, const DiscriminationData& d
   if (data.by_procedure) {
     estimate.method += ", slope between " + number_text(kSlopesOfProcedures.least) + " and " +
                        number_text(kSlopesOfProcedures.greatest);
-    const auto repeated = repeated_procedure(task, data, proportion_of_hits);
-    estimate = with_repeated_procedure(estimate, repeated, &ProcedureBootstrap::threshold);
-    if (std::string(quantity) == "jnd") list.repetitions(repeated);
+    if (has_prior(data)) {
+      // Running psi 500 times takes some ten seconds, and its posterior distribution has an interval.
+      estimate.method += "; no interval: that of the posterior distribution is reported";
+    } else {
+      const auto repeated = repeated_procedure(task, data, proportion_of_hits);
+      estimate = with_repeated_procedure(estimate, repeated, &ProcedureBootstrap::threshold);
+      if (std::string(quantity) == "jnd") list.repetitions(repeated);
+    }
   } else {
     estimate.method += "; delta interval, truncated at 0";
     if (threshold->low && threshold->high) {
@@ -212,6 +223,24 @@ void add_performance(const DiscriminationTask& task, const DiscriminationData& d
     }
   }
   list.difference(quantity, *threshold->value, estimate);
+}
+
+/// The posterior distribution of the difference at 75 % correct, where psi or QUEST+ placed the trials.
+void add_posterior(const DiscriminationTask& task, const DiscriminationData& data,
+                   ThresholdList& list) {
+  if (!task.is_performance || !data.placed) return;
+  const std::optional<ThresholdPrior> prior = common_prior(*data.placed);
+  if (!prior) return;
+  const CredibleThreshold threshold =
+      posterior_threshold(*prior, blocks_of(task, data.hits), kProportionAtThreshold);
+  if (threshold.at_ends > kMostAtEndsOfPrior) {
+    return list.none("jnd.posterior", threshold_at_end_of_prior());
+  }
+  list.number("jnd.posterior", threshold.value,
+              with_interval(list.basis("posterior mean on the logarithmic scale, with the prior "
+                                       "of the procedure; credible interval of equal tails",
+                                       task.varied.unit),
+                            threshold.interval.low, threshold.interval.high));
 }
 
 /// x at the lower and the upper quartile, and their half distance.
@@ -444,6 +473,7 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
     if (task.is_performance) {
       add_performance(task, one, "jnd", kProportionAtThreshold, found, list);
       add_performance(task, one, "jnd.dprime1", kProportionAtUnitSensitivity, found_at_unit, list);
+      add_posterior(task, one, list);
     } else {
       add_comparison(task, one, found, list);
     }

@@ -42,7 +42,7 @@ TidyInput psychometric_input(const DiscriminationTask& task,
                              std::span<const DiscriminationData> data, double proportion_of_hits);
 
 /// Where a procedure chose levels, the slope of a Weibull function is limited to `kSlopesOfProcedures`, and the intervals are
-/// those of `procedure_interval`: the delta method assumes levels that do not depend on the responses.
+/// those of `procedure_interval`, or of the posterior distribution of psi and QUEST+: the delta method assumes levels that do not depend on the responses.
 struct DiscriminationFit {
   /// Analysis `psychometric`: of the family `psyfit`, or with limited slopes and the same names.
   std::vector<Finding> functions{};
@@ -51,6 +51,8 @@ struct DiscriminationFit {
   ///   jnd          performance: the difference from the standard at 75 % correct responses; comparison: ½(x75 − x25),
   ///                without lapses
   ///   jnd.dprime1  performance: the difference from the standard at d′ = 1
+  ///   jnd.posterior  performance, if psi or QUEST+ chose the levels: the posterior mean of the difference at 75 % correct
+  ///                responses, with a credible interval; a status where the prior determines it
   ///   weber        jnd divided by the standard, without a unit; not for a standard of 0
   ///   slope        dψ/dx at the threshold; a status as well where the fitted slope is at its bound
   ///   standard     the value of the parameter in the standard

@@ -22,12 +22,24 @@ double x_of_value(const DiscriminationTask& task, double value) {
   return task.is_performance ? std::abs(value - task.standard()) : value;
 }
 
+/// With at most this number of trials; a rule that needs more does not apply.
+void shorten(PosteriorStop& stop, std::size_t trials) {
+  stop.trials = std::min(stop.trials, trials);
+  const bool is_out_of_reach = stop.interval && (stop.interval->minimum_trials > stop.trials ||
+                                                 stop.interval->minimum_of_each > stop.trials / 2);
+  if (is_out_of_reach) stop.interval.reset();
+}
+
 /// The settings with at most this number of trials.
 ProcedureSettings shortened(ProcedureSettings settings, std::size_t trials) {
   if (auto* const transformed = std::get_if<TransformedUpDown>(&settings)) {
     transformed->track.stop.trials = std::min(transformed->track.stop.trials, trials);
   } else if (auto* const weighted = std::get_if<WeightedUpDown>(&settings)) {
     weighted->stop.trials = std::min(weighted->stop.trials, trials);
+  } else if (auto* const psi = std::get_if<Psi>(&settings)) {
+    shorten(psi->track.stop, trials);
+  } else if (auto* const quest = std::get_if<QuestPlus>(&settings)) {
+    shorten(quest->track.stop, trials);
   }
   return settings;
 }
@@ -68,6 +80,51 @@ CurveFamily family_of(const DiscriminationTask& task, const std::set<double>& le
       .performance = proportion_of_hits,
       .thresholds = {.low = *levels.begin() - 0.5 * range, .high = *levels.rbegin() + 0.5 * range},
       .slopes = {.least = kQuartileOfStandardNormal / range, .greatest = kSteepestRise / gap}};
+}
+
+std::vector<LevelRule> rules_of_tracks(const PlacedTrials& placed) {
+  std::vector<LevelRule> rules{};
+  for (const PlacedTrials::Track& track : placed.tracks) {
+    rules.push_back(level_rule(track.settings));
+  }
+  return rules;
+}
+
+/// `rules`: of the tracks.
+std::vector<PsychometricBlock> run_by_rules(const DiscriminationTask& task,
+                                            const PlacedTrials& placed,
+                                            std::span<const LevelRule> rules,
+                                            const PsychometricFunction& observer,
+                                            const Random& of_run) {
+  std::map<double, PsychometricBlock> by_x{};
+  const auto add = [&by_x](double x, bool is_hit) {
+    PsychometricBlock& block = by_x[x];
+    block.x = x;
+    ++block.trials;
+    block.hits += is_hit ? 1 : 0;
+  };
+  for (std::size_t i = 0; i < placed.tracks.size(); ++i) {
+    const PlacedTrials::Track& track = placed.tracks[i];
+    const auto x_of_level = [&](double level) {
+      return x_of_value(task, track.levels.value_of(level));
+    };
+    const ChanceOfCorrect chance_of_comparison = [&](double level) {
+      const double hit = observer.value(x_of_level(level));
+      return placed.counts_standard ? 1.0 - hit : hit;
+    };
+    const Random of_track = of_run.split("track").split(static_cast<std::uint64_t>(i));
+    for (const LevelAnswer& answer : simulated_track(rules[i], chance_of_comparison, of_track)) {
+      add(x_of_level(answer.level), answer.is_correct != placed.counts_standard);
+    }
+  }
+  Random fixed = of_run.split("fixed");
+  for (const auto& [value, trials] : placed.fixed) {
+    const double x = x_of_value(task, value);
+    for (std::uint64_t i = 0; i < trials; ++i) add(x, fixed.uniform() < observer.value(x));
+  }
+  std::vector<PsychometricBlock> blocks{};
+  for (const auto& [x, block] : by_x) blocks.push_back(block);
+  return blocks;
 }
 
 }  // namespace
@@ -129,36 +186,7 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
 std::vector<PsychometricBlock> run_again(const DiscriminationTask& task, const PlacedTrials& placed,
                                          const PsychometricFunction& observer,
                                          const Random& of_run) {
-  std::map<double, PsychometricBlock> by_x{};
-  const auto add = [&by_x](double x, bool is_hit) {
-    PsychometricBlock& block = by_x[x];
-    block.x = x;
-    ++block.trials;
-    block.hits += is_hit ? 1 : 0;
-  };
-  for (std::size_t i = 0; i < placed.tracks.size(); ++i) {
-    const PlacedTrials::Track& track = placed.tracks[i];
-    const auto x_of_level = [&](double level) {
-      return x_of_value(task, track.levels.value_of(level));
-    };
-    const ChanceOfCorrect chance_of_comparison = [&](double level) {
-      const double hit = observer.value(x_of_level(level));
-      return placed.counts_standard ? 1.0 - hit : hit;
-    };
-    const Random of_track = of_run.split("track").split(static_cast<std::uint64_t>(i));
-    for (const LevelAnswer& answer :
-         simulated_track(track.settings, chance_of_comparison, of_track)) {
-      add(x_of_level(answer.level), answer.is_correct != placed.counts_standard);
-    }
-  }
-  Random fixed = of_run.split("fixed");
-  for (const auto& [value, trials] : placed.fixed) {
-    const double x = x_of_value(task, value);
-    for (std::uint64_t i = 0; i < trials; ++i) add(x, fixed.uniform() < observer.value(x));
-  }
-  std::vector<PsychometricBlock> blocks{};
-  for (const auto& [x, block] : by_x) blocks.push_back(block);
-  return blocks;
+  return run_by_rules(task, placed, rules_of_tracks(placed), observer, of_run);
 }
 
 std::optional<ProcedureBootstrap> procedure_interval(const DiscriminationTask& task,
@@ -171,10 +199,11 @@ std::optional<ProcedureBootstrap> procedure_interval(const DiscriminationTask& t
   if (levels.size() < 2 || std::count_if(blocks.begin(), blocks.end(), is_known) < 2) {
     return std::nullopt;
   }
+  const std::vector<LevelRule> rules = rules_of_tracks(placed);
   return bootstrap_procedure(
       blocks, {.family = family, .repetitions = kRepetitionsOfProcedures},
       [&](const PsychometricFunction& observer, const Random& of_run) {
-        return run_again(task, placed, observer, of_run);
+        return run_by_rules(task, placed, rules, observer, of_run);
       },
       Random(kSeedOfTests).split("procedure bootstrap"));
 }

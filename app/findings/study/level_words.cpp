@@ -209,6 +209,68 @@ std::string up_down_sentences(const Block& block) {
   return text;
 }
 
+/// ", with slope and lapse rate marginalised [Prins 2013],"; nothing where none is.
+std::string marginalised_text(const ProcedureSettings& settings) {
+  const auto* const psi = std::get_if<Psi>(&settings);
+  if (psi == nullptr || psi->marginalised.empty()) return {};
+  std::vector<std::string> names{};
+  for (const NuisanceParameter parameter : psi->marginalised) {
+    names.emplace_back(parameter == NuisanceParameter::slope ? "slope" : "lapse rate");
+  }
+  return ", with " + listed(names) + " marginalised [Prins 2013],";
+}
+
+std::string values_text(const ValueRange& range) {
+  return std::to_string(range.count) + (range.count == 1 ? " value" : " values");
+}
+
+/// "after 60 trials", "when the 95 % credible interval …, or at the latest after 60 trials"
+std::string end_of_posterior_text(const PosteriorStop& stop) {
+  const std::string trials =
+      std::to_string(stop.trials) + (stop.trials == 1 ? " trial" : " trials");
+  if (!stop.interval) return "after " + trials;
+  const IntervalRule& rule = *stop.interval;
+  return "when the upper end of the 95 % credible interval of the threshold was at most " +
+         number_text(rule.ratio) + " times the lower end, after at least " +
+         std::to_string(rule.minimum_trials) + " trials with at least " +
+         std::to_string(rule.minimum_of_each) +
+         " correct and as many incorrect responses, or at the latest after " + trials;
+}
+
+/// Of psi and QUEST+; tracks have the same settings.
+std::string posterior_sentences(const Block& block) {
+  const std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
+  const PosteriorTrack* const track = posterior_track_of(tracks.front());
+  if (track == nullptr) return {};
+  const bool is_psi = std::holds_alternative<Psi>(tracks.front());
+  const ThresholdPrior& prior = track->prior;
+  std::string text = is_psi ? "The psi procedure [Kontsevich 1999]" : "QUEST+ [Watson 2017]";
+  text += marginalised_text(tracks.front()) + " chose the " +
+          words_of_parameter(block.vary->parameter) + " of the comparison from the responses";
+  if (tracks.size() > 1) {
+    const std::string count = count_in_words(tracks.size());
+    text += (block.order == Block::Order::fixed ? ", in " + count + " tracks one after the other"
+                                                : ", in " + count + " randomly interleaved tracks");
+  }
+  const std::vector<double> levels = levels_of(track->grid);
+  text += ". Levels remained between " + level_text(block, levels.front()) + " and " +
+          level_text(block, levels.back()) +
+          ". Before the first response, a Weibull function of the difference from the standard had "
+          "equally probable values of its threshold at " +
+          fixed(100.0 * prior.performance, 1) + " % correct responses (" +
+          values_text(prior.thresholds) + " between " +
+          level_text(block, track->origin + prior.thresholds.lowest) + " and " +
+          level_text(block, track->origin + prior.thresholds.highest) +
+          ", in steps of equal ratio), its slope (" + values_text(prior.slopes) + " between " +
+          number_text(prior.slopes.lowest) + " and " + number_text(prior.slopes.highest) +
+          ") and its lapse rate (" + values_text(prior.lapses) + " between " +
+          number_text(100.0 * prior.lapses.lowest) + " % and " +
+          number_text(100.0 * prior.lapses.highest) + " %). " +
+          (tracks.size() == 1 ? "The track ended " : "Each track ended ") +
+          end_of_posterior_text(track->stop) + '.';
+  return text;
+}
+
 std::string catch_sentences(const Block& block) {
   const std::string easy = catch_level_text(block);
   if (easy.empty()) return {};
@@ -257,6 +319,7 @@ std::string procedure_sentences(const Block& block) {
     return "The levels were presented by the method of constant stimuli.";
   }
   std::string text = up_down_sentences(block);
+  if (text.empty()) text = posterior_sentences(block);
   if (text.empty()) {
     const ProcedureSettings& first = block.procedure->tracks.front();
     const auto& constant = std::get<ConstantStimuli>(first);

@@ -92,6 +92,13 @@ WhyNoThreshold slope_at_limit() {
                                    "not determine it: add trials")};
 }
 
+WhyNoThreshold threshold_at_end_of_prior() {
+  return {"at_end_of_prior",
+          phrase("MissingThreshold",
+                 "more than 5 % of the posterior probability is at an end of the range of "
+                 "thresholds of the prior: widen the range, and present levels in it")};
+}
+
 WhyNoThreshold why_not_fitted(const DiscriminationTask& task, const Finding* status) {
   if (status == nullptr || status->word == "ok") {
     return {"not_defined",

@@ -25,6 +25,8 @@ WhyNoThreshold quartiles_outside_levels();
 /// The fitted slope is at the bound of the fit, and at a limit that is set for procedures.
 WhyNoThreshold slope_at_bound();
 WhyNoThreshold slope_at_limit();
+/// Much of the posterior probability is at an end of the prior.
+WhyNoThreshold threshold_at_end_of_prior();
 /// `status`: of the family `psyfit`; null without one.
 WhyNoThreshold why_not_fitted(const DiscriminationTask& task, const Finding* status);
 

@@ -40,6 +40,9 @@ constexpr std::array kReferences{
     Reference{"Kendall 1939", "Kendall & Babington Smith, 1939",
               "Kendall, M. G., & Babington Smith, B. (1939). The problem of m rankings. The Annals "
               "of Mathematical Statistics, 10(3), 275–287."},
+    Reference{"Kontsevich 1999", "Kontsevich & Tyler, 1999",
+              "Kontsevich, L. L., & Tyler, C. W. (1999). Bayesian adaptive estimation of "
+              "psychometric slope and threshold. Vision Research, 39(16), 2729–2737."},
     Reference{"Laird 1982", "Laird & Ware, 1982",
               "Laird, N. M., & Ware, J. H. (1982). Random-effects models for longitudinal data. "
               "Biometrics, 38(4), 963–974."},
@@ -52,9 +55,16 @@ constexpr std::array kReferences{
     Reference{"Miller 1955", "Miller, 1955",
               "Miller, G. A. (1955). Note on the bias of information estimates. In H. Quastler "
               "(Ed.), Information theory in psychology (pp. 95–100). Free Press."},
+    Reference{
+        "Prins 2013", "Prins, 2013",
+        "Prins, N. (2013). The psi-marginal adaptive method: How to give nuisance parameters "
+        "the attention they deserve (no more, no less). Journal of Vision, 13(7), Article 3."},
     Reference{"Satterthwaite 1946", "Satterthwaite, 1946",
               "Satterthwaite, F. E. (1946). An approximate distribution of estimates of variance "
               "components. Biometrics Bulletin, 2(6), 110–114."},
+    Reference{"Watson 2017", "Watson, 2017",
+              "Watson, A. B. (2017). QUEST+: A general multidimensional Bayesian adaptive "
+              "psychometric method. Journal of Vision, 17(3), Article 10."},
     Reference{
         "Wilcoxon 1945", "Wilcoxon, 1945",
         "Wilcoxon, F. (1945). Individual comparisons by ranking methods. Biometrics Bulletin, "

@@ -80,6 +80,8 @@ constexpr std::array kHeadings{
     Word{"jnd 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "JND, 95 % CI")},
     Word{"jnd_dprime1", QT_TRANSLATE_NOOP("AnalysisWords", "JND at d′ = 1")},
     Word{"jnd_dprime1 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "JND at d′ = 1, 95 % CI")},
+    Word{"jnd_posterior", QT_TRANSLATE_NOOP("AnalysisWords", "JND, posterior mean")},
+    Word{"jnd_posterior 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "JND, posterior, 95 % CrI")},
     Word{"join", QT_TRANSLATE_NOOP("AnalysisWords", "join")},
     Word{"left_out", QT_TRANSLATE_NOOP("AnalysisWords", "left out")},
     Word{"level", QT_TRANSLATE_NOOP("AnalysisWords", "level")},

@@ -1960,6 +1960,10 @@
         <translation>Bei einem adaptiven Verfahren ist das 95-%-KI ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%1 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
     </message>
     <message>
+        <source>Posterior JND: mean of the posterior distribution of the difference at 75 % correct responses on the logarithmic scale, with the prior of the procedure, and its 95 % credible interval (CrI).</source>
+        <translation>A-posteriori-JND: Mittel der A-posteriori-Verteilung der Differenz bei 75 % richtigen Antworten auf der logarithmischen Skala, mit der A-priori-Verteilung des Verfahrens, und ihr 95-%-Glaubwürdigkeitsintervall.</translation>
+    </message>
+    <message>
         <source>Reasons for missing numbers: %1.</source>
         <translation>Gründe für fehlende Zahlen: %1.</translation>
     </message>
@@ -2648,6 +2652,14 @@
     <message>
         <source>JND at d′ = 1, 95 % CI</source>
         <translation>JND bei d′ = 1, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>JND, posterior mean</source>
+        <translation>JND, A-posteriori-Mittel</translation>
+    </message>
+    <message>
+        <source>JND, posterior, 95 % CrI</source>
+        <translation>JND, a posteriori, 95-%-Glaubwürdigkeitsintervall</translation>
     </message>
     <message>
         <source>PSE</source>
@@ -3376,6 +3388,10 @@
         <translation>JND bei d′ = 1</translation>
     </message>
     <message>
+        <source>JND, posterior mean</source>
+        <translation>JND, A-posteriori-Mittel</translation>
+    </message>
+    <message>
         <source>point of subjective equality (PSE)</source>
         <translation>Punkt der subjektiven Gleichheit (PSE)</translation>
     </message>
@@ -3386,6 +3402,10 @@
     <message>
         <source>above the presented levels</source>
         <translation>oberhalb der dargebotenen Stufen</translation>
+    </message>
+    <message>
+        <source>at an end of the prior</source>
+        <translation>an einem Ende der A-priori-Verteilung</translation>
     </message>
     <message>
         <source>no participant has trials in every condition, and the test compares conditions within participants</source>
@@ -4857,6 +4877,10 @@
     <message>
         <source>the slope is at a limit of the fit, because the responses do not determine it: add trials</source>
         <translation>die Steigung liegt an einer Grenze der Anpassung, weil die Antworten sie nicht bestimmen: Durchgänge ergänzen</translation>
+    </message>
+    <message>
+        <source>more than 5 % of the posterior probability is at an end of the range of thresholds of the prior: widen the range, and present levels in it</source>
+        <translation>mehr als 5 % der A-posteriori-Wahrscheinlichkeit liegen an einem Ende des Schwellenbereichs der A-priori-Verteilung: den Bereich erweitern und Stufen darin darbieten</translation>
     </message>
     <message>
         <source>no threshold is defined for these data: add trials at several levels</source>

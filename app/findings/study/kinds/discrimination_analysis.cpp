@@ -154,13 +154,25 @@ std::string interval_sentence(const Block& block) {
                : " Confidence intervals (CI) of single participants are by the delta method, for "
                  "the JND on the logarithmic scale.";
   }
+  const bool has_prior = posterior_track_of(block.procedure->tracks.front()) != nullptr;
   return (is_performance(block) ? " The slope of the function was limited to " +
                                       reading_number(kSlopesOfProcedures.least) + " to " +
                                       reading_number(kSlopesOfProcedures.greatest) + '.'
                                 : std::string()) +
-         " Confidence intervals (CI) of single participants are likelihood-ratio intervals whose "
-         "critical value was found by running the procedure again with " +
-         std::to_string(kRepetitionsOfProcedures) + " simulated observers.";
+         (has_prior ? std::string()
+                    : " Confidence intervals (CI) of single participants are likelihood-ratio "
+                      "intervals whose critical value was found by running the procedure again "
+                      "with " +
+                          std::to_string(kRepetitionsOfProcedures) + " simulated observers.");
+}
+
+/// Empty where the procedure has no prior.
+std::string posterior_sentence(const Block& block) {
+  if (!block.procedure || posterior_track_of(block.procedure->tracks.front()) == nullptr) return {};
+  return std::string(" In addition, the posterior mean of the ") +
+         (*block.vary->standard == 0.0 ? "detection threshold" : "JND") +
+         " on the logarithmic scale was computed with the prior of the procedure and the responses "
+         "of all trials; its 95 % credible interval (CrI) has equal tails.";
 }
 
 std::string mean_sentence(const Block& block) {
@@ -192,8 +204,8 @@ std::string fit_of_block(const Block& block) {
 std::string paper_fit_of_discrimination(const Protocol& protocol) {
   std::string text{};
   for (const Block* const block : discrimination_blocks(protocol)) {
-    for (const std::string& sentence :
-         {fit_of_block(*block), interval_sentence(*block), mean_sentence(*block)}) {
+    for (const std::string& sentence : {fit_of_block(*block), interval_sentence(*block),
+                                        posterior_sentence(*block), mean_sentence(*block)}) {
       if (text.find(sentence) != std::string::npos) continue;
       text += (text.empty() || sentence.starts_with(' ') ? "" : " ") + sentence;
     }
