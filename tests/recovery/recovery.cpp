@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "analysis/function_table.h"
 #include "analysis/number_text.h"
 #include "analysis/psychometric_maximum.h"
 #include "analysis/staircase.h"
@@ -111,9 +112,48 @@ std::vector<Question> questions_of(const ProcedureSettings& settings,
   }
   if (const auto target = procedure_of(settings).target(settings)) {
     questions.push_back({.estimate = RecoveryEstimate::fit_target, .performance = *target});
-    questions.push_back({.estimate = RecoveryEstimate::reversals, .performance = *target});
+    if (posterior_track_of(settings) != nullptr) {
+      questions.push_back({.estimate = RecoveryEstimate::posterior_common});
+      questions.push_back({.estimate = RecoveryEstimate::posterior_target, .performance = *target});
+    } else {
+      questions.push_back({.estimate = RecoveryEstimate::reversals, .performance = *target});
+    }
   }
   return questions;
+}
+
+/// A procedure with what all tracks share.
+struct PreparedRecovery {
+  const RecoveryProcedure* procedure = nullptr;
+  LevelRule rule{};
+  std::vector<Question> questions{};
+  /// Of psi and QUEST+: the functions of the prior. Levels have no part in it.
+  std::optional<FunctionTable> functions{};
+};
+
+PreparedRecovery prepared_recovery(const RecoveryProcedure& procedure,
+                                   const RecoveryObserver& observer) {
+  PreparedRecovery prepared{.procedure = &procedure,
+                            .rule = level_rule(procedure.settings),
+                            .questions = questions_of(procedure.settings, observer)};
+  if (const PosteriorTrack* const track = posterior_track_of(procedure.settings)) {
+    prepared.functions.emplace(functions_of(track->prior, {}), 1, levels_of(track->grid));
+  }
+  return prepared;
+}
+
+/// log10 of the posterior mean after each answer, at a performance.
+double posterior_estimate(const PreparedRecovery& prepared, std::span<const LevelAnswer> answers,
+                          double performance) {
+  const PosteriorTrack& track = *posterior_track_of(prepared.procedure->settings);
+  Eigen::ArrayXd weights = prepared.functions->uniform();
+  for (const LevelAnswer& answer : answers) {
+    prepared.functions->respond(weights, nearest_index(track.grid, answer.level),
+                                answer.is_correct);
+  }
+  return std::log10(credible_threshold(track.prior, prepared.functions->functions(), weights,
+                                       {.performance = performance})
+                        .value);
 }
 
 /// One track after one number of trials.
@@ -122,16 +162,15 @@ struct Evaluation {
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
 };
 
-std::vector<Evaluation> evaluated_track(const RecoveryProcedure& procedure,
+std::vector<Evaluation> evaluated_track(const PreparedRecovery& prepared,
                                         const RecoveryObserver& observer,
                                         const Random& of_observer) {
   const double alpha = kAlphaSpread * (2.0 * of_observer.split("alpha").uniform() - 1.0);
   const PsychometricFunction f = function_of(observer, alpha);
   const std::vector<LevelAnswer> answers = simulated_track(
-      procedure.settings, [&f](double level) { return f.value(std::log10(level)); },
+      prepared.rule, [&f](double level) { return f.value(std::log10(level)); },
       of_observer.split("track"));
-  const std::vector<Question> questions = questions_of(procedure.settings, observer);
-  const std::optional<UpDownRule> rule = rule_of(procedure.settings);
+  const std::optional<UpDownRule> rule = rule_of(prepared.procedure->settings);
   std::vector<Evaluation> evaluations{};
   for (const std::size_t trials : recovery_trials()) {
     const auto prefix = std::span(answers).first(trials);
@@ -141,10 +180,13 @@ std::vector<Evaluation> evaluated_track(const RecoveryProcedure& procedure,
     }
     const std::vector<PsychometricBlock> counts = counts_of(prefix);
     const auto within_limits = fit_of(counts, kSlopeLimits);
-    for (const Question& question : questions) {
+    for (const Question& question : prepared.questions) {
       std::optional<double> estimate{};
       if (question.estimate == RecoveryEstimate::reversals) {
         estimate = reversal_estimate(*rule, prefix);
+      } else if (question.estimate == RecoveryEstimate::posterior_common ||
+                 question.estimate == RecoveryEstimate::posterior_target) {
+        estimate = posterior_estimate(prepared, prefix, question.performance);
       } else {
         const bool is_free = question.estimate == RecoveryEstimate::free_common;
         const auto function = is_free ? fit_of(counts, std::nullopt) : within_limits;
@@ -170,6 +212,12 @@ std::vector<RecoveryObserver> recovery_observers() {
   for (const double beta : {1.3, 2.0, 3.5}) {
     for (const double lapse : {0.0, 0.02, 0.05}) all.push_back({.beta = beta, .lapse = lapse});
   }
+  return all;
+}
+
+std::vector<RecoveryObserver> bayesian_recovery_observers() {
+  std::vector<RecoveryObserver> all{};
+  for (const double beta : {1.3, 2.0, 3.5}) all.push_back({.beta = beta, .lapse = kAssumedLapse});
   return all;
 }
 
@@ -211,6 +259,22 @@ std::vector<RecoveryProcedure> recovery_procedures() {
                                   .stop = {.trials = trials}}}};
 }
 
+std::vector<RecoveryProcedure> bayesian_recovery_procedures() {
+  const PosteriorTrack posterior{
+      .grid = kGrid,
+      .prior = {.performance = 0.8,
+                .thresholds = {.lowest = kGrid.lowest, .highest = kGrid.highest, .count = 41}},
+      .stop = {.trials = recovery_trials().back()}};
+  return {{.name = "psi",
+           .meaning =
+               "psi with slope and lapse rate marginalised, threshold at 80 %: 41 thresholds from "
+               "−1 to 1, 8 slopes from 1 to 8, lapse rates 0, 2, 4 and 6 %",
+           .settings = Psi{.track = posterior}},
+          {.name = "quest_plus",
+           .meaning = "QUEST+, the same thresholds, slopes and lapse rates",
+           .settings = QuestPlus{.track = posterior}}};
+}
+
 std::string_view name_of(RecoveryEstimate estimate) noexcept {
   switch (estimate) {
     case RecoveryEstimate::fit_common:
@@ -219,6 +283,10 @@ std::string_view name_of(RecoveryEstimate estimate) noexcept {
       return "free_fit_75";
     case RecoveryEstimate::fit_target:
       return "fit_target";
+    case RecoveryEstimate::posterior_common:
+      return "posterior_75";
+    case RecoveryEstimate::posterior_target:
+      return "posterior_target";
     case RecoveryEstimate::reversals:
       return "reversals";
   }
@@ -227,12 +295,13 @@ std::string_view name_of(RecoveryEstimate estimate) noexcept {
 
 std::vector<RecoveryRow> recovery_rows(const RecoveryProcedure& procedure,
                                        const RecoveryObserver& observer, const RecoveryRun& run) {
+  const PreparedRecovery prepared = prepared_recovery(procedure, observer);
   std::vector<std::vector<Evaluation>> tracks(run.observers);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < run.observers; i = next++) {
       const Random of_observer = Random(run.seed).split(static_cast<std::uint64_t>(i));
-      tracks[i] = evaluated_track(procedure, observer, of_observer);
+      tracks[i] = evaluated_track(prepared, observer, of_observer);
     }
   };
   {
@@ -242,7 +311,7 @@ std::vector<RecoveryRow> recovery_rows(const RecoveryProcedure& procedure,
   }
 
   // Sums in the order of the observers: the same for any number of jobs.
-  const std::vector<Question> questions = questions_of(procedure.settings, observer);
+  const std::vector<Question>& questions = prepared.questions;
   const std::vector<std::size_t> trials = recovery_trials();
   std::vector<RecoveryRow> rows{};
   for (std::size_t question = 0; question < questions.size(); ++question) {

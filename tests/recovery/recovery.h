@@ -37,6 +37,9 @@ struct RecoveryProcedure {
 /// On the grid of 81 levels from 0.1 to 10 in steps of 0.025 log10 units; up-down methods begin at 10^0.6. All have tracks
 /// of the greatest number of `recovery_trials`, of which shorter ones are prefixes.
 std::vector<RecoveryProcedure> recovery_procedures();
+/// Psi and QUEST+ on the same grid, with 41 thresholds over its range and the target 80 %, near 1 − 1/e between guesses and
+/// lapses. A track of theirs takes a hundred times as long, so that their tables have fewer observers.
+std::vector<RecoveryProcedure> bayesian_recovery_procedures();
 /// The numbers of trials after which a track is evaluated, ascending.
 std::vector<std::size_t> recovery_trials();
 
@@ -45,10 +48,13 @@ std::vector<std::size_t> recovery_trials();
 /// A fit is the maximum of the likelihood over α and β with γ = ½ and λ = `kAssumedLapse` (`maximise_psychometric`), β within
 /// `kSlopeLimits` or free. A fit without a
 /// function that rises and is more likely than every constant has no threshold; a threshold beyond the grid counts as its end.
+/// A posterior mean is that of the prior of the procedure (`credible_threshold`), which does not know the lapse rate.
 enum class RecoveryEstimate {
   fit_common,   ///< β within its limits, at `kCommonPerformance`
   free_common,  ///< β free, at `kCommonPerformance`; only of observers with the assumed lapse rate
   fit_target,   ///< β within its limits, at the target of the procedure
+  posterior_common,  ///< of psi and QUEST+, at `kCommonPerformance`
+  posterior_target,  ///< of psi and QUEST+, at the target of the procedure
   reversals  ///< the geometric mean of the reversals after the first four, an estimate of the target
 };
 std::string_view name_of(RecoveryEstimate estimate) noexcept;
@@ -82,8 +88,10 @@ struct RecoveryRun {
 std::vector<RecoveryRow> recovery_rows(const RecoveryProcedure& procedure,
                                        const RecoveryObserver& observer, const RecoveryRun& run);
 
-/// The kinds of observers of the committed table.
+/// The kinds of observers of the committed tables.
 std::vector<RecoveryObserver> recovery_observers();
+std::vector<RecoveryObserver> bayesian_recovery_observers();
+inline constexpr std::size_t kBayesianObservers = 400;
 
 std::string recovery_header();
 /// Six decimals, which the same numbers have on every machine.

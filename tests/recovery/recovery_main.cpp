@@ -1,4 +1,4 @@
-// Simulates observers and prints the errors of their thresholds, or the coverage of their intervals, as TSV: see
+// Simulates observers and prints the errors of their thresholds, or the coverage of their intervals or posteriors, as TSV: see
 // scripts/recovery.
 
 #include <charconv>
@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/recovery/posterior_coverage.h"
 #include "tests/recovery/recovery.h"
 #include "tests/recovery/threshold_coverage.h"
 
@@ -30,12 +31,16 @@ int main(int count, char** arguments) try {
   RecoveryRun run{};
   std::string_view only{};
   bool of_intervals = false;
+  bool of_posteriors = false;
+  bool is_bayesian = false;
   for (int i = 1; i < count; ++i) {
     const std::string_view argument = arguments[i];
     if (argument == "--list") {
-      for (const RecoveryProcedure& procedure : recovery_procedures()) {
-        std::printf("%s\t%s\n", std::string(procedure.name).c_str(),
-                    std::string(procedure.meaning).c_str());
+      for (const auto& procedures : {recovery_procedures(), bayesian_recovery_procedures()}) {
+        for (const RecoveryProcedure& procedure : procedures) {
+          std::printf("%s\t%s\n", std::string(procedure.name).c_str(),
+                      std::string(procedure.meaning).c_str());
+        }
       }
       return 0;
     }
@@ -43,11 +48,20 @@ int main(int count, char** arguments) try {
       of_intervals = true;
       continue;
     }
+    if (argument == "--bayesian") {
+      is_bayesian = true;
+      continue;
+    }
+    if (argument == "--posteriors") {
+      of_posteriors = true;
+      continue;
+    }
     if (argument != "--observers" && argument != "--jobs" && argument != "--seed" &&
         argument != "--procedure") {
-      throw std::runtime_error(
-          "there is no option " + std::string(argument) +
-          "; there are --list, --intervals, --observers, --jobs, --seed and --procedure");
+      throw std::runtime_error("there is no option " + std::string(argument) +
+                               "; there are --list, --bayesian, --intervals, --posteriors, "
+                               "--observers, --jobs, --seed and "
+                               "--procedure");
     }
     if (++i == count) throw std::runtime_error(std::string(argument) + " needs a value");
     if (argument == "--procedure") {
@@ -69,10 +83,22 @@ int main(int count, char** arguments) try {
     }
     return 0;
   }
+  if (of_posteriors) {
+    std::printf("%s\n", posterior_coverage_header().c_str());
+    for (const PosteriorCell& cell : posterior_cells()) {
+      const PosteriorCoverage coverage = posterior_coverage(
+          cell, {.observers = run.observers, .jobs = run.jobs, .seed = run.seed});
+      std::printf("%s\n", row_text(cell, coverage).c_str());
+      std::fflush(stdout);
+    }
+    return 0;
+  }
   std::printf("%s\n", recovery_header().c_str());
-  for (const RecoveryProcedure& procedure : recovery_procedures()) {
+  for (const RecoveryProcedure& procedure :
+       is_bayesian ? bayesian_recovery_procedures() : recovery_procedures()) {
     if (!only.empty() && procedure.name != only) continue;
-    for (const RecoveryObserver& observer : recovery_observers()) {
+    for (const RecoveryObserver& observer :
+         is_bayesian ? bayesian_recovery_observers() : recovery_observers()) {
       for (const RecoveryRow& row : recovery_rows(procedure, observer, run)) {
         std::printf("%s\n", row_text(row).c_str());
       }
