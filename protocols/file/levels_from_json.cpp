@@ -182,7 +182,7 @@ void declare_dimension(Block& block, Protocol& protocol, const std::set<std::str
   if (!has_levels(dimension) || of_file.contains(dimension.factor)) return;
   Factor& factor = protocol.factors[dimension.factor];
   factor.name = dimension.factor;
-  if (!dimension.meaning.empty() && factor.meaning.empty()) {
+  if (factor.meaning.empty() && factor.unit.empty()) {
     factor.meaning = dimension.meaning;
     factor.unit = dimension.unit;
   }

@@ -216,22 +216,27 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
           ? phrase("Analysis", "Wilcoxon signed-rank test of the participants' thresholds.")
           : phrase("Analysis", "Friedman test of the participants' thresholds.");
   const std::string name = name_of_question("conditions", results);
-  if (test == nullptr || !test->p) {
-    add_question(
-        outcome, name.c_str(), question,
-        test != nullptr && has_too_few_differences(*test)
-            ? phrase("Analysis", "Not tested: %1.").with(words_of_cell("status", test->status))
-        : results.has_participant_in_all_conditions()
-            ? phrase("Analysis",
-                     "Not tested: fewer than two participants have a threshold in every "
-                     "condition.")
-            : phrase("Analysis",
-                     "Not tested: no participant has trials in every condition, and this "
-                     "test compares conditions within participants."),
-        method, kThresholds, nullptr);
+  const FoundNumbers found(results.means);
+  if (test != nullptr && has_too_few_differences(*test)) {
+    add_question(outcome, name.c_str(), question,
+                 phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
+                     .with(words_of_cell("status", test->status),
+                           mean_thresholds_text(results, "geomean.jnd", "")),
+                 method, kMeanThresholds, first_mean(results, "geomean.jnd", found));
     return;
   }
-  const FoundNumbers found(results.means);
+  if (test == nullptr || !test->p) {
+    add_question(outcome, name.c_str(), question,
+                 results.has_participant_in_all_conditions()
+                     ? phrase("Analysis",
+                              "Not tested: fewer than two participants have a threshold in every "
+                              "condition.")
+                     : phrase("Analysis",
+                              "Not tested: no participant has trials in every condition, and this "
+                              "test compares conditions within participants."),
+                 method, kThresholds, nullptr);
+    return;
+  }
   const Phrase means = mean_thresholds_text(results, "geomean.jnd", "");
   const auto with_numbers = [&](const Phrase& words) { return words.with(means, p_text(*test)); };
   const Sayings sayings{with_numbers(phrase("Analysis", "Yes: geometric mean thresholds %1 (%2).")),

@@ -1936,6 +1936,10 @@
         <translation>Geometrische Mittel der Schwellen: %1 (%2).</translation>
     </message>
     <message>
+        <source>Not tested: %1. Geometric mean thresholds: %2.</source>
+        <translation>Nicht getestet: %1. Geometrische Mittel der Schwellen: %2.</translation>
+    </message>
+    <message>
         <source>Performance: a Weibull function of the difference from the standard, fitted by maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %.</source>
         <translation>Leistungsurteil: Weibull-Funktion der Differenz zum Standardreiz, angepasst nach der Maximum-Likelihood-Methode, mit einer Ratewahrscheinlichkeit von 1/2 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %. JND: Differenz bei 75 % richtigen Antworten; JND bei d′ = 1: bei 76 %.</translation>
     </message>
