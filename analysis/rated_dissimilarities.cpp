@@ -111,27 +111,31 @@ double standard_error_of(const std::vector<double>& sample) {
 
 }  // namespace
 
+RatedPairs means_of_sums(RatedPairs sums) {
+  const Eigen::Index m = sums.values.rows();
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = i + 1; j < m; ++j) {
+      if (sums.weights(i, j) > 0.0) sums.values(i, j) /= sums.weights(i, j);
+      sums.values(j, i) = sums.values(i, j);
+      sums.weights(j, i) = sums.weights(i, j);
+    }
+  }
+  return sums;
+}
+
 WeightedDissimilarities mean_of_raters(std::span<const RatedPairs> raters) {
   if (raters.empty()) throw std::invalid_argument("raters is empty; at least one is needed");
   const Eigen::Index m = raters.front().values.rows();
-  WeightedDissimilarities mean{.values = Dissimilarities::Zero(m, m),
-                               .weights = Eigen::MatrixXd::Zero(m, m)};
+  RatedPairs sums{.values = Dissimilarities::Zero(m, m), .weights = Eigen::MatrixXd::Zero(m, m)};
   for (const RatedPairs& rater : raters) {
     if (rater.values.rows() != m)
       throw std::invalid_argument("raters: all must have judged the same items");
     for (const PlaceOfPair& at : pairs_rated_by(rater)) {
-      mean.values(at.i, at.j) += rater.values(at.i, at.j);
-      mean.weights(at.i, at.j) += 1.0;
+      sums.values(at.i, at.j) += rater.values(at.i, at.j);
+      sums.weights(at.i, at.j) += 1.0;
     }
   }
-  for (Eigen::Index i = 0; i < m; ++i) {
-    for (Eigen::Index j = i + 1; j < m; ++j) {
-      if (mean.weights(i, j) > 0.0) mean.values(i, j) /= mean.weights(i, j);
-      mean.values(j, i) = mean.values(i, j);
-      mean.weights(j, i) = mean.weights(i, j);
-    }
-  }
-  return mean;
+  return means_of_sums(std::move(sums));
 }
 
 std::vector<std::optional<double>> agreement_with_others(std::span<const RatedPairs> raters) {

@@ -19,6 +19,10 @@ namespace asperity {
 /// One rater's mean judgement of every pair, and the number of judgements: 0 where the pair was not judged.
 using RatedPairs = WeightedDissimilarities;
 
+/// Means from sums: `sums` has, for each pair i < j, the sum of its judgements and as its weight their number. A pair
+/// without a judgement keeps the weight 0; the result is symmetric.
+RatedPairs means_of_sums(RatedPairs sums);
+
 /// The mean over the raters who judged a pair; its weight is their number. Throws std::invalid_argument for no rater
 /// and for different numbers of items.
 WeightedDissimilarities mean_of_raters(std::span<const RatedPairs> raters);

@@ -45,15 +45,7 @@ std::vector<RatedPairs> JudgedPairs::by_rater() const {
     made[judgement.rater].values(i, j) += judgement.dissimilarity;
     made[judgement.rater].weights(i, j) += 1.0;
   }
-  for (RatedPairs& one : made) {
-    for (Eigen::Index i = 0; i < m; ++i) {
-      for (Eigen::Index j = i + 1; j < m; ++j) {
-        if (one.weights(i, j) > 0.0) one.values(i, j) /= one.weights(i, j);
-        one.values(j, i) = one.values(i, j);
-        one.weights(j, i) = one.weights(i, j);
-      }
-    }
-  }
+  for (RatedPairs& one : made) one = means_of_sums(std::move(one));
   return made;
 }
 
