@@ -1,0 +1,11 @@
+source("../R/case.R"); source("../R/components.R")
+set.seed(8)
+items <- c("silk", "cork", "felt", "sand", "tile", "bark"); scales <- c("rough", "hard", "sticky")
+data <- expand.grid(item = items, scale = scales, subject = paste0("p", 1:5))
+means <- cbind(c(-2, 0, -1, 2, -1.5, 2.5), c(-1, 0, -2, 1, 2.5, 1), c(0, 1, 1, -1, 0.5, -0.5))
+data$score <- round(3 + means[cbind(match(data$item, items), match(data$scale, scales))] + rnorm(nrow(data), sd = 0.7), 2)
+data$score[c(7, 30, 61)] <- NA
+write_table(data[c("subject", "item", "scale", "score")], "scores.csv")
+write_case("components", "means over five participants, three ratings missing", "scores.csv")
+components_results(read_table("scores.csv"))
+write_results()
