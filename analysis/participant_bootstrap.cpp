@@ -1,18 +1,30 @@
 #include "analysis/participant_bootstrap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "analysis/random.h"
 #include "analysis/seed_of_tests.h"
 #include "analysis/summary.h"
+#include "analysis/tail_probabilities.h"
 
 namespace asperity {
+namespace {
+
+/// The proportion of draws outside each end of the interval.
+double expanded_tail(const BootstrapPlan& plan) {
+  const auto n = static_cast<double>(plan.participants);
+  const double t = t_limit({.confidence = plan.confidence, .df = n - 1.0}).value();
+  return normal_below(-std::sqrt(n / (n - 1.0)) * t);
+}
+
+}  // namespace
 
 ParticipantBootstrap bootstrap_participants(
     const BootstrapPlan& plan,
     const std::function<std::optional<double>(std::span<const std::size_t>)>& statistic) {
-  if (plan.participants < 2) return {};
+  if (plan.participants < kFewestResampled) return {};
   ParticipantBootstrap bootstrap{.draws = plan.draws};
   const Random seeded = Random(kSeedOfTests).split("participant_bootstrap");
   std::vector<double> found{};
@@ -30,7 +42,7 @@ ParticipantBootstrap bootstrap_participants(
   }
   if (found.empty()) return bootstrap;
   std::sort(found.begin(), found.end());
-  const double outside = 0.5 * (1.0 - plan.confidence);
+  const double outside = expanded_tail(plan);
   bootstrap.interval =
       ConfidenceInterval{.low = quantile(found, outside), .high = quantile(found, 1.0 - outside)};
   return bootstrap;

@@ -12,15 +12,25 @@
 namespace asperity {
 
 /// The interval of a statistic, from resamples of participants with all their trials: trials of one participant depend on
-/// each other, and a resample of single trials would give intervals that are too short. Percentile interval with
-/// quantiles of type 7 [Davison 1997]; it is too short for few participants.
+/// each other, and a resample of single trials would give intervals that are too short [Davison 1997].
+///
+/// Quantiles (type 7) at α and 1 − α of the draws, with α = Φ(−√(n/(n − 1))·t), t the two-sided limit of Student's
+/// distribution with n − 1 degrees of freedom: the expanded percentiles of [Hesterberg 2015]. The percentiles at half the
+/// error would be too short for few participants: a draw has the variance (n − 1)/n of the unbiased one, and normal
+/// instead of t tails. For a mean of normal values the expanded interval is that of the t test but for simulation.
+///
+/// No resample exceeds the smallest and the largest participant. For a symmetric distribution that range misses the median
+/// with the probability 2^(1 − n), 6 % with five participants: intervals require kFewestResampled of them.
 ///
 /// [Davison 1997] Davison, Hinkley: Bootstrap methods and their application.
+/// [Hesterberg 2015] Hesterberg: What teachers should know about the bootstrap.
 struct ParticipantBootstrap {
-  std::optional<ConfidenceInterval> interval{};  ///< nothing for fewer than two participants
+  std::optional<ConfidenceInterval> interval{};  ///< nothing for fewer than kFewestResampled participants
   std::size_t draws = 0;
   std::size_t without = 0;  ///< draws in which the statistic does not exist; left out
 };
+
+constexpr std::size_t kFewestResampled = 6;
 
 struct BootstrapPlan {
   std::size_t participants = 0;

@@ -112,10 +112,12 @@ TEST(ParticipantBootstrap, ResamplesParticipantsWithAllTheirTrials) {
   };
   const ParticipantBootstrap found = bootstrap_participants({.participants = 10}, mean_of);
   ASSERT_TRUE(found.interval);
-  // The standard deviation of a resampled mean is √(0.0825/10) = 0.0908.
-  EXPECT_NEAR(found.interval->high - found.interval->low, 2.0 * 1.96 * 0.0908, 0.02);
+  // The interval of the t test: 0.55 ± 2.2622·√(0.0916667/10).
+  EXPECT_NEAR(found.interval->low, 0.3334, 0.015);
+  EXPECT_NEAR(found.interval->high, 0.7666, 0.015);
   EXPECT_EQ(found.without, 0U);
-  EXPECT_FALSE(bootstrap_participants({.participants = 1}, mean_of).interval);
+  EXPECT_TRUE(bootstrap_participants({.participants = 6}, mean_of).interval);
+  EXPECT_FALSE(bootstrap_participants({.participants = 5}, mean_of).interval);
 }
 
 }  // namespace

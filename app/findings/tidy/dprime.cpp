@@ -268,7 +268,7 @@ void add_mean_sensitivity(const std::string& id, std::span<const double> of_part
                   "(same–different and ABX: differencing rule)"};
   if (bootstrap.interval) {
     basis.method +=
-        "; percentile interval, bootstrap over participants, " + way_of_counting(bootstrap.draws);
+        "; expanded percentiles, bootstrap over participants, " + way_of_counting(bootstrap.draws);
     basis.interval = bootstrap.interval;
     basis.confidence = confidence;
   }

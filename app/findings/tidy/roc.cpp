@@ -207,7 +207,7 @@ class RocList final {
         {.participants = condition_.of_participants.size(), .confidence = confidence_}, area_of);
     if (bootstrap.interval) {
       area.n = condition_.of_participants.size();
-      area.method += "; percentile interval, bootstrap over participants, " +
+      area.method += "; expanded percentiles, bootstrap over participants, " +
                      way_of_counting(bootstrap.draws) + ", " + std::to_string(bootstrap.without) +
                      " without an estimate";
       area.interval = bootstrap.interval;
