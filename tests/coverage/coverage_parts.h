@@ -69,8 +69,12 @@ std::span<const CoveragePart> time_parts();
 std::span<const CoveragePart> agreement_parts();
 /// Of differences, their equivalence and their effect sizes.
 std::span<const CoveragePart> difference_parts();
-/// Of psychometric functions and mixed models.
+/// Of psychometric functions and mixed models of correct responses.
 std::span<const CoveragePart> model_parts();
+/// Of sensitivity and the ROC of ratings.
+std::span<const CoveragePart> detection_parts();
+/// Of ratings on ordered categories and continuous scales.
+std::span<const CoveragePart> rating_parts();
 
 /// All combinations: the designs are 20 × 3, 12 × 12, 6 × 20 and 2 to 5 participants × 12.
 std::vector<CoverageSetting> all_designs(std::span<const double> effects,

@@ -121,7 +121,8 @@ TEST(CoverageParts, HaveTrueValuesWhereManyParticipantsAre) {
   for (const std::string name :
        {"response_times", "learning_times", "learning_correct", "ratings", "repetitions",
         "repeated_estimates", "scores", "choice_effects", "equivalence", "differences", "effects",
-        "psychometric", "crossed_textures", "crossed_ten_textures"}) {
+        "psychometric", "crossed_textures", "crossed_ten_textures", "sensitivity",
+        "choices_of_three", "ratings_of_signal", "ordered_categories", "continuous_scale"}) {
     const CoveragePart part = part_named(name);
     for (CoverageSetting setting : part.settings) {
       if (setting.participants != 12) continue;
