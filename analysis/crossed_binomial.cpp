@@ -309,30 +309,56 @@ bool all_alike(std::span<const CrossedHits> responses, const Group& group_of) {
                      [](const HitCount& sum) { return sum.hits == 0 || sum.hits == sum.trials; });
 }
 
-// Whether the responses of a level of a condition, which is a 1 in its column of the design, or of the
-// rest, are all hits or all misses.
+bool is_indicator(const Eigen::MatrixXd& design, Eigen::Index column) {
+  return ((design.col(column).array() == 0.0) || (design.col(column).array() == 1.0)).all();
+}
+
+// Whether the responses of a level of a condition, which is a 1 in its column of the design, or those of the reference
+// level, are all hits or all misses. Covariates cannot prevent that the coefficient of such a level is infinite.
 bool is_separated_by_a_level(std::span<const CrossedHits> responses,
                              const Eigen::MatrixXd& design) {
-  for (Eigen::Index column = 0; column < design.cols(); ++column) {
+  const auto rows = static_cast<Eigen::Index>(responses.size());
+  const auto all_alike_where = [&](const auto& is_of_level) {
     HitCount sum{};
-    for (std::size_t i = 0; i < responses.size(); ++i) {
-      if (design(static_cast<Eigen::Index>(i), column) == 0.0) continue;
-      sum.hits += responses[i].count.hits;
-      sum.trials += responses[i].count.trials;
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      if (!is_of_level(row)) continue;
+      sum.hits += responses[static_cast<std::size_t>(row)].count.hits;
+      sum.trials += responses[static_cast<std::size_t>(row)].count.trials;
     }
-    if (sum.trials > 0 && (sum.hits == 0 || sum.hits == sum.trials)) return true;
+    return sum.trials > 0 && (sum.hits == 0 || sum.hits == sum.trials);
+  };
+  Eigen::VectorXd levels = Eigen::VectorXd::Zero(rows);  // in how many levels a response is
+  for (Eigen::Index column = 0; column < design.cols(); ++column) {
+    if (!is_indicator(design, column)) continue;
+    if (all_alike_where([&](Eigen::Index row) { return design(row, column) == 1.0; })) return true;
+    if (column > 0) levels += design.col(column);
   }
-  // The reference level: where all other columns are 0.
-  HitCount reference{};
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (design.cols() > 1 && design.row(row).tail(design.cols() - 1).cwiseAbs().sum() > 0.0) {
-      continue;
-    }
-    reference.hits += responses[i].count.hits;
-    reference.trials += responses[i].count.trials;
+  // The cell of the reference levels of two factors has no coefficient of its own.
+  const bool has_one_factor = levels.maxCoeff() <= 1.0;
+  return has_one_factor && all_alike_where([&](Eigen::Index row) { return levels(row) == 0.0; });
+}
+
+// The same model with covariates that have the mean 0 and the variance 1, whatever their units: bounds and differences of
+// the search are for coefficients of the order of 1. With x'_j = (x_j − m_j)/s_j, β = `back`·β': β_j = β'_j/s_j, and
+// β_0 = β'_0 − Σ m_j·β'_j/s_j.
+struct StandardisedModel {
+  CrossedModel model{};
+  Eigen::MatrixXd back{};
+};
+StandardisedModel standardised(const CrossedModel& model) {
+  StandardisedModel made{
+      .model = model, .back = Eigen::MatrixXd::Identity(model.design.cols(), model.design.cols())};
+  const auto rows = static_cast<double>(model.design.rows());
+  for (Eigen::Index column = 1; column < model.design.cols(); ++column) {
+    if (is_indicator(model.design, column)) continue;
+    const double mean = model.design.col(column).mean();
+    const double deviation =
+        std::sqrt((model.design.col(column).array() - mean).square().sum() / rows);
+    made.model.design.col(column) = (model.design.col(column).array() - mean) / deviation;
+    made.back(column, column) = 1.0 / deviation;
+    made.back(0, column) = -mean / deviation;
   }
-  return reference.trials > 0 && (reference.hits == 0 || reference.hits == reference.trials);
+  return made;
 }
 
 bool is_separated(std::span<const CrossedHits> responses, const CrossedModel& model,
@@ -358,7 +384,9 @@ CrossedProblem boundary(bool participants, bool items) {
 
 }  // namespace
 
-CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedModel& model) {
+CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedModel& given) {
+  (void)CrossedLikelihood(responses, given);  // refuses what is not a model
+  const auto [model, back] = standardised(given);
   const CrossedLikelihood likelihood(responses, model);
   if (is_separated(responses, model, likelihood)) return {};
   const OuterProblem problem(likelihood, model);
@@ -393,12 +421,13 @@ CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedM
   }
   const Eigen::MatrixXd covariance =
       information.solve(Eigen::MatrixXd::Identity(problem.size(), problem.size()));
-  return {
-      .fit = CrossedFit{.beta = at.head(problem.effects()),
-                        .standard_error = covariance.diagonal().head(problem.effects()).cwiseSqrt(),
-                        .sigma_participants = problem.sigma_p(at),
-                        .sigma_items = problem.sigma_i(at),
-                        .log_likelihood = problem.value(at)}};
+  const Eigen::MatrixXd of_effects =
+      back * covariance.topLeftCorner(problem.effects(), problem.effects()) * back.transpose();
+  return {.fit = CrossedFit{.beta = back * at.head(problem.effects()),
+                            .standard_error = of_effects.diagonal().cwiseSqrt(),
+                            .sigma_participants = problem.sigma_p(at),
+                            .sigma_items = problem.sigma_i(at),
+                            .log_likelihood = problem.value(at)}};
 }
 
 double crossed_log_likelihood(std::span<const CrossedHits> responses, const CrossedModel& model,

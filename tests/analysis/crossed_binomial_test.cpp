@@ -172,6 +172,40 @@ TEST(CrossedFit, DoesNotExistWhereTheLikelihoodHasNoMaximum) {
   }
 }
 
+// The same covariate in another unit and from another zero: coefficients follow, likelihood and variances do not change.
+TEST(CrossedFit, DoesNotDependOnTheUnitOfACovariate) {
+  SmallCrossing data = small_crossing(BinomialLink::logit);
+  data.model.design.conservativeResize(Eigen::NoChange, 3);
+  for (Eigen::Index row = 0; row < data.model.design.rows(); ++row) {
+    data.model.design(row, 2) = std::sin(static_cast<double>(row));
+  }
+  const CrossedAnswer first = crossed_fit(data.responses, data.model);
+  ASSERT_TRUE(first.fit);
+  constexpr double kUnit = 0.001;
+  constexpr double kZero = 20.0;
+  data.model.design.col(2) = kUnit * data.model.design.col(2).array() + kZero * kUnit;
+  const CrossedAnswer second = crossed_fit(data.responses, data.model);
+  ASSERT_TRUE(second.fit);
+  EXPECT_NEAR(second.fit->beta(2) * kUnit, first.fit->beta(2), 1e-7);
+  EXPECT_NEAR(second.fit->standard_error(2) * kUnit, first.fit->standard_error(2), 1e-6);
+  EXPECT_NEAR(second.fit->beta(0) + kZero * kUnit * second.fit->beta(2), first.fit->beta(0), 1e-6);
+  EXPECT_NEAR(second.fit->sigma_items, first.fit->sigma_items, 1e-7);
+  EXPECT_NEAR(second.fit->log_likelihood, first.fit->log_likelihood, 1e-9);
+}
+
+// One response at a covariate of exactly 0 is not a reference level.
+TEST(CrossedFit, ExistsWhereTheOnlyResponseAtZeroIsAHit) {
+  SmallCrossing data = small_crossing(BinomialLink::logit);
+  data.model.design.col(1).setOnes();
+  for (Eigen::Index row = 0; row < data.model.design.rows(); ++row) {
+    data.model.design(row, 1) =
+        static_cast<double>(row % 7) - 3.0 + 0.01 * static_cast<double>(row);
+  }
+  data.responses.at(10).count = {.hits = 3, .trials = 3};
+  data.model.design(10, 1) = 0.0;
+  EXPECT_TRUE(crossed_fit(data.responses, data.model).fit);
+}
+
 TEST(CrossedFit, NamesTheVarianceThatIsEstimatedAsNone) {
   const std::vector<CrossedHits> alike =
       responses_of({{9, 9, 9}, {3, 3, 3}, {7, 7, 7}, {5, 5, 5}}, 10);

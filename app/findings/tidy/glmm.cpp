@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/crossed_binomial.h"
+#include "analysis/linear_mixed.h"
 #include "analysis/number_text.h"
 #include "analysis/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
@@ -17,19 +18,20 @@
 namespace asperity {
 namespace {
 
-/// A factor with treatment contrasts: its columns of the design, one per level except the first.
-struct FixedFactor {
+/// A fixed effect: its columns of the design and their keys. A factor has treatment contrasts, a column for each level but
+/// the first; a covariate has one column.
+struct FixedEffect {
   std::string name{};
-  std::vector<std::string> levels{};
+  std::vector<std::string> keys{};
   Eigen::Index first_column = 1;
 
-  Eigen::Index columns() const { return static_cast<Eigen::Index>(levels.size()) - 1; }
+  Eigen::Index columns() const { return static_cast<Eigen::Index>(keys.size()); }
 };
 
 struct CrossedTable {
   std::vector<CrossedHits> responses{};
   CrossedModel model{};
-  std::vector<FixedFactor> factors{};
+  std::vector<FixedEffect> effects{};
   std::size_t participants = 0;
   std::size_t items = 0;
 };
@@ -59,50 +61,103 @@ void read_random(const FamilyOptions& options, CrossedModel& model) {
   }
 }
 
+/// Counts of a row. Throws for counts that are not of trials.
+HitCount responses_of(const TidyTable& table, std::size_t row, std::uint64_t hits,
+                      std::uint64_t trials) {
+  if (trials == 0 || hits > trials) {
+    table.refuse(row, "correct",
+                 "correct is " + std::to_string(hits) + " and trials is " + std::to_string(trials) +
+                     "; trials must be at least 1, and correct at most trials: correct the counts, "
+                     "or leave out rows without trials");
+  }
+  return {.hits = hits, .trials = trials};
+}
+
+/// Collects the columns of the design.
+class Design final {
+ public:
+  explicit Design(const TidyTable& table)
+      : table_(table), columns_{Eigen::VectorXd::Ones(static_cast<Eigen::Index>(table.rows()))} {}
+
+  void add_factor(const std::string& name, const std::vector<std::string>& levels) {
+    if (levels.size() < 2) {
+      throw std::runtime_error("the option \"fixed\" names one level of " + name +
+                               "; name at least two levels of each factor");
+    }
+    const LabelColumn codes = table_.labels(name, levels);
+    std::vector<std::string> keys{};
+    for (std::size_t level = 1; level < levels.size(); ++level) {
+      keys.push_back(both(name, levels[level]));
+    }
+    begin(name, std::move(keys));
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      const std::size_t level = codes.codes[row];
+      if (level == LabelColumn::kMissing) {
+        table_.refuse(row, name, "the level of " + name + " is missing; enter it");
+      }
+      if (level > 0) value(row, level - 1) = 1.0;
+    }
+  }
+
+  void add_covariate(const std::string& name) {
+    const std::vector<std::optional<double>> numbers = table_.numbers(name);
+    begin(name, {name});
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      if (!numbers[row])
+        table_.refuse(row, name, name + " is missing; enter it, or remove the row");
+      value(row, 0) = *numbers[row];
+    }
+  }
+
+  const std::vector<FixedEffect>& effects() const { return effects_; }
+
+  Eigen::MatrixXd matrix() const {
+    Eigen::MatrixXd made(columns_.front().size(), static_cast<Eigen::Index>(columns_.size()));
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      made.col(static_cast<Eigen::Index>(i)) = columns_[i];
+    }
+    return made;
+  }
+
+ private:
+  void begin(const std::string& name, std::vector<std::string> keys) {
+    effects_.push_back({.name = name,
+                        .keys = std::move(keys),
+                        .first_column = static_cast<Eigen::Index>(columns_.size())});
+    columns_.resize(columns_.size() + effects_.back().keys.size(),
+                    Eigen::VectorXd::Zero(columns_.front().size()));
+  }
+  double& value(std::size_t row, std::size_t column_of_effect) {
+    const auto first = static_cast<std::size_t>(effects_.back().first_column);
+    return columns_[first + column_of_effect](static_cast<Eigen::Index>(row));
+  }
+
+  const TidyTable& table_;
+  std::vector<Eigen::VectorXd> columns_{};
+  std::vector<FixedEffect> effects_{};
+};
+
 CrossedTable crossed_table(const TidyInput& input) {
   const TidyTable& table = input.table();
   CrossedTable read{.model = {.link = link_of(input.options)}};
   read_random(input.options, read.model);
   const LabelColumn participants = table.all_labels("subject");
-  const LabelColumn items = table.all_labels("item");
+  const LabelColumn items = read.model.items_vary || table.has("item")
+                                ? table.all_labels("item")
+                                : LabelColumn{.codes = std::vector<std::size_t>(table.rows())};
   const std::vector<std::uint64_t> hits = table.counts("correct");
   const std::vector<std::uint64_t> trials = table.counts("trials");
-  Eigen::Index columns = 1;
-  std::vector<LabelColumn> codes{};
-  for (auto& [name, levels] : input.options.levels("fixed")) {
-    if (levels.size() < 2) {
-      throw std::runtime_error("the option \"fixed\" names one level of " + name +
-                               "; name at least two levels of each factor");
-    }
-    codes.push_back(table.labels(name, levels));
-    read.factors.push_back({.name = name, .levels = levels, .first_column = columns});
-    columns += read.factors.back().columns();
+  Design design(table);
+  for (const auto& [name, levels] : input.options.levels("fixed")) design.add_factor(name, levels);
+  if (input.options.has("covariates")) {
+    for (const std::string& name : input.options.texts("covariates")) design.add_covariate(name);
   }
-  read.model.design = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(table.rows()), columns);
-  read.model.design.col(0).setOnes();
+  read.model.design = design.matrix();
+  read.effects = design.effects();
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (trials[row] == 0 || hits[row] > trials[row]) {
-      table.refuse(
-          row, "correct",
-          "correct is " + std::to_string(hits[row]) + " and trials is " +
-              std::to_string(trials[row]) +
-              "; trials must be at least 1, and correct at most trials: correct the counts, or "
-              "leave out rows without trials");
-    }
-    read.responses.push_back({.count = {.hits = hits[row], .trials = trials[row]},
+    read.responses.push_back({.count = responses_of(table, row, hits[row], trials[row]),
                               .participant = participants.codes[row],
                               .item = items.codes[row]});
-    for (std::size_t factor = 0; factor < codes.size(); ++factor) {
-      const std::size_t level = codes[factor].codes[row];
-      if (level == LabelColumn::kMissing) {
-        table.refuse(row, read.factors[factor].name,
-                     "the level of " + read.factors[factor].name + " is missing; enter it");
-      }
-      if (level == 0) continue;
-      read.model.design(static_cast<Eigen::Index>(row),
-                        read.factors[factor].first_column + static_cast<Eigen::Index>(level) - 1) =
-          1.0;
-    }
   }
   read.participants = participants.names.size();
   read.items = items.names.size();
@@ -168,7 +223,14 @@ class CrossedFindings final {
 
   std::vector<Finding> findings() {
     list_.count("n.subjects", "", table_.participants, basis("participants"));
-    list_.count("n.items", "", table_.items, basis("items"));
+    if (table_.items > 0) list_.count("n.items", "", table_.items, basis("items"));
+    if (!dependent_columns(table_.model.design).empty()) {
+      list_.word("glmm.status", "", "dependent_effects",
+                 "a fixed effect does not vary, or is a combination of the others: remove one of "
+                 "them",
+                 basis(method_));
+      return list_.take();
+    }
     const CrossedAnswer answer = crossed_fit(table_.responses, table_.model);
     if (!answer.fit) {
       const ProblemWords why = crossed_problem_words(answer.problem);
@@ -186,7 +248,7 @@ class CrossedFindings final {
              "standard deviation of the items' intercepts");
     }
     number("glmm.loglik", "", answer.fit->log_likelihood, "binomial coefficients included");
-    for (const FixedFactor& factor : table_.factors) likelihood_ratio(factor, *answer.fit);
+    for (const FixedEffect& effect : table_.effects) likelihood_ratio(effect, *answer.fit);
     return list_.take();
   }
 
@@ -215,19 +277,18 @@ class CrossedFindings final {
     };
     add("intercept", 0, null_);
     average_proportion(fit);
-    for (const FixedFactor& factor : table_.factors) {
-      for (Eigen::Index level = 0; level < factor.columns(); ++level) {
-        add(both(factor.name, factor.levels[static_cast<std::size_t>(level) + 1]),
-            factor.first_column + level, 0.0);
+    for (const FixedEffect& effect : table_.effects) {
+      for (Eigen::Index column = 0; column < effect.columns(); ++column) {
+        add(effect.keys[static_cast<std::size_t>(column)], effect.first_column + column, 0.0);
       }
     }
   }
 
   /// The proportion for other participants and other items of the same kind: t instead of Wald's z,
-  /// unless there are factors: the intercept is then that of the reference levels, of which fewer
+  /// unless there are fixed effects: the intercept is then that of the reference levels, of which fewer
   /// participants may have trials.
   void average_proportion(const CrossedFit& fit) {
-    if (!table_.factors.empty()) {
+    if (!table_.effects.empty()) {
       proportion(fit, normal_limit(confidence_) * fit.standard_error(0), "Wald's");
       return;
     }
@@ -249,7 +310,7 @@ class CrossedFindings final {
   void proportion(const CrossedFit& fit, double half_width, const std::string& interval) {
     Basis shown = basis(
         "proportion correct of a participant and an item with random intercepts of 0, at the "
-        "reference levels; interval: " +
+        "reference levels and at covariates of 0; interval: " +
         interval);
     shown.interval = {.low = proportion_at(fit.beta(0) - half_width, table_.model.link),
                       .high = proportion_at(fit.beta(0) + half_width, table_.model.link)};
@@ -257,26 +318,26 @@ class CrossedFindings final {
     list_.number("glmm.proportion", "", proportion_at(fit.beta(0), table_.model.link), shown);
   }
 
-  /// The likelihood-ratio test against the model without the factor.
-  void likelihood_ratio(const FixedFactor& factor, const CrossedFit& full) {
+  /// The likelihood-ratio test against the model without the effect.
+  void likelihood_ratio(const FixedEffect& effect, const CrossedFit& full) {
     CrossedModel without = table_.model;
-    const Eigen::Index behind = without.design.cols() - factor.first_column - factor.columns();
+    const Eigen::Index behind = without.design.cols() - effect.first_column - effect.columns();
     without.design.resize(table_.model.design.rows(),
-                          table_.model.design.cols() - factor.columns());
-    without.design << table_.model.design.leftCols(factor.first_column),
+                          table_.model.design.cols() - effect.columns());
+    without.design << table_.model.design.leftCols(effect.first_column),
         table_.model.design.rightCols(behind);
     const CrossedAnswer answer = crossed_fit(table_.responses, without);
     if (!answer.fit) {
-      list_.word("glmm.lr", factor.name, crossed_problem_words(answer.problem).word,
-                 crossed_problem_words(answer.problem).status, basis("model without the factor"));
+      list_.word("glmm.lr", effect.name, crossed_problem_words(answer.problem).word,
+                 crossed_problem_words(answer.problem).status, basis("model without the effect"));
       return;
     }
     const double ratio = std::max(0.0, 2.0 * (full.log_likelihood - answer.fit->log_likelihood));
-    const auto df = static_cast<double>(factor.columns());
-    number("glmm.lr", factor.name, ratio,
-           "likelihood-ratio statistic against the model without the factor");
-    number("glmm.lr.df", factor.name, df, "degrees of freedom of χ²");
-    number("glmm.lr.p", factor.name, *upper_tail(ChiSquaredStatistic{.value = ratio, .df = df}),
+    const auto df = static_cast<double>(effect.columns());
+    number("glmm.lr", effect.name, ratio,
+           "likelihood-ratio statistic against the model without the effect");
+    number("glmm.lr.df", effect.name, df, "degrees of freedom of χ²");
+    number("glmm.lr.p", effect.name, *upper_tail(ChiSquaredStatistic{.value = ratio, .df = df}),
            "likelihood-ratio test (χ²)");
   }
 

@@ -38,12 +38,13 @@ constexpr std::array kFamilies{
                "test; groups: names of the two samples, in order; conf",
                equivalence_findings, "lower,upper,alpha,groups,conf"},
     TidyFamily{"glmm",
-               "subject,item,correct,trials and one column per factor: the responses of a "
-               "participant to an item under a condition",
+               "subject,item,correct,trials and one column per factor and covariate: the responses of "
+               "a participant to an item under a condition; without the column item where "
+               "random=subject",
                "link: logit, probit; random: subject, item or both; fixed: factors with their "
-               "levels, as {\"tip\": [\"a\", \"b\"]}; chance: proportion against which the "
-               "intercept is tested; conf",
-               glmm_findings, "link,random,fixed,chance,conf"},
+               "levels, as {\"tip\": [\"a\", \"b\"]}; covariates: columns of numbers; chance: "
+               "proportion against which the intercept is tested; conf",
+               glmm_findings, "link,random,fixed,covariates,chance,conf"},
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
                "groups: names of the two groups, in order; conf", group_findings, "groups,conf"},
     TidyFamily{"icc",

@@ -57,22 +57,39 @@ maximum_of <- function(data, factors, random, link) {
   own
 }
 
-glmm_results <- function(data, link, fixed = character(), random = c("subject", "item"), chance = 0.5) {
-  for (name in c("subject", "item", fixed)) data[[name]] <- factor(data[[name]], unique(data[[name]]))
-  fit <- maximum_of(data, fixed, random, link)
-  row("n.subjects", "", nlevels(data$subject), "count"); row("n.items", "", nlevels(data$item), "count")
+glmm_results <- function(data, link, fixed = character(), random = c("subject", "item"), chance = 0.5, covariates = character()) {
+  for (name in c("subject", random, fixed)) data[[name]] <- factor(data[[name]], unique(data[[name]]))
+  effects <- c(fixed, covariates)
+  # In units of their SD: the differences by which lme4 finds errors are too wide for coefficients that are not of the order of 1.
+  deviations <- vapply(covariates, function(name) sd(data[[name]]), 0)
+  for (name in covariates) data[[name]] <- data[[name]] / deviations[[name]]
+  fit <- maximum_of(data, effects, random, link)
+  of_covariates <- length(fit$beta) - length(covariates) + seq_along(covariates)
+  fit$beta[of_covariates] <- fit$beta[of_covariates] / deviations; fit$se[of_covariates] <- fit$se[of_covariates] / deviations
+  row("n.subjects", "", nlevels(data$subject), "count")
+  if ("item" %in% random) row("n.items", "", nlevels(data$item), "count")
   row("glmm.status", "", "ok")
-  keys <- c("intercept", unlist(lapply(fixed, function(name) paste0(name, "|", levels(data[[name]])[-1]))))
+  keys <- c("intercept", unlist(lapply(fixed, function(name) paste0(name, "|", levels(data[[name]])[-1]))), covariates)
   z <- (fit$beta - c(make.link(link)$linkfun(chance), rep(0, length(fit$beta) - 1))) / fit$se
   rows("glmm.beta", keys, fit$beta, "fit"); rows("glmm.se", keys, fit$se, "curvature")
   rows("glmm.z", keys, z, "curvature"); rows("glmm.p", keys, 2 * pnorm(-abs(z)), "curvature")
   row("glmm.proportion", "", make.link(link)$linkinv(fit$beta[1]), "fit")
   rows("glmm.sigma", random, fit$sigma, "fit"); row("glmm.loglik", "", fit$loglik, "fit")
-  for (name in fixed) {
-    ratio <- 2 * (fit$loglik - maximum_of(data, setdiff(fixed, name), random, link)$loglik); df <- nlevels(data[[name]]) - 1
+  for (name in effects) {
+    ratio <- 2 * (fit$loglik - maximum_of(data, setdiff(effects, name), random, link)$loglik)
+    df <- if (name %in% fixed) nlevels(data[[name]]) - 1 else 1
     row("glmm.lr", name, ratio, "fit"); row("glmm.lr.df", name, df, "count")
     row("glmm.lr.p", name, pchisq(ratio, df, lower.tail = FALSE), "curvature")
   }
+}
+# Choices of the first of two surfaces, one per row, that follow the differences of the forces (N) and speeds (m/s) of exploration.
+drawn_choices <- function(seed, participants, trials, effects, sigma) {
+  set.seed(seed)
+  data <- expand.grid(trial = seq_len(trials), subject = sprintf("P%02d", seq_len(participants)))
+  data$force_difference_N <- round(rnorm(nrow(data), 0, 0.3), 3); data$speed_difference_m_per_s <- round(rnorm(nrow(data), 0, 0.02), 4)
+  eta <- rnorm(participants, 0, sigma)[as.integer(data$subject)] + effects[1] * data$force_difference_N +
+    effects[2] * data$speed_difference_m_per_s
+  data.frame(data[c("subject", "force_difference_N", "speed_difference_m_per_s")], correct = rbinom(nrow(data), 1, plogis(eta)), trials = 1)
 }
 # Responses drawn from the model with the logit.
 drawn_responses <- function(seed, participants, items, trials, effects, sigma) {
