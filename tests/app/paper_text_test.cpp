@@ -422,7 +422,7 @@ TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
   EXPECT_THAT(methods,
               HasSubstr("The parameters of the force model were: amplitude 50 µm and 60 µm, "
                         "wavelength 2.5 mm. All others had their default values; the report "
-                        "of the study lists all parameters."));
+                        "of the study lists all parameters. The friction law was rounded."));
   EXPECT_THAT(methods, Not(HasSubstr("force direction")));
   std::vector<std::vector<std::string>> rows{};
   for (const ReportSection& section : report.chapters.back().sections) {
@@ -434,6 +434,22 @@ TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
   using Row = std::vector<std::string>;
   EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "wavelength", "2.5 mm"}));
   EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "force direction", "fixed"}));
+  EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "friction law", "rounded"}));
+}
+
+TEST(PaperText, StatesTheConsequenceOfAVibration) {
+  const std::string limit =
+      "if a surface vibrated above 150 Hz with an RMS force of more than 0.4 times its texture "
+      "force, which was counted as at least 20 mN.";
+  const auto methods_with = [](const char* consequence) {
+    return methods_of_discrimination("amplitude_jnd",
+                                     {{"instability", {{"buzz_max", 0.4}, {"on", consequence}}}});
+  };
+  EXPECT_THAT(
+      methods_with("repeat_now"),
+      HasSubstr(" lost. An attempt was also invalid, and was repeated at most twice, " + limit));
+  EXPECT_THAT(methods_with("flag"), HasSubstr(" lost. An attempt was flagged " + limit));
+  EXPECT_THAT(methods_of_discrimination("amplitude_jnd"), Not(HasSubstr("vibrated")));
 }
 
 TEST(PaperText, StatesHowAStaircaseChoseTheLevels) {

@@ -13,6 +13,7 @@
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
+#include "renderers/force/friction.h"
 #include "renderers/force/layers.h"
 
 namespace asperity {
@@ -130,9 +131,14 @@ void add_textures_of_bodies(const std::string& stimulus, ReportFacts& facts) {
 }
 
 void count_parameters(const PresentationRow& surface, ReportFacts& facts) {
-  for (const auto& [name, value] :
-       without_unused_layers(parameter_values_in(surface.parameters_json))) {
+  const ParameterValues rendered = parameter_values_in(surface.parameters_json);
+  for (const auto& [name, value] : without_unused_layers(rendered)) {
     facts.parameters[surface.model][name].insert(value);
+  }
+  static const ModelRegistry kModels = built_in_models();
+  const ForceModel* const model = kModels.find(surface.model);
+  if (model != nullptr && !friction_of_new_studies(model->declaration).empty()) {
+    facts.friction_laws[surface.model].insert(std::string(friction_law_of(rendered).name));
   }
 }
 

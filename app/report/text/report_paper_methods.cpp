@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
@@ -19,6 +20,8 @@
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "renderers/offline/perceived_instability.h"
+#include "renderers/offline/unexplained_vibration.h"
 
 namespace asperity {
 
@@ -292,6 +295,23 @@ std::string paper_questions(const Protocol& protocol) {
          (can_abstain ? " “Cannot tell” was also a response option." : "");
 }
 
+/// The rule for vibrations that no force model contains, where the protocol has one.
+std::string vibrating_attempts(const Protocol& protocol) {
+  if (!protocol.instability) return {};
+  const std::string excess = "if a surface vibrated above " + reading_quantity(kBuzzFrom_Hz, "Hz") +
+                             " with an RMS force of more than " +
+                             number_text(protocol.instability->buzz_max) +
+                             " times its texture force, which was counted as at least " +
+                             reading_quantity(1e3 * kLeastTexture_N, "mN");
+  switch (protocol.instability->on) {
+    case InstabilityRule::OnExcess::flag:
+      return " An attempt was flagged " + excess + '.';
+    case InstabilityRule::OnExcess::repeat_now:
+      return " An attempt was also invalid, and was repeated at most twice, " + excess + '.';
+  }
+  return {};
+}
+
 /// When the program counts an attempt as invalid, regardless of later decisions.
 std::string invalid_attempts(const Protocol& protocol) {
   const auto more_than = [](int count, const std::string& one, const std::string& several) {
@@ -305,7 +325,7 @@ std::string invalid_attempts(const Protocol& protocol) {
          " missed during contact, or if " +
          more_than(protocol.maximum_lost_records, "sample of the recording",
                    "samples of the recording") +
-         " lost.";
+         " lost." + vibrating_attempts(protocol);
 }
 
 }  // namespace

@@ -69,12 +69,37 @@ bool differs_from_default(const ModelRegistry& models, const std::string& model,
   return found == declared.end() || values != std::set<ParameterValue>{found->default_value};
 }
 
+constexpr const char* kFrictionLaw = "friction_law";
+
+/// "friction law dahl"; empty for a model without friction laws.
+std::string friction_law_text(const ReportFacts& facts, const std::string& model) {
+  const auto found = facts.friction_laws.find(model);
+  if (found == facts.friction_laws.end()) return {};
+  return words_of_parameter(kFrictionLaw) + ' ' +
+         listed({found->second.begin(), found->second.end()});
+}
+
+/// The law, where all models had the same one. Models share it, and readers compare it: it is stated whether or not it is
+/// the default, which depends on the version of the program.
+std::string common_friction(const ReportFacts& facts) {
+  std::set<std::string> laws{};
+  for (const auto& [model, own] : facts.friction_laws) laws.insert(own.begin(), own.end());
+  if (laws.size() != 1) return {};
+  return " The friction law was " + *laws.begin() + '.';
+}
+
 /// "amplitude 50 µm, wavelength 2.5 mm"
 std::string stated_values(const ReportFacts& facts, const ModelRegistry& models,
                           const std::string& model, const RenderedValues& parameters) {
   const std::set<std::string> stated = stated_parameters(facts, model);
   std::vector<std::string> parts{};
+  if (common_friction(facts).empty()) {
+    if (std::string friction = friction_law_text(facts, model); !friction.empty()) {
+      parts.push_back(std::move(friction));
+    }
+  }
   for (const auto& [name, values] : parameters) {
+    if (name == kFrictionLaw) continue;
     if (!stated.contains(name) && !differs_from_default(models, model, name, values)) continue;
     const std::string shown = values_text(name, values);
     if (!shown.empty()) parts.push_back(words_of_parameter(name) + ' ' + shown);
@@ -98,7 +123,8 @@ std::string paper_parameters(const ReportFacts& facts) {
   const std::string force_models = with_parameters == 1 ? "the force model" : "the force models";
   if (of_models.empty()) {
     return "All parameters of " + force_models +
-           " had their default values, which the report of the study lists.";
+           " had their default values, which the report of the study lists." +
+           common_friction(facts);
   }
   std::string text = "The parameters of " + force_models + " were: ";
   for (const auto& [model, parameters] : of_models) {
@@ -106,7 +132,8 @@ std::string paper_parameters(const ReportFacts& facts) {
     text += with_parameters == 1 ? parameters : model + " (" + parameters + ')';
   }
   return text +
-         ". All others had their default values; the report of the study lists all parameters.";
+         ". All others had their default values; the report of the study lists all parameters." +
+         common_friction(facts);
 }
 
 ReportSection parameters_section(const ReportFacts& facts) {
@@ -116,7 +143,12 @@ ReportSection parameters_section(const ReportFacts& facts) {
   table.title = "Parameters of the force models, as rendered";
   table.columns = {{"force model", false}, {"parameter", false}, {"value", false}};
   for (const auto& [model, parameters] : facts.parameters) {
+    if (const auto laws = facts.friction_laws.find(model); laws != facts.friction_laws.end()) {
+      table.rows.push_back({model, words_of_parameter(kFrictionLaw),
+                            listed({laws->second.begin(), laws->second.end()})});
+    }
     for (const auto& [name, values] : parameters) {
+      if (name == kFrictionLaw) continue;
       const std::string shown = values_text(name, values);
       if (!shown.empty()) table.rows.push_back({model, words_of_parameter(name), shown});
     }
