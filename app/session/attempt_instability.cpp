@@ -113,7 +113,10 @@ Phrase excessive_buzz(const Protocol& protocol, std::span<const PresentationRow>
   const double limit = protocol.instability->buzz_max;
   for (const PresentationRow& surface : surfaces) {
     if (!surface.instability || surface.instability->buzz.value_or(0.0) <= limit) continue;
-    const double rounded = std::ceil(100.0 * *surface.instability->buzz) / 100.0;
+    const double buzz = *surface.instability->buzz;
+    // As exported; an excess of less than half of the last digit must not read as none.
+    const double nearest = std::round(1000.0 * buzz) / 1000.0;
+    const double rounded = nearest > limit ? nearest : std::ceil(1000.0 * buzz) / 1000.0;
     excesses = with_semicolon(excesses, phrase_of(Reason::buzz_too_strong)
                                             .with(std::to_string(surface.position),
                                                   number_text(rounded), number_text(limit)));

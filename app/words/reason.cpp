@@ -66,9 +66,7 @@ const std::vector<ReasonWords>& all_reasons() {
        phrase("Reasons",
               "a visit to surface %1 ended before the required number of strokes or contact time")},
       {Reason::buzz_too_strong, "buzz_too_strong",
-       phrase(
-           "Reasons",
-           "unexplained vibration of surface %1: %2 times the texture force, at most %3 allowed")},
+       phrase("Reasons", "surface %1 vibrated: buzz %2, at most %3 allowed")},
       {Reason::set_aside, "trial_repeated", phrase("Reasons", "repeated by the experimenter: %1")},
       {Reason::not_ready, "device_not_ready", phrase("Reasons", "the device is not ready: %1")},
       {Reason::does_not_tick, "device_does_not_tick",

@@ -5750,8 +5750,8 @@
         <translation>es werden Übungsdurchgänge wiederholt, die nicht zählen</translation>
     </message>
     <message>
-        <source>unexplained vibration of surface %1: %2 times the texture force, at most %3 allowed</source>
-        <translation>nicht erklärte Vibration von Oberfläche %1: das %2-Fache der Texturkraft, höchstens das %3-Fache erlaubt</translation>
+        <source>surface %1 vibrated: buzz %2, at most %3 allowed</source>
+        <translation>Oberfläche %1 vibrierte: buzz %2, höchstens %3 erlaubt</translation>
     </message>
 </context>
 <context>
