@@ -99,6 +99,13 @@ void say_without_effect(const Sweep& sweep) {
 }
 
 void say_absent_numbers(const Sweep& sweep, SweepMeasure measure) {
+  if (!spacing_has_effect(sweep.order)) {
+    say("n/a: the file of --asset is the same at every spacing, so that the force of " +
+        sweep.order.stroke.model->declaration.id +
+        " does not depend on the spacing and no curve was fitted; compare the levels, or leave out "
+        "--asset for the file that the texture suggests at each spacing");
+    return;
+  }
   bool is_short = false;
   bool is_at_end = false;
   bool has_no_top = false;

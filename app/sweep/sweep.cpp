@@ -295,6 +295,10 @@ std::optional<double> log10_of(const SweepRow& row, SweepMeasure measure) {
   return {};
 }
 
+bool spacing_has_effect(const SweepOrder& order) {
+  return order.asset_sha256.empty() || order.stroke.model->declaration.needs_height_field;
+}
+
 std::vector<SweepCurve> curves_of(const Sweep& sweep, SweepMeasure measure) {
   std::vector<SweepCurve> curves{};
   for (const double value : sweep.order.values) {
@@ -309,7 +313,7 @@ std::vector<SweepCurve> curves_of(const Sweep& sweep, SweepMeasure measure) {
       x.push_back(log10_frequency(row));
       y.push_back(*log10);
     }
-    if (x.size() < 3) continue;
+    if (x.size() < 3 || !spacing_has_effect(sweep.order)) continue;
     curve.fit = curve_fit({.x = x, .log10 = y});
     const auto greatest =
         static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());

@@ -31,6 +31,10 @@ struct SweepOrder {
   std::map<std::string, std::string> asset_sha256{};  ///< of the given files of the model, by role
 };
 
+/// Whether the texture of the model is that of the spacing. It is not where a file is given to a model without a height
+/// field: the file is the same at every spacing, and a curve over spacing has no meaning.
+bool spacing_has_effect(const SweepOrder& order);
+
 /// The status of a row where the model cannot depend on the level.
 inline constexpr const char* kNoEffectByConstruction = "no_effect_by_construction";
 
@@ -69,6 +73,7 @@ struct SweepCurve {
   /// spacing.
   std::optional<double> greatest_at_m{};
 };
+/// Without fits and greatest values where `spacing_has_effect` is false.
 std::vector<SweepCurve> curves_of(const Sweep& sweep,
                                   SweepMeasure measure = SweepMeasure::max_accel);
 

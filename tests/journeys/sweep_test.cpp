@@ -135,14 +135,24 @@ TEST(Sweep, TakesTheFilesOfAModelOrThoseOfTheTexture) {
                 .status,
             0);
   const std::string recording = (place / "wave.tsv").string();
-  const Outcome recorded =
-      asperity({"texture-recording", "--relief", (place / "wave.png").string(), "--out", recording});
+  const Outcome recorded = asperity(
+      {"texture-recording", "--relief", (place / "wave.png").string(), "--out", recording});
   ASSERT_EQ(recorded.status, 0) << recorded.err;
   const auto of_file = accelerations(place / "file.tsv", {"--asset", "recording=" + recording});
   ASSERT_EQ(of_file.size(), 2U);
   EXPECT_NE(of_file[0], of_texture[0]);
   EXPECT_NE(of_file[1], of_texture[1]);
   EXPECT_THAT(text_of(place / "file.tsv.json"), HasSubstr("\"assets_sha256\""));
+
+  // What differs between spacings is the phase of the file, which has no greatest value.
+  std::vector<std::string> four =
+      sweep_into(place / "four.tsv", {"--model", "recorded", "--vary", "exploratory_speed",
+                                      "--drag", "constant_height", "--values", "0.06", "--spacings",
+                                      "0.001:0.004:4", "--asset", "recording=" + recording});
+  const Outcome fitted = asperity(four);
+  ASSERT_EQ(fitted.status, 0) << fitted.err;
+  EXPECT_THAT(fitted.err, HasSubstr("is the same at every spacing"));
+  EXPECT_THAT(fitted.err, Not(HasSubstr("widen --spacings")));
   const Outcome refused =
       asperity(sweep_into(place / "no.tsv", {"--model", "sinusoid", "--vary", "applied_force",
                                              "--asset", "recording=" + recording}));
