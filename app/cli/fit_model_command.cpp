@@ -14,6 +14,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/number_option.h"
+#include "app/cli/recording_warnings.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
 #include "renderers/recordings/texture_recording.h"
@@ -57,6 +58,7 @@ VibrationModels fitted_models(const FitModelOptions& options) {
   TextureRecording recording{};
   for (const std::string& file : options.recordings) {
     TextureRecording read = texture_recording_in(read_file(file, kTableFile), file);
+    warn_of_uneven_strokes(read, file);
     recording.strokes.insert(recording.strokes.end(), read.strokes.begin(), read.strokes.end());
   }
   const std::string name = options.recordings.size() == 1

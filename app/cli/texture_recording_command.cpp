@@ -16,6 +16,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/number_option.h"
+#include "app/cli/recording_warnings.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
 #include "app/records/recorded_attempt.h"
@@ -212,6 +213,7 @@ void add_texture_recording(CLI::App& program, Job& job) {
                 << " mm/s, median force over normal force " << fixed(friction_of(recording), 3)
                 << '\n';
       if (options->component == "motion") std::cout << parameters_of_friction(recording) << '\n';
+      warn_of_uneven_strokes(recording, options->out.string());
       if (speeds.size() < 2) {
         say("asperity: warning: " + options->out.string() +
             ": all strokes have nearly the same speed, and the force model recorded needs at least "

@@ -87,6 +87,38 @@ void require_strokes(const TextureRecording& recording, const std::string& name)
   }
 }
 
+std::vector<std::string> uneven_strokes(const TextureRecording& recording) {
+  constexpr std::size_t kParts = 10;
+  std::vector<std::string> sentences{};
+  for (std::size_t i = 0; i < recording.strokes.size(); ++i) {
+    const RecordedStroke& stroke = recording.strokes[i];
+    const std::size_t intervals = stroke.time_s.size() - 1;
+    std::vector<double> speeds_m_per_s{};
+    std::vector<double> normals_N{};
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const std::size_t from = part * intervals / kParts;
+      const std::size_t to = (part + 1) * intervals / kParts;
+      speeds_m_per_s.push_back((stroke.path_m[to] - stroke.path_m[from]) /
+                               (stroke.time_s[to] - stroke.time_s[from]));
+      double sum_N = 0.0;
+      for (std::size_t sample = from; sample < to; ++sample) sum_N += stroke.normal_N[sample];
+      normals_N.push_back(sum_N / static_cast<double>(to - from));
+    }
+    const auto compare = [&](const std::vector<double>& parts, double mean, double per_unit,
+                             const std::string& what, const std::string& unit) {
+      const auto [least, greatest] = std::minmax_element(parts.begin(), parts.end());
+      if (std::max(mean - *least, *greatest - mean) <= kMostUneven * mean) return;
+      sentences.push_back("stroke " + std::to_string(i + 1) + ": the " + what +
+                          " is not constant, but between " + fixed(per_unit * *least, 2) + " and " +
+                          fixed(per_unit * *greatest, 2) + ' ' + unit +
+                          "; shorten the stroke to the part where it is, or record it again");
+    };
+    compare(speeds_m_per_s, stroke.speed_m_per_s(), 1e3, "speed", "mm/s");
+    compare(normals_N, stroke.mean_normal_N(), 1.0, "normal force", "N");
+  }
+  return sentences;
+}
+
 TextureRecording texture_recording_in(std::string_view tsv, const std::string& name) {
   TextureRecording recording{};
   std::array<std::size_t, kColumns.size()> places{};

@@ -36,6 +36,12 @@ inline constexpr std::size_t kFewestSamplesOfStroke = 64;
 /// Errors: std::invalid_argument that begins with `name`, with the stroke (from 1) and the correction.
 void require_strokes(const TextureRecording& recording, const std::string& name);
 
+/// The strokes whose speed or normal force is not nearly constant: in one of ten equal parts its mean deviates by more than
+/// kMostUneven from that of the stroke. Their spectra mix conditions that a model keeps apart. One sentence each, with the
+/// stroke (from 1), the range and the correction. The recording fulfils require_strokes.
+inline constexpr double kMostUneven = 0.2;
+std::vector<std::string> uneven_strokes(const TextureRecording& recording);
+
 /// Reads a table with the columns `stroke time_s path_m normal_force_N force_N` in any order and tab-separated
 /// (docs/formats/texture_recording.md); `name` names it in messages. The rows of a stroke stand together.
 ///

@@ -43,6 +43,36 @@ std::string replaced_once(std::string text, const std::string& from, const std::
   return text.replace(text.find(from), from.size(), to);
 }
 
+// 200 samples of a mean speed of 0.1 m/s and a mean normal force of 1 N; both are functions of the part of the stroke, 0 to 1.
+TextureRecording stroke_of(double (*speed)(double), double (*normal)(double)) {
+  RecordedStroke stroke{};
+  double path_m = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const double part = i / 199.0;
+    stroke.time_s.push_back(i / 1000.0);
+    stroke.path_m.push_back(path_m);
+    path_m += 0.1 * speed(part) / 1000.0;
+    stroke.normal_N.push_back(normal(part));
+    stroke.force_N.push_back(std::sin(0.3 * i));
+  }
+  return {.strokes = {stroke}};
+}
+
+TEST(TextureRecording, NamesTheStrokesWhoseSpeedOrForceIsNotConstant) {
+  const auto constant = [](double) { return 1.0; };
+  const auto nearly = [](double part) { return 0.85 + 0.3 * part; };
+  const auto rising = [](double part) { return 0.2 + 1.6 * part; };
+  EXPECT_TRUE(uneven_strokes(small_recording()).empty());
+  EXPECT_TRUE(uneven_strokes(stroke_of(nearly, nearly)).empty());
+  EXPECT_THAT(uneven_strokes(stroke_of(rising, constant)),
+              testing::ElementsAre(
+                  testing::AllOf(StartsWith("stroke 1: the speed is not constant, but between 2"),
+                                 HasSubstr(" and 17"), HasSubstr(" mm/s; shorten the stroke"))));
+  EXPECT_THAT(uneven_strokes(stroke_of(constant, rising)),
+              testing::ElementsAre(
+                  HasSubstr("the normal force is not constant, but between 0.27 and 1.72 N")));
+}
+
 TEST(TextureRecording, IsReadAsItWasWritten) {
   const TextureRecording written = small_recording();
   const TextureRecording read = texture_recording_in(tsv_of(written), "felt.tsv");
