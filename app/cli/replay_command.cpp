@@ -43,6 +43,19 @@ void require_same_kind(const ModelRegistry& models, const ForceModel& asked, con
       "; --model takes " + one_of(fitting) + " here");
 }
 
+/// The files of the recorded texture that the model needs.
+void add_assets_of_texture(const Study& study, const RecordedAttempt& recorded, int surface,
+                           const ModelDeclaration& model, RendererInputs& inputs) {
+  const auto& files = recorded.trial.presentations.at(static_cast<std::size_t>(surface - 1))
+                          .stimulus.declared_assets;
+  for (const AssetDeclaration& asset : model.assets) {
+    const auto file = files.find(asset.role);
+    if (file == files.end()) continue;
+    inputs.assets[asset.role] =
+        std::make_shared<const std::string>(read_file(study.folder() / file->second));
+  }
+}
+
 }  // namespace
 
 void add_replay(CLI::App& program, Job& job) {
@@ -109,6 +122,7 @@ void add_replay(CLI::App& program, Job& job) {
              parameters_from(options->parameters, model->declaration.parameters, *options->model)) {
           inputs.parameters[name] = value;
         }
+        add_assets_of_texture(study, recorded, options->surface, model->declaration, inputs);
         for (const std::string& text : options->assets) {
           add_asset(inputs.assets, model->declaration, text);
         }

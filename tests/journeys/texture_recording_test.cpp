@@ -155,6 +155,31 @@ TEST(TextureRecording, OfAStudyIsThatOfItsHand) {
   EXPECT_THAT(none.err, HasSubstr("has no stroke of 0.25 s"));
 }
 
+TEST(TextureRecording, OfATextureIsReplayedWithoutNamingItsFile) {
+  const SmallStudy small{};
+  const TemporaryFolder place{};
+  ASSERT_EQ(asperity({"synth", "sinusoid", "--param", "spacing_m=0.002", "--width-m", "0.04",
+                      "--pixels", "512", "--out", place / "wave.png"})
+                .status,
+            0);
+  ASSERT_EQ(asperity({"texture-recording", "--relief", place / "wave.png", "--out",
+                      small.study() / "stimuli/wave.tsv"})
+                .status,
+            0);
+  nlohmann::ordered_json protocol = nlohmann::ordered_json::parse(text_of(small.selection()));
+  for (auto& [name, texture] : protocol["textures"].items()) {
+    texture["assets"] = {{"recording", "stimuli/wave.tsv"}};
+  }
+  write_text(small.selection(), protocol.dump());
+  ASSERT_EQ(asperity({"simulate", small.selection(), "--study", small.study(), "--participants",
+                      "1", "--seed", "3", "--recordings", "all"})
+                .status,
+            0);
+  const Outcome replayed = asperity({"replay", small.study(), "--attempt", "1", "--model",
+                                     "recorded", "--out", place / "forces.tsv"});
+  EXPECT_EQ(replayed.status, 0) << replayed.err;
+}
+
 TEST(TextureRecording, NeedsOneSourceWithItsOptions) {
   const TemporaryFolder place{};
   const Outcome without = asperity({"texture-recording", "--out", place / "x.tsv"});
