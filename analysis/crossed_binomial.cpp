@@ -345,7 +345,7 @@ struct StandardisedModel {
   CrossedModel model{};
   Eigen::MatrixXd back{};
 };
-StandardisedModel standardised(const CrossedModel& model) {
+StandardisedModel with_standardised_covariates(const CrossedModel& model) {
   StandardisedModel made{
       .model = model, .back = Eigen::MatrixXd::Identity(model.design.cols(), model.design.cols())};
   const auto rows = static_cast<double>(model.design.rows());
@@ -386,7 +386,7 @@ CrossedProblem boundary(bool participants, bool items) {
 
 CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedModel& given) {
   (void)CrossedLikelihood(responses, given);  // refuses what is not a model
-  const auto [model, back] = standardised(given);
+  const auto [model, back] = with_standardised_covariates(given);
   const CrossedLikelihood likelihood(responses, model);
   if (is_separated(responses, model, likelihood)) return {};
   const OuterProblem problem(likelihood, model);

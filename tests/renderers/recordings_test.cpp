@@ -44,7 +44,7 @@ std::string replaced_once(std::string text, const std::string& from, const std::
 }
 
 // 200 samples of a mean speed of 0.1 m/s and a mean normal force of 1 N; both are functions of the part of the stroke, 0 to 1.
-TextureRecording stroke_of(double (*speed)(double), double (*normal)(double)) {
+TextureRecording uneven_stroke(double (*speed)(double), double (*normal)(double)) {
   RecordedStroke stroke{};
   double path_m = 0.0;
   for (int i = 0; i < 200; ++i) {
@@ -63,12 +63,12 @@ TEST(TextureRecording, NamesTheStrokesWhoseSpeedOrForceIsNotConstant) {
   const auto nearly = [](double part) { return 0.85 + 0.3 * part; };
   const auto rising = [](double part) { return 0.2 + 1.6 * part; };
   EXPECT_TRUE(uneven_strokes(small_recording()).empty());
-  EXPECT_TRUE(uneven_strokes(stroke_of(nearly, nearly)).empty());
-  EXPECT_THAT(uneven_strokes(stroke_of(rising, constant)),
+  EXPECT_TRUE(uneven_strokes(uneven_stroke(nearly, nearly)).empty());
+  EXPECT_THAT(uneven_strokes(uneven_stroke(rising, constant)),
               testing::ElementsAre(
                   testing::AllOf(StartsWith("stroke 1: the speed is not constant, but between 2"),
                                  HasSubstr(" and 17"), HasSubstr(" mm/s; shorten the stroke"))));
-  EXPECT_THAT(uneven_strokes(stroke_of(constant, rising)),
+  EXPECT_THAT(uneven_strokes(uneven_stroke(constant, rising)),
               testing::ElementsAre(
                   HasSubstr("the normal force is not constant, but between 0.27 and 1.72 N")));
 }

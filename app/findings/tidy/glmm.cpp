@@ -62,8 +62,8 @@ void read_random(const FamilyOptions& options, CrossedModel& model) {
 }
 
 /// Counts of a row. Throws for counts that are not of trials.
-HitCount responses_of(const TidyTable& table, std::size_t row, std::uint64_t hits,
-                      std::uint64_t trials) {
+HitCount counted_responses(const TidyTable& table, std::size_t row, std::uint64_t hits,
+                           std::uint64_t trials) {
   if (trials == 0 || hits > trials) {
     table.refuse(row, "correct",
                  "correct is " + std::to_string(hits) + " and trials is " + std::to_string(trials) +
@@ -74,9 +74,9 @@ HitCount responses_of(const TidyTable& table, std::size_t row, std::uint64_t hit
 }
 
 /// Collects the columns of the design.
-class Design final {
+class EffectsDesign final {
  public:
-  explicit Design(const TidyTable& table)
+  explicit EffectsDesign(const TidyTable& table)
       : table_(table), columns_{Eigen::VectorXd::Ones(static_cast<Eigen::Index>(table.rows()))} {}
 
   void add_factor(const std::string& name, const std::vector<std::string>& levels) {
@@ -147,7 +147,7 @@ CrossedTable crossed_table(const TidyInput& input) {
                                 : LabelColumn{.codes = std::vector<std::size_t>(table.rows())};
   const std::vector<std::uint64_t> hits = table.counts("correct");
   const std::vector<std::uint64_t> trials = table.counts("trials");
-  Design design(table);
+  EffectsDesign design(table);
   for (const auto& [name, levels] : input.options.levels("fixed")) design.add_factor(name, levels);
   if (input.options.has("covariates")) {
     for (const std::string& name : input.options.texts("covariates")) design.add_covariate(name);
@@ -155,7 +155,7 @@ CrossedTable crossed_table(const TidyInput& input) {
   read.model.design = design.matrix();
   read.effects = design.effects();
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    read.responses.push_back({.count = responses_of(table, row, hits[row], trials[row]),
+    read.responses.push_back({.count = counted_responses(table, row, hits[row], trials[row]),
                               .participant = participants.codes[row],
                               .item = items.codes[row]});
   }
