@@ -1,12 +1,27 @@
 #include "app/tasks/band_warnings.h"
 
+#include <algorithm>
 #include <set>
+#include <string>
 
 #include "analysis/number_text.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
+namespace {
+
+std::string remedy_for_band(const ForceModel& model) {
+  const std::string rate_of_device = "raise \"rate_Hz\" of the device";
+  const auto& parameters = model.declaration.parameters;
+  const bool has_noise_rate =
+      std::any_of(parameters.begin(), parameters.end(),
+                  [](const Parameter& parameter) { return parameter.name == "noise_rate_Hz"; });
+  return has_noise_rate ? "lower noise_rate_Hz to the rate of the servo loop, or " + rate_of_device
+                        : rate_of_device;
+}
+
+}  // namespace
 
 std::vector<Diagnostic> warnings_about_bands(const Protocol& protocol, const std::string& file_name,
                                              StimulusBuilder& builder) {
@@ -29,9 +44,8 @@ std::vector<Diagnostic> warnings_about_bands(const Protocol& protocol, const std
           "the force of the stimulus \"" + stimulus.name +
           "\" changes with time at frequencies up to " + number_text(highest_Hz) +
           " Hz, above the Nyquist frequency of the servo loop, half of " +
-          number_text(protocol.rate_Hz) +
-          " Hz: these frequencies would be aliased; lower the rate of the noise to that of the "
-          "servo loop, or raise \"rate_Hz\" of the device";
+          number_text(protocol.rate_Hz) + " Hz: these frequencies would be aliased; " +
+          remedy_for_band(*prepared.model);
     }
   }
   return warnings;

@@ -138,7 +138,10 @@ void require_models(const VibrationModels& set, const std::string& name) {
   const auto complain = [&name](const std::string& problem) {
     throw std::invalid_argument(name + ": " + problem);
   };
-  if (set.models.empty()) complain("there is no model; fit at least one with asperity fit-model");
+  if (set.models.empty())
+    complain(
+        "there is no model; fit models to recorded strokes with asperity fit-model, or import a "
+        "texture that has models");
   if (set.models.size() > kMostVibrationModels) {
     complain("there are " + std::to_string(set.models.size()) + " models; at most " +
              std::to_string(kMostVibrationModels) + " are possible" +
