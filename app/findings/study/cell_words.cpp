@@ -94,16 +94,21 @@ const CellWords& words_of_tests() {
 }
 
 const CellWords& words_of_trial_factors() {
-  static const CellWords kWords{{"all", phrase("CellWords", "all trials")},
-                                {"block", phrase("CellWords", "block")},
-                                {"block_place", phrase("CellWords", "block position")},
-                                {"column", phrase("CellWords", "repetition")},
-                                {"condition", phrase("CellWords", "condition")},
-                                {"session_place", phrase("CellWords", "session number")},
-                                {"spacing_m", phrase("CellWords", "spacing (m)")},
-                                {"surface", phrase("CellWords", "surface")},
-                                {"texture", phrase("CellWords", "texture")},
-                                {"trial_place", phrase("CellWords", "trial, per 10")}};
+  static const CellWords kWords{
+      {"all", phrase("CellWords", "all trials")},
+      {"block", phrase("CellWords", "block")},
+      {"block_place", phrase("CellWords", "block position")},
+      {"column", phrase("CellWords", "repetition")},
+      {"comparison_first", phrase("CellWords", "comparison presented first")},
+      {"condition", phrase("CellWords", "condition")},
+      {"force_difference", phrase("CellWords", "difference of the normal forces")},
+      {"level_difference", phrase("CellWords", "difference of the levels")},
+      {"session_place", phrase("CellWords", "session number")},
+      {"spacing_m", phrase("CellWords", "spacing (m)")},
+      {"speed_difference", phrase("CellWords", "difference of the speeds")},
+      {"surface", phrase("CellWords", "surface")},
+      {"texture", phrase("CellWords", "texture")},
+      {"trial_place", phrase("CellWords", "trial, per 10")}};
   return kWords;
 }
 
@@ -165,6 +170,7 @@ const CellWords& words_of_reasons() {
               "responses are correct or incorrect, so that there is no point of "
               "subjective equality")},
       {"no_thresholds", phrase("CellWords", "too few thresholds could be estimated")},
+      {"not_converged", phrase("CellWords", "no maximum of the likelihood was found")},
       {"not_defined", phrase("CellWords", "not defined")},
       {"not_increasing", phrase("CellWords", "responses do not depend on the level as expected")},
       {"one_level", phrase("CellWords", "only one level was presented")},
@@ -173,6 +179,8 @@ const CellWords& words_of_reasons() {
       {"outside_levels", phrase("CellWords", "outside the presented levels")},
       {"quasi_separated", phrase("CellWords", "only one level has both responses")},
       {"separated", phrase("CellWords", "no level has both responses")},
+      {"separated_choices",
+       phrase("CellWords", "the effects predict every choice, so that an effect is infinite")},
       {"slope_at_bound", phrase("CellWords", "steeper than the presented levels can resolve")},
       {"slope_at_limit", phrase("CellWords", "the slope is at a limit of the fit")},
       {"no_interior_maximum", phrase("CellWords", "no significant interior maximum")},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/choice_model.h"
 #include "app/findings/study/discrimination_questions.h"
 #include "app/findings/study/discrimination_tables.h"
 #include "app/findings/study/kinds/discrimination_analysis.h"
@@ -235,6 +236,7 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
     tests.add_untested("conditions", "", "one_condition");
   }
   add_discrimination_tables(gathered, all, outcome);
+  add_choice_model(gathered, studies, outcome);
   tests.finish(outcome);
   for (const DiscriminationResults& results : all) ask_discrimination(results, tests, outcome);
 }

@@ -117,7 +117,8 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
          .block_ordinal = answer.block_ordinal,
          .track = answer.track,
          .step = answer.step,
-         .session_is_unfinished = answer.session_is_unfinished});
+         .session_is_unfinished = answer.session_is_unfinished,
+         .first_surface = answer.first_surface});
   }
   HitsByValue choices{};
   for (const DiscriminationTrial& trial : study.trials) {

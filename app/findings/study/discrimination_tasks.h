@@ -77,6 +77,7 @@ struct DiscriminationTrial {
   int track = 0;
   int step = 0;
   bool session_is_unfinished = false;
+  std::size_t first_surface = 0;  ///< the first presented one, as in GatheredAnswer
 };
 
 /// The trials of one task, in the order of the responses.

@@ -109,7 +109,10 @@ bool is_chosen_or_drawn(const GatheredAnswers& gathered, std::uint32_t block,
 void GatheredExploration::add(std::span<const SessionAnswers::Exploration> surfaces) {
   for (const SessionAnswers::Exploration& one : surfaces) {
     has_contact_time_ = has_contact_time_ || one.contact_s.has_value();
-    contact_s_.push_back(one.contact_s.value_or(std::numeric_limits<double>::quiet_NaN()));
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    contact_s_.push_back(one.contact_s.value_or(kNone));
+    force_N_.push_back(static_cast<float>(one.force_N.value_or(kNone)));
+    speed_m_per_s_.push_back(static_cast<float>(one.speed_m_per_s.value_or(kNone)));
     of_participant_.push_back(one);
   }
 }
@@ -152,6 +155,16 @@ void GatheredExploration::end_participant(const GatheredAnswers& gathered) {
 std::optional<double> GatheredExploration::contact_s(std::size_t surface) const {
   const double value = contact_s_[surface];
   return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+std::optional<double> GatheredExploration::force_N(std::size_t surface) const {
+  const float value = force_N_[surface];
+  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+}
+
+std::optional<double> GatheredExploration::speed_m_per_s(std::size_t surface) const {
+  const float value = speed_m_per_s_[surface];
+  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
 }
 
 std::span<const OwnValue> GatheredExploration::own_values(const ExploredCondition& condition,

@@ -60,8 +60,8 @@ struct ExploredCondition {
 bool is_chosen_or_drawn(const GatheredAnswers& gathered, std::uint32_t block,
                         const std::string& factor);
 
-/// A study may have millions of surfaces with nine quantities each: of all but the contact time, which a model needs by
-/// row, only the participants' own values by condition are kept. They are computed when all sessions of a participant
+/// A study may have millions of surfaces with nine quantities each: of all but the contact time and the mean force and speed,
+/// which models need by row, only the participants' own values by condition are kept. They are computed when all sessions of a participant
 /// have been added.
 class GatheredExploration final {
  public:
@@ -74,6 +74,9 @@ class GatheredExploration final {
   bool empty() const noexcept { return !has_contact_time_; }
   /// Of a surface of GatheredAnswers. 0 is stored for one that was not touched.
   std::optional<double> contact_s(std::size_t surface) const;
+  /// Means over the contact with a surface; nothing of one that was not touched.
+  std::optional<double> force_N(std::size_t surface) const;
+  std::optional<double> speed_m_per_s(std::size_t surface) const;
   /// By participant, those with a measurement; empty where none has one.
   std::span<const OwnValue> own_values(const ExploredCondition& condition, Explored quantity) const;
 
@@ -82,6 +85,8 @@ class GatheredExploration final {
 
   bool has_contact_time_ = false;
   std::vector<double> contact_s_{};  ///< NaN where there is none: half the memory of an optional
+  std::vector<float> force_N_{};     ///< the same
+  std::vector<float> speed_m_per_s_{};
   std::vector<SessionAnswers::Exploration> of_participant_{};  ///< the last ones of `contact_s_`
   std::size_t ended_answers_ = 0;
   std::map<ExploredCondition, OwnValues> own_{};

@@ -106,6 +106,8 @@ constexpr std::array kHeadings{
     Word{"name", QT_TRANSLATE_NOOP("AnalysisWords", "name")},
     Word{"normalised", QT_TRANSLATE_NOOP("AnalysisWords", "normalised")},
     Word{"normalised 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "normalised, 95 % CI")},
+    Word{"odds_ratio", QT_TRANSLATE_NOOP("AnalysisWords", "odds ratio")},
+    Word{"odds_ratio 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "odds ratio, 95 % CI")},
     Word{"of", QT_TRANSLATE_NOOP("AnalysisWords", "total")},
     Word{"other", QT_TRANSLATE_NOOP("AnalysisWords", "other")},
     Word{"other_as_felt", QT_TRANSLATE_NOOP("AnalysisWords", "reverse confusions")},

@@ -2135,6 +2135,14 @@
         <source>Each participant&apos;s own intraclass correlation (consistency) of the ratings, with the items as targets and the repetitions as raters; mean over the participants with a t-based CI. It is also low where a participant rates the items alike.</source>
         <translation>Intraklassenkorrelation (Konsistenz) der Urteile jeder Versuchsperson, mit den Items als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit t-basiertem KI. Sie ist auch dann niedrig, wenn eine Versuchsperson die Items ähnlich beurteilt.</translation>
     </message>
+    <message>
+        <source>Choices and exploration: logistic mixed model</source>
+        <translation>Wahlen und Exploration: logistisches gemischtes Modell</translation>
+    </message>
+    <message>
+        <source>Logistic mixed model of the choices of the comparison, with random intercepts of participants. Differences are those of the comparison from the standard: of the level, and of the mean normal force and the mean speed during contact. Odds ratios per SD over the trials, and of the position; Wald tests and 95 % CIs. The tests are exploratory and uncorrected: participants chose force and speed themselves.</source>
+        <translation>Logistisches gemischtes Modell der Wahlen des Vergleichsreizes, mit zufälligen Achsenabschnitten der Versuchspersonen. Differenzen sind die des Vergleichsreizes vom Standard: der Stufe sowie der mittleren Normalkraft und der mittleren Geschwindigkeit während des Kontakts. Odds-Ratios je SD über die Durchgänge und für die Position; Wald-Tests und 95-%-KI. Die Tests sind explorativ und unkorrigiert: Die Versuchspersonen wählten Kraft und Geschwindigkeit selbst.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2784,6 +2792,14 @@
     <message>
         <source>t</source>
         <translation>t</translation>
+    </message>
+    <message>
+        <source>odds ratio</source>
+        <translation>Odds-Ratio</translation>
+    </message>
+    <message>
+        <source>odds ratio, 95 % CI</source>
+        <translation>Odds-Ratio, 95-%-KI</translation>
     </message>
 </context>
 <context>
@@ -3506,6 +3522,30 @@
     <message>
         <source>mixed model of the ratings</source>
         <translation>gemischtes Modell der Urteile</translation>
+    </message>
+    <message>
+        <source>comparison presented first</source>
+        <translation>Vergleichsreiz zuerst dargeboten</translation>
+    </message>
+    <message>
+        <source>difference of the normal forces</source>
+        <translation>Differenz der Normalkräfte</translation>
+    </message>
+    <message>
+        <source>difference of the levels</source>
+        <translation>Differenz der Stufen</translation>
+    </message>
+    <message>
+        <source>difference of the speeds</source>
+        <translation>Differenz der Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>no maximum of the likelihood was found</source>
+        <translation>es wurde kein Maximum der Likelihood gefunden</translation>
+    </message>
+    <message>
+        <source>the effects predict every choice, so that an effect is infinite</source>
+        <translation>die Effekte sagen jede Wahl vorher, sodass ein Effekt unendlich ist</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,230 @@
+#include "app/findings/study/choice_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "analysis/cumulative_link.h"
+#include "analysis/linear_mixed.h"
+#include "analysis/tail_probabilities.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/tidy/finding_list.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kConfidenceOfEffects = 0.95;
+
+/// A trial whose two surfaces have a mean force and a mean speed.
+struct ExploredChoice {
+  std::size_t person = 0;
+  bool chose_comparison = false;
+  double level = 0.0;
+  double force_N = 0.0;  ///< of the comparison minus that of the standard
+  double speed_m_per_s = 0.0;
+  double comparison_first = 0.0;
+};
+
+struct ChoiceCovariate {
+  const char* name = "";  ///< as in the column `factor`
+  double ExploredChoice::*value = nullptr;
+  const char* unit = nullptr;  ///< null: that of the varied parameter
+  bool is_position = false;    ///< 0 or 1, whose effect is that of the whole step
+};
+constexpr std::array kChoiceCovariates{
+    ChoiceCovariate{"level_difference", &ExploredChoice::level},
+    ChoiceCovariate{"force_difference", &ExploredChoice::force_N, "N"},
+    ChoiceCovariate{"speed_difference", &ExploredChoice::speed_m_per_s, "m/s"},
+    ChoiceCovariate{"comparison_first", &ExploredChoice::comparison_first, "1", true}};
+
+std::vector<ExploredChoice> explored_choices(const GatheredAnswers& gathered,
+                                             const DiscriminationStudy& study) {
+  std::vector<ExploredChoice> choices{};
+  std::map<std::uint32_t, std::size_t> people{};
+  for (const DiscriminationTrial& trial : study.trials) {
+    const std::size_t comparison = trial.first_surface + (trial.comparison_first ? 0 : 1);
+    const std::size_t standard = trial.first_surface + (trial.comparison_first ? 1 : 0);
+    const GatheredExploration& explored = gathered.exploration;
+    const std::array forces{explored.force_N(comparison), explored.force_N(standard)};
+    const std::array speeds{explored.speed_m_per_s(comparison), explored.speed_m_per_s(standard)};
+    if (!forces[0] || !forces[1] || !speeds[0] || !speeds[1]) continue;
+    const std::size_t person = people.try_emplace(trial.person, people.size()).first->second;
+    choices.push_back({.person = person,
+                       .chose_comparison = trial.chose_comparison,
+                       .level = trial.value - study.task.standard(),
+                       .force_N = *forces[0] - *forces[1],
+                       .speed_m_per_s = *speeds[0] - *speeds[1],
+                       .comparison_first = trial.comparison_first ? 1.0 : 0.0});
+  }
+  return choices;
+}
+
+/// The covariates that vary, in units of their standard deviation, without those that follow from the ones before.
+struct ChoiceDesign {
+  std::vector<const ChoiceCovariate*> covariates{};
+  std::vector<double> deviations{};  ///< 1 for the position
+  Eigen::MatrixXd columns{};
+};
+
+ChoiceDesign choice_design(const std::vector<ExploredChoice>& choices) {
+  const auto rows = static_cast<Eigen::Index>(choices.size());
+  ChoiceDesign design{};
+  Eigen::MatrixXd all = Eigen::MatrixXd::Ones(rows, 1);
+  for (const ChoiceCovariate& covariate : kChoiceCovariates) {
+    Eigen::VectorXd column(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      column(row) = choices[static_cast<std::size_t>(row)].*covariate.value;
+    }
+    const double deviation = std::sqrt((column.array() - column.mean()).square().mean());
+    if (!(deviation > 0.0)) continue;
+    const double unit = covariate.is_position ? 1.0 : deviation;
+    Eigen::MatrixXd with(rows, all.cols() + 1);
+    with << all, column / unit;
+    if (!dependent_columns(with).empty()) continue;
+    all = with;
+    design.covariates.push_back(&covariate);
+    design.deviations.push_back(unit);
+  }
+  design.columns = all.rightCols(all.cols() - 1);
+  return design;
+}
+
+const char* word_of_problem(CumulativeLinkProblem problem) {
+  switch (problem) {
+    case CumulativeLinkProblem::unused_category:
+    case CumulativeLinkProblem::separated:
+      return "separated_choices";
+    case CumulativeLinkProblem::unbounded_variance:
+    case CumulativeLinkProblem::not_converged:
+    case CumulativeLinkProblem::no_participant_variance:
+    case CumulativeLinkProblem::no_item_variance:
+    case CumulativeLinkProblem::no_variance:
+      break;
+  }
+  return "not_converged";
+}
+
+std::vector<Finding> findings_of_choices(const std::vector<ExploredChoice>& choices,
+                                         const ChoiceDesign& design, std::size_t people) {
+  FindingList list{};
+  const Basis basis{.n = people,
+                    .method =
+                        "logistic mixed model, random intercepts of participants, maximum "
+                        "likelihood (Laplace)"};
+  list.count("n.subjects", "", people, basis);
+  list.count("n.rows", "", choices.size(), basis);
+  std::vector<OrdinalResponse> responses{};
+  for (const ExploredChoice& choice : choices) {
+    responses.push_back(
+        {.category = choice.chose_comparison ? 1U : 0U, .participant = choice.person});
+  }
+  CumulativeLinkModel model{.categories = 2, .design = design.columns};
+  model.participants_vary = people > 1;
+  CumulativeLinkAnswer answer = cumulative_link_fit(responses, model);
+  if (!answer.fit && answer.problem == CumulativeLinkProblem::no_participant_variance) {
+    model.participants_vary = false;
+    answer = cumulative_link_fit(responses, model);
+  }
+  if (!answer.fit) {
+    list.word("status", "", word_of_problem(answer.problem), "the effects cannot be estimated",
+              basis);
+    return list.take();
+  }
+  list.word("status", "", "ok", "ok", basis);
+  const Eigen::VectorXd errors = answer.fit->standard_error();
+  for (std::size_t i = 0; i < design.covariates.size(); ++i) {
+    const std::string key = design.covariates[i]->name;
+    const auto column = static_cast<Eigen::Index>(i);
+    const double beta = answer.fit->beta(column);
+    const double reach = normal_limit(kConfidenceOfEffects) * errors(column);
+    Basis ratio = basis;
+    ratio.interval = {.low = std::exp(beta - reach), .high = std::exp(beta + reach)};
+    ratio.confidence = kConfidenceOfEffects;
+    list.number("odds_ratio", key, std::exp(beta), ratio);
+    const WaldTest wald = wald_test(*answer.fit, i);
+    list.number("wald.z", key, wald.z, basis);
+    list.number("wald.p", key, wald.p, basis);
+  }
+  list.number("sigma", "subject", answer.fit->sigma_participants, basis);
+  return list.take();
+}
+
+Phrase note_on_model() {
+  return phrase(
+      "Analysis",
+      "Logistic mixed model of the choices of the comparison, with random intercepts of "
+      "participants. Differences are those of the comparison from the standard: of the level, and "
+      "of the mean normal force and the mean speed during contact. Odds ratios per SD over the "
+      "trials, and of the position; Wald tests and 95 % CIs. The tests are exploratory and "
+      "uncorrected: participants chose force and speed themselves.");
+}
+
+}  // namespace
+
+void add_choice_model(const GatheredAnswers& gathered,
+                      const std::vector<DiscriminationStudy>& studies, AnalysisOutcome& outcome) {
+  NamedTable shown{kChoiceModel,
+                   phrase("Analysis", "Choices and exploration: logistic mixed model"),
+                   {{"block", "factor", "persons", "answers", "sd", "unit", "odds_ratio",
+                     "odds_ratio_low", "odds_ratio_high", "z", "p", "status"},
+                    {}},
+                   note_on_model()};
+  for (const DiscriminationStudy& study : studies) {
+    const std::vector<ExploredChoice> choices = explored_choices(gathered, study);
+    if (choices.empty()) continue;
+    std::size_t people = 0;
+    for (const ExploredChoice& choice : choices) people = std::max(people, choice.person + 1);
+    const ChoiceDesign design = choice_design(choices);
+    const std::string task = studies.size() > 1 ? study.task.name : std::string();
+    const std::string analysis = task.empty() ? kChoiceModel : kChoiceModel + (':' + task);
+    const std::vector<Finding> findings =
+        analysis_of(analysis.c_str(), [&] { return findings_of_choices(choices, design, people); });
+    keep_findings(findings, outcome);
+    const FoundNumbers found(findings);
+    const std::string status = found.find("status") ? found.find("status")->word : "not_converged";
+    const auto counts = [&](const std::string& factor) {
+      return std::vector<Cell>{task.empty() ? Cell{} : Cell{task}, Cell{factor},
+                               static_cast<std::int64_t>(people),
+                               static_cast<std::int64_t>(choices.size())};
+    };
+    if (status != "ok") {
+      std::vector<Cell> row = counts("all");
+      row.resize(shown.table.columns.size() - 1);
+      row.emplace_back(status);
+      shown.table.rows.push_back(std::move(row));
+      continue;
+    }
+    for (std::size_t i = 0; i < design.covariates.size(); ++i) {
+      const ChoiceCovariate& covariate = *design.covariates[i];
+      const Finding& ratio = *found.find("odds_ratio", covariate.name);
+      std::vector<Cell> row = counts(covariate.name);
+      row.emplace_back(covariate.is_position ? Cell{} : Cell{design.deviations[i]});
+      row.emplace_back(covariate.unit == nullptr ? Cell{study.task.varied.unit}
+                                                 : Cell{std::string(covariate.unit)});
+      for (const auto& part : {ratio.value, ratio.low, ratio.high}) row.push_back(cell_of(part));
+      row.push_back(found.cell("wald.z", covariate.name));
+      row.push_back(found.cell("wald.p", covariate.name));
+      row.emplace_back();
+      shown.table.rows.push_back(std::move(row));
+    }
+    for (const Finding& finding : findings) {
+      if (finding.quantity.ends_with(".p")) outcome.tests_in_tables.insert(name_of(finding));
+    }
+  }
+  if (shown.table.rows.empty()) return;
+  drop_empty_columns(shown.table, 0);
+  outcome.tables.push_back(std::move(shown));
+}
+
+}  // namespace asperity
