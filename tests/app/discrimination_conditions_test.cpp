@@ -1,0 +1,295 @@
+// The conditions and the tasks of discriminations: what is estimated separately, and what is compared.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/psychometric_function.h"
+#include "app/exports/export_study.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/study_analysis.h"
+#include "renderers/built_in_models.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/made_up_choices.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using nlohmann::json;
+
+/// Two participants, with the choices of two blocks.
+AnalysisOutcome outcome_of_two_blocks(const json& protocol, const std::vector<MadeUpChoice>& only,
+                                      std::vector<MadeUpChoice> other) {
+  for (MadeUpChoice& choice : other) choice.block = "other";
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("two", "discrimination", protocol.dump());
+  for (const char* const label : {"p1", "p2"}) {
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials = trials_of(only);
+    for (const MadeUpTrial& trial : trials_of(other)) trials.push_back(trial);
+    made.add_session(label, id, trials);
+  }
+  return outcome_of_discrimination(made);
+}
+
+json protocol_with_two_blocks(const std::string& judgement) {
+  json protocol = discrimination_protocol(judgement);
+  protocol["blocks"]["other"] = protocol["blocks"]["only"];
+  return protocol;
+}
+
+TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
+  const auto outcome_with = [](const std::vector<std::string>& textures) {
+    MadeUpStudy made;
+    const std::int64_t protocol =
+        made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+    for (int person = 0; person < 8; ++person) {
+      const std::string label = "p" + std::to_string(person);
+      made.add_person(label, "");
+      std::vector<MadeUpTrial> trials{};
+      for (std::size_t i = 0; i < textures.size(); ++i) {
+        PsychometricFunction function = kPerformer;
+        function.alpha = i == 0 ? 5e-6 : 14e-6;
+        MadeUpObserver observer(function,
+                                static_cast<unsigned>(10 * person) + static_cast<unsigned>(i));
+        std::vector<MadeUpChoice> choices = observer.choices(kAbove_m, 40, true);
+        for (MadeUpChoice& choice : choices) choice.texture = textures[i];
+        for (const MadeUpTrial& trial : trials_of(choices)) trials.push_back(trial);
+      }
+      made.add_session(label, protocol, trials);
+    }
+    return outcome_of_discrimination(made);
+  };
+  const AnalysisOutcome two = outcome_with({"metal", "wood"});
+  EXPECT_THAT(sentence_about(two, "conditions", "JND"),
+              HasSubstr("The JND was significantly different between the conditions: Wilcoxon"));
+  EXPECT_THAT(answer_to(two, "conditions"), HasSubstr("metal: "));
+  EXPECT_THAT(answer_to(two, "conditions"), HasSubstr("wood: "));
+  const std::vector<Finding> means = part_of(two, "mean_thresholds");
+  const FoundNumbers found(means);
+  EXPECT_LT(*found.value("mean.jnd", "metal"), *found.value("mean.jnd", "wood"));
+  for (const Finding& finding : two.findings) {
+    EXPECT_FALSE(finding.quantity.starts_with("friedman.")) << "a pair has one test";
+  }
+  const AnalysisOutcome three = outcome_with({"metal", "stone", "wood"});
+  EXPECT_THAT(sentence_about(three, "conditions", "JND"), HasSubstr("Friedman test"));
+  EXPECT_THAT(find_analysis("discrimination")->estimates(three).text, HasSubstr("stone, JND "));
+}
+
+// As strings "0.01" comes before "9e-04".
+TEST(Discrimination, NamesConditionsThatAreNumbersByTheirFactor) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+  for (unsigned person = 0; person < 3; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials{};
+    for (const double wavelength_m : {0.01, 0.0009}) {
+      for (MadeUpTrial& trial :
+           trials_of(MadeUpObserver(kPerformer, person).choices(kAbove_m, 40, true))) {
+        json factors = json::parse(trial.factors_json);
+        factors["wavelength_m"] = wavelength_m;
+        factors.erase("texture");
+        trial.factors_json = factors.dump();
+        trials.push_back(std::move(trial));
+      }
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const std::string answer = answer_to(outcome, "conditions");
+  EXPECT_THAT(answer, HasSubstr("wavelength 900 µm: "));
+  EXPECT_LT(answer.find("wavelength 900 µm"), answer.find("wavelength 10 mm"));
+  EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
+              HasSubstr("wavelength 10 mm, JND "));
+  const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
+  EXPECT_NE(FoundNumbers(means).find("mean.jnd", "wavelength_m 9e-04"), nullptr);
+}
+
+TEST(Discrimination, StatesThatNoParticipantHasAllConditions) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+  for (unsigned person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "");
+    std::vector<MadeUpChoice> choices =
+        MadeUpObserver(kPerformer, person).choices(kAbove_m, 40, true);
+    for (MadeUpChoice& choice : choices) choice.texture = person % 2 == 0 ? "metal" : "wood";
+    made.add_session(label, protocol, trials_of(choices));
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  EXPECT_THAT(sentence_about(outcome, "conditions", "JND"),
+              HasSubstr("no participant has trials in every condition"));
+  EXPECT_THAT(answer_to(outcome, "conditions"),
+              HasSubstr("no participant has trials in every condition"));
+}
+
+TEST(Discrimination, DoesNotDivideTheTrialsByFactorsThatAreDrawn) {
+  for (const bool is_drawn : {false, true}) {
+    json protocol = discrimination_protocol("performance");
+    if (is_drawn) protocol["blocks"]["only"]["drawn"] = {"texture"};
+    MadeUpStudy made;
+    const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
+    made.add_person("p1", "");
+    std::vector<MadeUpChoice> choices = MadeUpObserver(kPerformer, 5).choices(kAbove_m, 40, true);
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      choices[i].texture = i % 4 < 2 ? "metal" : "wood";
+    }
+    made.add_session("p1", id, trials_of(choices));
+    const AnalysisOutcome outcome = outcome_of_discrimination(made);
+    const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+    EXPECT_EQ(FoundNumbers(thresholds).find("jnd", "p1|all") != nullptr, is_drawn);
+    ExportOptions options{};
+    options.formats = {ExportFormat::wide};
+    export_study(made.study(), built_in_models(), made.beside("out"), options);
+    const std::string wide = read_file(made.beside("out") / "wide.csv");
+    EXPECT_EQ(wide.find("jnd_which_jnd") != std::string::npos, is_drawn);
+    EXPECT_EQ(wide.find("jnd_which_metal_jnd") != std::string::npos, !is_drawn);
+  }
+}
+
+TEST(Discrimination, MakesBlocksOfTheSameTaskConditions) {
+  json protocol = protocol_with_two_blocks("performance");
+  protocol["stimuli"]["fine"] = protocol["stimuli"]["grating"];
+  for (json& surface : protocol["blocks"]["other"]["presented"]) surface["stimulus"] = "fine";
+  // How the levels are stated does not matter.
+  protocol["blocks"]["other"]["vary"].erase("levels");
+  protocol["blocks"]["other"]["vary"]["levels_percent"] = json::array();
+  PsychometricFunction worse = kPerformer;
+  worse.alpha = 16e-6;
+  const AnalysisOutcome outcome =
+      outcome_of_two_blocks(protocol, MadeUpObserver(kPerformer, 5).choices(kAbove_m, 80, true),
+                            MadeUpObserver(worse, 6).choices(kAbove_m, 80, true));
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  const FoundNumbers found(thresholds);
+  EXPECT_FALSE(found.find("jnd", "p1|all"));
+  EXPECT_NEAR(*found.value("jnd", "p1|only"), kPerformer.inverse(0.75), 3e-6);
+  EXPECT_NEAR(*found.value("jnd", "p1|other"), worse.inverse(0.75), 5e-6);
+  EXPECT_NE(answer_to(outcome, "threshold"), "") << "it is one task";
+  EXPECT_THAT(answer_to(outcome, "conditions"), HasSubstr("other: "));
+}
+
+TEST(Discrimination, SeparatesTasksByTheirQuestion) {
+  for (const char* const key : {"name", "prompt"}) {
+    json protocol = protocol_with_two_blocks("performance");
+    protocol["blocks"]["other"]["question"][key] = "Which is harder?";
+    const std::vector<MadeUpChoice> choices =
+        MadeUpObserver(kPerformer, 5).choices(kAbove_m, 40, true);
+    const AnalysisOutcome outcome = outcome_of_two_blocks(protocol, choices, choices);
+    EXPECT_NE(answer_to(outcome, "threshold:only"), "") << key;
+    EXPECT_NE(answer_to(outcome, "threshold:other"), "") << key;
+  }
+}
+
+TEST(Discrimination, AnswersWithTheTestsOfTheTaskOnly) {
+  json protocol = protocol_with_two_blocks("comparison");
+  protocol["blocks"]["only_harder"] = protocol["blocks"]["other"];
+  protocol["blocks"].erase("other");
+  protocol["blocks"]["only_harder"]["question"]["prompt"] = "Which is smoother?";
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("two", "discrimination", protocol.dump());
+  for (unsigned person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "");
+    std::vector<MadeUpChoice> choices =
+        MadeUpObserver(kComparer, 10 + person).choices(kAround_m, 40, false);
+    for (MadeUpChoice choice :
+         MadeUpObserver(kComparer, 30 + person).choices(kAround_m, 40, false)) {
+      choice.block = "only_harder";
+      choice.chose_comparison = !choice.chose_comparison;
+      choices.push_back(choice);
+    }
+    made.add_session(label, id, trials_of(choices));
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  EXPECT_THAT(answer_to(outcome, "point_of_subjective_equality:only"),
+              Not(HasSubstr("only_harder")));
+  EXPECT_THAT(answer_to(outcome, "point_of_subjective_equality:only_harder"),
+              HasSubstr("(only_harder)"));
+  const std::string note = discrimination_table(outcome, "psychometric").note.english();
+  EXPECT_THAT(note, HasSubstr("only: Hits are choices of the comparison."));
+  EXPECT_THAT(note, HasSubstr("only_harder: Hits are choices of the standard"));
+}
+
+TEST(Discrimination, StatesReasonsInTheWordsOfTheJudgement) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("compared", "discrimination", discrimination_protocol("comparison").dump());
+  PsychometricFunction always = kComparer;
+  always.gamma = 1.0;
+  always.lambda = 0.0;
+  PsychometricFunction never = kComparer;
+  never.gamma = 0.0;
+  never.lambda = 1.0;
+  PsychometricFunction high = kComparer;
+  high.alpha = 70e-6;
+  PsychometricFunction steep = kComparer;
+  steep.gamma = steep.lambda = 0.0;
+  steep.beta = 1e9;
+  for (const auto& [label, function] :
+       {std::pair{"always", always}, std::pair{"high", high}, std::pair{"never", never},
+        std::pair{"steep", steep}, std::pair{"usual", kComparer}}) {
+    made.add_person(label, "");
+    made.add_session(label, protocol,
+                     trials_of(MadeUpObserver(function, 3).choices(kAround_m, 60, false)));
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  const FoundNumbers found(thresholds);
+  for (const auto& [key, quantity, word] : {std::tuple{"always|all", "pse", "below_levels"},
+                                            std::tuple{"high|all", "pse", "outside_levels"},
+                                            std::tuple{"high|all", "slope", "outside_levels"},
+                                            std::tuple{"never|all", "pse", "above_levels"},
+                                            std::tuple{"never|all", "slope", "above_levels"},
+                                            std::tuple{"steep|all", "jnd", "slope_at_bound"},
+                                            std::tuple{"steep|all", "slope", "slope_at_bound"}}) {
+    const Finding* const finding = found.find(quantity, key);
+    ASSERT_NE(finding, nullptr) << key << quantity;
+    EXPECT_FALSE(finding->value) << key << quantity;
+    EXPECT_EQ(finding->word, word) << key << quantity;
+    EXPECT_THAT(finding->status, Not(HasSubstr("correct"))) << key << quantity;
+    EXPECT_THAT(finding->status, Not(HasSubstr("differences"))) << key << quantity;
+  }
+  EXPECT_TRUE(found.value("slope", "usual|all"));
+}
+
+TEST(Discrimination, SeparatesBlocksThatVaryDifferentParameters) {
+  json protocol = discrimination_protocol("performance");
+  protocol["blocks"]["other"] = protocol["blocks"]["only"];
+  protocol["blocks"]["other"]["question"]["judgement"] = "comparison";
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("two", "discrimination", protocol.dump());
+  for (const char* const label : {"p1", "p2"}) {
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials =
+        trials_of(MadeUpObserver(kPerformer, 5).choices(kAbove_m, 40, true));
+    std::vector<MadeUpChoice> compared = MadeUpObserver(kComparer, 6).choices(kAround_m, 40, false);
+    for (MadeUpChoice& choice : compared) choice.block = "other";
+    for (const MadeUpTrial& trial : trials_of(compared)) trials.push_back(trial);
+    made.add_session(label, id, trials);
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  const FoundNumbers found(thresholds);
+  EXPECT_TRUE(found.value("jnd", "p1|only"));
+  EXPECT_TRUE(found.value("pse", "p1|other"));
+  EXPECT_FALSE(found.find("pse", "p1|only"));
+  EXPECT_NE(answer_to(outcome, "threshold:only"), "");
+  EXPECT_NE(answer_to(outcome, "point_of_subjective_equality:other"), "");
+}
+
+}  // namespace
+}  // namespace asperity
