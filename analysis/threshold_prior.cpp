@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kGuessOfTwo = 0.5;
-
 bool is_nuisance(std::span<const NuisanceParameter> nuisances, NuisanceParameter parameter) {
   return std::find(nuisances.begin(), nuisances.end(), parameter) != nuisances.end();
 }
@@ -48,13 +46,13 @@ double step_of_thresholds(const ThresholdPrior& prior) {
 }
 
 PsychometricFunction function_with(double threshold, double slope, double lapse,
-                                   double performance) {
+                                   const ThresholdPrior& prior) {
   PsychometricFunction f{.shape = PsychometricShape::weibull,
                          .alpha = 1.0,
                          .beta = slope,
-                         .gamma = kGuessOfTwo,
+                         .gamma = prior.guess_rate,
                          .lambda = lapse};
-  f.alpha = threshold / f.inverse(performance);
+  f.alpha = threshold / f.inverse(prior.performance);
   return f;
 }
 
@@ -100,9 +98,10 @@ std::vector<PsychometricFunction> functions_of(const ThresholdPrior& prior,
   refuse_range(prior.thresholds, "thresholds", false);
   refuse_range(prior.slopes, "slopes", false);
   refuse_range(prior.lapses, "lapses", true);
-  if (!(prior.performance > kGuessOfTwo && prior.performance < 1.0 - prior.lapses.highest)) {
-    throw std::invalid_argument("performance is " + number_text(prior.performance) +
-                                "; it must be above 0.5 and below 1 minus the highest lapse rate");
+  if (!(prior.performance > prior.guess_rate && prior.performance < 1.0 - prior.lapses.highest)) {
+    throw std::invalid_argument(
+        "performance is " + number_text(prior.performance) + "; it must be above the guess rate, " +
+        number_text(prior.guess_rate) + ", and below 1 minus the highest lapse rate");
   }
   // Nuisances vary fastest. Of slope and lapse rate, the slope is outside unless it alone is a nuisance.
   const bool slope_is_inside = is_nuisance(nuisances, NuisanceParameter::slope) &&
@@ -116,7 +115,7 @@ std::vector<PsychometricFunction> functions_of(const ThresholdPrior& prior,
       for (std::size_t k = 0; k < inner; ++k) {
         functions.push_back(function_with(
             in_ratios(prior.thresholds, i), in_ratios(prior.slopes, slope_is_inside ? k : j),
-            in_steps(prior.lapses, slope_is_inside ? j : k), prior.performance));
+            in_steps(prior.lapses, slope_is_inside ? j : k), prior));
       }
     }
   }

@@ -25,17 +25,17 @@ struct ValueRange {
 /// The parameters of a Weibull function that can be nuisances when its threshold is estimated.
 enum class NuisanceParameter { slope, lapse };
 
-/// A grid of Weibull functions of two-alternative forced choice (γ = ½), all equally probable: every combination of a
-/// threshold, the x at which `performance` of the responses are correct, a slope β and a lapse rate λ. Thresholds and slopes
+/// A grid of Weibull functions of forced choice with the guess rate γ, all equally probable: every combination of a threshold, the x at which `performance` of the responses are correct, a slope β and a lapse rate λ. Thresholds and slopes
 /// are in steps of equal ratio, so that they are uniform on a logarithmic scale; lapse rates are in equal steps.
 ///
 /// A threshold at a stated proportion correct includes the lapses, as thresholds of a study do: α = θ/t(λ)^{1/β}, with
-/// t(λ) = −ln(1 − (performance − ½)/(½ − λ)).
+/// t(λ) = −ln(1 − (performance − γ)/(1 − γ − λ)).
 struct ThresholdPrior {
   double performance = 0.75;
   ValueRange thresholds{};
   ValueRange slopes{.lowest = 1.0, .highest = 8.0, .count = 8};
   ValueRange lapses{.lowest = 0.0, .highest = 0.06, .count = 4};
+  double guess_rate = 0.5;  ///< γ, of the task and not of the participant
 
   bool operator==(const ThresholdPrior&) const = default;
 };
@@ -46,7 +46,7 @@ std::size_t functions_of_group(const ThresholdPrior& prior,
 /// The functions in groups that differ in the nuisance parameters alone, for `FunctionTable`. By threshold first.
 ///
 /// Errors: std::invalid_argument for ranges that are empty or do not begin above 0 (lapse rates: at 0 or above), and a
-/// performance that is not between ½ and 1 − λ for every λ.
+/// performance that is not between γ and 1 − λ for every λ.
 std::vector<PsychometricFunction> functions_of(const ThresholdPrior& prior,
                                                std::span<const NuisanceParameter> nuisances);
 

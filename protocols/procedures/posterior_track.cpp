@@ -98,9 +98,10 @@ void check_prior(const PosteriorTrack& track, ProcedureProblems& problems) {
                     "without lapses an incorrect response to an easy level is impossible; state a "
                     "highest lapse rate above 0, such as 0.06");
   }
-  if (!(prior.performance > 0.5 && prior.performance < 1.0 - prior.lapses.highest)) {
+  if (!(prior.performance > prior.guess_rate && prior.performance < 1.0 - prior.lapses.highest)) {
     problems.report("target", "the target " + number_text(prior.performance) +
-                                  " must be above 0.5, the proportion of guesses, and below " +
+                                  " must be above " + number_text(prior.guess_rate) +
+                                  ", the proportion of correct guesses, and below " +
                                   number_text(1.0 - prior.lapses.highest) +
                                   ", 1 minus the highest lapse rate; state one, such as 0.75");
   }

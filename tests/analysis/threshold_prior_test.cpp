@@ -104,6 +104,17 @@ TEST(CredibleThreshold, MovesToAnotherPerformanceByTheFunctions) {
   EXPECT_LT(at(0.75).interval.low, at(0.75).value);
 }
 
+TEST(ThresholdPrior, HasTheGuessRateOfTheTask) {
+  ThresholdPrior prior = small_prior();
+  prior.guess_rate = 1.0 / 3.0;
+  prior.performance = 0.45;  // too low for two alternatives
+  const auto functions = functions_of(prior, {});
+  for (const PsychometricFunction& f : functions) EXPECT_EQ(f.value(0.0), prior.guess_rate);
+  EXPECT_NEAR(functions.front().value(prior.thresholds.lowest), 0.45, 1e-12);
+  prior.guess_rate = 0.5;
+  EXPECT_THROW(functions_of(prior, {}), std::invalid_argument);
+}
+
 TEST(ThresholdPrior, RefusesRangesWithoutFunctions) {
   const auto refused = [](const auto& change) {
     ThresholdPrior prior = small_prior();
