@@ -25,6 +25,14 @@ std::vector<ThresholdOfWide> thresholds_of(const DiscriminationTask& task) {
   if (!task.is_performance) {
     all.push_back({"_pse", "pse", "point of subjective equality"});
   }
+  if (task.design->has_noise()) {
+    all.push_back(
+        task.is_detection()
+            ? ThresholdOfWide{"_threshold", "jnd.dprime1", "detection threshold at d′ = 1"}
+            : ThresholdOfWide{"_jnd", "jnd.dprime1", "just-noticeable difference at d′ = 1"});
+    if (!task.is_detection()) all.push_back({"_weber", "weber", "Weber fraction", false});
+    return all;
+  }
   if (task.is_detection()) {
     all.push_back({"_threshold", "jnd", "detection threshold at 75 % correct responses"});
     return all;

@@ -13,6 +13,7 @@
 #include "app/figures/single_participants.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/words/text_parts.h"
 
@@ -26,6 +27,7 @@ struct DrawnFunctions {
   std::string parameter{};
   std::string unit{};
   bool is_performance = false;
+  const DiscriminationDesign* design = &two_alternatives();
   LabelRows conditions{};
   std::set<std::string> names{};
   NumberColumn levels{};
@@ -34,27 +36,39 @@ struct DrawnFunctions {
   FigureSpan range{};  ///< of the levels, in the stored unit
 
   bool has_axis_of(const DrawnFunctions& other) const {
-    return parameter == other.parameter && is_performance == other.is_performance;
+    return parameter == other.parameter && is_performance == other.is_performance &&
+           design == other.design;
   }
 };
 
-/// By participant, parameter and judgement, in the order of the table.
-std::vector<DrawnFunctions> drawn_functions(const Table& table) {
+/// The design whose functions are not those of choices; that of choices where the findings state none.
+const DiscriminationDesign& design_of(const FoundNumbers& functions, const std::string& key) {
+  const Finding* const stated = functions.find("fit.design", key);
+  const DiscriminationDesign* const design =
+      stated == nullptr ? nullptr : find_design(stated->word);
+  return design == nullptr ? two_alternatives() : *design;
+}
+
+/// By participant, parameter, judgement and design, in the order of the table.
+std::vector<DrawnFunctions> drawn_functions(const Table& table, const FoundNumbers& functions) {
   std::vector<DrawnFunctions> all{};
   for (const std::vector<Cell>& cells : table.rows) {
     const RowOfTable row(table, cells);
     const std::optional<double> difference = row.number("difference");
     const std::string participant = row.text("participant");
     const std::string parameter = row.text("parameter");
+    const DiscriminationDesign& design =
+        design_of(functions, participant + '|' + row.text("condition"));
     auto known = std::find_if(all.begin(), all.end(), [&](const DrawnFunctions& each) {
       return each.participant == participant && each.parameter == parameter &&
-             each.is_performance == difference.has_value();
+             each.design == &design && each.is_performance == difference.has_value();
     });
     if (known == all.end()) {
       all.push_back({.participant = participant,
                      .parameter = parameter,
                      .unit = row.text("unit"),
-                     .is_performance = difference.has_value()});
+                     .is_performance = difference.has_value(),
+                     .design = &design});
       known = all.end() - 1;
     }
     const double level = difference ? std::abs(*difference) : row.number("level").value_or(0.0);
@@ -121,6 +135,45 @@ TidyInput input_of_functions(DrawnFunctions& drawn, const DrawnUnit& unit) {
   return input;
 }
 
+/// Adds the curves of the designs with options in words, and the differences with d′ = 1.
+void add_detections(const DrawnFunctions& drawn, const std::vector<std::string>& conditions,
+                    const FoundNumbers& functions, const FoundNumbers& thresholds,
+                    const DrawnUnit& unit, Figure& figure) {
+  constexpr int kStepsOfDetection = 100;
+  std::vector<FigureSeries> marks{};
+  for (std::size_t i = 0; i < conditions.size() && i < figure.series.size(); ++i) {
+    const std::string key = drawn.participant + '|' + conditions[i];
+    const auto function = detection_function(*drawn.design, functions, key);
+    if (!function) continue;
+    std::vector<FigurePlace>& curve = figure.series[i].lines.emplace_back();
+    for (int step = 0; step <= kStepsOfDetection; ++step) {
+      const double x = drawn.range.high * step / kStepsOfDetection;
+      curve.push_back({.x = x / unit.size, .y = function->value(x)});
+    }
+    const Finding* const threshold = thresholds.find("jnd.dprime1", key);
+    if (threshold == nullptr || !threshold->value) continue;
+    FigurePoint mark{
+        .x = *threshold->value / unit.size, .y = function->value(*threshold->value), .size = 1.3};
+    if (threshold->low && threshold->high) {
+      mark.x_interval = FigureSpan{*threshold->low / unit.size, *threshold->high / unit.size};
+    }
+    marks.push_back({.style = static_cast<int>(i),
+                     .hollow = true,
+                     .points = {mark},
+                     .lines = {{{.x = mark.x, .y = mark.y}, {.x = mark.x, .y = 0.0}}}});
+  }
+  figure.series.insert(figure.series.end(), marks.begin(), marks.end());
+  figure.references.clear();
+  const std::string yes(drawn.design->yes);
+  figure.y.name = phrase("Figures", "proportion of responses “%1”").with(yes);
+  figure.note = phrase("Figures",
+                       "Filled symbols: proportions of responses “%1”, larger for more trials; "
+                       "those at a difference of 0 are false alarms. Curves: maximum-likelihood "
+                       "functions of signal detection. Open symbols: differences with d′ = 1, with "
+                       "95 % CIs.")
+                    .with(yes);
+}
+
 Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
                            const FoundNumbers& thresholds) {
   const DrawnUnit unit =
@@ -143,6 +196,14 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
   figure.table = kPsychometric;
   figure.title =
       phrase("Figures", "Psychometric functions of participant %1").with(drawn.participant);
+  if (drawn.design->has_noise()) {
+    figure.name =
+        figure_file_name("psychometric_" + drawn.participant + '_' + std::string(drawn.design->id));
+    figure.x.name = phrase("Figures", "difference of the %1 from the standard").with(parameter);
+    add_detections(drawn, input.table().all_labels("condition").names, functions, thresholds, unit,
+                   figure);
+    return figure;
+  }
   if (drawn.is_performance) {
     figure.x.name = phrase("Figures", "difference of the %1 from the standard").with(parameter);
     if (is_repeated) {
@@ -276,8 +337,18 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
         DrawnThreshold{"jnd", "thresholds", phrase("Figures", "Thresholds"),
                        phrase("Figures", "threshold, geometric mean with its 95 % CI"),
                        "geometric_mean"}};
+    bool has_proportion = false;  // a threshold at a proportion correct
     for (const DrawnThreshold& drawn : kDrawn) {
       auto figure = figure_of_thresholds(drawn, means->table, thresholds->table);
+      has_proportion = has_proportion || (figure && std::string_view(drawn.column) == "jnd");
+      if (figure) figures.push_back(std::move(*figure));
+    }
+    const DrawnThreshold at_unit{
+        "jnd_dprime1", "thresholds", phrase("Figures", "Thresholds"),
+        phrase("Figures", "difference with d′ = 1, geometric mean with its 95 % CI"),
+        "geometric_mean"};
+    if (!has_proportion) {
+      auto figure = figure_of_thresholds(at_unit, means->table, thresholds->table);
       if (figure) figures.push_back(std::move(*figure));
     }
   }
@@ -294,7 +365,7 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
   }
   const FoundNumbers found_functions(of_functions);
   const FoundNumbers found_thresholds(of_thresholds);
-  for (DrawnFunctions& drawn : drawn_functions(responses->table)) {
+  for (DrawnFunctions& drawn : drawn_functions(responses->table, found_functions)) {
     figures.push_back(figure_of_functions(std::move(drawn), found_functions, found_thresholds));
   }
   return figures;

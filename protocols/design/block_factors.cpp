@@ -49,6 +49,10 @@ const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& bl
   return nullptr;
 }
 
+std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept {
+  return block.design->has_noise() ? block.design->surfaces() : block.presented.size();
+}
+
 bool chooses_levels_from_answers(const Protocol::Block& block) {
   if (!block.procedure || block.procedure->tracks.empty()) return false;
   const ProcedureSettings& first = block.procedure->tracks.front();

@@ -28,4 +28,7 @@ bool chooses_levels_from_answers(const Protocol::Block& block);
 /// if there is none.
 const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept;
 
+/// The number of surfaces in a trial of the block; a design can present fewer than the block lists.
+std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept;
+
 }  // namespace asperity

@@ -15,6 +15,7 @@
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/arrangement.h"
 #include "protocols/design/dimension.h"
+#include "protocols/design/discrimination_design.h"
 #include "protocols/procedures/procedure.h"
 #include "stimuli/meshes/solid_body.h"
 #include "stimuli/properties/material.h"
@@ -203,6 +204,12 @@ struct ObserverDeclaration {
   double exponent = 1.0;
   /// Of a comparison: the magnitude decreases where the varied parameter increases (with the spacing).
   bool magnitude_decreases = false;
+  /// Of a yes/no task: the magnitude above which the response is "yes", as a fraction of the mean normal force, or in
+  /// m/s² (below which, where the signal has the smaller magnitude).
+  std::optional<double> yes_above{};
+  /// Of a same–different task: the relative difference between two magnitudes from which on the response is "different";
+  /// 0.1 is a difference of 10 %.
+  std::optional<double> different_above{};
 };
 
 /// The text in a protocol file and in the store.
@@ -330,6 +337,7 @@ struct Protocol {
     std::string name{};
     std::string kind{};  ///< the id of an ExperimentKind: its own, or that of the protocol
     Phase phase = Phase::main;
+    const DiscriminationDesign* design = &two_alternatives();         ///< of a discrimination
     std::vector<std::string> crossed{};                               ///< factors, or
     std::vector<std::map<std::string, Level, std::less<>>> listed{};  ///< rows
     std::optional<Dimension>

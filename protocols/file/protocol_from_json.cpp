@@ -307,6 +307,9 @@ Block block_of(const std::string& name, const json& object, const std::string& k
   block.kind = kind_of_protocol;
   read(object, "kind", block.kind);
   const ExperimentKind& kind = kind_of(block);
+  if (const auto found = object.find("design"); found != object.end()) {
+    block.design = find_design(found->get<std::string>());  // the schema lists their ids
+  }
   read_choice(object, "phase", block.phase,
               {{"familiarisation", Phase::familiarisation},
                {"practice", Phase::practice},
@@ -545,6 +548,8 @@ void read_observer(const json& root, Protocol& protocol) {
                  {"normal_force", MagnitudeOf::normal_force},
                  {"held_tool", MagnitudeOf::held_tool}});
     read(*found, "exponent", observer.exponent);
+    read(*found, "yes_above", observer.yes_above);
+    read(*found, "different_above", observer.different_above);
   }
   if (const auto found = root.find("recording"); found != root.end()) {
     read(*found, "every_tick", protocol.record);

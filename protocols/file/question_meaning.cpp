@@ -73,6 +73,9 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
                                       std::string(kind.name) +
                                       " is correct or incorrect; set it to \"none\"");
   }
+  if (!kind.has_judgement && document_.root().at("blocks").at(block.name).contains("design")) {
+    report_key(pointer + "/design", "only a discrimination has a design; remove this key");
+  }
   check_criterion(block, pointer);
 }
 

@@ -360,6 +360,7 @@ StoredProtocol stored_protocol(const std::string& source) {
     made.kind = text_in(block, "kind").empty() ? text_in(root, "kind") : text_in(block, "kind");
     made.phase = text_in(block, "phase").empty() ? "main" : text_in(block, "phase");
     made.vary = stored_dimension(root, block);
+    made.design = text_in(block, "design");
     const std::string surfaces = text_in(member_of(block, "arrangement"), "surfaces");
     made.is_sequential = surfaces.empty() || surfaces == "sequential";
     made.drawn = texts_in(block, "drawn");

@@ -51,8 +51,9 @@ struct StoredProtocol {
     std::string kind{};  ///< its own, or that of the protocol; empty where neither is stated
     std::string phase{};
     std::vector<TrialQuestion> questions{};
-    std::optional<Dimension> vary{};  ///< without levels and unit
-    bool is_sequential = true;        ///< surfaces are presented one after the other
+    std::optional<Dimension> vary{};   ///< without levels and unit
+    std::string design{};              ///< of a discrimination; empty where none is stated
+    bool is_sequential = true;         ///< surfaces are presented one after the other
     std::vector<std::string> drawn{};  ///< factors whose level is drawn for every trial
     bool has_procedure = false;  ///< that chose the levels from the responses; not constant stimuli
     /// Of this procedure, for every combination of the other factors; empty where they cannot be used.

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocols/design/wording.h"
@@ -26,8 +30,19 @@ constexpr std::array<std::string_view, 2> kDiscriminationRoles{"standard", "comp
 
 std::string item_of_discrimination(const PlannedPresentation& surface) { return surface.role; }
 
+/// The design whose options the question has; null where a surface is chosen.
+const DiscriminationDesign* design_answered_by(const Protocol::TrialQuestionTemplate& question) {
+  return question.words.empty() ? nullptr : design_with_option(question.words.front().value);
+}
+
 std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestionTemplate& question,
                                                    const Trial& trial) {
+  if (const DiscriminationDesign* const design = design_answered_by(question)) {
+    const auto comparisons = std::count_if(
+        trial.presentations.begin(), trial.presentations.end(),
+        [](const PlannedPresentation& planned) { return planned.role == "comparison"; });
+    return {std::string(design->correct_response(static_cast<std::size_t>(comparisons)))};
+  }
   if (question.judgement == DiscriminationJudgement::performance) return {"comparison"};
   // The level of a catch trial is so far from the standard that the response is known.
   if (!trial.catch_trial) return {};
@@ -74,6 +89,71 @@ bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
     return false;
   }
   return has_levels(*vary);  // otherwise reported at the levels
+}
+
+/// The options of the question, and what only one of the designs can have.
+void check_design(const BlockOfKind& checked, ProblemSink& problems) {
+  const DiscriminationDesign& design = *checked.block.design;
+  const Protocol::TrialQuestionTemplate& question = checked.question;
+  if (!design.has_noise()) {
+    if (question.words.empty()) return;
+    problems.report_key(checked.at_question + "/options",
+                        "in a two-alternative forced choice the options are the surfaces felt; "
+                        "remove this key, or state another \"design\" of the block");
+    return;
+  }
+  const std::string a_design = "a " + std::string(design.name);
+  std::set<std::string_view> options{};
+  for (const Protocol::TrialQuestionTemplate::Word& word : question.words) {
+    options.insert(word.value);
+  }
+  if (question.words.size() != 2 || options != std::set{design.yes, design.no}) {
+    problems.report(checked.at_question, a_design + " has the \"options\" " +
+                                             in_quotes(design.yes) + " and " +
+                                             in_quotes(design.no) + "; list these two values");
+  }
+  if (question.judgement == DiscriminationJudgement::comparison) {
+    problems.report(checked.at_question + "/judgement",
+                    "in " + a_design + " one response is correct; set it to \"performance\"");
+  }
+  if (checked.block.procedure) {
+    problems.report_key(
+        checked.pointer + "/procedure",
+        a_design +
+            " presents every level equally often, because a proportion correct depends on the "
+            "criterion of the participant as well as on the level; remove this key, and state "
+            "\"repetitions\"");
+  }
+  const auto& repetitions_of = checked.block.repetitions_of;
+  for (std::size_t i = 0; i < repetitions_of.size(); ++i) {
+    if (!checked.block.vary || !repetitions_of[i].levels.contains(checked.block.vary->factor)) {
+      continue;
+    }
+    problems.report_key(
+        checked.pointer + "/repetitions_of/" + std::to_string(i),
+        "trials with and without a difference would no longer be equally frequent, because those "
+        "with the standard alone have another level of " +
+            in_quotes(checked.block.vary->factor) + "; remove this entry");
+  }
+  if (design.surfaces() == 1) {
+    if (checked.block.positions != Block::Positions::as_listed) {
+      problems.report_key(checked.pointer + "/positions",
+                          a_design + " presents one surface in each trial; remove this key");
+    }
+    if (checked.block.arrangement.surfaces != Arrangement::Surfaces::sequential) {
+      problems.report(checked.pointer + "/arrangement/surfaces",
+                      a_design + " presents one surface in each trial; set it to \"sequential\"");
+    }
+  }
+  const ObserverDeclaration& observer = checked.protocol.observer;
+  const bool has_criterion = design.surfaces() == 1 ? observer.yes_above.has_value()
+                                                    : observer.different_above.has_value();
+  if (!has_criterion && !observer.deaf) {
+    problems.report(checked.pointer + "/design",
+                    "the virtual observer of " + a_design + " needs a criterion; state " +
+                        in_quotes(design.surfaces() == 1 ? "yes_above" : "different_above") +
+                        " under \"observer\", or \"deaf\": true");
+  }
 }
 
 void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
@@ -135,7 +215,7 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
     problems.report_key(checked.pointer + "/presented/" + std::to_string(i) + "/item",
                         "in a discrimination the role names each surface; remove this key");
   }
-  if (checked.block.phase == Phase::main &&
+  if (checked.block.phase == Phase::main && checked.block.design->surfaces() > 1 &&
       checked.block.positions == Block::Positions::as_listed) {
     problems.report(checked.pointer + "/presented",
                     "the same surface would always be presented first, so that an order "
@@ -153,24 +233,51 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
         "key");
   }
   if (question.allow_cannot_tell) {
-    problems.report(
-        checked.at_question + "/allow_cannot_tell",
-        "a discrimination is a forced choice between the two surfaces; remove this key");
+    problems.report(checked.at_question + "/allow_cannot_tell",
+                    "a discrimination has no option without a judgement; remove this key");
   }
+  check_design(checked, problems);
   check_judgement(checked, problems);
 }
 
-/// The surface with the greater magnitude (VirtualObserver::compare), whatever the question asks for; the other one
-/// where the judgement is of performance and the level is below the standard. A parameter on which the magnitude does
-/// not depend gives responses by chance.
+/// Whether all levels of the block are below the standard.
+bool is_below_standard(const Dimension& dimension) {
+  return dimension.values().front() < *dimension.standard;
+}
+
+/// "yes" where the magnitude is on the side of the signal from the criterion (VirtualObserver::exceeds), "different" where
+/// the magnitudes differ by the criterion or more (VirtualObserver::differ). Guesses without a criterion.
+VirtualResponse judge_in_words(const Judgement& judgement, const Block& block) {
+  const DiscriminationDesign& design = *block.design;
+  const ObserverDeclaration& observer = judgement.protocol.observer;
+  const std::vector<Option>& options = judgement.question.options;
+  const bool is_pair = design.surfaces() == 2;
+  const std::optional<double>& criterion = is_pair ? observer.different_above : observer.yes_above;
+  if (!criterion) return {ChosenOption{judgement.observer.guess(options.size())}, true};
+  const bool is_signal_smaller = is_below_standard(*block.vary) != observer.magnitude_decreases;
+  const bool is_yes =
+      is_pair
+          ? judgement.observer.differ(judgement.felt[0], judgement.felt[1], std::log1p(*criterion))
+          : judgement.observer.exceeds(judgement.felt[0], std::log(*criterion)) !=
+                is_signal_smaller;
+  const auto chosen = std::find_if(options.begin(), options.end(), [&](const Option& option) {
+    return option.value == (is_yes ? design.yes : design.no);
+  });
+  return {ChosenOption{static_cast<std::size_t>(chosen - options.begin())}, false};
+}
+
+/// In words (`judge_in_words`), or the surface with the greater magnitude (VirtualObserver::compare), whatever the question
+/// asks for; the other one where the judgement is of performance and the level is below the standard. A parameter on which
+/// the magnitude does not depend gives responses by chance.
 VirtualResponse judge_discrimination(const Judgement& judgement) {
   const Block& block = judgement.protocol.blocks.at(judgement.trial.block);
   const auto asked =
       std::find_if(block.questions.begin(), block.questions.end(),
                    [&judgement](const auto& each) { return each.name == judgement.question.name; });
+  if (block.design->has_noise()) return judge_in_words(judgement, block);
   const bool chooses_less =
-      asked->asks_for_less || (asked->judgement == DiscriminationJudgement::performance &&
-                               block.vary->values().front() < *block.vary->standard);
+      asked->asks_for_less ||
+      (asked->judgement == DiscriminationJudgement::performance && is_below_standard(*block.vary));
   const std::size_t greater =
       *judgement.observer.compare(judgement.felt[0], judgement.felt[1], 0.0);
   return {ChosenOption{chooses_less ? 1 - greater : greater}, false};
@@ -183,6 +290,7 @@ const ExperimentKind& discrimination_kind() {
                                     .name = "discrimination",
                                     .roles = kDiscriminationRoles,
                                     .form = ChoiceForm{},
+                                    .takes_words = true,
                                     .has_judgement = true,
                                     .has_correct_responses = true,
                                     .tests = kDiscriminationTests,

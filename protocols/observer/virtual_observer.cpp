@@ -176,6 +176,18 @@ std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,
   return best_of(magnitudes);
 }
 
+bool VirtualObserver::exceeds(const ForceFeatures& felt, double log_criterion) {
+  const double judged = log_magnitude(felt);
+  return lapses() ? guess(2) == 0 : judged > log_criterion;
+}
+
+bool VirtualObserver::differ(const ForceFeatures& first, const ForceFeatures& second,
+                             double least_difference) {
+  const double of_first = log_magnitude(first);
+  const double of_second = log_magnitude(second);
+  return lapses() ? guess(2) == 0 : std::abs(of_first - of_second) >= least_difference;
+}
+
 double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {
   const double judged = log_magnitude(felt);
   const double guessed = random_.normal();

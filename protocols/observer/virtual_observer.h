@@ -79,6 +79,10 @@ class VirtualObserver final {
   /// two differ by less than `least_difference`. `position_bias` is added for the first.
   std::optional<std::size_t> compare(const ForceFeatures& first, const ForceFeatures& second,
                                      double least_difference);
+  /// Whether the natural logarithm r + ε of the magnitude is above a criterion.
+  bool exceeds(const ForceFeatures& felt, double log_criterion);
+  /// Whether the natural logarithms r + ε of two magnitudes differ by `least_difference` or more.
+  bool differ(const ForceFeatures& first, const ForceFeatures& second, double least_difference);
   /// A magnitude estimate, greater than 0, for the felt surface.
   double estimate(const ForceFeatures& felt, const NumberHabit& habit);
   /// A guess among `options`, for questions without an expectation.

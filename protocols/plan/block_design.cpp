@@ -73,7 +73,7 @@ std::string per_cent(double proportion) { return fixed(100.0 * proportion, 1) + 
 
 std::optional<double> least_threshold_error(const Block& block) {
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
-  if (!block.vary || !block.vary->standard || judged == nullptr ||
+  if (!block.vary || !block.vary->standard || judged == nullptr || block.design->has_noise() ||
       judged->judgement != DiscriminationJudgement::performance) {
     return {};
   }
@@ -92,18 +92,24 @@ std::optional<double> least_threshold_error(const Block& block) {
   return 1.0 / std::sqrt(information);
 }
 
-std::string presentation_text(const Arrangement& arrangement) {
+std::string presentation_text(const Block& block) {
+  const Arrangement& arrangement = block.arrangement;
+  const bool is_sequential = arrangement.surfaces == Arrangement::Surfaces::sequential;
+  const std::string task = block.design == &two_alternatives() && is_sequential
+                               ? "two-interval forced choice"
+                               : std::string(block.design->name);
   switch (arrangement.surfaces) {
     case Arrangement::Surfaces::sequential:
-      if (arrangement.minimum_visits == 1) {
-        return "two-interval forced choice, one surface after the other";
-      }
-      return "two-interval forced choice, one surface after the other, each presented " +
-             std::to_string(arrangement.minimum_visits) + " times";
+      return task +
+             (block.design->surfaces() == 1 ? ", one surface in each trial"
+                                            : ", one surface after the other") +
+             (arrangement.minimum_visits == 1
+                  ? std::string()
+                  : ", each presented " + std::to_string(arrangement.minimum_visits) + " times");
     case Arrangement::Surfaces::side_by_side:
-      return "two-alternative forced choice, side by side";
+      return task + ", side by side";
     case Arrangement::Surfaces::on_request:
-      return "two-alternative forced choice, surfaces felt on request";
+      return task + ", surfaces felt on request";
   }
   return {};
 }
@@ -136,16 +142,19 @@ std::string procedure_text(const Protocol::Block& block) {
 
 std::string design_of(const Protocol& protocol, const Block& block, const Plan& plan) {
   if (!kind_of(block).has_judgement || !block.vary) return {};
-  std::string text = presentation_text(block.arrangement) + ", ";
+  std::string text = presentation_text(block) + ", ";
   if (block.procedure) {
     text += procedure_text(block);
   } else {
     text += "constant stimuli, " + counted(block.vary->levels().size(), "level", "levels") + " × " +
-            counted(static_cast<std::size_t>(block.repetitions), "presentation", "presentations");
+            counted(static_cast<std::size_t>(block.repetitions) * block.design->trials.size(),
+                    "presentation", "presentations") +
+            (block.design->has_noise() ? ", half of them without a difference" : "");
   }
   Block alone = block;
   alone.vary.reset();
   alone.procedure.reset();
+  alone.design = &two_alternatives();
   if (const std::size_t rows = row_count(protocol, alone); rows > 1) {
     text += ", for each of " + std::to_string(rows) + " conditions";
   }

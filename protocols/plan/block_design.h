@@ -22,12 +22,12 @@ inline constexpr double kIncrementSlope = 1.3;
 ///
 /// summed over the trials of one combination of the other factors; with a procedure its mean over 5 to 200 simulated sets
 /// of tracks. α is the geometric mean of the smallest and the largest difference. Nothing where the block does not
-/// measure performance or has levels below the standard.
+/// measure performance by choices of a surface, or has levels below the standard.
 std::optional<double> least_threshold_error(const Protocol::Block& block);
 
-/// How two surfaces are presented, as a methods section states it: "two-interval forced choice, one surface after the
-/// other", "two-alternative forced choice, side by side".
-std::string presentation_text(const Arrangement& arrangement);
+/// The task of a discrimination block and how its surfaces are presented, as a methods section states it: "two-interval forced
+/// choice, one surface after the other", "same–different task, side by side".
+std::string presentation_text(const Protocol::Block& block);
 
 /// "3-down/1-up staircase (79.4 %), 60 trials × 2 interleaved tracks", "constant stimuli, 60 trials". Requires a
 /// procedure.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -93,6 +94,24 @@ int repetitions_of(const Protocol::Block& block, const BlockRow& row) {
   return block.repetitions;
 }
 
+/// The types of trials, where there are several; one null type otherwise, and while the standard has no value.
+std::vector<const DesignTrial*> types_of(const Protocol::Block& block) {
+  const std::span<const DesignTrial> trials = block.design->trials;
+  if (trials.size() < 2 || !block.vary || !block.vary->standard) return {nullptr};
+  std::vector<const DesignTrial*> types{};
+  for (const DesignTrial& trial : trials) types.push_back(&trial);
+  return types;
+}
+
+BlockRow row_of_type(const Protocol::Block& block, BlockRow row, const DesignTrial* type) {
+  row.type = type;
+  if (type != nullptr && !type->presents(block.vary->role)) {
+    row.factors[block.vary->factor] = *block.vary->standard;
+    add_derived_levels(block, row.factors);
+  }
+  return row;
+}
+
 }  // namespace
 
 void add_derived_levels(const Protocol::Block& block, FactorLevels& row) {
@@ -115,6 +134,7 @@ std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
     const std::size_t levels = protocol.factors.at(block.all_pairs->factor).levels.size();
     count *= levels * (levels - 1) / (block.all_pairs->in_both_orders ? 1 : 2);
   }
+  count *= types_of(block).size();
   for (const std::string& name : block.crossed) {
     count = std::min(count * protocol.factors.at(name).levels.size(), kEnough);
   }
@@ -156,7 +176,11 @@ std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& b
   const std::vector<std::vector<Level>> pairs = pairs_of(protocol, block);
   std::vector<BlockRow> rows{};
   for (const FactorLevels& factors : combinations_of(protocol, block)) {
-    for (const std::vector<Level>& pair : pairs) rows.push_back({factors, pair});
+    for (const std::vector<Level>& pair : pairs) {
+      for (const DesignTrial* const type : types_of(block)) {
+        rows.push_back(row_of_type(block, {factors, pair}, type));
+      }
+    }
   }
   return rows;
 }

@@ -20,11 +20,14 @@ struct BlockRow {
   FactorLevels factors{};
   /// With `all_pairs`: the levels of its factor for the first and the second surface; otherwise empty.
   std::vector<Level> pair{};
+  /// Of a design with several types of trials: that of this trial. Null: all listed surfaces are presented.
+  const DesignTrial* type = nullptr;
 };
 
 /// The combinations of the crossed factors (the last one fastest), or the listed rows, once; one empty combination if
 /// there are none. Each of them with every level of the dimension, where the block varies a parameter without a
-/// procedure, and with every pair, where it has pairs. Excluded combinations are absent; each row has its derived levels.
+/// procedure, with every pair, where it has pairs, and as every type of trial of its design. The level of a trial without
+/// the varied surface is the value of the standard. Excluded combinations are absent; each row has its derived levels.
 std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& block);
 
 /// The number of rows, built only where combinations are excluded.

@@ -215,8 +215,10 @@ void Course::add_block(const BlockRun& run) {
     drawn[factor] = balanced_draws(protocol_->factors.at(factor).levels, trials,
                                    run.random.split("drawn").split(factor));
   }
+  const std::size_t in_trial = surfaces_of(block, rows.front()).size();
   const auto positions =
-      positions_of(block.positions, block.presented.size(), trials, run.random.split("positions"));
+      positions_of(block.positions, in_trial, trials, run.random.split("positions"));
+  std::size_t ordered = 0;  // trials whose order of surfaces can be noticed
   if (!block.anchor.empty()) {
     Trial anchor{};
     anchor.repetition = 0;
@@ -238,7 +240,11 @@ void Course::add_block(const BlockRun& run) {
     for (const auto& [factor, levels] : drawn) trial.factors[factor] = levels[i];
     const std::vector<Protocol::Presented> listed = surfaces_of(block, row);
     std::vector<Protocol::Presented> surfaces{};
-    for (const std::size_t index : positions[i]) surfaces.push_back(listed[index]);
+    // Positions are balanced over the trials with a signal: the surfaces of the others are equal.
+    const bool is_ordered = row.type == nullptr || row.type->is_signal;
+    for (const std::size_t index : positions[is_ordered ? ordered++ : 0]) {
+      surfaces.push_back(listed[index]);
+    }
     add(maker_.make(std::move(trial), run, surfaces, run.random.split("pictures").split(i)));
   }
 }

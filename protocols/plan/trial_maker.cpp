@@ -214,7 +214,25 @@ std::vector<std::vector<std::size_t>> positions_of(Block::Positions how, std::si
   return orders;
 }
 
+namespace {
+
+std::vector<Protocol::Presented> surfaces_of_type(const Block& block, const DesignTrial& type) {
+  std::vector<Protocol::Presented> surfaces{};
+  for (const std::string_view role : type.roles) {
+    if (role.empty()) continue;
+    const auto has_role = [role](const Protocol::Presented& each) { return each.role == role; };
+    const auto listed = std::find_if(block.presented.begin(), block.presented.end(), has_role);
+    const bool is_second = std::any_of(surfaces.begin(), surfaces.end(), has_role);
+    surfaces.push_back(*listed);
+    if (is_second) surfaces.back().item = std::string(role) + "_2";
+  }
+  return surfaces;
+}
+
+}  // namespace
+
 std::vector<Protocol::Presented> surfaces_of(const Block& block, const BlockRow& row) {
+  if (row.type != nullptr) return surfaces_of_type(block, *row.type);
   std::vector<Protocol::Presented> surfaces = block.presented;
   for (std::size_t i = 0; i < row.pair.size(); ++i) {
     surfaces[i].with[block.all_pairs->factor] = row.pair[i];

@@ -22,7 +22,8 @@ struct BlockRun {
   Random random{0};      ///< the stream of this run
 };
 
-/// The surfaces of a trial in the listed order: where the block has pairs, with the levels of the pair of the row.
+/// The surfaces of a trial in the listed order: where the block has pairs, with the levels of the pair of the row; where
+/// its design has several types of trials, those of the type of the row. A second surface of a role counts as "ROLE_2".
 std::vector<Protocol::Presented> surfaces_of(const Protocol::Block& block, const BlockRow& row);
 
 /// Makes the trials of one session.

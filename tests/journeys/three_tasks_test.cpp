@@ -95,6 +95,22 @@ nlohmann::ordered_json staircases() {
   return protocol;
 }
 
+/// Two levels of a same–different task, each as four pairs.
+nlohmann::ordered_json same_different() {
+  nlohmann::ordered_json protocol = staircases();
+  protocol["name"] = "same_different";
+  protocol["observer"]["different_above"] = 0.2;
+  nlohmann::ordered_json& block = protocol["blocks"]["main"];
+  block.erase("procedure");
+  block["design"] = "same_different";
+  block["vary"].erase("levels_percent");
+  block["vary"]["levels_percent"] = {20, 60};
+  block["question"] = nlohmann::ordered_json::parse(
+      R"({"name": "different", "prompt": "Same or different?", "judgement": "performance",
+          "options": [{"value": "same", "text": "The same"}, {"value": "different", "text": "Different"}]})");
+  return protocol;
+}
+
 /// A protocol in a small study.
 class Tasks : public testing::Test {
  protected:
@@ -162,6 +178,11 @@ class PairsOfModels : public Tasks {
 class Staircases : public Tasks {
  protected:
   Staircases() : Tasks(staircases()) {}
+};
+
+class SameDifferent : public Tasks {
+ protected:
+  SameDifferent() : Tasks(same_different()) {}
 };
 
 TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
@@ -249,6 +270,33 @@ TEST_F(Staircases, AreCheckedSimulatedVerifiedAnalysedExportedAndReported) {
 }
 
 TEST_F(Staircases, ResumeAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
+
+TEST_F(SameDifferent, IsCheckedSimulatedVerifiedAnalysedExportedAndReported) {
+  const Outcome checked = asperity({"check", file_, "--study", small_.study()});
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out,
+              HasSubstr("block main: same–different task, one surface after the other, constant "
+                        "stimuli, 2 levels × 4 presentations, half of them without a difference"));
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "3", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const Outcome verified = asperity({"verify", small_.study(), "--replay"});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_THAT(asperity({"analyze", small_.study()}).out,
+              HasSubstr("How large is the sensitivity (d′) at each level?"));
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  for (const std::string& answer : tsv(tables.at("responses.tsv")).column("answer")) {
+    EXPECT_THAT(answer, testing::AnyOf("same", "different"));
+  }
+  const std::vector<std::string> items = tsv(tables.at("presentations.tsv")).column("item");
+  EXPECT_EQ(std::count(items.begin(), items.end(), "standard_2"), 3 * 2);
+  const fs::path report = small_.place() / "report.html";
+  EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
+  EXPECT_THAT(text_of(report), HasSubstr("same–different task. In each trial, two surfaces are "
+                                         "presented one after the other"));
+}
+
+TEST_F(SameDifferent, ResumesAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
 
 }  // namespace
 }  // namespace asperity::test

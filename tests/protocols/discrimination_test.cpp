@@ -143,7 +143,7 @@ TEST(Discriminations, RefuseSurfacesThatAreNotAStandardAndAComparison) {
         [&](ProtocolJson& p) { main_block(p)["positions"] = "as_listed"; }},
        {"/question/correct_factor", "the judgement determines the correct response",
         [&](ProtocolJson& p) { main_block(p)["question"]["correct_factor"] = "amplitude_m"; }},
-       {"/question/allow_cannot_tell", "a forced choice between the two surfaces",
+       {"/question/allow_cannot_tell", "has no option without a judgement",
         [&](ProtocolJson& p) { main_block(p)["question"]["allow_cannot_tell"] = true; }}});
 }
 

@@ -165,6 +165,10 @@ const CellWords& words_of_reasons() {
               "no participant has trials in every condition, and the test compares conditions "
               "within participants")},
       {"no_data", phrase("CellWords", "no responses")},
+      {"all_same_response", phrase("CellWords", "every response is the same")},
+      {"no_choice_of_surface",
+       phrase("CellWords",
+              "no response is a choice between two surfaces, so that there is no order effect")},
       {"no_point_of_equality",
        phrase("CellWords",
               "responses are correct or incorrect, so that there is no point of "

@@ -181,6 +181,7 @@ void add_choice_model(const GatheredAnswers& gathered,
                     {}},
                    note_on_model()};
   for (const DiscriminationStudy& study : studies) {
+    if (study.task.design != &two_alternatives()) continue;
     const std::vector<ExploredChoice> choices = explored_choices(gathered, study);
     if (choices.empty()) continue;
     std::size_t people = 0;

@@ -12,7 +12,7 @@ namespace asperity {
 /// The table and the analysis of its findings; with several tasks the analysis is "choice_model:TASK".
 inline constexpr const char* kChoiceModel = "choice_model";
 
-/// Adds the table `choice_model`: for each task a logistic mixed model of the choices of the comparison, with random intercepts
+/// Adds the table `choice_model`: for each task in which one of two surfaces is chosen a logistic mixed model of the choices of the comparison, with random intercepts
 /// of participants,
 ///
 ///   ln(p/(1 − p)) = β₀ + β·(value of the comparison − standard) + γ·(force_c − force_s) + δ·(speed_c − speed_s)

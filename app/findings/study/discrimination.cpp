@@ -9,6 +9,7 @@
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/choice_model.h"
 #include "app/findings/study/discrimination_questions.h"
+#include "app/findings/study/discrimination_sensitivity.h"
 #include "app/findings/study/discrimination_tables.h"
 #include "app/findings/study/kinds/discrimination_analysis.h"
 #include "app/findings/study/study_findings.h"
@@ -103,7 +104,8 @@ ConditionScores scores_of_conditions(const GatheredAnswers& gathered,
 void test_conditions(const GatheredAnswers& gathered, const DiscriminationResults& results,
                      StudyTests& tests, AnalysisOutcome& outcome) {
   if (results.conditions.size() < 2) return;
-  std::vector<std::pair<std::string, std::string>> measures{{"jnd", results.name_of_threshold()}};
+  std::vector<std::pair<std::string, std::string>> measures{
+      {results.quantity_of_threshold(), results.name_of_threshold()}};
   if (!results.study.task.is_performance) measures.emplace_back("pse", "PSE");
   for (const auto& [quantity, shown] : measures) {
     const std::string about = with_task(shown, results.name);
@@ -174,10 +176,11 @@ void remark_on_left_out(const std::vector<DiscriminationStudy>& studies, Analysi
   std::size_t left_out = 0;
   for (const DiscriminationStudy& study : studies) left_out += study.left_out;
   if (left_out == 0) return;
-  outcome.remarks.push_back(
-      phrase("Analysis",
-             "Responses to trials without two surfaces and a level, which are left out: %1.")
-          .with(std::to_string(left_out)));
+  outcome.remarks.push_back(phrase("Analysis",
+                                   "Responses to trials without the surfaces of the design or "
+                                   "without a level, which are left "
+                                   "out: %1.")
+                                .with(std::to_string(left_out)));
 }
 
 void remark_on_direction(const DiscriminationResults& results, AnalysisOutcome& outcome) {
@@ -220,12 +223,17 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
               quantity == "bound.beta" || quantity == "loglik");
     });
     keep_findings(results.means, outcome);
-    test_order(gathered, results, tests, outcome);
+    if (!results.study.task.design->has_noise()) test_order(gathered, results, tests, outcome);
     test_conditions(gathered, results, tests, outcome);
     if (results.study.task.is_performance) continue;
     has_comparison = true;
     remark_on_direction(results, outcome);
     test_equality(gathered, results, tests, outcome);
+  }
+  if (tests.is_in_family("order") && tests.find("order") == nullptr &&
+      std::all_of(all.begin(), all.end(),
+                  [](const auto& each) { return each.study.task.design->has_noise(); })) {
+    tests.add_untested("order", "", "no_choice_of_surface");
   }
   if (!has_comparison && tests.is_in_family("point_of_subjective_equality")) {
     tests.add_untested("point_of_subjective_equality", "", "no_point_of_equality");
@@ -237,6 +245,7 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
   }
   add_discrimination_tables(gathered, all, outcome);
   add_choice_model(gathered, studies, outcome);
+  add_sensitivity(gathered, all, outcome);
   tests.finish(outcome);
   for (const DiscriminationResults& results : all) ask_discrimination(results, tests, outcome);
 }

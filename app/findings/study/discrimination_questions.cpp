@@ -12,6 +12,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
 #include "app/words/text_parts.h"
@@ -110,6 +111,21 @@ std::string name_of_question(const char* name, const DiscriminationResults& resu
 }
 
 Phrase method_of_thresholds(const DiscriminationResults& results) {
+  if (const auto detection = detection_task(*results.study.task.design)) {
+    return *detection == DetectionTask::yes_no
+               ? phrase("Analysis",
+                        "For each participant and condition, responses “yes” were modelled by "
+                        "signal detection, with d′ a power function of the difference from the "
+                        "standard, by maximum likelihood; the threshold is the difference with "
+                        "d′ = 1 [Macmillan 2005]. CIs of geometric means are t-based on the "
+                        "logarithmic scale.")
+               : phrase("Analysis",
+                        "For each participant and condition, responses “different” were modelled "
+                        "by signal detection with the differencing rule, with d′ a power function "
+                        "of the difference from the standard, by maximum likelihood; the threshold "
+                        "is the difference with d′ = 1 [Macmillan 2005]. CIs of geometric means "
+                        "are t-based on the logarithmic scale.");
+  }
   if (!results.study.task.is_performance) {
     return phrase(
         "Analysis",
@@ -141,7 +157,8 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                     : phrase("Analysis", "How large is the just-noticeable difference of the %1?"))
           .with(parameter);
   const FoundNumbers found(results.means);
-  const Phrase means = mean_thresholds_text(results, "geomean.jnd", "geomean.weber");
+  const std::string quantity = "geomean." + results.quantity_of_threshold();
+  const Phrase means = mean_thresholds_text(results, quantity, "geomean.weber");
   const Phrase answer =
       means.empty()
           ? phrase("Analysis",
@@ -152,9 +169,9 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                  : phrase("Analysis", "Geometric mean of the just-noticeable differences: %1."))
                 .with(means);
   add_question(outcome, name_of_question("threshold", results).c_str(), question,
-               with_unfinished_tracks(answer, results, "jnd", means), method_of_thresholds(results),
-               means.empty() ? kThresholds : kMeanThresholds,
-               first_mean(results, "geomean.jnd", found));
+               with_unfinished_tracks(answer, results, results.quantity_of_threshold(), means),
+               method_of_thresholds(results), means.empty() ? kThresholds : kMeanThresholds,
+               first_mean(results, quantity, found));
 }
 
 void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
@@ -217,12 +234,13 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
           : phrase("Analysis", "Friedman test of the participants' thresholds.");
   const std::string name = name_of_question("conditions", results);
   const FoundNumbers found(results.means);
+  const std::string quantity = "geomean." + results.quantity_of_threshold();
   if (test != nullptr && has_too_few_differences(*test)) {
     add_question(outcome, name.c_str(), question,
                  phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
                      .with(words_of_cell("status", test->status),
-                           mean_thresholds_text(results, "geomean.jnd", "")),
-                 method, kMeanThresholds, first_mean(results, "geomean.jnd", found));
+                           mean_thresholds_text(results, quantity, "")),
+                 method, kMeanThresholds, first_mean(results, quantity, found));
     return;
   }
   if (test == nullptr || !test->p) {
@@ -237,7 +255,7 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
                  method, kThresholds, nullptr);
     return;
   }
-  const Phrase means = mean_thresholds_text(results, "geomean.jnd", "");
+  const Phrase means = mean_thresholds_text(results, quantity, "");
   const auto with_numbers = [&](const Phrase& words) { return words.with(means, p_text(*test)); };
   const Sayings sayings{with_numbers(phrase("Analysis", "Yes: geometric mean thresholds %1 (%2).")),
                         with_numbers(phrase("Analysis",
@@ -245,7 +263,7 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
                                             "This does not show that they are equal.")),
                         with_numbers(phrase("Analysis", "Geometric mean thresholds: %1 (%2)."))};
   add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kMeanThresholds,
-               first_mean(results, "geomean.jnd", found));
+               first_mean(results, quantity, found));
 }
 
 void ask_order(const DiscriminationResults& results, const StudyTests& tests,
@@ -325,6 +343,33 @@ std::set<std::string> conditions_of_detections(const std::vector<Finding>& findi
     if (of_performance.contains(key)) conditions.insert(key.substr(key.find('|') + 1));
   }
   return conditions;
+}
+
+/// The means of the designs in which the threshold is the difference at d′ = 1: there is none at 75 % correct.
+std::set<std::string> conditions_at_unit_sensitivity(const FoundNumbers& means) {
+  std::set<std::string> conditions{};
+  for (const Finding* const mean : means.all("geomean.jnd.dprime1")) {
+    if (means.find("geomean.jnd", mean->key) == nullptr) conditions.insert(mean->key);
+  }
+  return conditions;
+}
+
+/// The thresholds of these designs.
+std::vector<Finding> thresholds_at_unit_sensitivity(const std::vector<Finding>& findings) {
+  std::set<std::string> with_proportion{};
+  for (const Finding& finding : findings) {
+    if (finding.analysis == kThresholds && finding.quantity == "jnd") {
+      with_proportion.insert(finding.key);
+    }
+  }
+  std::vector<Finding> thresholds{};
+  for (const Finding& finding : findings) {
+    if (finding.analysis == kThresholds && finding.quantity == "jnd.dprime1" &&
+        !with_proportion.contains(finding.key)) {
+      thresholds.push_back(finding);
+    }
+  }
+  return thresholds;
 }
 
 /// " No JND was estimated for one of 6 participants (responses do not depend on the level as expected)."
@@ -435,7 +480,7 @@ void ask_discrimination(const DiscriminationResults& results, const StudyTests& 
   ask_thresholds(results, outcome);
   ask_equality(results, tests, outcome);
   ask_conditions(results, tests, outcome);
-  ask_order(results, tests, outcome);
+  if (!results.study.task.design->has_noise()) ask_order(results, tests, outcome);
 }
 
 EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
@@ -447,7 +492,9 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   std::string text{};
   const FoundNumbers found(means);
   std::vector<std::string> conditions{};
-  for (const char* const quantity : {"mean.pse", "geomean.jnd", "geomean.jnd.posterior"}) {
+  const std::set<std::string> at_unit = conditions_at_unit_sensitivity(found);
+  for (const char* const quantity :
+       {"mean.pse", "geomean.jnd", "geomean.jnd.dprime1", "geomean.jnd.posterior"}) {
     for (const Finding* const mean : found.all(quantity)) {
       if (std::find(conditions.begin(), conditions.end(), mean->key) == conditions.end()) {
         conditions.push_back(mean->key);
@@ -464,7 +511,13 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
       parts.push_back(mean_of_paper(measure, *mean));
     };
     add("mean.pse", "PSE");
-    add("geomean.jnd", detections.contains(condition) ? "detection threshold" : "JND");
+    const char* const measure = detections.contains(condition) ? "detection threshold" : "JND";
+    if (at_unit.contains(condition)) {
+      add("geomean.jnd.dprime1",
+          detections.contains(condition) ? "detection threshold at d′ = 1" : "JND at d′ = 1");
+    } else {
+      add("geomean.jnd", measure);
+    }
     add("geomean.jnd.posterior",
         detections.contains(condition) ? "posterior detection threshold" : "posterior JND");
     add("geomean.weber", "Weber fraction");
@@ -482,6 +535,8 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   if (!text.empty()) text += '.';
   text += missing_sentences(outcome.findings, "pse", "PSE") +
           missing_sentences(outcome.findings, "jnd", detections.empty() ? "JND" : "threshold") +
+          missing_sentences(thresholds_at_unit_sensitivity(outcome.findings), "jnd.dprime1",
+                            detections.empty() ? "JND" : "threshold") +
           unfinished_sentence(outcome.findings) + catch_trials_sentence(outcome);
   if (text.starts_with(' ')) text.erase(0, 1);
   return {.text = text};

@@ -130,7 +130,7 @@ DiscriminationResults::DiscriminationResults(const GatheredAnswers& gathered,
   for (const Function& function : functions) data.push_back(function.data);
   fit = fit_discrimination(of.task, data);
   means = means_of(*this);
-  orders = orders_of(of);
+  if (!of.task.design->has_noise()) orders = orders_of(of);
   order = order_findings(orders, name);
 }
 

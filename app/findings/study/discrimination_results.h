@@ -73,7 +73,8 @@ struct DiscriminationResults {
   /// mean.jnd.dprime1, mean.jnd.posterior, mean.weber; and geomean.… of all but the PSE with intervals on the logarithmic
   /// scale, which contain no negative numbers.
   std::vector<Finding> means{};
-  std::vector<OrderOfPerson> orders{};  ///< of the participants with trials
+  /// Of the participants with trials; none of a design with options in words.
+  std::vector<OrderOfPerson> orders{};
   std::vector<Finding> order{};  ///< analysis `order`: the mean of `OrderOfPerson::difference`
 
   /// Whether conditions can be compared within participants: at least one has trials in all of them.
@@ -81,6 +82,11 @@ struct DiscriminationResults {
 
   /// What the test of the point of subjective equality of a condition is about: "amplitude", "amplitude (wood)".
   std::string about_equality(std::size_t condition) const;
+
+  /// The quantity of the threshold that answers, tests and texts state.
+  std::string quantity_of_threshold() const {
+    return study.task.design->has_noise() ? "jnd.dprime1" : "jnd";
+  }
 
   /// "PSE", "JND", "detection threshold".
   std::string name_of_threshold() const {

@@ -11,7 +11,9 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/discrimination_coverage.h"
+#include "app/findings/study/discrimination_sensitivity.h"
 
 namespace asperity {
 
@@ -154,6 +156,8 @@ struct ShownFunctions {
   bool has_repeated_procedure = false;
   bool has_unfinished_tracks = false;
   bool has_posterior = false;
+  bool has_yes_no = false;
+  bool has_same_different = false;
 };
 
 ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
@@ -161,6 +165,12 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
   for (const DiscriminationResults& results : all) {
     const bool is_performance = results.study.task.is_performance;
     const FoundNumbers thresholds(results.fit.thresholds);
+    if (const auto detection = detection_task(*results.study.task.design)) {
+      shown.has_yes_no = shown.has_yes_no || *detection == DetectionTask::yes_no;
+      shown.has_same_different =
+          shown.has_same_different || *detection == DetectionTask::same_different;
+      continue;
+    }
     for (const auto& function : results.functions) {
       const bool by_procedure = function.data.by_procedure;
       shown.has_performance = shown.has_performance || is_performance;
@@ -193,6 +203,20 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
                "Performance: a Weibull function of the difference from the standard, fitted by "
                "maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. "
                "JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %."));
+  }
+  if (shown.has_yes_no) {
+    add(phrase("Analysis",
+               "Yes/no: responses are modelled as P(yes) = Φ(d′ − k) with d′ = (x/α)^β, x the "
+               "difference from the standard and 2 % lapses in both directions, by maximum "
+               "likelihood. JND at d′ = 1: α [Macmillan 2005]; 95 % CI: Wald, on the logarithmic "
+               "scale."));
+  }
+  if (shown.has_same_different) {
+    add(phrase("Analysis",
+               "Same–different: responses are modelled by the differencing rule, P(different) = "
+               "Φ((d′ − k)/√2) + Φ((−d′ − k)/√2) with d′ = (x/α)^β, x the difference from the "
+               "standard and 2 % lapses in both directions, by maximum likelihood. JND at d′ = 1: "
+               "α [Macmillan 2005]; 95 % CI: Wald, on the logarithmic scale."));
   }
   if (shown.has_delta_performance) {
     add(phrase("Analysis", "95 % CI: delta method, truncated at 0."));
@@ -277,6 +301,14 @@ Phrase note_on_means(const std::vector<DiscriminationResults>& all) {
 }
 
 Phrase note_on_hits_of(const DiscriminationStudy& study) {
+  if (const auto detection = detection_task(*study.task.design)) {
+    return *detection == DetectionTask::yes_no
+               ? phrase("Analysis",
+                        "Hits are responses “yes”; those at a difference of 0 are false alarms.")
+               : phrase("Analysis",
+                        "Hits are responses “different”; those at a difference of 0 are false "
+                        "alarms.");
+  }
   if (study.task.is_performance) return phrase("Analysis", "Hits are correct responses.");
   return study.counts_standard
              ? phrase("Analysis",
@@ -378,7 +410,7 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   outcome.tables.push_back(std::move(thresholds));
   outcome.tables.push_back(std::move(psychometric));
   if (!tracks.table.rows.empty()) outcome.tables.push_back(std::move(tracks));
-  outcome.tables.push_back(std::move(order));
+  if (!order.table.rows.empty()) outcome.tables.push_back(std::move(order));
   if (!catch_trials.table.rows.empty()) outcome.tables.push_back(std::move(catch_trials));
 }
 
@@ -399,7 +431,8 @@ void write_of_repetitions(Table& table) {
 }  // namespace
 
 Table with_quantities(const NamedTable& table) {
-  static const std::set<std::string> kTables{kThresholds, kMeanThresholds, kPsychometric, kTracks};
+  static const std::set<std::string> kTables{kThresholds, kMeanThresholds, kPsychometric, kTracks,
+                                             kSensitivity};
   const std::optional<std::size_t> unit = column_of(table.table, "unit");
   if (!kTables.contains(table.name) || !unit) return table.table;
   static const std::set<std::string> kQuantities{"pse",           "jnd",       "jnd_dprime1",

@@ -86,7 +86,7 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
     if (!blocks.contains(gathered.word(answer.block))) continue;
     const auto surfaces = gathered.surfaces_of(answer);
     const std::string& level = gathered.word(gathered.level(answer, task.varied.factor));
-    if (surfaces.size() != 2 || !number_in(level)) {
+    if (surfaces.size() != task.design->surfaces() || !number_in(level)) {
       ++study.left_out;
       continue;
     }
@@ -104,11 +104,19 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
     const GatheredAnswer& answer = *answers[i];
     const auto place = std::find(study.conditions.begin(), study.conditions.end(), conditions[i]);
     const auto surfaces = gathered.surfaces_of(answer);
+    const auto comparisons = static_cast<std::size_t>(
+        std::count_if(surfaces.begin(), surfaces.end(), [&gathered](const FeltSurface& surface) {
+          return gathered.word(surface.item).starts_with(kComparisonRole);
+        }));
+    const bool is_signal = !task.design->has_noise() || task.design->is_signal(comparisons);
+    const double level = *number_in(gathered.word(gathered.level(answer, task.varied.factor)));
     study.trials.push_back(
         {.person = answer.person,
          .condition = static_cast<std::size_t>(place - study.conditions.begin()),
-         .value = *number_in(gathered.word(gathered.level(answer, task.varied.factor))),
-         .chose_comparison = gathered.word(gathered.reply_of(answer).answer) == kComparisonRole,
+         .value = is_signal ? level : task.standard(),
+         .comparisons = comparisons,
+         .is_signal = is_signal,
+         .chose_comparison = is_hit_response(task, gathered.word(gathered.reply_of(answer).answer)),
          .comparison_first = gathered.word(surfaces[0].item) == kComparisonRole,
          .block = answer.block,
          .by_procedure = answer.track != 0 &&
@@ -163,8 +171,9 @@ double trend_of_choices(std::span<const HitsByValue> all) {
 
 bool DiscriminationTask::operator==(const DiscriminationTask& other) const {
   const auto parts = [](const DiscriminationTask& task) {
-    return std::tie(task.is_performance, task.is_sequential, task.asks_for_less, task.question,
-                    task.prompt, task.varied.factor, task.varied.parameter, task.varied.standard);
+    return std::tie(task.design, task.is_performance, task.is_sequential, task.asks_for_less,
+                    task.question, task.prompt, task.varied.factor, task.varied.parameter,
+                    task.varied.standard);
   };
   return parts(*this) == parts(other);
 }
@@ -175,9 +184,13 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
   const auto asked = std::find_if(block.questions.begin(), block.questions.end(),
                                   [](const auto& each) { return !each.judgement.empty(); });
   if (asked == block.questions.end()) return std::nullopt;
+  const DiscriminationDesign* const design =
+      block.design.empty() ? &two_alternatives() : find_design(block.design);
+  if (design == nullptr) return std::nullopt;
   DiscriminationTask task{.name = block_name,
                           .question = asked->name,
                           .prompt = asked->prompt,
+                          .design = design,
                           .is_performance = asked->judgement == "performance",
                           .is_sequential = block.is_sequential,
                           .asks_for_less = asked->asks_for_less,
@@ -185,6 +198,10 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
                           .has_levels_of_procedure = asperity::has_levels_of_procedure(block)};
   task.varied.unit = unit_of_parameter(task.varied.parameter);
   return task;
+}
+
+bool is_hit_response(const DiscriminationTask& task, const std::string& answer) {
+  return answer == (task.design->has_noise() ? task.design->yes : kComparisonRole);
 }
 
 bool counts_standard(const DiscriminationTask& task, double trend) {

@@ -13,6 +13,7 @@
 #include "analysis/proportion.h"
 #include "app/findings/study/gathered_answers.h"
 #include "protocols/design/dimension.h"
+#include "protocols/design/discrimination_design.h"
 
 namespace asperity {
 
@@ -22,7 +23,8 @@ struct DiscriminationTask {
   std::string name{};      ///< of the first of these blocks
   std::string question{};  ///< name of the question
   std::string prompt{};    ///< its text
-  /// The comparison is the correct response; otherwise no response is correct.
+  const DiscriminationDesign* design = &two_alternatives();
+  /// One response is correct, the comparison where a surface is chosen; otherwise no response is correct.
   bool is_performance = true;
   /// The surfaces were presented one after the other; otherwise side by side or on request, where the first surface is
   /// that on the left or in front, or the one that the participant knows as A.
@@ -39,9 +41,13 @@ struct DiscriminationTask {
   bool operator==(const DiscriminationTask& other) const;
 };
 
-/// The task of a block as stored; nothing where it states no judgement, parameter or value of the standard.
+/// The task of a block as stored; nothing where it states no judgement, parameter or value of the standard, or a design that
+/// this version does not have.
 std::optional<DiscriminationTask> discrimination_task(const std::string& block_name,
                                                       const StoredProtocol::Block& block);
+
+/// Whether a response counts as a hit of a function of the comparison.
+bool is_hit_response(const DiscriminationTask& task, const std::string& answer);
 
 /// Whether the psychometric function is that of the choices of the standard: the question asks for less of the parameter, or,
 /// where the protocol does not state it, the choices of the comparison decrease with the parameter (`trend_of_choices`).
@@ -54,7 +60,8 @@ bool has_levels_of_procedure(const StoredProtocol::Block& block);
 bool has_levels_of_procedure(const GatheredAnswers& gathered);
 
 /// Hits of a psychometric function by value of the parameter: correct responses, or choices of the surface whose choices
-/// increase with the value.
+/// increase with the value. Of a design with trials without a signal the responses "yes" or "different", those without a
+/// signal at the value of the standard.
 using HitsByValue = std::map<double, HitCount>;
 
 /// The covariance of hits and values over the trials of all together, divided by its standard deviation under random
@@ -65,7 +72,11 @@ double trend_of_choices(std::span<const HitsByValue> all);
 struct DiscriminationTrial {
   std::uint32_t person = 0;   ///< index of the gathered people
   std::size_t condition = 0;  ///< index of the conditions
-  double value = 0.0;         ///< of the parameter, of the comparison
+  /// Of the parameter, of the comparison; in a trial without a signal that of the standard.
+  double value = 0.0;
+  std::size_t comparisons = 1;  ///< surfaces that are comparisons
+  bool is_signal = true;        ///< always where a surface is chosen
+  /// In a design with options in words: the response is "yes" or "different".
   bool chose_comparison = false;
   bool comparison_first = false;
   std::uint32_t block = kNoWord;  ///< word of its name

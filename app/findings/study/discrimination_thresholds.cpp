@@ -14,6 +14,7 @@
 #include "analysis/tail_probabilities.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/discrimination_posterior.h"
 #include "app/findings/study/missing_threshold.h"
 #include "app/findings/study/study_findings.h"
@@ -458,6 +459,7 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
                                      std::span<const DiscriminationData> data) {
   DiscriminationFit fit{};
   if (data.empty()) return fit;
+  if (task.design->has_noise()) return fit_detections(task, data);
   fit.functions = functions_at(task, data, task.is_performance ? kProportionAtThreshold : 0.5);
   const std::vector<Finding> at_unit_sensitivity =
       task.is_performance ? functions_at(task, data, kProportionAtUnitSensitivity)

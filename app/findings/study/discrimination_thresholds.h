@@ -63,6 +63,7 @@ struct DiscriminationFit {
   /// The sentences of `WhyNoThreshold` in `thresholds`, each once, except for those of slopes.
   std::vector<Phrase> reasons{};
 };
+/// Of a design with options in words: `fit_detections`.
 DiscriminationFit fit_discrimination(const DiscriminationTask& task,
                                      std::span<const DiscriminationData> data);
 

@@ -1640,10 +1640,6 @@
         <translation>Versuchspersonen ohne Schätzung (%1) in jeder Bedingung gehen nicht in den Test der Bedingungen ein</translation>
     </message>
     <message>
-        <source>Responses to trials without two surfaces and a level, which are left out: %1.</source>
-        <translation>Antworten zu Durchgängen ohne zwei Oberflächen und eine Stufe, die nicht ausgewertet werden: %1.</translation>
-    </message>
-    <message>
         <source>The protocol does not state the judgement and the parameter that is varied with its value in the standard, so that thresholds cannot be estimated; state them in a new version of the protocol.</source>
         <translation>Das Protokoll nennt nicht das Urteil und den variierten Parameter mit seinem Wert im Standardreiz, daher können keine Schwellen geschätzt werden; beides in einer neuen Version des Protokolls angeben.</translation>
     </message>
@@ -2142,6 +2138,74 @@
     <message>
         <source>Logistic mixed model of the choices of the comparison, with random intercepts of participants. Differences are those of the comparison from the standard: of the level, and of the mean normal force and the mean speed during contact. Odds ratios per SD over the trials, and of the position; Wald tests and 95 % CIs. The tests are exploratory and uncorrected: participants chose force and speed themselves.</source>
         <translation>Logistisches gemischtes Modell der Wahlen des Vergleichsreizes, mit zufälligen Achsenabschnitten der Versuchspersonen. Differenzen sind die des Vergleichsreizes vom Standard: der Stufe sowie der mittleren Normalkraft und der mittleren Geschwindigkeit während des Kontakts. Odds-Ratios je SD über die Durchgänge und für die Position; Wald-Tests und 95-%-KI. Die Tests sind explorativ und unkorrigiert: Die Versuchspersonen wählten Kraft und Geschwindigkeit selbst.</translation>
+    </message>
+    <message>
+        <source>Responses to trials without the surfaces of the design or without a level, which are left out: %1.</source>
+        <translation>Nicht berücksichtigte Antworten auf Durchgänge ohne die Oberflächen des Designs oder ohne Stufe: %1.</translation>
+    </message>
+    <message>
+        <source>For each participant and condition, responses “yes” were modelled by signal detection, with d′ a power function of the difference from the standard, by maximum likelihood; the threshold is the difference with d′ = 1 [Macmillan 2005]. CIs of geometric means are t-based on the logarithmic scale.</source>
+        <translation>Für jede Versuchsperson und Bedingung wurden die Antworten „ja“ nach der Signalentdeckungstheorie mit der Maximum-Likelihood-Methode modelliert, mit d′ als Potenzfunktion des Unterschieds zum Standard; die Schwelle ist der Unterschied mit d′ = 1 [Macmillan 2005]. KI geometrischer Mittel sind t-basiert auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>For each participant and condition, responses “different” were modelled by signal detection with the differencing rule, with d′ a power function of the difference from the standard, by maximum likelihood; the threshold is the difference with d′ = 1 [Macmillan 2005]. CIs of geometric means are t-based on the logarithmic scale.</source>
+        <translation>Für jede Versuchsperson und Bedingung wurden die Antworten „verschieden“ nach der Signalentdeckungstheorie mit der Differenzregel mit der Maximum-Likelihood-Methode modelliert, mit d′ als Potenzfunktion des Unterschieds zum Standard; die Schwelle ist der Unterschied mit d′ = 1 [Macmillan 2005]. KI geometrischer Mittel sind t-basiert auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Two alternatives: hits are responses “the first” with the comparison as surface A, false alarms the same responses with the comparison as surface B; d′ = (z(H) − z(F))/√2 [Macmillan 2005]. A positive criterion is a bias towards surface B.</source>
+        <translation>Zwei Alternativen: Treffer sind Antworten „die erste“ mit dem Vergleich als Oberfläche A, falsche Alarme dieselben Antworten mit dem Vergleich als Oberfläche B; d′ = (z(H) − z(F))/√2 [Macmillan 2005]. Ein positives Kriterium ist eine Neigung zu Oberfläche B.</translation>
+    </message>
+    <message>
+        <source>Yes/no: hits are responses “yes” to the comparison, false alarms those to the standard, over all levels of the condition together; d′ = z(H) − z(F) [Macmillan 2005]. A positive criterion is a reluctance to respond “yes”.</source>
+        <translation>Ja/Nein: Treffer sind Antworten „ja“ auf den Vergleich, falsche Alarme solche auf den Standard, bei allen Stufen der Bedingung zusammen; d′ = z(H) − z(F) [Macmillan 2005]. Ein positives Kriterium ist eine Zurückhaltung, „ja“ zu antworten.</translation>
+    </message>
+    <message>
+        <source>Same–different: hits are responses “different” to different surfaces, false alarms those to equal surfaces, over all levels of the condition together. d′ by the differencing rule, and d′ by the rule of independent observations [Macmillan 2005].</source>
+        <translation>Gleich–verschieden: Treffer sind Antworten „verschieden“ auf verschiedene Oberflächen, falsche Alarme solche auf gleiche Oberflächen, bei allen Stufen der Bedingung zusammen. d′ nach der Differenzregel und d′ nach der Regel unabhängiger Beobachtungen [Macmillan 2005].</translation>
+    </message>
+    <message>
+        <source>d′ is computed with the log-linear correction of the proportions [Hautus 1995], its 95 % CI by the delta method.</source>
+        <translation>d′ ist mit der log-linearen Korrektur der Anteile berechnet [Hautus 1995], sein 95-%-KI mit der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>How large is the sensitivity (d′) at each level?</source>
+        <translation>Wie groß ist die Sensitivität (d′) bei jeder Stufe?</translation>
+    </message>
+    <message>
+        <source>Mean d′ by the %1 of the comparison: %2.</source>
+        <translation>Mittleres d′ nach %1 des Vergleichs: %2.</translation>
+    </message>
+    <message>
+        <source>Mean over the participants of d′ with the log-linear correction; percentile CIs by a bootstrap over participants.</source>
+        <translation>Mittel von d′ mit log-linearer Korrektur über die Versuchspersonen; Perzentil-KI durch einen Bootstrap über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Sensitivity by level</source>
+        <translation>Sensitivität nach Stufe</translation>
+    </message>
+    <message>
+        <source>Responses by pair of surfaces</source>
+        <translation>Antworten nach Oberflächenpaar</translation>
+    </message>
+    <message>
+        <source>Responses “different” to every pair of surfaces, in the order of presentation (side by side: A, B), over all levels together.</source>
+        <translation>Antworten „verschieden“ auf jedes Oberflächenpaar, in der Reihenfolge der Darbietung (nebeneinander: A, B), bei allen Stufen zusammen.</translation>
+    </message>
+    <message>
+        <source>Yes/no: responses are modelled as P(yes) = Φ(d′ − k) with d′ = (x/α)^β, x the difference from the standard and 2 % lapses in both directions, by maximum likelihood. JND at d′ = 1: α [Macmillan 2005]; 95 % CI: Wald, on the logarithmic scale.</source>
+        <translation>Ja/Nein: Die Antworten sind mit der Maximum-Likelihood-Methode als P(ja) = Φ(d′ − k) modelliert, mit d′ = (x/α)^β, x dem Unterschied zum Standard und 2 % Lapses in beiden Richtungen. JND bei d′ = 1: α [Macmillan 2005]; 95-%-KI: Wald, auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Same–different: responses are modelled by the differencing rule, P(different) = Φ((d′ − k)/√2) + Φ((−d′ − k)/√2) with d′ = (x/α)^β, x the difference from the standard and 2 % lapses in both directions, by maximum likelihood. JND at d′ = 1: α [Macmillan 2005]; 95 % CI: Wald, on the logarithmic scale.</source>
+        <translation>Gleich–verschieden: Die Antworten sind mit der Maximum-Likelihood-Methode nach der Differenzregel modelliert, P(verschieden) = Φ((d′ − k)/√2) + Φ((−d′ − k)/√2), mit d′ = (x/α)^β, x dem Unterschied zum Standard und 2 % Lapses in beiden Richtungen. JND bei d′ = 1: α [Macmillan 2005]; 95-%-KI: Wald, auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Hits are responses “yes”; those at a difference of 0 are false alarms.</source>
+        <translation>Treffer sind Antworten „ja“; die bei einem Unterschied von 0 sind falsche Alarme.</translation>
+    </message>
+    <message>
+        <source>Hits are responses “different”; those at a difference of 0 are false alarms.</source>
+        <translation>Treffer sind Antworten „verschieden“; die bei einem Unterschied von 0 sind falsche Alarme.</translation>
     </message>
 </context>
 <context>
@@ -2800,6 +2864,42 @@
     <message>
         <source>odds ratio, 95 % CI</source>
         <translation>Odds-Ratio, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>d′</source>
+        <translation>d′</translation>
+    </message>
+    <message>
+        <source>d′, 95 % CI</source>
+        <translation>d′, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>d′, independent observations</source>
+        <translation>d′, unabhängige Beobachtungen</translation>
+    </message>
+    <message>
+        <source>responses “different”</source>
+        <translation>Antworten „verschieden“</translation>
+    </message>
+    <message>
+        <source>false-alarm rate</source>
+        <translation>Rate falscher Alarme</translation>
+    </message>
+    <message>
+        <source>hit rate</source>
+        <translation>Trefferrate</translation>
+    </message>
+    <message>
+        <source>trials without a signal</source>
+        <translation>Durchgänge ohne Signal</translation>
+    </message>
+    <message>
+        <source>trials with a signal</source>
+        <translation>Durchgänge mit Signal</translation>
     </message>
 </context>
 <context>
@@ -3546,6 +3646,14 @@
     <message>
         <source>the effects predict every choice, so that an effect is infinite</source>
         <translation>die Effekte sagen jede Wahl vorher, sodass ein Effekt unendlich ist</translation>
+    </message>
+    <message>
+        <source>every response is the same</source>
+        <translation>alle Antworten sind gleich</translation>
+    </message>
+    <message>
+        <source>no response is a choice between two surfaces, so that there is no order effect</source>
+        <translation>keine Antwort ist die Wahl zwischen zwei Oberflächen, sodass es keinen Reihenfolgeeffekt gibt</translation>
     </message>
 </context>
 <context>
@@ -4691,6 +4799,18 @@
         <source>%1 Lines at the lower border: drop points, the spacings from which on the tip reaches the ground between two neighbouring elements.</source>
         <translation>%1 Linien am unteren Rand: die Abstände, ab denen die Spitze zwischen zwei benachbarten Elementen den Grund erreicht (drop points).</translation>
     </message>
+    <message>
+        <source>proportion of responses “%1”</source>
+        <translation>Anteil der Antworten „%1“</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions of responses “%1”, larger for more trials; those at a difference of 0 are false alarms. Curves: maximum-likelihood functions of signal detection. Open symbols: differences with d′ = 1, with 95 % CIs.</source>
+        <translation>Gefüllte Symbole: Anteile der Antworten „%1“, größer bei mehr Durchgängen; die bei einem Unterschied von 0 sind falsche Alarme. Kurven: Maximum-Likelihood-Funktionen der Signalentdeckung. Offene Symbole: Unterschiede mit d′ = 1, mit 95-%-KI.</translation>
+    </message>
+    <message>
+        <source>difference with d′ = 1, geometric mean with its 95 % CI</source>
+        <translation>Unterschied mit d′ = 1, geometrisches Mittel mit 95-%-KI</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>
@@ -4929,6 +5049,22 @@
     <message>
         <source>no threshold is defined for these data: add trials at several levels</source>
         <translation>für diese Daten ist keine Schwelle definiert: Durchgänge auf mehreren Stufen ergänzen</translation>
+    </message>
+    <message>
+        <source>there are no trials without a difference, or none with one: complete the session</source>
+        <translation>es gibt keine Durchgänge ohne Unterschied oder keine mit Unterschied: Führen Sie die Sitzung zu Ende</translation>
+    </message>
+    <message>
+        <source>every response is the same: check that the question was understood</source>
+        <translation>alle Antworten sind gleich: Prüfen Sie, ob die Frage verstanden wurde</translation>
+    </message>
+    <message>
+        <source>a step function fits perfectly: present levels between those on either side of the step</source>
+        <translation>eine Stufenfunktion passt genau: Bieten Sie Stufen zwischen denen beiderseits des Sprungs dar</translation>
+    </message>
+    <message>
+        <source>hits are not more frequent than false alarms, as if the responses were guesses: check the responses in the practice before you present other levels</source>
+        <translation>Treffer sind nicht häufiger als falsche Alarme, als wären die Antworten geraten: Prüfen Sie die Antworten in der Übung, bevor Sie andere Stufen darbieten</translation>
     </message>
 </context>
 <context>

@@ -119,7 +119,7 @@ std::string sentences_on(const Protocol::Block& block, const Verbs& verbs) {
 std::string arrangement_sentences(const Protocol::Block& block) {
   std::string text{};
   if (is_named_with_task(block)) {
-    text = presentation_text(block.arrangement);
+    text = presentation_text(block);
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
     text = " Task: " + text + ".";
   }

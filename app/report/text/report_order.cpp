@@ -77,7 +77,7 @@ std::string order_text(const Protocol::Block& block) {
                     (block.all_pairs->in_both_orders ? " in both orders" : ""));
   }
   const bool has_both_orders = block.all_pairs && block.all_pairs->in_both_orders;
-  if (block.presented.size() >= 2 && !has_both_orders) parts.push_back(positions_text(block));
+  if (surfaces_in_trial(block) >= 2 && !has_both_orders) parts.push_back(positions_text(block));
   parts.push_back(constraints_text(block));
   std::erase(parts, std::string());
   if (order_of_levels(block).empty() && !parts.empty()) parts.front().insert(0, "with ");

@@ -254,7 +254,7 @@ std::string paper_task(const ReportFacts& facts) {
     std::set<std::size_t> counts{};
     for (const auto& [name, block] : protocol.blocks) {
       if (block.phase == Phase::main && &kind_of(block) == kind) {
-        counts.insert(block.presented.size());
+        counts.insert(surfaces_in_trial(block));
       }
     }
     text += (text.empty() ? "In each trial of the " : " In each trial of the ") +

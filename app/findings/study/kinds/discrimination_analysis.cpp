@@ -55,6 +55,43 @@ std::string apart_from_catch_trials(const Block& block) {
   return catch_level_text(block).empty() ? "" : ", apart from catch trials";
 }
 
+/// The placement of two surfaces, after "are presented" or "were presented".
+std::string placement_of_pair(const Arrangement& arrangement) {
+  switch (arrangement.surfaces) {
+    case Arrangement::Surfaces::sequential:
+      return "one after the other";
+    case Arrangement::Surfaces::side_by_side:
+      return "side by side";
+    case Arrangement::Surfaces::on_request:
+      return "for the participant to feel in any order";
+  }
+  return {};
+}
+
+/// The task of a design with options in words.
+std::string task_in_words(const Block& block) {
+  return block.design->surfaces() == 1
+             ? std::string(
+                   "yes/no task. In each trial, one surface is presented, the standard or a "
+                   "comparison equally often, and the response is “yes” or “no”")
+             : "same–different task. In each trial, two surfaces are presented " +
+                   placement_of_pair(block.arrangement) +
+                   ", a standard and a comparison in either order, or two equal surfaces (two "
+                   "standards or two comparisons), equally often, and the response is “same” or "
+                   "“different”";
+}
+
+std::string paper_task_in_words(const Block& block) {
+  return block.design->surfaces() == 1
+             ? std::string(
+                   ", the standard or a comparison equally often, and the response was “yes” "
+                   "or “no” (yes/no task).")
+             : " " + placement_of_pair(block.arrangement) +
+                   ", a standard and a comparison in either order, or two equal surfaces (two "
+                   "standards or two comparisons), equally often, and the response was “same” or "
+                   "“different” (same–different task).";
+}
+
 std::string task_of_arrangement(const Arrangement& arrangement) {
   switch (arrangement.surfaces) {
     case Arrangement::Surfaces::sequential:
@@ -88,7 +125,8 @@ std::string paper_task_of_arrangement(const Arrangement& arrangement) {
 
 std::string task_of_block(const Block& block) {
   const auto* const asked = judged_question(block);
-  std::string text = task_of_arrangement(block.arrangement);
+  std::string text =
+      block.design->has_noise() ? task_in_words(block) : task_of_arrangement(block.arrangement);
   if (asked != nullptr) text += ": " + quoted(asked->prompt);
   if (asked == nullptr || !asked->prompt.ends_with('?')) text += '.';
   text += " The " + words_of_parameter(block.vary->parameter) + " of the standard is " +
@@ -100,6 +138,10 @@ std::string task_of_block(const Block& block) {
       text += "In a catch trial the comparison " + easy +
               "; no threshold is estimated from these trials. ";
     }
+  }
+  if (block.design->has_noise()) {
+    return text + "“" + std::string(block.design->yes) + "” is the correct response " +
+           (block.design->surfaces() == 1 ? "to the comparison." : "to different surfaces.");
   }
   return text + (is_performance(block)
                      ? "The comparison is the correct response (judgement of performance)."
@@ -122,22 +164,30 @@ std::string task_of_discrimination(const Protocol& protocol) {
 
 std::string paper_task_of_discrimination(const Protocol& protocol) {
   const std::vector<const Block*> blocks = discrimination_blocks(protocol);
-  std::string text =
-      paper_task_of_arrangement(blocks.empty() ? Arrangement{} : blocks.front()->arrangement);
+  const auto paper_task = [](const Block& block) {
+    return block.design->has_noise() ? paper_task_in_words(block)
+                                     : paper_task_of_arrangement(block.arrangement);
+  };
+  std::string text = blocks.empty() ? paper_task_of_arrangement({}) : paper_task(*blocks.front());
   for (const Block* const block : blocks) {
     const bool is_arranged_otherwise =
-        block->arrangement.surfaces != blocks.front()->arrangement.surfaces;
+        block->arrangement.surfaces != blocks.front()->arrangement.surfaces ||
+        block->design != blocks.front()->design;
     const std::string details =
-        (is_arranged_otherwise ? " In the block " + quoted(block->name) + ", they were presented" +
-                                     paper_task_of_arrangement(block->arrangement)
-                               : std::string()) +
+        (is_arranged_otherwise
+             ? " In the block " + quoted(block->name) + ", they were presented" + paper_task(*block)
+             : std::string()) +
         " The " + words_of_parameter(block->vary->parameter) + " of the standard was " +
         reading_quantity(*block->vary->standard, unit_of_varied(*block)) +
         "; that of the comparison " +
         (chooses_levels_from_answers(*block) ? as_possible(levels_text(*block, "it"))
                                              : in_past(levels_text(*block, "it"))) +
         ". " +
-        (is_performance(*block)
+        (block->design->has_noise()
+             ? "“" + std::string(block->design->yes) + "” was the correct response " +
+                   (block->design->surfaces() == 1 ? "to the comparison. "
+                                                   : "to different surfaces. ")
+         : is_performance(*block)
              ? std::string("The choice of the comparison was correct. ")
              : "No response was correct or incorrect" + apart_from_catch_trials(*block) + ". ") +
         procedure_sentences(*block);
@@ -148,6 +198,11 @@ std::string paper_task_of_discrimination(const Protocol& protocol) {
 
 /// How the intervals of single participants are made, and how the slope is limited where a procedure chose the levels.
 std::string interval_sentence(const Block& block) {
+  if (block.design->has_noise()) {
+    return " Confidence intervals (CI) of single participants are Wald intervals on the "
+           "logarithmic "
+           "scale.";
+  }
   if (!chooses_levels_from_answers(block)) {
     return is_performance(block)
                ? " Confidence intervals (CI) of single participants are by the delta method."
@@ -183,7 +238,29 @@ std::string mean_sentence(const Block& block) {
                "of JNDs on the logarithmic scale.";
 }
 
+/// The model of a design with options in words, and its decision rule.
+std::string fit_in_words(const Block& block) {
+  const std::string threshold =
+      std::string(*block.vary->standard == 0.0 ? "detection threshold"
+                                               : "just-noticeable difference (JND)") +
+      " is the difference from the standard with d′ = 1";
+  const std::string model =
+      "d′ as a power function of the difference from the standard and lapse rates fixed at 2 % in "
+      "both directions. The ";
+  return block.design->surfaces() == 1
+             ? "For each participant and condition, the responses “yes” were modelled by signal "
+               "detection [Macmillan 2005] by maximum likelihood, with " +
+                   model + threshold + "."
+             : "For each participant and condition, the responses “different” were modelled by "
+               "signal detection with the differencing rule [Macmillan 2005] by maximum "
+               "likelihood, with " +
+                   model + threshold +
+                   "; an observer with this rule compares the difference of two impressions with a "
+                   "criterion.";
+}
+
 std::string fit_of_block(const Block& block) {
+  if (block.design->has_noise()) return fit_in_words(block);
   if (!is_performance(block)) {
     return "For each participant and condition, a cumulative normal function was fitted to the "
            "choices by maximum likelihood, with lapse rates fixed at 2 % in both directions. The "

@@ -1,0 +1,281 @@
+#include "app/findings/study/discrimination_sensitivity.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "analysis/number_text.h"
+#include "analysis/signal_detection.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/answer_columns.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/tidy/finding_list.h"
+
+namespace asperity {
+
+namespace {
+
+/// How the family `dprime` names a design, and the end of its names of d′.
+struct NamedDesign {
+  std::string_view id{};
+  const char* in_family = "";
+  const char* dprime = "";
+};
+constexpr std::array kNamedDesigns{
+    NamedDesign{"two_alternatives", "2afc", "dprime.loglinear"},
+    NamedDesign{"yes_no", "yesno", "dprime.loglinear"},
+    NamedDesign{"same_different", "samediff", "dprime.diff.loglinear"}};
+
+const NamedDesign& named_design(const DiscriminationDesign& design) {
+  return *std::find_if(kNamedDesigns.begin(), kNamedDesigns.end(),
+                       [&design](const NamedDesign& each) { return each.id == design.id; });
+}
+
+/// The counts of one participant in one condition at one value.
+struct CountsAtLevel {
+  std::uint32_t person = 0;
+  std::size_t condition = 0;
+  double value = 0.0;
+  DetectionCounts counts{};
+};
+
+bool is_shown(const DiscriminationResults& results) {
+  return results.study.task.is_performance && !results.study.has_levels_of_procedure;
+}
+
+void add_response(HitCount& count, bool is_yes) {
+  ++count.trials;
+  count.hits += is_yes ? 1 : 0;
+}
+
+std::vector<CountsAtLevel> counts_by_level(const DiscriminationStudy& study) {
+  using OfCondition = std::pair<std::size_t, std::uint32_t>;
+  std::map<std::tuple<std::size_t, double, std::uint32_t>, DetectionCounts> by_level{};
+  std::map<OfCondition, HitCount> noise{};
+  const bool has_noise = study.task.design->has_noise();
+  for (const DiscriminationTrial& trial : study.trials) {
+    if (!trial.is_signal) {
+      add_response(noise[{trial.condition, trial.person}], trial.chose_comparison);
+      continue;
+    }
+    DetectionCounts& counts = by_level[{trial.condition, trial.value, trial.person}];
+    if (has_noise || trial.comparison_first) {
+      add_response(counts.signal, trial.chose_comparison);
+    } else {
+      add_response(counts.noise, !trial.chose_comparison);
+    }
+  }
+  std::vector<CountsAtLevel> levels{};
+  for (auto& [place, counts] : by_level) {
+    const auto& [condition, value, person] = place;
+    if (has_noise) counts.noise = noise[{condition, person}];
+    if (counts.signal.trials == 0 || counts.noise.trials == 0) continue;
+    levels.push_back({.person = person, .condition = condition, .value = value, .counts = counts});
+  }
+  return levels;
+}
+
+/// "wood|7.5e-05"
+std::string id_of(const DiscriminationResults& results, const CountsAtLevel& level) {
+  return both(results.conditions[level.condition], number_text(level.value));
+}
+
+std::vector<Finding> sensitivity_of(const GatheredAnswers& gathered,
+                                    const DiscriminationResults& results,
+                                    const std::vector<CountsAtLevel>& levels) {
+  LabelRows ids{};
+  LabelRows subjects{};
+  LabelRows designs{};
+  NumberColumn signal_yes{};
+  NumberColumn signal_n{};
+  NumberColumn noise_yes{};
+  NumberColumn noise_n{};
+  for (const CountsAtLevel& level : levels) {
+    ids.add(id_of(results, level));
+    subjects.add(gathered.people[level.person].label);
+    designs.add(named_design(*results.study.task.design).in_family);
+    signal_yes.emplace_back(static_cast<double>(level.counts.signal.hits));
+    signal_n.emplace_back(static_cast<double>(level.counts.signal.trials));
+    noise_yes.emplace_back(static_cast<double>(level.counts.noise.hits));
+    noise_n.emplace_back(static_cast<double>(level.counts.noise.trials));
+  }
+  TidyInput input{};
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"id", std::move(ids).take()},
+                                                           {"subject", std::move(subjects).take()},
+                                                           {"design", std::move(designs).take()},
+                                                           {"signal_yes", std::move(signal_yes)},
+                                                           {"signal_n", std::move(signal_n)},
+                                                           {"noise_yes", std::move(noise_yes)},
+                                                           {"noise_n", std::move(noise_n)}},
+                            "the responses");
+  return analysis_of(kSensitivity, "dprime", std::move(input));
+}
+
+Cell text_or_missing(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
+
+void add_level_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                    const std::vector<CountsAtLevel>& levels, const FoundNumbers& found,
+                    Table& table) {
+  const DiscriminationTask& task = results.study.task;
+  const std::string dprime = named_design(*task.design).dprime;
+  for (const CountsAtLevel& level : levels) {
+    const std::string key = both(id_of(results, level), gathered.people[level.person].label);
+    const auto [low, high] = found.interval(dprime, key);
+    table.rows.push_back(
+        {gathered.people[level.person].label, results.conditions[level.condition],
+         task.varied.parameter, level.value, level.value - task.standard(),
+         static_cast<std::int64_t>(level.counts.signal.trials), found.cell("hit", key),
+         static_cast<std::int64_t>(level.counts.noise.trials), found.cell("fa", key),
+         found.cell(dprime, key), low, high, found.cell("dprime.io.loglinear", key),
+         found.cell("criterion.loglinear", key), text_or_missing(task.varied.unit)});
+  }
+}
+
+/// "standard, comparison", as presented.
+std::string pair_as_presented(const DiscriminationTrial& trial) {
+  if (trial.comparisons == 0) return "standard, standard";
+  if (trial.comparisons == 2) return "comparison, comparison";
+  return trial.comparison_first ? "comparison, standard" : "standard, comparison";
+}
+
+void add_pair_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                   Table& table) {
+  if (results.study.task.design->surfaces() != 2 || !results.study.task.design->has_noise()) return;
+  std::map<std::tuple<std::uint32_t, std::size_t, std::string>, HitCount> counts{};
+  for (const DiscriminationTrial& trial : results.study.trials) {
+    add_response(counts[{trial.person, trial.condition, pair_as_presented(trial)}],
+                 trial.chose_comparison);
+  }
+  for (const auto& [place, count] : counts) {
+    const auto& [person, condition, pair] = place;
+    table.rows.push_back({gathered.people[person].label, results.conditions[condition], pair,
+                          static_cast<std::int64_t>(count.trials),
+                          static_cast<std::int64_t>(count.hits), proportion(count)});
+  }
+}
+
+/// Sentences on the designs that occur.
+Phrase note_on_sensitivity(const std::vector<DiscriminationResults>& all) {
+  std::set<std::string_view> designs{};
+  for (const DiscriminationResults& results : all) {
+    if (is_shown(results)) designs.insert(results.study.task.design->id);
+  }
+  Phrase note{};
+  const auto add = [&note](const Phrase& sentence) {
+    note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  if (designs.contains("two_alternatives")) {
+    add(phrase("Analysis",
+               "Two alternatives: hits are responses “the first” with the comparison as surface A, "
+               "false alarms the same responses with the comparison as surface B; "
+               "d′ = (z(H) − z(F))/√2 [Macmillan 2005]. A positive criterion is a bias towards "
+               "surface B."));
+  }
+  if (designs.contains("yes_no")) {
+    add(phrase("Analysis",
+               "Yes/no: hits are responses “yes” to the comparison, false alarms those to the "
+               "standard, over all levels of the condition together; d′ = z(H) − z(F) "
+               "[Macmillan 2005]. A positive criterion is a reluctance to respond “yes”."));
+  }
+  if (designs.contains("same_different")) {
+    add(phrase("Analysis",
+               "Same–different: hits are responses “different” to different surfaces, false "
+               "alarms those to equal surfaces, over all levels of the condition together. d′ by "
+               "the differencing rule, and d′ by the rule of independent observations "
+               "[Macmillan 2005]."));
+  }
+  add(phrase("Analysis",
+             "d′ is computed with the log-linear correction of the proportions [Hautus 1995], its "
+             "95 % CI by the delta method."));
+  return note;
+}
+
+/// "7.5 µm: 1.2 (95 % CI [0.9, 1.5])", for all conditions and levels.
+Phrase mean_sensitivities(const DiscriminationResults& results,
+                          const std::vector<CountsAtLevel>& levels, const FoundNumbers& found) {
+  std::map<std::pair<std::size_t, double>, std::string> ids{};
+  for (const CountsAtLevel& level : levels) {
+    ids[{level.condition, level.value}] = id_of(results, level);
+  }
+  Phrase all{};
+  for (const auto& [place, id] : ids) {
+    const Finding* const mean = found.find("dprime.mean", id);
+    if (mean == nullptr || !mean->value) continue;
+    Phrase one = phrase("Analysis", "%1: %2")
+                     .with(stated_quantity(place.second, results.study.task.varied.unit),
+                           reading_number(*mean->value));
+    if (mean->low && mean->high) {
+      one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
+                .with(one, reading_number(*mean->low), reading_number(*mean->high));
+    }
+    if (results.conditions.size() > 1) {
+      one = phrase("Analysis", "%1, %2")
+                .with(words_of_condition(results.conditions[place.first]), one);
+    }
+    all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
+  }
+  return all;
+}
+
+void ask_sensitivity(const DiscriminationResults& results, const std::vector<CountsAtLevel>& levels,
+                     const FoundNumbers& found, AnalysisOutcome& outcome) {
+  const Phrase means = mean_sensitivities(results, levels, found);
+  if (means.empty()) return;
+  const std::string name =
+      results.name.empty() ? kSensitivity : std::string(kSensitivity) + ':' + results.name;
+  add_question(
+      outcome, name.c_str(), phrase("Analysis", "How large is the sensitivity (d′) at each level?"),
+      phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
+          .with(words_of_parameter(results.study.task.varied.parameter), means),
+      phrase("Analysis",
+             "Mean over the participants of d′ with the log-linear correction; percentile CIs by a "
+             "bootstrap over participants."),
+      kSensitivity, found.find("dprime.mean", id_of(results, levels.front())));
+}
+
+}  // namespace
+
+void add_sensitivity(const GatheredAnswers& gathered, const std::vector<DiscriminationResults>& all,
+                     AnalysisOutcome& outcome) {
+  NamedTable sensitivity{
+      kSensitivity,
+      phrase("Analysis", "Sensitivity by level"),
+      {{"participant", "condition", "parameter", "level", "difference", "signal_trials", "hit_rate",
+        "noise_trials", "false_alarm_rate", "d_prime", "d_prime_low", "d_prime_high",
+        "d_prime_independent", "criterion", "unit"},
+       {}},
+      {}};
+  NamedTable pairs{kResponsesByPair,
+                   phrase("Analysis", "Responses by pair of surfaces"),
+                   {{"participant", "condition", "pair", "responses", "different", "share"}, {}},
+                   phrase("Analysis",
+                          "Responses “different” to every pair of surfaces, in the order of "
+                          "presentation (side by side: A, B), over all levels together.")};
+  for (const DiscriminationResults& results : all) {
+    if (!is_shown(results)) continue;
+    const std::vector<CountsAtLevel> levels = counts_by_level(results.study);
+    if (levels.empty()) continue;
+    const std::vector<Finding> findings = sensitivity_of(gathered, results, levels);
+    keep_findings(findings, outcome);
+    const FoundNumbers found(findings);
+    add_level_rows(gathered, results, levels, found, sensitivity.table);
+    add_pair_rows(gathered, results, pairs.table);
+    if (results.study.task.design->has_noise()) ask_sensitivity(results, levels, found, outcome);
+  }
+  if (sensitivity.table.rows.empty()) return;
+  sensitivity.note = note_on_sensitivity(all);
+  drop_empty_columns(sensitivity.table, 2);
+  outcome.tables.push_back(std::move(sensitivity));
+  if (!pairs.table.rows.empty()) outcome.tables.push_back(std::move(pairs));
+}
+
+}  // namespace asperity

@@ -1,0 +1,189 @@
+// Discriminations whose responses are words, from the rows of a study to thresholds, tables and sentences.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/detection_function.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/study_analysis.h"
+#include "protocols/design/discrimination_design.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using DetectionJson = nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr double kStandardOfDetections_m = 50e-6;
+const std::vector<double> kDifferences_m{4e-6, 8e-6, 12e-6, 18e-6, 26e-6};
+
+DetectionJson detection_protocol(const DiscriminationDesign& design) {
+  DetectionJson protocol = DetectionJson::parse(R"({"kind": "discrimination",
+    "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-05}}},
+    "blocks": {"only": {
+      "vary": {"parameter": "amplitude_m", "of": "comparison", "relative_to": "standard", "levels": []},
+      "presented": [{"role": "standard", "stimulus": "grating"}, {"role": "comparison", "stimulus": "grating"}],
+      "question": {"name": "which", "prompt": "Did they differ?", "judgement": "performance"}}},
+    "analysis": {"family": ["order"]}})");
+  protocol["blocks"]["only"]["design"] = std::string(design.id);
+  return protocol;
+}
+
+MadeUpTrial detected(const DiscriminationDesign& design, const DesignTrial& type, double value_m,
+                     bool says_yes) {
+  MadeUpTrial trial{};
+  trial.factors_json =
+      DetectionJson{
+          {"amplitude_m", type.presents("comparison") ? value_m : kStandardOfDetections_m}}
+          .dump();
+  for (const std::string_view role : type.roles) {
+    if (role.empty()) continue;
+    const bool is_second = !trial.surfaces.empty() && trial.surfaces.front().role == role;
+    trial.surfaces.push_back(
+        surface_of(std::string(role) + (is_second ? "_2" : ""), "sinusoid", ""));
+    trial.surfaces.back().role = std::string(role);
+  }
+  trial.answers = {std::string(says_yes ? design.yes : design.no)};
+  trial.options = {std::string(design.yes), std::string(design.no)};
+  trial.right = {std::string(type.is_signal ? design.yes : design.no)};
+  return trial;
+}
+
+/// The proportion of "yes" to a signal with this difference, and without a signal to 0.
+using YesAt = double (*)(const DetectionFunction& observer, double x_m);
+double as_modelled(const DetectionFunction& observer, double x_m) { return observer.value(x_m); }
+double as_step(const DetectionFunction&, double x_m) { return x_m > 0.0 ? 1.0 : 0.0; }
+double as_coin(const DetectionFunction&, double) { return 0.5; }
+
+AnalysisOutcome outcome_of_detections(const DiscriminationDesign& design, YesAt yes_at, int people,
+                                      int rounds) {
+  const DetectionFunction observer{
+      .task = design.surfaces() == 1 ? DetectionTask::yes_no : DetectionTask::same_different,
+      .alpha = 10e-6,
+      .beta = 1.2,
+      .criterion = design.surfaces() == 1 ? 0.8 : 1.6,
+      .lambda = 0.02};
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("jnd", "discrimination", detection_protocol(design).dump());
+  for (int person = 0; person < people; ++person) {
+    std::mt19937 random(static_cast<unsigned>(200 + person));
+    std::vector<MadeUpTrial> trials{};
+    for (int round = 0; round < rounds; ++round) {
+      for (const double difference_m : kDifferences_m) {
+        for (const DesignTrial& type : design.trials) {
+          const double p = yes_at(observer, type.is_signal ? difference_m : 0.0);
+          trials.push_back(detected(design, type, kStandardOfDetections_m + difference_m,
+                                    static_cast<double>(random()) / 4294967296.0 < p));
+        }
+      }
+    }
+    const std::string label = "p" + std::to_string(10 + person);
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials);
+  }
+  std::vector<AnalysisOutcome> outcomes = analyze_study(made.study(), std::nullopt, {});
+  EXPECT_EQ(outcomes.size(), 1U);
+  return std::move(outcomes.front());
+}
+
+const NamedTable* table_of(const AnalysisOutcome& outcome, const std::string& name) {
+  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                  [&name](const NamedTable& each) { return each.name == name; });
+  return found == outcome.tables.end() ? nullptr : &*found;
+}
+
+std::string answer_of(const AnalysisOutcome& outcome, const std::string& name) {
+  const auto found =
+      std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                   [&name](const AnsweredQuestion& each) { return each.name == name; });
+  return found == outcome.questions.end() ? std::string() : found->answer.english();
+}
+
+const std::vector<const DiscriminationDesign*>& designs_in_words() {
+  static const std::vector<const DiscriminationDesign*> kDesigns{&yes_no_task(),
+                                                                 &same_different_task()};
+  return kDesigns;
+}
+
+TEST(DetectionAnalysis, RecoversTheDifferenceAtUnitSensitivity) {
+  for (const DiscriminationDesign* const design : designs_in_words()) {
+    SCOPED_TRACE(std::string(design->id));
+    const AnalysisOutcome outcome = outcome_of_detections(*design, as_modelled, 12, 30);
+    const FoundNumbers found(outcome.findings);
+    int holding = 0;
+    for (const Finding* const jnd : found.all("jnd.dprime1")) {
+      ASSERT_TRUE(jnd->value && jnd->low && jnd->high) << jnd->key << ' ' << jnd->status;
+      EXPECT_EQ(jnd->unit, "m");
+      holding += *jnd->low <= 10e-6 && 10e-6 <= *jnd->high ? 1 : 0;
+      EXPECT_NEAR(*found.value("weber", jnd->key), *jnd->value / kStandardOfDetections_m, 1e-12);
+    }
+    EXPECT_GE(holding, 9) << "of 12 intervals of 95 %";
+    EXPECT_EQ(found.find("jnd", "p10|all"), nullptr) << "there is no proportion correct";
+    EXPECT_THAT(answer_of(outcome, "threshold"), HasSubstr("just-noticeable differences"));
+    EXPECT_THAT(answer_of(outcome, "sensitivity"), HasSubstr("Mean d′ by the amplitude"));
+    EXPECT_TRUE(answer_of(outcome, "order").empty());
+    EXPECT_EQ(table_of(outcome, "order"), nullptr);
+  }
+}
+
+TEST(DetectionAnalysis, StatesHitsAndFalseAlarmsOfEveryLevelAndPair) {
+  const AnalysisOutcome outcome = outcome_of_detections(same_different_task(), as_modelled, 2, 10);
+  const NamedTable* const sensitivity = table_of(outcome, "sensitivity");
+  ASSERT_NE(sensitivity, nullptr);
+  EXPECT_EQ(sensitivity->table.rows.size(), 2U * kDifferences_m.size());
+  const auto signal = column_of(sensitivity->table, "signal_trials");
+  const auto noise = column_of(sensitivity->table, "noise_trials");
+  ASSERT_TRUE(signal && noise);
+  EXPECT_EQ(sensitivity->table.rows[0][*signal], Cell{std::int64_t{20}});
+  EXPECT_EQ(sensitivity->table.rows[0][*noise], Cell{std::int64_t{100}});
+  const NamedTable* const pairs = table_of(outcome, "responses_by_pair");
+  ASSERT_NE(pairs, nullptr);
+  // Made-up trials present every different pair in the listed order.
+  EXPECT_EQ(pairs->table.rows.size(), 2U * 3U);
+  EXPECT_EQ(table_of(outcome_of_detections(yes_no_task(), as_modelled, 2, 10), "responses_by_pair"),
+            nullptr);
+}
+
+TEST(DetectionAnalysis, HasNoThresholdOfAnObserverWithoutErrors) {
+  for (const DiscriminationDesign* const design : designs_in_words()) {
+    const AnalysisOutcome outcome = outcome_of_detections(*design, as_step, 2, 10);
+    const Finding* const jnd = FoundNumbers(outcome.findings).find("jnd.dprime1", "p10|all");
+    ASSERT_NE(jnd, nullptr);
+    EXPECT_FALSE(jnd->value);
+    EXPECT_EQ(jnd->word, "separated");
+    EXPECT_THAT(answer_of(outcome, "threshold"), HasSubstr("could not be estimated"));
+  }
+}
+
+// Twelve guessing participants: the mean d′ of a level has a standard error of about 0.12 (yes/no, 30 and 150 trials).
+TEST(DetectionAnalysis, HasASensitivityOfZeroOfGuessingObservers) {
+  const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), as_coin, 12, 30);
+  const FoundNumbers found(outcome.findings);
+  const std::vector<const Finding*> means = found.all("dprime.mean");
+  EXPECT_EQ(means.size(), kDifferences_m.size());
+  for (const Finding* const mean : means) EXPECT_NEAR(*mean->value, 0.0, 3.29 * 0.12) << mean->key;
+}
+
+TEST(DetectionAnalysis, ExplainsWhyThereIsNoOrderEffect) {
+  const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), as_modelled, 2, 10);
+  const NamedTable* const tests = table_of(outcome, "tests");
+  ASSERT_NE(tests, nullptr);
+  const auto status = column_of(tests->table, "status");
+  ASSERT_TRUE(status);
+  EXPECT_EQ(tests->table.rows[0][*status], Cell{std::string("no_choice_of_surface")});
+}
+
+}  // namespace
+}  // namespace asperity
