@@ -37,9 +37,23 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
 Figure confusion_figure(const FoundNumbers& found);
 Figure confusion_figure(const NamedTable& table);
 
+/// Which dissimilarities a dendrogram shows.
+struct TreeChoice {
+  std::string quantity{};  ///< the cophenetic dissimilarities
+  Phrase title{};
+  Phrase note{};
+  Phrase axis{};
+  Phrase none{};  ///< where there are no dissimilarities
+};
+TreeChoice tree_of_confusions();
+TreeChoice rated_tree();
+
 /// Similarity by confusions, as a tree and as a map.
-Figure dendrogram(const FoundNumbers& found);
+Figure dendrogram(const FoundNumbers& found, const TreeChoice& choice = tree_of_confusions());
 Figure similarity_map(const FoundNumbers& found);
+
+/// Of rated dissimilarities: configuration, Shepard diagram, stress by dimensions, dendrogram and weights of the participants.
+std::vector<Figure> perceptual_map_figures(const FoundNumbers& found);
 
 /// Whether curves are named as those of probes, or by the names of the study's conditions.
 enum class CurveNames { of_probes, alone };

@@ -217,6 +217,11 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
     figures.push_back(similarity_map(found));
     figures.back().table = "map";
   }
+  const std::vector<Finding> rated = part_of(outcome.findings, "configuration");
+  if (!rated.empty()) {
+    for (Figure& figure : perceptual_map_figures(FoundNumbers(rated)))
+      figures.push_back(std::move(figure));
+  }
   add_ratings(outcome, figures);
   for (Figure& figure : threshold_figures(outcome)) figures.push_back(std::move(figure));
   add_sexes(outcome, figures);
@@ -236,6 +241,7 @@ std::vector<Figure> figures_of(const std::string& family, const TidyInput& input
   if (family == "paired") return {scale_figure("preference", bradley_terry(), found)};
   if (family == "ranking") return {scale_figure("preference", plackett_luce(), found)};
   if (family == "rating") return {rating_figure(found)};
+  if (family == "similarity") return perceptual_map_figures(found);
   if (family == "components") return {biplot_figure(found)};
   if (family == "group") return group_figures(shares_of_groups(), found);
   if (family == "response_times") return {response_times_figure(found)};

@@ -1,4 +1,4 @@
-// Dissimilarity of stimuli by their confusions: a tree and a map.
+// Dissimilarity of stimuli by their confusions: a tree and a map; the tree also of rated dissimilarities.
 
 #include <algorithm>
 #include <cmath>
@@ -67,19 +67,37 @@ struct Cluster {
 
 }  // namespace
 
-Figure dendrogram(const FoundNumbers& found) {
+TreeChoice tree_of_confusions() {
+  return {.quantity = "hclust.shepard.average.cophenetic",
+          .title = phrase("Figures", "Dendrogram of the confusions"),
+          .note = phrase("Figures",
+                         "Average linkage (UPGMA): clusters join at the mean dissimilarity of "
+                         "their textures."),
+          .axis = dissimilarity_axis(),
+          .none = phrase("Figures",
+                         "There are no confusions from which to make a dendrogram; collect "
+                         "responses first.")};
+}
+
+TreeChoice rated_tree() {
+  return {.quantity = "hclust.average.cophenetic",
+          .title = phrase("Figures", "Dendrogram of the rated dissimilarities"),
+          .note = phrase("Figures",
+                         "Average linkage (UPGMA): clusters join at the mean dissimilarity of "
+                         "their items."),
+          .axis = phrase("Figures", "mean dissimilarity"),
+          .none = phrase("Figures",
+                         "A dendrogram requires ratings of every pair; collect responses first.")};
+}
+
+Figure dendrogram(const FoundNumbers& found, const TreeChoice& choice) {
   Figure figure{.name = "similarity_tree",
-                .title = phrase("Figures", "Dendrogram of the confusions"),
-                .note = with_warning(phrase("Figures",
-                                            "Average linkage (UPGMA): clusters join at the mean "
-                                            "dissimilarity of their textures."),
-                                     found),
+                .title = choice.title,
+                .note = with_warning(choice.note, found),
                 .shape = FigureShape::rows};
-  const std::optional<Distances> read = distances_of(found, "hclust.shepard.average.cophenetic");
+  const std::optional<Distances> read = distances_of(found, choice.quantity);
   if (!read) {
-    figure.instead =
-        phrase("Figures",
-               "There are no confusions from which to make a dendrogram; collect responses first.");
+    figure.instead = choice.none;
     return figure;
   }
   // Heights at which items are first joined already form a tree; single linkage recovers it.
@@ -115,7 +133,7 @@ Figure dendrogram(const FoundNumbers& found) {
                             "collect more responses.");
     return figure;
   }
-  figure.x = {.name = dissimilarity_axis(), .low = 0.0, .high = 1.05 * highest};
+  figure.x = {.name = choice.axis, .low = 0.0, .high = 1.05 * highest};
   figure.series.push_back(std::move(joins));
   return figure;
 }

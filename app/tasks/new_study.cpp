@@ -158,7 +158,8 @@ void fill_demo_study(const std::filesystem::path& folder,
     // freedom, those of numbers and ratings, and one of a threshold, which needs no files.
     if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
         protocol.name != "tools_matching" && protocol.name != "amplitude_jnd" &&
-        protocol.name != "models_in_pairs" && protocol.name != "semantic_differential" &&
+        protocol.name != "models_in_pairs" && protocol.name != "map_of_renderings" &&
+        protocol.name != "semantic_differential" &&
         !protocol.name.starts_with("roughness_")) {
       continue;
     }

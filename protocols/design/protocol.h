@@ -55,6 +55,9 @@ enum class DiscriminationJudgement {
   comparison,   ///< no response is correct: which of the two has more of something
 };
 
+/// What the scale of a similarity increases with.
+enum class RatedQuantity { dissimilarity, similarity };
+
 enum class Phase { familiarisation, practice, main };
 
 /// The text in a protocol file and in the store.
@@ -301,6 +304,7 @@ struct Protocol {
     std::optional<DiscriminationJudgement> judgement{};  ///< of a discrimination
     /// Of the judgement "comparison": the question asks for the surface with the lower value of the varied parameter.
     bool asks_for_less = false;
+    std::optional<RatedQuantity> rates{};  ///< of a similarity; dissimilarity where it is not stated
     std::string correct_factor{};  ///< recognition: the factor with the correct picture
   };
   /// Practice: the block ends when `correct` of the last `of_last` responses were correct, or after `maximum_trials`,
@@ -319,6 +323,10 @@ struct Protocol {
     struct AllPairs {
       std::string factor{};
       bool in_both_orders = false;  ///< each pair twice, with either level first
+      bool with_identical = false;  ///< each level also with itself, once
+      /// Each participant is given one of so many parts of the pairs of different levels, in which levels occur equally
+      /// often as far as possible. The counterbalancing row determines the part.
+      int parts = 1;
     };
     /// What chooses the levels of `vary` from the answers.
     struct LevelProcedure {

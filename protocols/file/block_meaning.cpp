@@ -178,6 +178,37 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
   }
 }
 
+/// Identical pairs, and parts of the pairs.
+void Meaning::check_shared_pairs(const Block& block, const std::string& pointer) {
+  const Block::AllPairs& pairs = *block.all_pairs;
+  if (!kind_of(block).rates_differences) {
+    for (const auto& [key, is_used] :
+         {std::pair{"with_identical", pairs.with_identical}, std::pair{"parts", pairs.parts > 1}}) {
+      if (!is_used) continue;
+      report_key(pointer + "/all_pairs/" + key,
+                 "only a similarity has identical pairs and parts of the pairs; remove this key");
+    }
+    return;
+  }
+  const auto factor = protocol_.factors.find(pairs.factor);
+  if (factor == protocol_.factors.end() || factor->second.levels.size() < 2) return;
+  for (const auto& [name, other] : protocol_.blocks) {
+    if (!other.all_pairs || other.all_pairs->parts == 1 || pairs.parts == 1) continue;
+    if (other.all_pairs->parts == pairs.parts) continue;
+    report(pointer + "/all_pairs/parts",
+           "the pairs of the block " + in_quotes(name) + " are divided into " +
+               std::to_string(other.all_pairs->parts) +
+               " parts, and a participant has the same part of all blocks; write this number");
+    return;
+  }
+  const std::size_t rounds = round_count(factor->second.levels.size());
+  if (static_cast<std::size_t>(pairs.parts) <= rounds) return;
+  report(pointer + "/all_pairs/parts",
+         "the pairs of " + std::to_string(factor->second.levels.size()) +
+             " levels can be divided into at most " + std::to_string(rounds) +
+             " parts; write this number or a smaller one");
+}
+
 /// The two surfaces of a pair are one stimulus with two levels of the factor.
 void Meaning::check_pairs(const Block& block, const std::string& pointer) {
   if (!block.all_pairs) return;
@@ -186,6 +217,7 @@ void Meaning::check_pairs(const Block& block, const std::string& pointer) {
                                            " does not compare surfaces; remove this key");
     return;
   }
+  check_shared_pairs(block, pointer);
   const std::string& name = block.all_pairs->factor;
   const std::string at_factor = pointer + "/all_pairs/factor";
   const auto factor = protocol_.factors.find(name);

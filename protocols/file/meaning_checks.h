@@ -117,6 +117,7 @@ class Meaning final : private ProblemSink {
   void check_rove(const Protocol::Block& block, const std::string& place);
   void check_plane_models(const Protocol::Block& block, const std::string& at,
                           const std::string& what);
+  void check_shared_pairs(const Protocol::Block& block, const std::string& pointer);
   void check_pairs(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
   bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
@@ -133,7 +134,11 @@ class Meaning final : private ProblemSink {
   void check_repetitions_of(const Protocol::Block& block, const std::vector<BlockRow>& rows,
                             const std::string& pointer);
   void check_order(const Protocol::Block& block, const std::string& pointer);
+  std::vector<std::vector<BlockRow>> extreme_parts(const Protocol::Block& block) const;
+  void check_balance(const Protocol::Block& block, const std::string& pointer);
   void check_constraints(const Protocol::Block& block, const std::string& pointer);
+  void check_possible_order(const Protocol::Block& block, const std::vector<BlockRow>& rows,
+                            const std::vector<BlockTrial>& trials, const std::string& pointer);
   void check_places(const Protocol::Block& block, const std::vector<BlockRow>& rows,
                     const std::vector<BlockTrial>& trials, const std::string& pointer);
   /// Whether every row of the block has a level of the factor that is not computed.

@@ -231,6 +231,12 @@ Protocol::TrialQuestionTemplate trial_question_of(const json& object, const Expe
                  {"comparison", DiscriminationJudgement::comparison}});
   }
   read_choice(object, "asks_for", question.asks_for_less, {{"more", false}, {"less", true}});
+  if (object.contains("rates")) {
+    question.rates.emplace();
+    read_choice(object, "rates", *question.rates,
+                {{"dissimilarity", RatedQuantity::dissimilarity},
+                 {"similarity", RatedQuantity::similarity}});
+  }
   return question;
 }
 
@@ -325,6 +331,8 @@ Block block_of(const std::string& name, const json& object, const std::string& k
     block.all_pairs.emplace();
     read(*found, "factor", block.all_pairs->factor);
     read(*found, "in_both_orders", block.all_pairs->in_both_orders);
+    read(*found, "with_identical", block.all_pairs->with_identical);
+    read(*found, "parts", block.all_pairs->parts);
   }
   if (const auto found = object.find("exclude"); found != object.end()) {
     for (const json& row : *found) block.exclude.push_back(levels_of(row));

@@ -58,6 +58,9 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
                  "a " + std::string(of_question->name) + " has no ties; remove this key");
     } else if (question.judgement && !of_question->has_judgement) {
       report_key(place + "/judgement", "only a discrimination states a judgement; remove this key");
+    } else if (question.rates && !of_question->rates_differences) {
+      report_key(place + "/rates",
+                 "only the question of a similarity states what its scale rates; remove this key");
     } else if (of_question == &kind && kind.check_block != nullptr) {
       kind.check_block({protocol_, block, question, pointer, place}, *this);
     }

@@ -265,14 +265,33 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
                std::to_string((static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) /
                               rows));
   }
-  if (block.positions == Block::Positions::balanced && !block.until && !has_procedure &&
-      trials % block.presented.size() != 0) {
+  if (block.positions == Block::Positions::balanced && !block.until && !has_procedure) {
+    check_balance(block, pointer);
+  }
+  if (!has_procedure) check_constraints(block, pointer);
+}
+
+/// The largest and the smallest part of the pairs: all others have as many trials as one of them, with the same levels of the
+/// other factors. The only part, where the block has no parts.
+std::vector<std::vector<BlockRow>> Meaning::extreme_parts(const Block& block) const {
+  std::vector<std::vector<BlockRow>> parts{rows_of_part(protocol_, block, 0)};
+  if (block.all_pairs && block.all_pairs->parts > 1) {
+    parts.push_back(
+        rows_of_part(protocol_, block, static_cast<std::size_t>(block.all_pairs->parts) - 1));
+  }
+  return parts;
+}
+
+void Meaning::check_balance(const Block& block, const std::string& pointer) {
+  for (const std::vector<BlockRow>& rows : extreme_parts(block)) {
+    const std::size_t trials = trials_of(block, rows).size();
+    if (trials % block.presented.size() == 0) continue;
     report(pointer + "/positions",
            "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
                " trials, the number of surfaces, but the block has " + std::to_string(trials) +
                "; change the number of repetitions or of levels, or remove positions");
+    return;
   }
-  if (!has_procedure) check_constraints(block, pointer);
 }
 
 void Meaning::check_constraints(const Block& block, const std::string& pointer) {
@@ -290,11 +309,18 @@ void Meaning::check_constraints(const Block& block, const std::string& pointer) 
   if (!block.repetitions_of.empty() && block.order == Block::Order::shuffle_within_repetition) {
     return;
   }
-  const std::vector<BlockRow> rows = rows_of(protocol_, block);
-  const std::vector<BlockTrial> trials = trials_of(block, rows);
   const std::size_t before = found_.size();
-  check_places(block, rows, trials, pointer);
-  if (found_.size() > before) return;
+  for (const std::vector<BlockRow>& rows : extreme_parts(block)) {
+    const std::vector<BlockTrial> trials = trials_of(block, rows);
+    check_places(block, rows, trials, pointer);
+    if (found_.size() == before) check_possible_order(block, rows, trials, pointer);
+    if (found_.size() > before) return;
+  }
+}
+
+void Meaning::check_possible_order(const Block& block, const std::vector<BlockRow>& rows,
+                                   const std::vector<BlockTrial>& trials,
+                                   const std::string& pointer) {
   const OrderProblem whole = order_problem(block, rows, trials);
   const bool is_fixed = block.order == Block::Order::fixed;
   const auto can_be_met = [is_fixed](const OrderProblem& problem) {

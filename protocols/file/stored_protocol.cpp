@@ -211,7 +211,8 @@ StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
           .maximum = end_of("maximum", ScaleForm{}.maximum),
           .points = number_at(scale, "points"),
           .judgement = text_in(asked, "judgement"),
-          .asks_for_less = direction.empty() ? std::nullopt : std::optional(direction == "less")};
+          .asks_for_less = direction.empty() ? std::nullopt : std::optional(direction == "less"),
+          .rates = text_in(asked, "rates")};
 }
 
 /// The number that the surface with this role has for a parameter.

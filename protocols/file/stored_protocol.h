@@ -46,6 +46,7 @@ struct StoredProtocol {
     /// Of the judgement "comparison": whether the question asks for less of the varied parameter; nothing where it is not
     /// stated.
     std::optional<bool> asks_for_less{};
+    std::string rates{};  ///< of a similarity: "dissimilarity", "similarity"; empty: dissimilarity
   };
   struct Block {
     std::string kind{};  ///< its own, or that of the protocol; empty where neither is stated

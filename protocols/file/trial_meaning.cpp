@@ -70,12 +70,14 @@ void Meaning::check_trials() {
   for (const Trial& trial : possible) {
     const std::string pointer = pointer_to("/blocks", trial.block);
     const std::string presented = pointer + "/presented";
+    const auto& pairs = protocol_.blocks.at(trial.block).all_pairs;
+    const bool may_be_identical = pairs && pairs->with_identical;
     std::set<std::string> items{};
     for (const PlannedPresentation& planned : trial.presentations) {
       if (planned.item.empty()) {
         report(presented,
                "a surface without a texture needs an \"item\" as its name in the responses");
-      } else if (!items.insert(planned.item).second) {
+      } else if (!items.insert(planned.item).second && !may_be_identical) {
         report(presented, "two surfaces of a trial count as " + in_quotes(planned.item) +
                               " in the responses; give each its own \"item\"");
       }

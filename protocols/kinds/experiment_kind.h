@@ -80,6 +80,8 @@ struct ExperimentKind {
   bool takes_words = false;  ///< its options can be words
   bool takes_ties = false;   ///< its options can include that neither surface is preferred
   bool has_judgement = false;  ///< its question states whether an answer is correct
+  /// Its question rates how different two surfaces are: they may be identical, and participants may share the pairs.
+  bool rates_differences = false;
   bool has_correct_responses = false;
   bool has_anchors = false;  ///< a block may begin with a trial that the others are compared with
   bool has_target = false;   ///< one item may be declared whose superiority is in question

@@ -13,13 +13,14 @@
 #include "protocols/kinds/rating.h"
 #include "protocols/kinds/recognition.h"
 #include "protocols/kinds/selection.h"
+#include "protocols/kinds/similarity.h"
 
 namespace asperity {
 
 std::span<const ExperimentKind* const> experiment_kinds() {
   static const std::array kKinds{&selection_kind(),     &matching_kind(), &recognition_kind(),
                                  &magnitude_kind(),     &rating_kind(),   &paired_comparison_kind(),
-                                 &discrimination_kind()};
+                                 &discrimination_kind(), &similarity_kind()};
   return kKinds;
 }
 

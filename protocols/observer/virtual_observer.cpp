@@ -130,6 +130,14 @@ std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> f
   return best;
 }
 
+std::optional<double> VirtualObserver::difference(const ForceFeatures& first,
+                                                  const ForceFeatures& second) {
+  const ForceFeatures one = perceived(first);
+  const ForceFeatures other = perceived(second);
+  if (lapses()) return std::nullopt;
+  return std::sqrt(squared_distance(one, other));
+}
+
 double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::MagnitudeOf what) {
   using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
   switch (what) {

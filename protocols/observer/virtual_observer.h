@@ -83,6 +83,9 @@ class VirtualObserver final {
   bool exceeds(const ForceFeatures& felt, double log_criterion);
   /// Whether the natural logarithms r + ε of two magnitudes differ by `least_difference` or more.
   bool differ(const ForceFeatures& first, const ForceFeatures& second, double least_difference);
+  /// The distance of the perceived features of two surfaces, √squared_distance(φ₁ + ε₁, φ₂ + ε₂); nothing in a lapse, and
+  /// if deaf. Without noise it is 0 for two surfaces of the same features alone.
+  std::optional<double> difference(const ForceFeatures& first, const ForceFeatures& second);
   /// A magnitude estimate, greater than 0, for the felt surface.
   double estimate(const ForceFeatures& felt, const NumberHabit& habit);
   /// A guess among `options`, for questions without an expectation.

@@ -72,15 +72,44 @@ std::vector<FactorLevels> combinations_of(const Protocol& protocol, const Protoc
   return rows;
 }
 
-/// Each pair in the order of the levels, followed by the other order; one empty pair without pairs.
-std::vector<std::vector<Level>> pairs_of(const Protocol& protocol, const Protocol::Block& block) {
-  if (!block.all_pairs) return {{}};
+/// The round of the pair i < j of k levels, by the circle method. With n rounds (n odd), the levels 0 … n − 1 meet in the
+/// round (i + j) mod n. As i and the round determine j, no level occurs twice in a round; the level with 2·i = round (mod n)
+/// is left over, and meets the level n where k is even.
+std::size_t round_of(std::size_t i, std::size_t j, std::size_t levels) {
+  const std::size_t rounds = round_count(levels);
+  return j == rounds ? 2 * i % rounds : (i + j) % rounds;
+}
+
+/// A part is a sequence of rounds, so that its levels occur equally often; for an odd number of levels, one is absent from
+/// each round. The sizes of parts differ by at most one round, and the first one is the largest.
+///
+/// Two successive rounds r and r + 1 connect all levels: i meets r − i, which meets (r + 1) − (r − i) = i + 1. A participant
+/// with a part of at least two rounds therefore relates every level to every other one, directly or through others. Rounds at
+/// a distance that divides n would not do so.
+std::size_t part_of_round(std::size_t round, std::size_t rounds, std::size_t parts) {
+  return round * parts / rounds;
+}
+
+/// A pair of levels, and its part.
+struct PlacedPair {
+  std::vector<Level> levels{};
+  std::optional<std::size_t> part{};
+};
+
+/// Each pair in the order of the levels, followed by the other order, and before those of a level this level with itself,
+/// which belongs to every part; one empty pair without pairs.
+std::vector<PlacedPair> pairs_of(const Protocol& protocol, const Protocol::Block& block) {
+  if (!block.all_pairs) return {PlacedPair{}};
   const std::vector<Level>& levels = protocol.factors.at(block.all_pairs->factor).levels;
-  std::vector<std::vector<Level>> pairs{};
+  const std::size_t rounds = round_count(levels.size());
+  const auto parts = static_cast<std::size_t>(std::max(block.all_pairs->parts, 1));
+  std::vector<PlacedPair> pairs{};
   for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (block.all_pairs->with_identical) pairs.push_back({{levels[i], levels[i]}, {}});
     for (std::size_t j = i + 1; j < levels.size(); ++j) {
-      pairs.push_back({levels[i], levels[j]});
-      if (block.all_pairs->in_both_orders) pairs.push_back({levels[j], levels[i]});
+      const std::size_t part = part_of_round(round_of(i, j, levels.size()), rounds, parts);
+      pairs.push_back({{levels[i], levels[j]}, part});
+      if (block.all_pairs->in_both_orders) pairs.push_back({{levels[j], levels[i]}, part});
     }
   }
   return pairs;
@@ -114,6 +143,8 @@ BlockRow row_of_type(const Protocol::Block& block, BlockRow row, const DesignTri
 
 }  // namespace
 
+std::size_t round_count(std::size_t levels) { return levels % 2 == 0 ? levels - 1 : levels; }
+
 void add_derived_levels(const Protocol::Block& block, FactorLevels& row) {
   for (const auto& [name, formula] : block.derived) {
     if (const auto level = derived_level(row, formula)) row[name] = *level;
@@ -132,7 +163,8 @@ std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
   std::size_t count = std::max<std::size_t>(block.listed.size(), 1);
   if (block.all_pairs) {
     const std::size_t levels = protocol.factors.at(block.all_pairs->factor).levels.size();
-    count *= levels * (levels - 1) / (block.all_pairs->in_both_orders ? 1 : 2);
+    const std::size_t identical = block.all_pairs->with_identical ? levels : 0;
+    count *= levels * (levels - 1) / (block.all_pairs->in_both_orders ? 1 : 2) + identical;
   }
   count *= types_of(block).size();
   for (const std::string& name : block.crossed) {
@@ -164,24 +196,34 @@ std::size_t trial_count(const Protocol& protocol, const Protocol::Block& block) 
   const std::size_t of_all =
       row_count(protocol, block) * static_cast<std::size_t>(block.repetitions);
   constexpr std::size_t kMostRowsToCount = 1U << 16U;
-  if (block.repetitions_of.empty() || row_count(protocol, block) > kMostRowsToCount) return of_all;
+  const bool has_equal_trials =
+      block.repetitions_of.empty() && (!block.all_pairs || block.all_pairs->parts == 1);
+  if (has_equal_trials || row_count(protocol, block) > kMostRowsToCount) return of_all;
   std::size_t count = 0;
-  for (const BlockRow& row : rows_of(protocol, block)) {
+  for (const BlockRow& row : rows_of_part(protocol, block, 0)) {
     count += static_cast<std::size_t>(repetitions_of(block, row));
   }
   return count;
 }
 
 std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& block) {
-  const std::vector<std::vector<Level>> pairs = pairs_of(protocol, block);
+  const std::vector<PlacedPair> pairs = pairs_of(protocol, block);
   std::vector<BlockRow> rows{};
   for (const FactorLevels& factors : combinations_of(protocol, block)) {
-    for (const std::vector<Level>& pair : pairs) {
+    for (const PlacedPair& pair : pairs) {
       for (const DesignTrial* const type : types_of(block)) {
-        rows.push_back(row_of_type(block, {factors, pair}, type));
+        rows.push_back(row_of_type(
+            block, {.factors = factors, .pair = pair.levels, .part = pair.part}, type));
       }
     }
   }
+  return rows;
+}
+
+std::vector<BlockRow> rows_of_part(const Protocol& protocol, const Protocol::Block& block,
+                                   std::size_t part) {
+  std::vector<BlockRow> rows = rows_of(protocol, block);
+  std::erase_if(rows, [part](const BlockRow& row) { return row.part.value_or(part) != part; });
   return rows;
 }
 

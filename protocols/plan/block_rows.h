@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,13 @@ struct BlockRow {
   std::vector<Level> pair{};
   /// Of a design with several types of trials: that of this trial. Null: all listed surfaces are presented.
   const DesignTrial* type = nullptr;
+  /// The part of the pairs that it belongs to, from 0; nothing for a row that belongs to every part.
+  std::optional<std::size_t> part{};
 };
+
+/// The number of rounds in which all pairs of k levels occur once and no level twice in a round: k − 1 for an even k, k for
+/// an odd one. It is the greatest number of parts of the pairs.
+std::size_t round_count(std::size_t levels);
 
 /// The combinations of the crossed factors (the last one fastest), or the listed rows, once; one empty combination if
 /// there are none. Each of them with every level of the dimension, where the block varies a parameter without a
@@ -30,7 +37,11 @@ struct BlockRow {
 /// the varied surface is the value of the standard. Excluded combinations are absent; each row has its derived levels.
 std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& block);
 
-/// The number of rows, built only where combinations are excluded.
+/// The rows of one part of the pairs (Protocol::Block::AllPairs::parts); all rows where the block has no parts.
+std::vector<BlockRow> rows_of_part(const Protocol& protocol, const Protocol::Block& block,
+                                   std::size_t part);
+
+/// The number of rows of all parts, built only where combinations are excluded.
 std::size_t row_count(const Protocol& protocol, const Protocol::Block& block);
 
 /// Adds the levels that the block computes from those of the row; none whose formula has no finite value.
@@ -46,7 +57,7 @@ struct BlockTrial {
 };
 /// All trials: every row once, then the rows with a second repetition, and so on.
 std::vector<BlockTrial> trials_of(const Protocol::Block& block, const std::vector<BlockRow>& rows);
-/// Their number.
+/// Their number for one participant; where parts of the pairs differ in size, that of the largest part.
 std::size_t trial_count(const Protocol& protocol, const Protocol::Block& block);
 
 /// The ordering problem of `trials`, which are those of `rows`. Errors: none; see `random_order`.

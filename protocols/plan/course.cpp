@@ -110,14 +110,35 @@ double expected_trials_of_run(const Protocol& protocol, const Block& block) {
   return catch_trials ? of_tracks * catch_trials->every / (catch_trials->every - 1) : of_tracks;
 }
 
-}  // namespace
-
-int counterbalance_rows(const Protocol& protocol) {
+/// The rows of the squares of all iterated factors.
+std::size_t order_rows(const Protocol& protocol) {
   std::size_t rows = 1;
   for (const std::string& factor : iterated_factors(protocol)) {
     rows *= square_of(protocol.counterbalance, protocol.factors.at(factor).levels.size()).size();
   }
-  return static_cast<int>(rows);
+  return rows;
+}
+
+/// The parts of the pairs: 1, or the number that all blocks with parts have.
+std::size_t pair_parts(const Protocol& protocol) {
+  int parts = 1;
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.all_pairs) parts = std::max(parts, block.all_pairs->parts);
+  }
+  return static_cast<std::size_t>(parts);
+}
+
+/// The part of the pairs. The row number is decomposed as in `counterbalanced`, so that each part occurs with every order.
+std::size_t part_of(const Protocol& protocol, const Allocation& allocation) {
+  const int rows = counterbalance_rows(protocol);
+  const auto row = static_cast<std::size_t>(((allocation.counterbalance_row % rows) + rows) % rows);
+  return row / order_rows(protocol);
+}
+
+}  // namespace
+
+int counterbalance_rows(const Protocol& protocol) {
+  return static_cast<int>(order_rows(protocol) * pair_parts(protocol));
 }
 
 Course::Course(const Protocol& protocol, const Allocation& allocation)
@@ -153,8 +174,9 @@ void Course::expand_flow(const Allocation& allocation) {
 
 void Course::expand(const Run& run, const FactorLevels& group, const Allocation& allocation) {
   const Block& block = protocol_->blocks.at(run.block);
+  const std::size_t part = part_of(*protocol_, allocation);
   if (run.for_each.empty()) {
-    units_.emplace_back(BlockRun{.run = &run, .block = &block, .outer = group});
+    units_.emplace_back(BlockRun{.run = &run, .block = &block, .outer = group, .part = part});
     return;
   }
   const std::vector<Level>& levels = protocol_->factors.at(run.for_each).levels;
@@ -165,7 +187,8 @@ void Course::expand(const Run& run, const FactorLevels& group, const Allocation&
     is_first = false;
     FactorLevels outer = group;
     outer[run.for_each] = levels[index];
-    units_.emplace_back(BlockRun{.run = &run, .block = &block, .outer = std::move(outer)});
+    units_.emplace_back(
+        BlockRun{.run = &run, .block = &block, .outer = std::move(outer), .part = part});
   }
 }
 
@@ -203,7 +226,7 @@ bool Course::add_next_of_tracks() {
 
 void Course::add_block(const BlockRun& run) {
   const Block& block = *run.block;
-  const std::vector<BlockRow> rows = rows_of(*protocol_, block);
+  const std::vector<BlockRow> rows = rows_of_part(*protocol_, block, run.part);
   const std::vector<BlockTrial> unordered = trials_of(block, rows);
   const std::vector<std::size_t> order =
       order_of(block, rows, unordered, run.random.split("order"));

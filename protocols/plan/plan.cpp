@@ -33,6 +33,7 @@ std::vector<Trial> possible_trials(const Protocol& protocol) {
     block.minimum_distance.clear();
     block.fixed_positions.clear();
     block.until.reset();
+    if (block.all_pairs) block.all_pairs->parts = 1;
     if (block.procedure && block.procedure->catch_trials && block.vary) {
       std::vector<double> levels = block.vary->levels();
       const double easy = block.procedure->catch_trials->level;

@@ -19,6 +19,7 @@ struct BlockRun {
   const Protocol::Block* block = nullptr;
   int ordinal = 0;       ///< 1-based within the session
   FactorLevels outer{};  ///< of the group, and of `Run::for_each`
+  std::size_t part = 0;  ///< of the pairs, where participants share them
   Random random{0};      ///< the stream of this run
 };
 

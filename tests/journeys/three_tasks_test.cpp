@@ -1,5 +1,5 @@
 // Three tasks in one session, two groups of participants, and five scales in a trial; pairs of the levels of a factor;
-// interleaved staircases: from check to report, and through kills.
+// rated pairs; interleaved staircases: from check to report, and through kills.
 
 #include <csignal>
 
@@ -63,6 +63,28 @@ nlohmann::ordered_json pairs_of_models() {
   block["all_pairs"] = {{"factor", "model"}, {"in_both_orders", true}};
   block["presented"] = {{{"stimulus", "rendered"}}};
   block["question"]["tie"] = {{"text", "Neither"}};
+  return protocol;
+}
+
+/// The dissimilarity of five models on one texture, with identical pairs, side by side; 15 trials, or 11 or 9 in two parts.
+nlohmann::ordered_json rated_pairs_of_models(int parts) {
+  nlohmann::ordered_json protocol = small_selection(1);
+  protocol["format"] = "asperity.protocol/2";
+  protocol["kind"] = "similarity";
+  protocol["name"] = "rated_pairs";
+  protocol.erase("realism_standard");
+  protocol["factors"] = nlohmann::ordered_json::parse(
+      R"({"model": {"levels": ["height_map", "bump_map", "normal_map", "lateral_gradient", "sinusoid"]}})");
+  protocol["stimuli"] = nlohmann::ordered_json::parse(
+      R"({"rendered": {"model": {"factor": "model"}, "texture": "walnut"}})");
+  nlohmann::ordered_json& block = protocol["blocks"]["main"];
+  block.erase("crossed");
+  block["positions"] = "shuffle";
+  block["all_pairs"] = {{"factor", "model"}, {"with_identical", true}, {"parts", parts}};
+  block["presented"] = {{{"stimulus", "rendered"}}};
+  block["question"] = nlohmann::ordered_json::parse(
+      R"({"name": "different", "prompt": "How different were they?",
+          "scale": {"minimum": 0, "maximum": 100, "labels": ["identical", "completely different"]}})");
   return protocol;
 }
 
@@ -175,6 +197,16 @@ class PairsOfModels : public Tasks {
   PairsOfModels() : Tasks(pairs_of_models()) {}
 };
 
+class RatedPairsOfModels : public Tasks {
+ protected:
+  RatedPairsOfModels() : Tasks(rated_pairs_of_models(1)) {}
+};
+
+class PartOfRatedPairs : public Tasks {
+ protected:
+  PartOfRatedPairs() : Tasks(rated_pairs_of_models(2)) {}
+};
+
 class Staircases : public Tasks {
  protected:
   Staircases() : Tasks(staircases()) {}
@@ -246,6 +278,44 @@ TEST_F(PairsOfModels, AreSimulatedVerifiedAnalysedExportedAndReported) {
 }
 
 TEST_F(PairsOfModels, ResumeAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
+
+TEST_F(RatedPairsOfModels, AreCheckedSimulatedVerifiedAnalysedExportedAndReported) {
+  const Outcome checked = asperity({"check", file_, "--study", small_.study()});
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "4", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const Outcome verified = asperity({"verify", small_.study(), "--replay"});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  const std::string analysed = asperity({"analyze", small_.study()}).out;
+  EXPECT_THAT(analysed, HasSubstr("rated_pairs 1.0.0 (similarity, improved)"));
+  EXPECT_THAT(analysed, HasSubstr("Do the ratings have a structure, and in how many dimensions?"));
+
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  const std::vector<std::string> answers = tsv(tables.at("responses.tsv")).column("answer");
+  ASSERT_EQ(answers.size(), 4U * 15U);
+  for (const std::string& answer : answers) {
+    EXPECT_GE(std::stod(answer), 0.0);
+    EXPECT_LE(std::stod(answer), 100.0);
+  }
+  const std::vector<std::string> items = tsv(tables.at("presentations.tsv")).column("item");
+  EXPECT_EQ(std::count(items.begin(), items.end(), "sinusoid"), 4 * (4 + 2));
+
+  const fs::path report = small_.place() / "report.html";
+  EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("two surfaces are presented, and their dissimilarity is rated on"));
+  EXPECT_THAT(text, HasSubstr("all pairs of the levels of model and identical pairs"));
+  EXPECT_THAT(text, HasSubstr("2 dimensions require at least 9 items, and the number of items is 5"));
+  for (const char* const figure :
+       {"Configuration of the items (non-metric MDS)", "Shepard diagram",
+        "Stress by the number of dimensions", "Dendrogram of the rated dissimilarities",
+        "Weights of the dimensions for each participant (INDSCAL)"}) {
+    EXPECT_THAT(text, HasSubstr(figure));
+  }
+}
+
+TEST_F(PartOfRatedPairs, IsResumedAfterAKillAtEveryTrial) { expect_same_answers_after_kills(11); }
 
 TEST_F(Staircases, AreCheckedSimulatedVerifiedAnalysedExportedAndReported) {
   const Outcome checked = asperity({"check", file_, "--study", small_.study()});

@@ -66,12 +66,27 @@ const CellWords& words_of_measures() {
   return kWords;
 }
 
+/// Measured properties of items; those of the exploration as in the tables of the exploration.
+const CellWords& words_of_properties() {
+  static const CellWords kWords = [] {
+    CellWords words{{"texture_force_N", phrase("CellWords", "RMS of the texture force, N")}};
+    for (const char* const explored :
+         {"force_N", "force_sd_N", "speed_m_per_s", "speed_sd_m_per_s"}) {
+      words[explored] = words_of_measures().at(explored);
+    }
+    return words;
+  }();
+  return kWords;
+}
+
 const CellWords& words_of_tests() {
   static const CellWords kWords{
       {"accompanying_scales", phrase("CellWords", "accompanying scales")},
       {"condition", phrase("CellWords", "condition")},
+      {"configuration", phrase("CellWords", "configuration")},
       {"conditions", phrase("CellWords", "conditions")},
       {"groups", phrase("CellWords", "groups")},
+      {"identical", phrase("CellWords", "different and identical surfaces")},
       {"information", phrase("CellWords", "information")},
       {"interaction", phrase("CellWords", "spacing by condition")},
       {"items", phrase("CellWords", "matched items")},
@@ -81,6 +96,7 @@ const CellWords& words_of_tests() {
       {"point_of_subjective_equality", phrase("CellWords", "point of subjective equality")},
       {"position", phrase("CellWords", "position")},
       {"preference", phrase("CellWords", "preference")},
+      {"properties", phrase("CellWords", "measured properties")},
       {"rated_pairs", phrase("CellWords", "pairs of items")},
       {"rating_model", phrase("CellWords", "mixed model of the ratings")},
       {"ratings", phrase("CellWords", "ratings of the items")},
@@ -134,6 +150,7 @@ const CellWords& words_of_units() {
                                 {"answers", phrase("CellWords", "responses")},
                                 {"bit", phrase("CellWords", "bit")},
                                 {"goes", phrase("CellWords", "trials")},
+                                {"items", phrase("CellWords", "items")},
                                 {"participants", phrase("CellWords", "participants")}};
   return kWords;
 }
@@ -141,6 +158,7 @@ const CellWords& words_of_units() {
 const CellWords& words_of_single_units() {
   static const CellWords kWords{{"answers", phrase("CellWords", "response")},
                                 {"goes", phrase("CellWords", "trial")},
+                                {"items", phrase("CellWords", "item")},
                                 {"participants", phrase("CellWords", "participant")}};
   return kWords;
 }
@@ -148,6 +166,9 @@ const CellWords& words_of_single_units() {
 const CellWords& words_of_reasons() {
   static const CellWords kWords{
       {"dependent", phrase("CellWords", "cannot be distinguished from the effects above")},
+      {"not_connected", phrase("CellWords", "the rated pairs do not connect all items")},
+      {"no_variance", phrase("CellWords", "the ratings do not vary")},
+      {"too_few", phrase("CellWords", "too few items or participants")},
       {"no_participant_variance",
        phrase("CellWords", "the variance between participants is estimated as 0")},
       {"no_residual_variance", phrase("CellWords", "there is no error variance")},
@@ -194,6 +215,9 @@ const CellWords& words_of_reasons() {
       {"outside_range", phrase("CellWords", "outside the range of the tested spacings")},
       {"not every model is presented in every trial",
        phrase("CellWords", "not every model is presented in every trial")},
+      {"no_identical_pairs", phrase("CellWords", "no identical pairs were presented")},
+      {"no_properties",
+       phrase("CellWords", "there is no configuration, or no property was measured for every item")},
       {"no_difference", phrase("CellWords", "no participant has a difference that is not zero")},
       {"one_difference",
        phrase("CellWords", "only one participant has a difference that is not zero")},
@@ -367,6 +391,10 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "of" && text == "loading") return phrase("CellWords", "loading of the scale");
   if (column == "of" && text == "score") return phrase("CellWords", "score of the item");
   if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
+  if (column == "property") return cell_word_in(words_of_properties(), text);
+  if (column == "about" && words_of_properties().contains(text)) {
+    return words_of_properties().at(text);
+  }
   if (column == "about") return words_of_condition(with_strokes(text));
   if (column != "family") return text;
   // Names of tests, separated by commas.

@@ -396,6 +396,9 @@ class Gathering {
     }
     if (surface.achieved_texture_force_N) {
       forces.achieved_N.push_back(*surface.achieved_texture_force_N);
+      ItemTextureForce& of_item = gathered.item_forces[gathered.surfaces.back().item];
+      ++of_item.surfaces;
+      of_item.sum_N += *surface.achieved_texture_force_N;
     }
   }
 

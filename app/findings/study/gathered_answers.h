@@ -116,6 +116,14 @@ struct TextureForces {
   std::vector<double> achieved_N{};  ///< where the surface was felt for long enough
 };
 
+/// Of the surfaces that count as one item, as far as they were felt for long enough.
+struct ItemTextureForce {
+  std::size_t surfaces = 0;
+  double sum_N = 0.0;  ///< of the RMS texture forces along the participants' paths
+
+  double mean_N() const { return sum_N / static_cast<double>(surfaces); }
+};
+
 /// The name under which attempts at analysed trials that do not count are counted: "excluded",
 /// "answered but invalid", or otherwise their outcome.
 std::string fate_of(AnalysisUse use, AttemptOutcome outcome);
@@ -174,6 +182,7 @@ struct GatheredAnswers {
   GatheredExploration exploration{};
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
+  std::map<std::uint32_t, ItemTextureForce> item_forces{};  ///< by word of the item; none without a force
   /// By participant and block. No other number contains these responses.
   std::vector<CatchResponses> catch_responses{};
 

@@ -12,6 +12,14 @@ constexpr std::array kReferences{
     Reference{"Bakeman 2005", "Bakeman, 2005",
               "Bakeman, R. (2005). Recommended effect size statistics for repeated measures "
               "designs. Behavior Research Methods, 37(3), 379–384."},
+    Reference{"Carroll 1970", "Carroll & Chang, 1970",
+              "Carroll, J. D., & Chang, J.-J. (1970). Analysis of individual differences in "
+              "multidimensional scaling via an N-way generalization of “Eckart–Young” "
+              "decomposition. Psychometrika, 35(3), 283–319."},
+    Reference{"Chang 1969", "Chang & Carroll, 1969",
+              "Chang, J.-J., & Carroll, J. D. (1969). How to use PROFIT, a computer program "
+              "for property fitting by optimizing nonlinear or linear correlation. Bell "
+              "Telephone Laboratories."},
     Reference{"Cohen 1988", "Cohen, 1988",
               "Cohen, J. (1988). Statistical power analysis for the behavioral sciences (2nd ed.). "
               "Lawrence Erlbaum."},
@@ -25,6 +33,9 @@ constexpr std::array kReferences{
               "Friedman, M. (1937). The use of ranks to avoid the assumption of normality implicit "
               "in the analysis of variance. Journal of the American Statistical Association, "
               "32(200), 675–701."},
+    Reference{"Gower 1975", "Gower, 1975",
+              "Gower, J. C. (1975). Generalized Procrustes analysis. Psychometrika, 40(1), "
+              "33–51."},
     Reference{"Greenhouse 1959", "Greenhouse & Geisser, 1959",
               "Greenhouse, S. W., & Geisser, S. (1959). On methods in the analysis of profile "
               "data. Psychometrika, 24(2), 95–112."},
@@ -43,6 +54,9 @@ constexpr std::array kReferences{
     Reference{"Kontsevich 1999", "Kontsevich & Tyler, 1999",
               "Kontsevich, L. L., & Tyler, C. W. (1999). Bayesian adaptive estimation of "
               "psychometric slope and threshold. Vision Research, 39(16), 2729–2737."},
+    Reference{"Kruskal 1964", "Kruskal, 1964",
+              "Kruskal, J. B. (1964). Multidimensional scaling by optimizing goodness of fit "
+              "to a nonmetric hypothesis. Psychometrika, 29(1), 1–27."},
     Reference{"Laird 1982", "Laird & Ware, 1982",
               "Laird, N. M., & Ware, J. H. (1982). Random-effects models for longitudinal data. "
               "Biometrics, 38(4), 963–974."},

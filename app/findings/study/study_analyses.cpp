@@ -10,6 +10,7 @@
 #include "app/findings/study/kinds/rating_analysis.h"
 #include "app/findings/study/kinds/recognition_analysis.h"
 #include "app/findings/study/kinds/selection_analysis.h"
+#include "app/findings/study/kinds/similarity_analysis.h"
 #include "app/findings/study/study_analysis.h"
 
 namespace asperity {
@@ -18,7 +19,7 @@ std::span<const StudyAnalysis* const> study_analyses() {
   static const std::array kAnalyses{&selection_analysis(),     &matching_analysis(),
                                     &recognition_analysis(),   &magnitude_analysis(),
                                     &rating_analysis(),        &paired_comparison_analysis(),
-                                    &discrimination_analysis()};
+                                    &discrimination_analysis(), &similarity_analysis()};
   return kAnalyses;
 }
 

@@ -54,7 +54,9 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::string chosen = test.role == TestRole::confirmatory
                                  ? std::string(words)
                                  : exploratory_claim(std::string(words), test.is_significant());
-  return Phrase(chosen).with(first, second, chance, on_scale).english();
+  const std::string named =
+      test.name == "properties" ? words_of_cell("property", first).english() : first;
+  return Phrase(chosen).with(named, second, chance, on_scale).english();
 }
 
 std::string size_text(const StudyTest& test) {

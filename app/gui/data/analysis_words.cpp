@@ -20,14 +20,18 @@ struct Word {
 constexpr std::array kHeadings{
     Word{"F", QT_TRANSLATE_NOOP("AnalysisWords", "F")},
     Word{"about", QT_TRANSLATE_NOOP("AnalysisWords", "comparison")},
+    Word{"above_smallest", QT_TRANSLATE_NOOP("AnalysisWords", "squared error above the smallest")},
+    Word{"above_smallest_se", QT_TRANSLATE_NOOP("AnalysisWords", "its standard error")},
     Word{"achieved_maximum_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, maximum, N")},
     Word{"achieved_mean_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, mean, N")},
     Word{"achieved_minimum_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, minimum, N")},
     Word{"achieved_sd_N", QT_TRANSLATE_NOOP("AnalysisWords", "achieved, SD, N")},
     Word{"against", QT_TRANSLATE_NOOP("AnalysisWords", "other item")},
+    Word{"agreement_r", QT_TRANSLATE_NOOP("AnalysisWords", "r with the other participants")},
     Word{"all", QT_TRANSLATE_NOOP("AnalysisWords", "all")},
     Word{"alpha", QT_TRANSLATE_NOOP("AnalysisWords", "Cronbach’s α")},
     Word{"alpha 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "Cronbach’s α, 95 % CI")},
+    Word{"angle_deg", QT_TRANSLATE_NOOP("AnalysisWords", "angle, °")},
     Word{"answers", QT_TRANSLATE_NOOP("AnalysisWords", "responses")},
     Word{"block", QT_TRANSLATE_NOOP("AnalysisWords", "block")},
     Word{"block_ordinal", QT_TRANSLATE_NOOP("AnalysisWords", "number of the block")},
@@ -58,7 +62,10 @@ constexpr std::array kHeadings{
     Word{"difference", QT_TRANSLATE_NOOP("AnalysisWords", "difference")},
     Word{"difference 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "difference, 95 % CI")},
     Word{"different", QT_TRANSLATE_NOOP("AnalysisWords", "responses “different”")},
+    Word{"dimensions", QT_TRANSLATE_NOOP("AnalysisWords", "dimensions")},
+    Word{"disparity", QT_TRANSLATE_NOOP("AnalysisWords", "disparity")},
     Word{"dissimilarity", QT_TRANSLATE_NOOP("AnalysisWords", "dissimilarity")},
+    Word{"distance", QT_TRANSLATE_NOOP("AnalysisWords", "distance")},
     Word{"effect", QT_TRANSLATE_NOOP("AnalysisWords", "effect")},
     Word{"effect_size", QT_TRANSLATE_NOOP("AnalysisWords", "effect size, 95 % CI")},
     Word{"eigenvalue", QT_TRANSLATE_NOOP("AnalysisWords", "eigenvalue")},
@@ -72,9 +79,12 @@ constexpr std::array kHeadings{
     Word{"first", QT_TRANSLATE_NOOP("AnalysisWords", "first")},
     Word{"first_half", QT_TRANSLATE_NOOP("AnalysisWords", "first half")},
     Word{"first_responses", QT_TRANSLATE_NOOP("AnalysisWords", "responses, comparison first")},
+    Word{"fit", QT_TRANSLATE_NOOP("AnalysisWords", "fit")},
     Word{"geometric_mean", QT_TRANSLATE_NOOP("AnalysisWords", "geometric mean")},
     Word{"geometric_mean 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "geometric mean, 95 % CI")},
     Word{"goes", QT_TRANSLATE_NOOP("AnalysisWords", "trials")},
+    Word{"half_axis_major", QT_TRANSLATE_NOOP("AnalysisWords", "ellipse, major half axis")},
+    Word{"half_axis_minor", QT_TRANSLATE_NOOP("AnalysisWords", "ellipse, minor half axis")},
     Word{"height", QT_TRANSLATE_NOOP("AnalysisWords", "height")},
     Word{"high_label", QT_TRANSLATE_NOOP("AnalysisWords", "label of the maximum")},
     Word{"hit", QT_TRANSLATE_NOOP("AnalysisWords", "hit")},
@@ -107,6 +117,7 @@ constexpr std::array kHeadings{
     Word{"measurements", QT_TRANSLATE_NOOP("AnalysisWords", "measurements")},
     Word{"median", QT_TRANSLATE_NOOP("AnalysisWords", "median")},
     Word{"method", QT_TRANSLATE_NOOP("AnalysisWords", "method")},
+    Word{"metric_stress_1", QT_TRANSLATE_NOOP("AnalysisWords", "stress-1, metric")},
     Word{"minimum", QT_TRANSLATE_NOOP("AnalysisWords", "minimum")},
     Word{"model", QT_TRANSLATE_NOOP("AnalysisWords", "model")},
     Word{"n", QT_TRANSLATE_NOOP("AnalysisWords", "n")},
@@ -117,6 +128,7 @@ constexpr std::array kHeadings{
     Word{"odds_ratio", QT_TRANSLATE_NOOP("AnalysisWords", "odds ratio")},
     Word{"odds_ratio 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "odds ratio, 95 % CI")},
     Word{"of", QT_TRANSLATE_NOOP("AnalysisWords", "total")},
+    Word{"orders_r", QT_TRANSLATE_NOOP("AnalysisWords", "r of both orders")},
     Word{"other", QT_TRANSLATE_NOOP("AnalysisWords", "other")},
     Word{"other_as_felt", QT_TRANSLATE_NOOP("AnalysisWords", "reverse confusions")},
     Word{"p", QT_TRANSLATE_NOOP("AnalysisWords", "p")},
@@ -132,6 +144,8 @@ constexpr std::array kHeadings{
     Word{"persons", QT_TRANSLATE_NOOP("AnalysisWords", "participants")},
     Word{"points", QT_TRANSLATE_NOOP("AnalysisWords", "points")},
     Word{"position", QT_TRANSLATE_NOOP("AnalysisWords", "position")},
+    Word{"prediction_error", QT_TRANSLATE_NOOP("AnalysisWords", "prediction error")},
+    Word{"property", QT_TRANSLATE_NOOP("AnalysisWords", "property")},
     Word{"proportion", QT_TRANSLATE_NOOP("AnalysisWords", "proportion")},
     Word{"proportion 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "proportion, 95 % CI")},
     Word{"pse", QT_TRANSLATE_NOOP("AnalysisWords", "PSE")},
@@ -142,6 +156,7 @@ constexpr std::array kHeadings{
     Word{"ratio 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "ratio, 95 % CI")},
     Word{"raw", QT_TRANSLATE_NOOP("AnalysisWords", "raw")},
     Word{"reference", QT_TRANSLATE_NOOP("AnalysisWords", "reference")},
+    Word{"repeated_r", QT_TRANSLATE_NOOP("AnalysisWords", "r of repeated ratings")},
     Word{"responses", QT_TRANSLATE_NOOP("AnalysisWords", "responses")},
     Word{"retained", QT_TRANSLATE_NOOP("AnalysisWords", "retained")},
     Word{"reverse_keyed", QT_TRANSLATE_NOOP("AnalysisWords", "reverse-keyed")},
@@ -165,6 +180,7 @@ constexpr std::array kHeadings{
     Word{"statistic", QT_TRANSLATE_NOOP("AnalysisWords", "statistic")},
     Word{"status", QT_TRANSLATE_NOOP("AnalysisWords", "reason")},
     Word{"step", QT_TRANSLATE_NOOP("AnalysisWords", "trial of the track")},
+    Word{"stress_1", QT_TRANSLATE_NOOP("AnalysisWords", "stress-1")},
     Word{"surfaces", QT_TRANSLATE_NOOP("AnalysisWords", "surfaces")},
     Word{"t", QT_TRANSLATE_NOOP("AnalysisWords", "t")},
     Word{"task", QT_TRANSLATE_NOOP("AnalysisWords", "task")},
@@ -215,6 +231,14 @@ QString AnalysisWords::of_heading(const NamedTable& table, const std::string& co
   constexpr std::string_view kColumn = "column_";  // and the level of the factor
   if (column.starts_with(kColumn)) {
     return tr("repetition %1").arg(QString::fromStdString(column.substr(kColumn.size())));
+  }
+  constexpr std::string_view kDimension = "dimension_";  // and its number
+  if (column.starts_with(kDimension)) {
+    return tr("dimension %1").arg(QString::fromStdString(column.substr(kDimension.size())));
+  }
+  constexpr std::string_view kWeight = "weight_";
+  if (column.starts_with(kWeight)) {
+    return tr("weight %1").arg(QString::fromStdString(column.substr(kWeight.size())));
   }
   return QString::fromStdString(column);
 }

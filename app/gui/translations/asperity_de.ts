@@ -2207,6 +2207,94 @@
         <source>Hits are responses “different”; those at a difference of 0 are false alarms.</source>
         <translation>Treffer sind Antworten „verschieden“; die bei einem Unterschied von 0 sind falsche Alarme.</translation>
     </message>
+    <message>
+        <source>similarity</source>
+        <translation>Ähnlichkeit</translation>
+    </message>
+    <message>
+        <source>Mean dissimilarities of the pairs</source>
+        <translation>Mittlere Unähnlichkeiten der Paare</translation>
+    </message>
+    <message>
+        <source>Dissimilarity: the distance of the rating from the end of the scale for identical surfaces, mean over participants with a t-based 95 % CI; both orders together. Distance: in the configuration. Disparity: the isotonic regression of the distances on the mean dissimilarities.</source>
+        <translation>Unähnlichkeit: der Abstand des Urteils vom Ende der Skala für gleiche Oberflächen, Mittelwert über die Versuchspersonen mit t-basiertem 95-%-KI; beide Reihenfolgen zusammen. Abstand: in der Konfiguration. Disparität: die isotone Regression der Abstände auf die mittleren Unähnlichkeiten.</translation>
+    </message>
+    <message>
+        <source>Configuration of the items</source>
+        <translation>Konfiguration der Items</translation>
+    </message>
+    <message>
+        <source>Non-metric multidimensional scaling, along the principal axes; the mean square distance of two items is 1. Only distances can be interpreted. Half axes and angle: the 95 % ellipse of the position in the first two dimensions, from a bootstrap over participants.</source>
+        <translation>Nichtmetrische multidimensionale Skalierung, entlang der Hauptachsen; der mittlere quadrierte Abstand zweier Items ist 1. Nur Abstände lassen sich deuten. Halbachsen und Winkel: die 95-%-Ellipse der Position in den ersten zwei Dimensionen, aus einem Bootstrap über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Stress by the number of dimensions</source>
+        <translation>Stress nach der Zahl der Dimensionen</translation>
+    </message>
+    <message>
+        <source>Kruskal’s stress-1 of non-metric and of metric (ratio) scaling; 0 is a perfect fit. Prediction error: root mean square error of the prediction of each participant’s ratings from those of the others (cross-validation), in the unit of the scale; next to it, its square minus that of the best number of dimensions, with the standard error over participants.</source>
+        <translation>Kruskals Stress-1 der nichtmetrischen und der metrischen (Verhältnis-)Skalierung; 0 ist eine vollkommene Anpassung. Vorhersagefehler: quadratisches Mittel der Fehler bei der Vorhersage der Urteile jeder Versuchsperson aus denen der anderen (Kreuzvalidierung), in der Einheit der Skala; daneben sein Quadrat abzüglich desjenigen der besten Zahl der Dimensionen, mit dem Standardfehler über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Participants: reliability, agreement, and weights of the dimensions</source>
+        <translation>Versuchspersonen: Reliabilität, Übereinstimmung und Gewichte der Dimensionen</translation>
+    </message>
+    <message>
+        <source>Correlations of the first and the last rating of a pair, of the ratings in its two orders, and of the participant’s mean ratings with those of the others. Fit: the proportion of the participant’s scalar products that the INDSCAL model explains; the weights are those of its dimensions, which differ from the axes of the configuration.</source>
+        <translation>Korrelationen des ersten und des letzten Urteils über ein Paar, der Urteile in seinen beiden Reihenfolgen und der mittleren Urteile der Versuchsperson mit denen der anderen. Anpassung: der Anteil der Skalarprodukte der Versuchsperson, den das INDSCAL-Modell erklärt; die Gewichte gelten für dessen Dimensionen, die sich von den Achsen der Konfiguration unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Dendrogram of the items</source>
+        <translation>Dendrogramm der Items</translation>
+    </message>
+    <message>
+        <source>Average linkage of the mean dissimilarities. Each row joins the cluster of the first item with that of the second.</source>
+        <translation>Average Linkage der mittleren Unähnlichkeiten. In jeder Zeile wird der Cluster des ersten Items mit dem des zweiten zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>Measured properties of the items in the configuration</source>
+        <translation>Gemessene Eigenschaften der Items in der Konfiguration</translation>
+    </message>
+    <message>
+        <source>R² of the regression of the property on the positions, and the direction in which it increases (of length 1). Forces and speeds are means over the participants’ contacts with the item: they depend on how it was explored. Texture force: the RMS along the participants’ paths.</source>
+        <translation>R² der Regression der Eigenschaft auf die Positionen und die Richtung, in der sie zunimmt (mit der Länge 1). Kräfte und Geschwindigkeiten sind Mittelwerte über die Kontakte der Versuchspersonen mit dem Item: Sie hängen davon ab, wie es erkundet wurde. Texturkraft: der Effektivwert entlang der Wege der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>The configuration is poorly determined: %1 dimensions require at least %2 items, and the number of items is %3.</source>
+        <translation>Die Konfiguration ist schlecht bestimmt: %1 Dimensionen erfordern mindestens %2 Items, und die Zahl der Items ist %3.</translation>
+    </message>
+    <message>
+        <source>Cross-validation chooses one dimension; the configuration is shown in two, and the second may be due to chance.</source>
+        <translation>Die Kreuzvalidierung wählt eine Dimension; die Konfiguration wird in zweien gezeigt, und die zweite kann auf Zufall beruhen.</translation>
+    </message>
+    <message>
+        <source>Do the ratings have a structure, and in how many dimensions?</source>
+        <translation>Haben die Urteile eine Struktur, und in wie vielen Dimensionen?</translation>
+    </message>
+    <message>
+        <source>Non-metric multidimensional scaling of the mean dissimilarities. Permutation test of its stress-1: ratings are permuted over the pairs within participants. The number of dimensions is chosen by cross-validation over participants.</source>
+        <translation>Nichtmetrische multidimensionale Skalierung der mittleren Unähnlichkeiten. Permutationstest ihres Stress-1: Die Urteile werden innerhalb der Versuchspersonen über die Paare permutiert. Die Zahl der Dimensionen wird durch Kreuzvalidierung über die Versuchspersonen gewählt.</translation>
+    </message>
+    <message>
+        <source>Yes: the configuration in %1 dimensions has a stress-1 of %2, lower than that of permuted ratings (mean %3). Permutation test: %4.</source>
+        <translation>Ja: Die Konfiguration in %1 Dimensionen hat einen Stress-1 von %2, kleiner als der permutierter Urteile (Mittelwert %3). Permutationstest: %4.</translation>
+    </message>
+    <message>
+        <source>Not significantly: the configuration in %1 dimensions has a stress-1 of %2, and that of permuted ratings is %3 on average. Permutation test: %4.</source>
+        <translation>Nicht signifikant: Die Konfiguration in %1 Dimensionen hat einen Stress-1 von %2, und der permutierter Urteile beträgt im Mittel %3. Permutationstest: %4.</translation>
+    </message>
+    <message>
+        <source>For these participants, the configuration in %1 dimensions has a stress-1 of %2, and that of permuted ratings is %3 on average. Permutation test: %4.</source>
+        <translation>Bei diesen Versuchspersonen hat die Konfiguration in %1 Dimensionen einen Stress-1 von %2, und der permutierter Urteile beträgt im Mittel %3. Permutationstest: %4.</translation>
+    </message>
+    <message>
+        <source>The configuration is degenerate: the number of different disparities is %1. It shows which items form clusters, and neither their distances nor the number of dimensions. Use the dendrogram, and the stress of metric scaling.</source>
+        <translation>Die Konfiguration ist degeneriert: Die Zahl verschiedener Disparitäten ist %1. Sie zeigt, welche Items Cluster bilden, und weder deren Abstände noch die Zahl der Dimensionen. Das Dendrogramm und den Stress der metrischen Skalierung heranziehen.</translation>
+    </message>
+    <message>
+        <source>%1 All properties together, as a configuration of their standardised values: Procrustes r² = %2, permutation test (PROTEST) %3.</source>
+        <translation>%1 Alle Eigenschaften zusammen, als Konfiguration ihrer standardisierten Werte: Prokrustes-r² = %2, Permutationstest (PROTEST) %3.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -2900,6 +2988,78 @@
     <message>
         <source>trials with a signal</source>
         <translation>Durchgänge mit Signal</translation>
+    </message>
+    <message>
+        <source>squared error above the smallest</source>
+        <translation>quadrierter Fehler über dem kleinsten</translation>
+    </message>
+    <message>
+        <source>its standard error</source>
+        <translation>dessen Standardfehler</translation>
+    </message>
+    <message>
+        <source>r with the other participants</source>
+        <translation>r mit den anderen Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>angle, °</source>
+        <translation>Winkel, °</translation>
+    </message>
+    <message>
+        <source>dimensions</source>
+        <translation>Dimensionen</translation>
+    </message>
+    <message>
+        <source>disparity</source>
+        <translation>Disparität</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>ellipse, major half axis</source>
+        <translation>Ellipse, große Halbachse</translation>
+    </message>
+    <message>
+        <source>ellipse, minor half axis</source>
+        <translation>Ellipse, kleine Halbachse</translation>
+    </message>
+    <message>
+        <source>stress-1, metric</source>
+        <translation>Stress-1, metrisch</translation>
+    </message>
+    <message>
+        <source>r of both orders</source>
+        <translation>r beider Reihenfolgen</translation>
+    </message>
+    <message>
+        <source>prediction error</source>
+        <translation>Vorhersagefehler</translation>
+    </message>
+    <message>
+        <source>property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>r of repeated ratings</source>
+        <translation>r wiederholter Urteile</translation>
+    </message>
+    <message>
+        <source>stress-1</source>
+        <translation>Stress-1</translation>
+    </message>
+    <message>
+        <source>dimension %1</source>
+        <translation>Dimension %1</translation>
+    </message>
+    <message>
+        <source>weight %1</source>
+        <translation>Gewicht %1</translation>
     </message>
 </context>
 <context>
@@ -3654,6 +3814,50 @@
     <message>
         <source>no response is a choice between two surfaces, so that there is no order effect</source>
         <translation>keine Antwort ist die Wahl zwischen zwei Oberflächen, sodass es keinen Reihenfolgeeffekt gibt</translation>
+    </message>
+    <message>
+        <source>RMS of the texture force, N</source>
+        <translation>Effektivwert der Texturkraft, N</translation>
+    </message>
+    <message>
+        <source>configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>different and identical surfaces</source>
+        <translation>verschiedene und gleiche Oberflächen</translation>
+    </message>
+    <message>
+        <source>measured properties</source>
+        <translation>gemessene Eigenschaften</translation>
+    </message>
+    <message>
+        <source>items</source>
+        <translation>Items</translation>
+    </message>
+    <message>
+        <source>item</source>
+        <translation>Item</translation>
+    </message>
+    <message>
+        <source>the rated pairs do not connect all items</source>
+        <translation>die beurteilten Paare verbinden nicht alle Items</translation>
+    </message>
+    <message>
+        <source>the ratings do not vary</source>
+        <translation>die Urteile unterscheiden sich nicht</translation>
+    </message>
+    <message>
+        <source>too few items or participants</source>
+        <translation>zu wenige Items oder Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>no identical pairs were presented</source>
+        <translation>es wurden keine gleichen Paare dargeboten</translation>
+    </message>
+    <message>
+        <source>there is no configuration, or no property was measured for every item</source>
+        <translation>es gibt keine Konfiguration, oder keine Eigenschaft wurde für jedes Item gemessen</translation>
     </message>
 </context>
 <context>
@@ -4810,6 +5014,110 @@
     <message>
         <source>difference with d′ = 1, geometric mean with its 95 % CI</source>
         <translation>Unterschied mit d′ = 1, geometrisches Mittel mit 95-%-KI</translation>
+    </message>
+    <message>
+        <source>There is no configuration: %1.</source>
+        <translation>Es gibt keine Konfiguration: %1.</translation>
+    </message>
+    <message>
+        <source>There are no ratings from which to make a configuration; collect responses first.</source>
+        <translation>Es gibt keine Urteile, aus denen sich eine Konfiguration ergibt; zuerst Antworten erheben.</translation>
+    </message>
+    <message>
+        <source>Configuration of the items (non-metric MDS)</source>
+        <translation>Konfiguration der Items (nichtmetrische MDS)</translation>
+    </message>
+    <message>
+        <source>Distances correspond to the order of the mean dissimilarities; directions cannot be interpreted. Stress-1 in %1 dimensions: %2.</source>
+        <translation>Die Abstände entsprechen der Rangfolge der mittleren Unähnlichkeiten; Richtungen lassen sich nicht deuten. Stress-1 in %1 Dimensionen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Ellipses: 95 % of the positions in a bootstrap over participants.</source>
+        <translation>%1 Ellipsen: 95 % der Positionen in einem Bootstrap über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Shepard diagram</source>
+        <translation>Shepard-Diagramm</translation>
+    </message>
+    <message>
+        <source>A point per pair: its distance in the configuration by its mean dissimilarity. Line: disparities, the isotonic regression of the distances; stress is their deviation from the points.</source>
+        <translation>Ein Punkt je Paar: sein Abstand in der Konfiguration über seiner mittleren Unähnlichkeit. Linie: Disparitäten, die isotone Regression der Abstände; der Stress ist ihre Abweichung von den Punkten.</translation>
+    </message>
+    <message>
+        <source>pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>disparities</source>
+        <translation>Disparitäten</translation>
+    </message>
+    <message>
+        <source>mean dissimilarity</source>
+        <translation>mittlere Unähnlichkeit</translation>
+    </message>
+    <message>
+        <source>distance in the configuration</source>
+        <translation>Abstand in der Konfiguration</translation>
+    </message>
+    <message>
+        <source>Stress by the number of dimensions</source>
+        <translation>Stress nach der Zahl der Dimensionen</translation>
+    </message>
+    <message>
+        <source>Kruskal’s stress-1. Cross-validation over participants chooses the dimensions: %1.</source>
+        <translation>Kruskals Stress-1. Die Kreuzvalidierung über die Versuchspersonen wählt als Zahl der Dimensionen: %1.</translation>
+    </message>
+    <message>
+        <source>Kruskal’s stress-1.</source>
+        <translation>Kruskals Stress-1.</translation>
+    </message>
+    <message>
+        <source>non-metric scaling</source>
+        <translation>nichtmetrische Skalierung</translation>
+    </message>
+    <message>
+        <source>metric (ratio) scaling</source>
+        <translation>metrische (Verhältnis-)Skalierung</translation>
+    </message>
+    <message>
+        <source>number of dimensions</source>
+        <translation>Zahl der Dimensionen</translation>
+    </message>
+    <message>
+        <source>stress-1</source>
+        <translation>Stress-1</translation>
+    </message>
+    <message>
+        <source>Weights of the dimensions for each participant (INDSCAL)</source>
+        <translation>Gewichte der Dimensionen für jede Versuchsperson (INDSCAL)</translation>
+    </message>
+    <message>
+        <source>The farther a participant is from the origin, the better the model fits; the direction is the relative weight of the two dimensions.</source>
+        <translation>Je weiter eine Versuchsperson vom Ursprung entfernt ist, desto besser passt das Modell; die Richtung ist das relative Gewicht der beiden Dimensionen.</translation>
+    </message>
+    <message>
+        <source>Weights require two participants who rated every pair, with ratings that vary; collect more responses.</source>
+        <translation>Gewichte erfordern zwei Versuchspersonen, die jedes Paar beurteilt haben und deren Urteile sich unterscheiden; weitere Antworten erheben.</translation>
+    </message>
+    <message>
+        <source>weight of the first INDSCAL dimension</source>
+        <translation>Gewicht der ersten INDSCAL-Dimension</translation>
+    </message>
+    <message>
+        <source>weight of the second</source>
+        <translation>Gewicht der zweiten</translation>
+    </message>
+    <message>
+        <source>Dendrogram of the rated dissimilarities</source>
+        <translation>Dendrogramm der beurteilten Unähnlichkeiten</translation>
+    </message>
+    <message>
+        <source>Average linkage (UPGMA): clusters join at the mean dissimilarity of their items.</source>
+        <translation>Average Linkage (UPGMA): Cluster werden bei der mittleren Unähnlichkeit ihrer Items zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>A dendrogram requires ratings of every pair; collect responses first.</source>
+        <translation>Ein Dendrogramm erfordert Urteile über jedes Paar; zuerst Antworten erheben.</translation>
     </message>
 </context>
 <context>
@@ -7098,6 +7406,14 @@
     <message>
         <source>F test of a linear mixed model, Satterthwaite’s degrees of freedom</source>
         <translation>F-Test eines linearen gemischten Modells, Freiheitsgrade nach Satterthwaite</translation>
+    </message>
+    <message>
+        <source>permutation test of a regression on the positions</source>
+        <translation>Permutationstest einer Regression auf die Positionen</translation>
+    </message>
+    <message>
+        <source>permutation test of the stress</source>
+        <translation>Permutationstest des Stress</translation>
     </message>
 </context>
 <context>

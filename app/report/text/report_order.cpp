@@ -74,7 +74,12 @@ std::string order_text(const Protocol::Block& block) {
   if (!block.drawn.empty()) parts.push_back(listed(block.drawn) + " drawn at random in each trial");
   if (block.all_pairs) {
     parts.push_back("all pairs of the levels of " + block.all_pairs->factor +
-                    (block.all_pairs->in_both_orders ? " in both orders" : ""));
+                    (block.all_pairs->in_both_orders ? " in both orders" : "") +
+                    (block.all_pairs->with_identical ? " and identical pairs" : "") +
+                    (block.all_pairs->parts > 1
+                         ? ", of which each participant is given one of " +
+                               std::to_string(block.all_pairs->parts) + " parts"
+                         : ""));
   }
   const bool has_both_orders = block.all_pairs && block.all_pairs->in_both_orders;
   if (surfaces_in_trial(block) >= 2 && !has_both_orders) parts.push_back(positions_text(block));

@@ -1,0 +1,14 @@
+// The analysis of the kind "similarity".
+
+#pragma once
+
+#include "app/findings/study/study_analysis.h"
+
+namespace asperity {
+
+/// Rated dissimilarities: configuration and dendrogram of the items, weights of the participants, measured properties.
+const StudyAnalysis& similarity_analysis();
+/// Its tables, findings and questions.
+void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+}  // namespace asperity

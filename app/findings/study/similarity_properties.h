@@ -1,0 +1,19 @@
+// Physical properties of rated items, as far as a study measures them.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/findings/study/gathered_answers.h"
+#include "results_schema/tidy_table.h"
+
+namespace asperity {
+
+/// The second table of the family "similarity", with the columns item, property and value: how an item was explored, its
+/// texture force, and its level where all items are numbers. A property that was measured for some items only has no row for
+/// the others.
+TidyTable properties_of_items(const GatheredAnswers& gathered,
+                              const std::vector<std::string>& items);
+
+}  // namespace asperity

@@ -1,0 +1,116 @@
+// The tests, checks and judgement of a similarity.
+
+#include "protocols/kinds/similarity.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kSimilarityTests{
+    KindTest{"configuration", "is the stress of the configuration below that of permuted ratings"},
+    KindTest{"identical", "with identical pairs: are different surfaces rated as more dissimilar"},
+    KindTest{"properties",
+             "for every measured property of the surfaces: is it related to the configuration"}};
+
+RatedQuantity rated_quantity(const Protocol::TrialQuestionTemplate& question) {
+  return question.rates.value_or(RatedQuantity::dissimilarity);
+}
+
+std::string item_of_similarity(const PlannedPresentation& surface) {
+  return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;
+}
+
+void check_block_of_similarity(const BlockOfKind& checked, ProblemSink& problems) {
+  if (checked.block.presented.size() != 2) {
+    problems.report(checked.pointer + "/presented",
+                    "a similarity presents exactly two surfaces per trial; for all pairs of the "
+                    "levels of a factor, add \"all_pairs\" and list one surface");
+  }
+  if (!checked.block.all_pairs && checked.block.phase == Phase::main &&
+      checked.block.positions == Protocol::Block::Positions::as_listed) {
+    problems.report(checked.pointer + "/presented",
+                    "the same surface would always be presented first, so that an order effect "
+                    "could not be distinguished from a difference; set \"positions\" to "
+                    "\"balanced\" or \"shuffle\"");
+  }
+}
+
+/// The ratings of all main blocks are analysed together, so that they have to answer one question.
+void check_question_of_similarity(const Protocol& protocol, ProblemSink& problems) {
+  const Protocol::Block* first_block = nullptr;
+  const Protocol::TrialQuestionTemplate* first = nullptr;
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.phase != Phase::main || block.kind != similarity_kind().id) continue;
+    for (std::size_t i = 0; i < block.questions.size(); ++i) {
+      const Protocol::TrialQuestionTemplate& question = block.questions[i];
+      if (!std::holds_alternative<ScaleForm>(question.form)) continue;
+      if (first == nullptr) {
+        first = &question;
+        first_block = &block;
+        continue;
+      }
+      if (question.name == first->name && question.prompt == first->prompt &&
+          rated_quantity(question) == rated_quantity(*first))
+        continue;
+      const std::string pointer = pointer_to("/blocks", name);
+      problems.report(
+          block.has_question_list ? pointer_to(pointer + "/questions", i) : pointer + "/question",
+          "the main blocks of a similarity are analysed together, and the block " +
+              in_quotes(first_block->name) +
+              " has another question; give both questions the same name, prompt and \"rates\", or "
+              "write a protocol for each of them");
+    }
+  }
+}
+
+RatedQuantity rated_in(const Judgement& judgement) {
+  for (const Protocol::TrialQuestionTemplate& asked :
+       judgement.protocol.blocks.at(judgement.trial.block).questions) {
+    if (asked.name == judgement.question.name) return rated_quantity(asked);
+  }
+  return RatedQuantity::dissimilarity;
+}
+
+/// A point on the scale: the dissimilarity 1 − exp(−δ) of the perceived difference δ of both surfaces
+/// (VirtualObserver::difference), from 0 for identical surfaces towards 1. In a lapse, and if the observer is deaf, every
+/// point is equally probable.
+VirtualResponse judge_similarity(const Judgement& judgement) {
+  const auto& form = std::get<ScaleForm>(judgement.question.form);
+  const std::optional<double> difference =
+      judgement.observer.difference(judgement.felt[0], judgement.felt[1]);
+  if (!difference) {
+    const std::size_t points = static_cast<std::size_t>(form.steps()) + 1;
+    return {ScalePoint{static_cast<int>(judgement.observer.guess(points))}, false};
+  }
+  const double similarity = std::exp(-*difference);
+  const double share =
+      rated_in(judgement) == RatedQuantity::similarity ? similarity : 1.0 - similarity;
+  return {ScalePoint{static_cast<int>(std::lround(share * form.steps()))}, false};
+}
+
+}  // namespace
+
+const ExperimentKind& similarity_kind() {
+  static const ExperimentKind kKind{.id = "similarity",
+                                    .name = "similarity",
+                                    .roles = kAlternativeRole,
+                                    .form = ScaleForm{},
+                                    .rates_differences = true,
+                                    .tests = kSimilarityTests,
+                                    .item_of = item_of_similarity,
+                                    .check = check_question_of_similarity,
+                                    .check_block = check_block_of_similarity,
+                                    .judge = judge_similarity};
+  return kKind;
+}
+
+}  // namespace asperity

@@ -1,0 +1,218 @@
+// Rated dissimilarities, from the rows of a study to its configuration, its reliability and its tests.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// An item in the plane.
+struct PlantedItem {
+  const char* name = "";
+  double x = 0.0;
+  double y = 0.0;
+};
+constexpr std::array kPlantedItems{PlantedItem{"brick", 0, 0}, PlantedItem{"cork", 3, 0},
+                                   PlantedItem{"felt", 5, 2},  PlantedItem{"metal", 1, 4},
+                                   PlantedItem{"oak", 4, 5},   PlantedItem{"slate", 2, 2},
+                                   PlantedItem{"steel", 0, 5}, PlantedItem{"stone", 5, 0},
+                                   PlantedItem{"wax", 3, 3},   PlantedItem{"wool", 1, 1}};
+
+std::string protocol_that_rates(const std::string& quantity) {
+  return R"({"kind": "similarity", "blocks": {"only": {"question": {"name": "different",
+      "prompt": "How different?", "rates": ")" +
+         quantity + R"(", "scale": {"minimum": 0, "maximum": 100}}}},
+      "analysis": {"family": ["configuration", "identical", "properties"]}})";
+}
+
+MadeUpTrial rated(const PlantedItem& first, const PlantedItem& second, double rating) {
+  MadeUpTrial trial{};
+  for (const PlantedItem* const item : {&first, &second}) {
+    trial.surfaces.push_back(surface_of(item->name, "height_map", item->name));
+    trial.surfaces.back().achieved_texture_force_N = 0.1 + 0.02 * item->x;
+  }
+  trial.questions = {"different"};
+  trial.answers = {std::to_string(static_cast<int>(std::lround(rating)))};
+  return trial;
+}
+
+/// Ten times the distance, and a deviation that differs between participants and pairs.
+double rating_of(const PlantedItem& first, const PlantedItem& second, int person, int deviation) {
+  return 10.0 * std::hypot(first.x - second.x, first.y - second.y) +
+         static_cast<double>((person * 7 + deviation) % 5);
+}
+
+struct RatedStudyOptions {
+  int people = 4;
+  std::size_t items = 6;
+  std::string rates = "dissimilarity";
+  bool both_orders = true;
+  bool identical = true;
+  bool only_first_pair = false;
+  /// Two halves of the items: all pairs between them are rated higher than all within them.
+  bool two_clusters = false;
+};
+
+AnalysisOutcome outcome_of_ratings(const RatedStudyOptions& options) {
+  MadeUpStudy made{};
+  const std::int64_t protocol =
+      made.add_protocol("map", "similarity", protocol_that_rates(options.rates));
+  const auto stored = [&options](double dissimilarity) {
+    return options.rates == "similarity" ? 100.0 - dissimilarity : dissimilarity;
+  };
+  for (int person = 0; person < options.people; ++person) {
+    std::vector<MadeUpTrial> trials{};
+    int deviation = 0;
+    for (std::size_t i = 0; i < options.items; ++i) {
+      const PlantedItem& first = kPlantedItems[i];
+      if (options.identical) trials.push_back(rated(first, first, stored(person % 2)));
+      for (std::size_t j = i + 1; j < options.items; ++j) {
+        if (options.only_first_pair && !(i == 0 && j == 1)) continue;
+        const PlantedItem& second = kPlantedItems[j];
+        if (options.two_clusters) {
+          const std::size_t half = options.items / 2;
+          ++deviation;
+          const int draw = deviation * 37 + person * 13;
+          const int rating = (i < half) == (j < half) ? 20 + draw % 23 : 75 + draw % 19;
+          trials.push_back(rated(first, second, rating));
+          continue;
+        }
+        trials.push_back(
+            rated(first, second, stored(rating_of(first, second, person, ++deviation))));
+        if (options.both_orders)
+          trials.push_back(
+              rated(second, first, stored(rating_of(first, second, person, ++deviation))));
+      }
+    }
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials);
+  }
+  std::vector<AnalysisOutcome> outcomes = analyze_study(made.study(), std::nullopt, {});
+  EXPECT_EQ(outcomes.size(), 1U);
+  return std::move(outcomes.front());
+}
+
+const Table& ratings_table(const AnalysisOutcome& outcome, const std::string& name) {
+  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                  [&name](const NamedTable& each) { return each.name == name; });
+  if (found == outcome.tables.end()) throw std::runtime_error("there is no table " + name);
+  return found->table;
+}
+
+std::string answer_about_configuration(const AnalysisOutcome& outcome) {
+  for (const AnsweredQuestion& question : outcome.questions) {
+    if (question.name == "configuration") return question.answer.english();
+  }
+  throw std::runtime_error("there is no such question");
+}
+
+std::string remarks_of(const AnalysisOutcome& outcome) {
+  std::string all{};
+  for (const Phrase& remark : outcome.remarks) all += remark.english() + '\n';
+  return all;
+}
+
+TEST(RatedDissimilarities, AreTheMeansOfBothOrdersFromTheEndForIdenticalSurfaces) {
+  for (const char* const rates : {"dissimilarity", "similarity"}) {
+    const AnalysisOutcome outcome = outcome_of_ratings({.rates = rates});
+    const FoundNumbers found(outcome.findings);
+    double sum = 0.0;
+    for (int person = 0; person < 4; ++person) {
+      // The ninth and the tenth deviation.
+      sum += 0.5 * (std::round(rating_of(kPlantedItems[0], kPlantedItems[5], person, 9)) +
+                    std::round(rating_of(kPlantedItems[0], kPlantedItems[5], person, 10)));
+    }
+    EXPECT_NEAR(found.value("dissimilarity", "brick|slate").value(), sum / 4.0, 1e-9) << rates;
+    EXPECT_NEAR(found.value("identical.mean").value(), 0.5, 1e-9) << rates;
+    EXPECT_EQ(ratings_table(outcome, "dissimilarities").rows.size(), 15U);
+  }
+}
+
+TEST(RatedDissimilarities, HaveAConfigurationWithTheStructureOfThePlane) {
+  const AnalysisOutcome outcome = outcome_of_ratings({});
+  const FoundNumbers found(outcome.findings);
+  // Order alone determines six items so little that the stress of some permuted ratings is as low.
+  EXPECT_LE(found.value("stress.perm.p").value(), 0.05);
+  EXPECT_LT(found.value("stress.ordinal", "2").value(), 0.02);
+  const std::string answer = answer_about_configuration(outcome);
+  EXPECT_THAT(answer, HasSubstr("Yes: the configuration in 2 dimensions has a stress-1 of "));
+  EXPECT_THAT(answer, HasSubstr("Permutation test: "));
+  const Table& configuration = ratings_table(outcome, "configuration");
+  EXPECT_EQ(configuration.rows.size(), 6U);
+  EXPECT_EQ(configuration.columns.size(), 1U + 2U + 3U);
+  EXPECT_EQ(ratings_table(outcome, "tree").rows.size(), 5U);
+}
+
+TEST(RatedDissimilarities, WarnBelowFourItemsPerDimensionAndOne) {
+  EXPECT_THAT(remarks_of(outcome_of_ratings({})),
+              HasSubstr("2 dimensions require at least 9 items, and the number of items is 6"));
+}
+
+TEST(RatedDissimilarities, HaveAReliabilityForEveryParticipant) {
+  const AnalysisOutcome outcome = outcome_of_ratings({});
+  const FoundNumbers found(outcome.findings);
+  const Table& raters = ratings_table(outcome, "weights");
+  ASSERT_EQ(raters.rows.size(), 4U);
+  for (int person = 1; person <= 4; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    EXPECT_GT(found.value("orders.r", label).value(), 0.95) << "deviations of up to 4 in 10 to 64";
+    EXPECT_LT(found.value("orders.r", label).value(), 1.0);
+    EXPECT_GT(found.value("retest.r", label).value(), 0.95);
+  }
+  const AnalysisOutcome once = outcome_of_ratings({.both_orders = false});
+  EXPECT_EQ(FoundNumbers(once.findings).find("retest.r", "p1"), nullptr) << "no pair was repeated";
+}
+
+TEST(RatedDissimilarities, AreTestedAgainstIdenticalPairsAndMeasuredProperties) {
+  const AnalysisOutcome outcome = outcome_of_ratings({});
+  const FoundNumbers found(outcome.findings);
+  EXPECT_LT(found.value("t.p.two", "identical").value(), 0.001);
+  // The texture force is a linear function of the first coordinate.
+  EXPECT_GT(found.value("property.r2", "texture_force_N").value(), 0.97);
+  EXPECT_LT(found.value("property.perm.p", "texture_force_N").value(), 0.05);
+  const Table& tests = ratings_table(outcome, "tests");
+  EXPECT_EQ(tests.rows.size(), 3U) << "configuration, identical pairs, one property";
+  const AnalysisOutcome without = outcome_of_ratings({.identical = false});
+  std::string reasons{};
+  for (const auto& row : ratings_table(without, "tests").rows) {
+    for (const Cell& cell : row) {
+      if (const auto* const text = std::get_if<std::string>(&cell)) reasons += *text + ' ';
+    }
+  }
+  EXPECT_THAT(reasons, HasSubstr("no_identical_pairs"));
+}
+
+TEST(RatedDissimilarities, WarnOfADegenerateConfiguration) {
+  EXPECT_THAT(remarks_of(outcome_of_ratings({})), Not(HasSubstr("degenerate")));
+  const AnalysisOutcome clusters = outcome_of_ratings({.items = 10, .two_clusters = true});
+  EXPECT_LT(FoundNumbers(clusters.findings).value("stress.ordinal", "2").value(), 0.001);
+  EXPECT_THAT(remarks_of(clusters), HasSubstr("The configuration is degenerate"));
+}
+
+TEST(RatedDissimilarities, StateWhyThereIsNoConfiguration) {
+  const AnalysisOutcome few = outcome_of_ratings({.items = 3});
+  EXPECT_EQ(answer_about_configuration(few), "Not tested: too few items or participants.");
+  const AnalysisOutcome unrelated = outcome_of_ratings({.only_first_pair = true});
+  EXPECT_EQ(answer_about_configuration(unrelated),
+            "Not tested: the rated pairs do not connect all items.");
+}
+
+}  // namespace
+}  // namespace asperity
