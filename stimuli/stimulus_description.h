@@ -37,6 +37,9 @@ struct StimulusDescription {
   /// Role → study-relative path: the texture's files for models that declare such roles.
   std::map<std::string, std::string, std::less<>> declared_assets{};
   ParameterValues parameters{};  ///< as given; defaults are the model's
+  /// Multiplies the amplitude parameter of the model (ModelDeclaration::amplitude_parameter), whatever determines its
+  /// value: the protocol, the sample, equal force or the default. Absent: 1.
+  std::optional<double> relative_amplitude{};
   Material material{};
   SurfacePatch patch{};
 };

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/session/session_course.h"
@@ -87,6 +88,8 @@ class Conductor final {
   void begin();
   SessionFacts facts_of_session() const;
   void note_guidance();
+  void note_earlier_matches();
+  void note_matches();
   SessionEnd finish(std::int64_t began_ns);
   void end_after(const std::exception& error) noexcept;
   void stop(const Phrase& reason);
@@ -156,6 +159,7 @@ class Conductor final {
 
   int standstills_ = 0;
   bool is_refreshing_ = false;
+  std::set<std::string> noted_matches_{};  ///< the blocks whose matches are stored
   double contact_since_break_s_ = 0.0;  ///< or since the session was begun or resumed
 
   Wait outside_{};    ///< waits while there is no current trial

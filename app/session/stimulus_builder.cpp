@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "app/study_files/parameter_json.h"
 #include "app/words/phrase.h"
 #include "renderers/force/layers.h"
@@ -64,6 +65,32 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
     if (!is_common_role(asset.role)) problem["assets"][asset.role] = asset.sha256;
   }
   return sha256_of(problem.dump());
+}
+
+/// Multiplies the amplitude, and so removes the texture force to which it was matched. Errors: PhrasedError for a product
+/// that the model does not allow.
+void scale_amplitude(const StimulusDescription& description, PreparedStimulus& prepared) {
+  if (!description.relative_amplitude || *description.relative_amplitude == 1.0) return;
+  const ModelDeclaration& model = prepared.model->declaration;
+  if (!model.amplitude_parameter) {
+    throw PhrasedError(phrase("SessionSetup",
+                              "the stimulus \"%1\" has a relative amplitude, but its force model "
+                              "\"%2\" has no amplitude; use a model that has one")
+                           .with(description.name, model.id));
+  }
+  ParameterValue& amplitude = prepared.inputs.parameters.at(*model.amplitude_parameter);
+  amplitude = std::get<double>(amplitude) * *description.relative_amplitude;
+  for (const Parameter& declared : model.parameters) {
+    if (declared.name != *model.amplitude_parameter) continue;
+    if (const auto complaint = complaint_about(declared, amplitude)) {
+      throw PhrasedError(phrase("SessionSetup",
+                                "the stimulus \"%1\" at a relative amplitude of %2: %3 Narrow the "
+                                "range of the relative amplitude.")
+                             .with(description.name,
+                                   number_text(*description.relative_amplitude), *complaint));
+    }
+  }
+  prepared.matched_texture_force_N.reset();
 }
 
 /// The recipe of a shape's mesh, as a text that does not change between versions.
@@ -195,8 +222,9 @@ ParameterValues StimulusBuilder::default_parameters(const ForceModel& model) con
 }
 
 PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {
-  PreparedStimulus prepared = unmatched(presentation.stimulus);
+  PreparedStimulus prepared = of_own_amplitude(presentation.stimulus);
   if (presentation.equal_force) match(prepared, presentation, study);
+  scale_amplitude(presentation.stimulus, prepared);
   return prepared;
 }
 
@@ -205,6 +233,12 @@ bool StimulusBuilder::can_make(const StimulusDescription& description) const {
 }
 
 PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& description) {
+  PreparedStimulus prepared = of_own_amplitude(description);
+  scale_amplitude(description, prepared);
+  return prepared;
+}
+
+PreparedStimulus StimulusBuilder::of_own_amplitude(const StimulusDescription& description) {
   PreparedStimulus prepared = without_parameters(description);
   prepared.inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);
   return prepared;

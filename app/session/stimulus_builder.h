@@ -98,6 +98,8 @@ class StimulusBuilder final {
   ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
                                  const ParameterValues& given);
   LoadedTexturedMesh mesh(const std::string& study_path);
+  /// Without the relative amplitude.
+  PreparedStimulus of_own_amplitude(const StimulusDescription& description);
   /// Gives `inputs` the assets that the model declares. Returns their rows.
   std::vector<AssetRow> take_assets(const ModelDeclaration& model,
                                     const StimulusDescription& description, RendererInputs& inputs);

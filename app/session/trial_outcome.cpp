@@ -24,10 +24,14 @@ TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const Atte
   // A deadline may also be missed at a later question of the trial.
   const bool is_missing = response == attempt.responses.end();
   if (is_missing && !(is_timeout && block.procedure.value().timeouts_are_incorrect)) return {};
-  const ParameterValues values = parameter_values_in(varied->parameters_json);
+  // The relative amplitude is not a parameter of the model: what is stored as rendered is its product with the amplitude.
+  const double value = dimension.is_relative_amplitude()
+                           ? std::get<double>(trial.factors.at(dimension.factor))
+                           : number_of(parameter_values_in(varied->parameters_json),
+                                       dimension.parameter);
   const bool chose_varied = !is_missing && response->answer == varied->item;
   return {.answer = TrialOutcome::Answer{
-              .value = number_of(values, dimension.parameter),
+              .value = value,
               .counts_down = is_missing ? false : chose_varied != judged->asks_for_less}};
 }
 

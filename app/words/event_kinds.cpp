@@ -56,6 +56,15 @@ const std::vector<EventKind>& event_kinds() {
                   "below 0.1 s. Data: `trial`, `attempt`, and `waited_s`",
        .hed = "Experiment-control",
        .public_data = {"trial", "attempt", "waited_s"}},
+      {.name = "roughness_match",
+       .meaning = "a block determined the amplitude at which the participant judged a stimulus as "
+                  "rough as the reference. Text: the status, as in `presentations.tsv`. Data: "
+                  "`block`, `stimulus`, `model`, `texture`, `relative_amplitude`, `status`, "
+                  "`answers` and `reversals` of all tracks",
+       .hed = "Experiment-control",
+       .text_is_public = true,
+       .public_data = {"block", "stimulus", "model", "texture", "relative_amplitude", "status",
+                       "answers", "reversals"}},
       {.name = "session_completed",
        .meaning = "the session ended as planned. Text: the reason",
        .hed = "Experiment-structure",

@@ -31,6 +31,10 @@ bool needs_positive_standard(LevelMeasure measure) noexcept;
 /// The key of a protocol that states levels of this measure: "levels", "levels_percent", …
 std::string_view key_of(LevelMeasure measure) noexcept;
 
+/// The parameter of every stimulus whose model has an amplitude (StimulusDescription::relative_amplitude). It varies models
+/// whose amplitudes have different names and units by one dimension. A standard has the value 1.
+inline constexpr std::string_view kRelativeAmplitude = "relative_amplitude";
+
 /// A factor of a block whose levels are values of one parameter of one of the surfaces: the key "vary" of a block.
 ///
 /// In a block without a procedure every combination of the other factors is presented with every level. A procedure
@@ -52,6 +56,7 @@ struct Dimension {
   std::vector<double> levels() const;
   /// The same as values of the parameter.
   std::vector<double> values() const;
+  bool is_relative_amplitude() const noexcept { return parameter == kRelativeAmplitude; }
   /// The level of the standard: its value, a difference of 0, or a ratio of 1.
   double level_of_standard() const;
   double value_of(double level) const { return value_at(measure, level, standard.value_or(0.0)); }

@@ -134,6 +134,8 @@ struct EqualForce {
   std::string to_model{};         ///< the texture force of this model with the same texture
   double band_low_Hz = 5.0;
   double band_high_Hz = 500.0;
+
+  bool operator==(const EqualForce&) const = default;
 };
 
 /// A stimulus in which values may be bound to factors.
@@ -342,6 +344,11 @@ struct Protocol {
       };
       std::optional<CatchTrials> catch_trials{};
     };
+    /// The surfaces are presented at the amplitudes at which they were as rough as the reference of another block, for
+    /// this participant (RoughnessMatch).
+    struct EqualRoughness {
+      std::string matched_in{};  ///< the block, whose procedure varies the relative amplitude
+    };
     std::string name{};
     std::string kind{};  ///< the id of an ExperimentKind: its own, or that of the protocol
     Phase phase = Phase::main;
@@ -390,6 +397,7 @@ struct Protocol {
     bool pictures_after_feeling = false;  ///< hidden until all surfaces were felt (an eye mask)
     Arrangement arrangement{};
     Roving rove{};
+    std::optional<EqualRoughness> equal_roughness{};
     Binding<std::string> exploration{};
     double pause_before_trial_s = 0.5;
     double pause_between_surfaces_s = 0.5;

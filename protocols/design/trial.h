@@ -10,6 +10,7 @@
 
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/protocol.h"
+#include "protocols/design/roughness_match.h"
 #include "stimuli/stimulus_description.h"
 
 namespace asperity {
@@ -27,6 +28,8 @@ struct PlannedPresentation {
   /// Whether the material of the stimulus differs from that of the protocol by its own statement or by roving.
   bool has_own_material = false;
   std::optional<EqualForce> equal_force{};
+  /// With `Protocol::Block::equal_roughness`: how its relative amplitude was determined.
+  std::optional<MatchStatus> roughness_match{};
 };
 
 /// The place of a trial in its track.

@@ -102,6 +102,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   check_procedure(block, pointer);
   check_pairs(block, pointer);
   check_arrangement(block, pointer);
+  check_equal_roughness(block, pointer);
   check_question(block, pointer);
   check_rows(block, pointer);
   check_order(block, pointer);

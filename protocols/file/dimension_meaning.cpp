@@ -148,6 +148,10 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
                    [&dimension](const auto& each) { return each.role == dimension.role; });
   const auto stimulus = protocol_.stimuli.find(presented->stimulus);
   if (stimulus == protocol_.stimuli.end()) return;  // reported at its own location
+  if (dimension.is_relative_amplitude()) {
+    check_relative_amplitude(block, stimulus->second, pointer);
+    return;
+  }
   const auto bound = stimulus->second.parameters.find(dimension.parameter);
   if (bound != stimulus->second.parameters.end() && !bound->second.factor.empty()) {
     report(at_parameter, "the stimulus " + in_quotes(presented->stimulus) +

@@ -165,11 +165,21 @@ void complete_dimension(Block& block, const Protocol& protocol,
     if (stimulus == protocol.stimuli.end()) continue;
     if (presented.role == dimension.role) model = stimulus->second.model.value.value_or("");
     if (presented.role != dimension.standard_role) continue;
+    if (dimension.is_relative_amplitude()) {
+      dimension.standard = 1.0;
+      continue;
+    }
     const auto stated = stimulus->second.parameters.find(dimension.parameter);
     if (stated == stimulus->second.parameters.end() || !stated->second.value) continue;
     if (const auto* const number = std::get_if<double>(&*stated->second.value)) {
       dimension.standard = *number;
     }
+  }
+  if (dimension.is_relative_amplitude()) {
+    dimension.meaning =
+        "Factor by which the amplitude of the texture is multiplied: the amplitude parameter of the force "
+        "model, whatever determines its value otherwise";
+    return;
   }
   const Parameter* const parameter = parameter_of(models, model, dimension.parameter);
   if (parameter == nullptr) return;

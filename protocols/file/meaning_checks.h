@@ -103,6 +103,10 @@ class Meaning final : private ProblemSink {
   void check_dimension(const Protocol::Block& block, const std::string& pointer);
   bool check_standard(const Protocol::Block& block, const std::string& pointer);
   void check_values(const Protocol::Block& block, const std::string& pointer);
+  void check_relative_amplitude(const Protocol::Block& block, const StimulusTemplate& stimulus,
+                                const std::string& pointer);
+  void check_equal_roughness(const Protocol::Block& block, const std::string& pointer);
+  void check_matches(const std::vector<Trial>& possible);
   void check_procedure(const Protocol::Block& block, const std::string& pointer);
   void check_bayesian_procedure(const Protocol::Block& block, const std::string& method,
                                 const std::string& pointer);

@@ -15,9 +15,13 @@ namespace asperity {
 
 namespace {
 
+/// A matching of roughness precedes the comparison that it makes fair; a longer one would tire the hand.
+constexpr double kLongestMatching_s = 600.0;
+
 struct RunSize {
   int trials = 0;
   double contact_s = 0.0;
+  double total_s = 0.0;  ///< with the breaks between its trials
 };
 
 /// The largest run of every block.
@@ -25,13 +29,21 @@ std::map<std::string, RunSize, std::less<>> largest_runs(const Protocol& protoco
                                                          const Plan& example) {
   std::map<int, RunSize> runs{};  // by ordinal
   std::map<int, std::string> blocks{};
+  double pause_s = 0.0;
+  int last = 0;
   for (const PlanStep& step : example.steps) {
+    if (const auto* const pause = std::get_if<Protocol::Break>(&step)) pause_s += pause->minimum_s;
     const auto* const of_trial = std::get_if<TrialStep>(&step);
     if (of_trial == nullptr) continue;
     const Trial& trial = example.trials[of_trial->trial];
     RunSize& run = runs[trial.block_ordinal];
+    if (trial.block_ordinal == last) run.total_s += pause_s;
+    pause_s = 0.0;
+    last = trial.block_ordinal;
     ++run.trials;
-    run.contact_s += cost_of(protocol, example, step).contact_s;
+    const PlanCost cost = cost_of(protocol, example, step);
+    run.contact_s += cost.contact_s;
+    run.total_s += cost.total_s;
     blocks[trial.block_ordinal] = trial.block;
   }
   std::map<std::string, RunSize, std::less<>> largest{};
@@ -39,6 +51,7 @@ std::map<std::string, RunSize, std::less<>> largest_runs(const Protocol& protoco
     RunSize& known = largest[blocks[ordinal]];
     known.trials = std::max(known.trials, run.trials);
     known.contact_s = std::max(known.contact_s, run.contact_s);
+    known.total_s = std::max(known.total_s, run.total_s);
   }
   return largest;
 }
@@ -81,6 +94,17 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
                                          number_text(run->break_every_contact_s / 60.0) +
                                          " min; state a smaller number, or remove the key"));
     }
+  }
+  for (const auto& [name, size] : largest) {
+    const Protocol::Block& block = protocol.blocks.at(name);
+    if (!block.vary || !block.vary->is_relative_amplitude()) continue;
+    if (size.total_s <= kLongestMatching_s) continue;
+    warnings.push_back(document.at(
+        pointer_to("/blocks", name) + (block.procedure ? "/procedure" : ""),
+        "matching roughness takes about " + fixed(size.total_s / 60.0, 0) +
+            " min of each participant, more than " + fixed(kLongestMatching_s / 60.0, 0) +
+            " min, after which the comparison itself has still to be made; reduce the trials of a "
+            "track, the stimuli or the exploration"));
   }
   int practised = 0;
   for (const auto& [name, size] : largest) {

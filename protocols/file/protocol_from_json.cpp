@@ -394,6 +394,10 @@ Block block_of(const std::string& name, const json& object, const std::string& k
     read(*found, "friction", block.rove.friction);
     read(*found, "raised_m", block.rove.raised_m);
   }
+  if (const auto found = object.find("equal_roughness"); found != object.end()) {
+    block.equal_roughness.emplace();
+    read(*found, "matched_in", block.equal_roughness->matched_in);
+  }
   read(object, "exploration", block.exploration);
   read(object, "pause_before_trial_s", block.pause_before_trial_s);
   read(object, "pause_between_surfaces_s", block.pause_between_surfaces_s);

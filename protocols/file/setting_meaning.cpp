@@ -14,8 +14,8 @@ void Meaning::check_head() {
   for (const auto& [name, block] : protocol_.blocks) {
     const auto& object = document_.root().at("blocks").at(name);
     for (const char* const key :
-         {"questions", "kind", "design", "procedure", "arrangement", "rove", "exclude", "derived",
-          "repetitions_of", "minimum_distance", "fixed_positions"}) {
+         {"questions", "kind", "design", "procedure", "arrangement", "rove", "equal_roughness",
+          "exclude", "derived", "repetitions_of", "minimum_distance", "fixed_positions"}) {
       if (protocol_.format >= 2 || !object.contains(key)) continue;
       report("/format", "the block " + in_quotes(name) + " has the key " + in_quotes(key) +
                             ", which requires the format \"asperity.protocol/2\"; write that here");

@@ -222,6 +222,7 @@ std::optional<double> stored_standard(const Json& protocol, const Json& block,
   if (!surfaces.is_array() || role.empty()) return std::nullopt;
   for (const Json& surface : surfaces) {
     if (text_in(surface, "role") != role) continue;
+    if (parameter == kRelativeAmplitude) return 1.0;
     const Json& stimulus = member_of(member_of(protocol, "stimuli"), text_in(surface, "stimulus"));
     return number_at(member_of(stimulus, "parameters"), parameter);
   }

@@ -59,6 +59,7 @@ void Meaning::check_trials() {
   check_draws();
   if (!found_.empty()) return;
   const std::vector<Trial> possible = possible_trials(protocol_);
+  check_matches(possible);
   std::set<std::string, std::less<>> body_models{};
   for (const auto& [id, model] : models_) {
     if (model->needs_bodies) body_models.insert(id);

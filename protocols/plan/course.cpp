@@ -200,12 +200,12 @@ void Course::proceed() {
       plan_.steps.push_back(*step);
       continue;
     }
-    const BlockRun& run = std::get<BlockRun>(unit);
+    BlockRun run = with_matches(std::get<BlockRun>(unit));
     if (!run.block->procedure) {
       add_block(run);
       continue;
     }
-    tracks_.emplace(*protocol_, run);
+    tracks_.emplace(*protocol_, std::move(run));
     if (add_next_of_tracks()) return;
   }
 }
@@ -216,12 +216,25 @@ bool Course::add_next_of_tracks() {
   const std::size_t before = tracks_->trials();
   std::optional<Trial> trial = tracks_->next(maker_);
   if (!trial) {
+    const Block& block = *tracks_->run().block;
+    if (block.vary->is_relative_amplitude()) {
+      matches_[block.name] = roughness_matches(*block.vary, tracks_->answered());
+    }
     tracks_.reset();
     return false;
   }
   add_pause(*tracks_->run().run, before);
   add(std::move(*trial));
   return true;
+}
+
+BlockRun Course::with_matches(BlockRun run) const {
+  const auto& equal = run.block->equal_roughness;
+  if (!equal) return run;
+  if (const auto known = matches_.find(equal->matched_in); known != matches_.end()) {
+    run.matches = known->second;
+  }
+  return run;
 }
 
 void Course::add_block(const BlockRun& run) {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "protocols/plan/level_tracks.h"
@@ -45,6 +48,10 @@ class Course final {
   std::size_t trials_before_last_outcome() const noexcept;
   /// The step of the flow that runs this block of the session. Errors: std::out_of_range where there is none.
   const Protocol::Run& run_of(int block_ordinal) const;
+  /// The matches of the blocks that vary the relative amplitude and are finished, by the name of the block.
+  const std::map<std::string, std::vector<RoughnessMatch>, std::less<>>& matches() const noexcept {
+    return matches_;
+  }
   /// The trials that can follow the awaited one, each once: that after an answer that leads to a lower level (the likeliest
   /// where there are correct answers), after one that does not, and after none. Empty where the plan is complete.
   std::vector<Trial> possible_next() const;
@@ -60,6 +67,8 @@ class Course final {
   void expand_flow(const Allocation& allocation);
   void expand(const Protocol::Run& run, const FactorLevels& group, const Allocation& allocation);
   void proceed();
+  /// With the matches of the block that `equal_roughness` of this one names.
+  BlockRun with_matches(BlockRun run) const;
   void add_block(const BlockRun& run);
   bool add_next_of_tracks();
   void add_pause(const Protocol::Run& run, std::size_t trials);
@@ -72,6 +81,7 @@ class Course final {
   std::size_t next_unit_ = 0;
   std::optional<LevelTracks> tracks_{};  ///< of the block that is being run
   std::optional<std::size_t> trials_before_{};
+  std::map<std::string, std::vector<RoughnessMatch>, std::less<>> matches_{};
   Plan plan_{};
 };
 

@@ -18,7 +18,9 @@ LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
   for (const ProcedureSettings& settings : run_.block->procedure->tracks) {
     const Procedure& procedure = procedure_of(settings);
     of_row.push_back(
-        {.most_trials = procedure.most_trials(settings), .rule = procedure.rule(settings)});
+        {.most_trials = procedure.most_trials(settings),
+         .rule = procedure.rule(settings),
+         .answered = {.settings = settings}});
   }
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     for (Track track : of_row) {
@@ -32,7 +34,7 @@ LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
 std::optional<double> LevelTracks::next_level(const Track& track) {
   // Trials without an answer repeat their level: a participant who no longer responds must not repeat it for ever.
   if (track.trials >= kMostPresented * track.most_trials) return std::nullopt;
-  const NextStep step = track.rule(track.answers, track.random);
+  const NextStep step = track.rule(track.answered.answers, track.random);
   const auto* const next = std::get_if<NextLevel>(&step);
   return next == nullptr ? std::nullopt : std::optional(next->level);
 }
@@ -68,7 +70,7 @@ bool LevelTracks::is_place_of_catch_trial() const {
 }
 
 void LevelTracks::answer(const std::optional<LevelAnswer>& answer) {
-  if (answer && awaited_) tracks_.at(*awaited_).answers.push_back(*answer);
+  if (answer && awaited_) tracks_.at(*awaited_).answered.answers.push_back(*answer);
 }
 
 Trial LevelTracks::next_of_track(const TrialMaker& maker) {
@@ -81,7 +83,20 @@ Trial LevelTracks::next_of_track(const TrialMaker& maker) {
   Trial trial{};
   trial.track = TrackStep{.track = static_cast<int>(index) + 1, .step = static_cast<int>(step)};
   trial.repetition = static_cast<int>(step);
-  return made(std::move(trial), track.row, level, step, track.random, maker);
+  trial = made(std::move(trial), track.row, level, step, track.random, maker);
+  for (const PlannedPresentation& planned : trial.presentations) {
+    if (planned.role != run_.block->vary->role) continue;
+    track.answered.stimulus = planned.stimulus_template;
+    track.answered.model = planned.stimulus.model;
+    track.answered.texture = planned.stimulus.texture;
+  }
+  return trial;
+}
+
+std::vector<AnsweredTrack> LevelTracks::answered() const {
+  std::vector<AnsweredTrack> all{};
+  for (const Track& track : tracks_) all.push_back(track.answered);
+  return all;
 }
 
 /// The combinations of the other factors take turns, in an order that is drawn anew for each turn.

@@ -8,6 +8,7 @@
 
 #include "analysis/random.h"
 #include "protocols/design/protocol.h"
+#include "protocols/plan/roughness_matching.h"
 #include "protocols/plan/trial_maker.h"
 
 namespace asperity {
@@ -39,6 +40,9 @@ class LevelTracks final {
   /// another trial. The answer to a catch trial changes nothing.
   void answer(const std::optional<LevelAnswer>& answer);
 
+  /// The answers so far, track by track.
+  std::vector<AnsweredTrack> answered() const;
+
   static constexpr std::size_t kMostPresented = 2;
 
  private:
@@ -47,7 +51,7 @@ class LevelTracks final {
     std::size_t most_trials = 0;
     LevelRule rule{};
     Random random{0};
-    std::vector<LevelAnswer> answers{};
+    AnsweredTrack answered{};
     std::size_t trials = 0;
   };
 

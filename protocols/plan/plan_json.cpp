@@ -157,6 +157,11 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   } else {
     line.field("equal_force", std::nullopt);
   }
+  // Written only where it is varied or matched: other plans are compared with those that older programs stored.
+  if (stimulus.relative_amplitude) {
+    line.field("relative_amplitude", *stimulus.relative_amplitude);
+  }
+  if (planned.roughness_match) line.field("roughness_match", text_of(*planned.roughness_match));
   // Written only if there are bodies: other plans are compared with those that older programs stored.
   if (stimulus.surface) add_body(line, "surface", *stimulus.surface);
   if (stimulus.tool) add_body(line, "tool", *stimulus.tool);

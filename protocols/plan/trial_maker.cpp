@@ -11,6 +11,7 @@
 
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/arranged_patches.h"
+#include "protocols/plan/roughness_matching.h"
 #include "protocols/plan/squares.h"
 
 namespace asperity {
@@ -76,7 +77,11 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Block& block
   }
   if (block.vary && block.vary->role == presented.role) {
     const Level& level = factors.at(block.vary->factor);
-    planned.stimulus.parameters[block.vary->parameter] = level;
+    if (block.vary->is_relative_amplitude()) {
+      planned.stimulus.relative_amplitude = std::get<double>(level);
+    } else {
+      planned.stimulus.parameters[block.vary->parameter] = level;
+    }
     planned.stimulus.name += "_" + text_of(level);
   }
   planned.stimulus.material = {
@@ -254,6 +259,7 @@ Trial TrialMaker::make(Trial trial, const BlockRun& run,
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     trial.presentations.push_back(presentation_of(*protocol_, block, surfaces[i], trial.factors));
     PlannedPresentation& planned = trial.presentations.back();
+    if (block.equal_roughness && !run.matches.empty()) apply_match(run.matches, planned);
     planned.position = static_cast<int>(i) + 1;
     planned.code = place_code(i);
     planned.patch = patches[i];
@@ -266,7 +272,10 @@ Trial TrialMaker::make(Trial trial, const BlockRun& run,
   trial.experimenter_prompt = texture == nullptr
                                   ? block.experimenter_prompt
                                   : with_code(block.experimenter_prompt, texture->code);
-  if (texture != nullptr && protocol_->realism_standard == RealismStandard::photograph) {
+  // Roughness is matched to a surface that is felt, and the picture is the standard of another question.
+  const bool matches_roughness = block.vary && block.vary->is_relative_amplitude();
+  if (texture != nullptr && !matches_roughness &&
+      protocol_->realism_standard == RealismStandard::photograph) {
     trial.standard_picture = texture->picture;
   }
   trial.arrangement = block.arrangement;

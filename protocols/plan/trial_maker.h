@@ -8,6 +8,7 @@
 
 #include "analysis/random.h"
 #include "protocols/design/protocol.h"
+#include "protocols/design/roughness_match.h"
 #include "protocols/design/trial.h"
 #include "protocols/plan/block_rows.h"
 
@@ -21,6 +22,8 @@ struct BlockRun {
   FactorLevels outer{};  ///< of the group, and of `Run::for_each`
   std::size_t part = 0;  ///< of the pairs, where participants share them
   Random random{0};      ///< the stream of this run
+  /// Of the block that `equal_roughness` names; empty where the block was not run.
+  std::vector<RoughnessMatch> matches{};
 };
 
 /// The surfaces of a trial in the listed order: where the block has pairs, with the levels of the pair of the row; where

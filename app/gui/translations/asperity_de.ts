@@ -6925,6 +6925,14 @@
         <source>equal force is requested with the model &quot;%1&quot;, which this program does not have; use one that &quot;asperity models&quot; lists</source>
         <translation>das Protokoll verlangt gleiche Kraft mit dem Modell „%1“, das dieses Programm nicht hat; eines verwenden, das „asperity models“ auflistet</translation>
     </message>
+    <message>
+        <source>the stimulus &quot;%1&quot; has a relative amplitude, but its force model &quot;%2&quot; has no amplitude; use a model that has one</source>
+        <translation>der Reiz „%1“ hat eine relative Amplitude, aber sein Kraftmodell „%2“ hat keine Amplitude; verwenden Sie ein Modell, das eine hat</translation>
+    </message>
+    <message>
+        <source>the stimulus &quot;%1&quot; at a relative amplitude of %2: %3 Narrow the range of the relative amplitude.</source>
+        <translation>der Reiz „%1“ bei einer relativen Amplitude von %2: %3 Verkleinern Sie den Bereich der relativen Amplitude.</translation>
+    </message>
 </context>
 <context>
     <name>SessionText</name>

@@ -110,12 +110,15 @@ double StimulusRehearsal::texture_force_N(const PlannedPresentation& planned,
                                           const PreparedStimulus& stimulus,
                                           const TextureForcePath& path) {
   if (!planned.equal_force) return texture_force_rms_N(*stimulus.model, stimulus.inputs, path);
-  if (planned.equal_force->rms_N) return *planned.equal_force->rms_N;
+  // The force of a texture is nearly proportional to its amplitude.
+  const double relative = planned.stimulus.relative_amplitude.value_or(1.0);
+  if (planned.equal_force->rms_N) return relative * *planned.equal_force->rms_N;
   StimulusDescription reference = planned.stimulus;
+  reference.relative_amplitude.reset();
   reference.model = planned.equal_force->to_model;
   reference.parameters.clear();
   const PreparedStimulus other = builder_.unmatched(reference);
-  return texture_force_rms_N(*other.model, other.inputs, path);
+  return relative * texture_force_rms_N(*other.model, other.inputs, path);
 }
 
 bool StimulusRehearsal::force_is_compared() const {

@@ -42,6 +42,7 @@ Sample plate_with(const std::string& height_field, const Protocol& protocol,
 
 Sample bodies_of(StimulusDescription stimulus, StimulusBuilder& builder) {
   stimulus.parameters.clear();
+  stimulus.relative_amplitude.reset();
   PreparedStimulus prepared = builder.unmatched(stimulus);
   return {.model = prepared.model, .inputs = std::move(prepared.inputs)};
 }

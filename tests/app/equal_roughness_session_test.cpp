@@ -1,0 +1,205 @@
+// Sessions at amplitudes of equal roughness: what they present and store, resumed after an interruption anywhere.
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/records/presented_matches.h"
+#include "app/records/recorded_attempt.h"
+#include "app/study_files/parameter_json.h"
+#include "results_schema/sqlite.h"
+#include "tests/app/scripted_session.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Two models are matched to a third one in two tracks of four trials each; then every pair, in both orders.
+constexpr const char* kMatchedModels = R"({
+  "format": "asperity.protocol/2", "kind": "paired_comparison", "design": "improved", "name": "matched",
+  "version": "1.0.0", "title": "Matched models",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "factors": {"model": {"levels": ["sinusoid", "solid_noise", "stochastic"]}},
+  "stimuli": {"reference": {"model": "sinusoid"}, "rendered": {"model": {"factor": "model"}}},
+  "explorations": {"short": {"minimum_contact_s": 0.1, "maximum_contact_s": 2}},
+  "blocks": {
+    "matching": {
+      "kind": "discrimination", "crossed": ["model"], "exclude": [{"model": "sinusoid"}],
+      "vary": {"parameter": "relative_amplitude", "of": "comparison", "relative_to": "standard",
+               "levels_decibels": {"lowest": -8, "highest": 8, "step": 2}},
+      "procedure": {"method": "transformed_up_down", "down": 1, "up": 1, "steps": [4, 2],
+                    "stop": {"trials": 4}, "tracks": [{"start": 2}, {"start": -2}]},
+      "presented": [{"role": "standard", "stimulus": "reference"}, {"role": "comparison", "stimulus": "rendered"}],
+      "positions": "balanced", "exploration": "short", "pause_before_trial_s": 0, "pause_between_surfaces_s": 0,
+      "question": {"name": "rougher", "prompt": "Which is rougher?", "judgement": "comparison"}},
+    "comparisons": {
+      "all_pairs": {"factor": "model", "in_both_orders": true}, "presented": [{"stimulus": "rendered"}],
+      "exploration": "short", "pause_before_trial_s": 0, "pause_between_surfaces_s": 0,
+      "question": {"name": "closer", "prompt": "Which is better?"},
+      "equal_roughness": {"matched_in": "matching"}}},
+  "flow": [{"run": "matching"}, {"run": "comparisons"}]})";
+
+constexpr int kTrialsOfMatching = 16;
+constexpr int kTrialsOfSession = 22;
+
+class EqualRoughnessSession : public SessionTest {
+ protected:
+  void SetUp() override {
+    begin(kMatchedModels);
+    links_ = {};
+  }
+
+  /// A participant for whom both models are as rough as the reference at 1 dB.
+  void start(std::uint64_t seed) {
+    SessionTest::start("p" + std::to_string(++participants_), seed);
+    person_.at_question = [](int, const Trial& trial) {
+      if (trial.block != "matching") return chooses(0);
+      const double amplitude = std::get<double>(trial.factors.at("relative_amplitude"));
+      const bool is_rougher = 20.0 * std::log10(amplitude) > 1.0;
+      const std::string role = is_rougher ? "comparison" : "standard";
+      return chooses(trial.presentations.front().role == role ? 0 : 1);
+    };
+  }
+
+  SessionEnd run_trials(int trials) {
+    int made = 0;
+    links_.tell = [this](const std::string& text) { told_.push_back(text); };
+    conductor_ = std::make_unique<Conductor>(
+        *study_, protocol_, *builder_, *rig_, person_,
+        ConductorSettings{.record = true,
+                          .done =
+                              [this, &made, trials](const AttemptDone&) {
+                                if (++made == trials)
+                                  conductor_->requests().stop_after(StopAfter::trial);
+                              },
+                          .links = links_});
+    return conductor_->run(session_);
+  }
+
+  SessionEnd resume() {
+    make_rig({});
+    session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+    return run_trials(1000);
+  }
+
+  std::vector<nlohmann::json> match_events() const {
+    std::vector<nlohmann::json> events{};
+    for (const EventRow& event : study_->events(session_.row.id)) {
+      if (event.kind == "roughness_match") events.push_back(nlohmann::json::parse(event.data_json));
+    }
+    return events;
+  }
+
+  void change_store(const std::string& statements) {
+    const std::filesystem::path folder = folder_.path() / "study";
+    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
+    database.execute(statements);
+  }
+
+  std::vector<std::string> told_{};
+  int participants_ = 1;
+};
+
+TEST_F(EqualRoughnessSession, RendersTheAmplitudesThatTheResponsesDetermined) {
+  start(1);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const std::vector<PresentedMatch> matches = presented_matches(study_->plan(session_.row.id));
+  ASSERT_EQ(matches.size(), 2U);
+  std::map<std::string, double> relative{{"sinusoid", 1.0}};
+  for (const PresentedMatch& match : matches) {
+    EXPECT_EQ(match.status, MatchStatus::matched);
+    EXPECT_NEAR(20.0 * std::log10(match.relative_amplitude), 1.0, 1.0) << match.model;
+    relative[match.model] = match.relative_amplitude;
+  }
+  int compared = 0;
+  for (const AttemptRow& attempt : attempts()) {
+    for (const PresentationRow& surface : attempt.presentations) {
+      const ModelDeclaration& model = models_.find(surface.model)->declaration;
+      const std::string& name = *model.amplitude_parameter;
+      const double own = number_of(builder_->default_parameters(*models_.find(surface.model)), name);
+      const double rendered = number_of(parameter_values_in(surface.parameters_json), name);
+      if (attempt.trial <= kTrialsOfMatching) {
+        if (surface.role == "standard") {
+          EXPECT_EQ(rendered, own);
+        }
+        continue;
+      }
+      ++compared;
+      EXPECT_NEAR(rendered / own, relative.at(surface.model), 1e-12) << surface.model;
+    }
+  }
+  EXPECT_EQ(compared, 12);
+}
+
+TEST_F(EqualRoughnessSession, StoresAndReportsEachMatchOnce) {
+  start(1);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const std::vector<nlohmann::json> events = match_events();
+  ASSERT_EQ(events.size(), 2U);
+  for (const nlohmann::json& event : events) {
+    EXPECT_EQ(event.at("block"), "matching");
+    EXPECT_EQ(event.at("status"), "matched");
+    EXPECT_EQ(event.at("answers"), 8);
+    EXPECT_GE(event.at("reversals"), 4);
+  }
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_THAT(told_.front(), HasSubstr("solid_noise at 1.0"));
+}
+
+TEST_F(EqualRoughnessSession, ContinuesAtTheSameAmplitudesAfterAnInterruptionAnywhere) {
+  start(3);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const std::vector<std::string> expected = stored_plan();
+  ASSERT_EQ(expected.size(), static_cast<std::size_t>(kTrialsOfSession));
+  for (int position = 1; position < kTrialsOfSession; ++position) {
+    SCOPED_TRACE("after " + std::to_string(position));
+    start(3);
+    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
+    EXPECT_EQ(resume().state, SessionState::completed);
+    EXPECT_EQ(stored_plan(), expected);
+    EXPECT_EQ(match_events().size(), 2U);
+    EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
+              expected.size());
+  }
+}
+
+TEST_F(EqualRoughnessSession, IsResumedWhereTheMatchesWereNotYetStored) {
+  start(3);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const std::vector<std::string> expected = stored_plan();
+  start(3);
+  ASSERT_EQ(run_trials(kTrialsOfMatching).state, SessionState::stopped);
+  const std::string of_session = " AND session_id = " + std::to_string(session_.row.id);
+  change_store(
+      "DROP TRIGGER trial_no_delete; DROP TRIGGER event_no_delete; DELETE FROM trial WHERE trial > 16" +
+      of_session + "; DELETE FROM event WHERE kind = 'roughness_match'" + of_session);
+  ASSERT_TRUE(match_events().empty());
+  EXPECT_EQ(resume().state, SessionState::completed);
+  EXPECT_EQ(stored_plan(), expected);
+  EXPECT_EQ(match_events().size(), 2U);
+}
+
+TEST_F(EqualRoughnessSession, IsFoundChangedWhereAnAmplitudeWasChanged) {
+  start(1);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const SessionRow row = study_->session(session_.row.id);
+  change_store(
+      "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = json_set(plan_json, "
+      "'$.presentations[0].relative_amplitude', 1.9) WHERE trial = 20 AND session_id = " +
+      std::to_string(row.id));
+  try {
+    plan_of(*study_, row, models_);
+    FAIL() << "a changed amplitude was not found";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("trial 20"));
+  }
+}
+
+}  // namespace
+}  // namespace asperity
