@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/equal_roughness.h"
 #include "app/records/presented_matches.h"
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/parameter_json.h"
@@ -199,6 +201,23 @@ TEST_F(EqualRoughnessSession, IsFoundChangedWhereAnAmplitudeWasChanged) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("trial 20"));
   }
+}
+
+TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {
+  start(1);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(*study_, {}, {});
+  int tables = 0;
+  for (const AnalysisOutcome& outcome : outcomes) {
+    for (const NamedTable& table : outcome.tables) {
+      if (table.name != kEqualRoughness) continue;
+      ++tables;
+      EXPECT_EQ(outcome.kind, "paired_comparison");
+      ASSERT_EQ(table.table.rows.size(), 2U);
+      EXPECT_EQ(table.table.rows[0].back(), Cell{std::string("matched")});
+    }
+  }
+  EXPECT_EQ(tables, 1);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "app/findings/study/equal_roughness.h"
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/gathered_answers.h"
 #include "app/findings/study/learning.h"
@@ -144,6 +145,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
       analysis->analyze(gathered, outcome);
       // Only next to results.
       if (!outcome.tables.empty()) {
+        add_equal_roughness(gathered, outcome);
         add_response_times(gathered, outcome);
         add_learning(gathered, outcome);
         add_exploration(gathered, outcome);

@@ -37,6 +37,11 @@ bool is_unfelt(const SessionRow& session) {
   return device.has_motors == false || !device.hand_of_program().empty();
 }
 
+/// Whether the plans of its sessions can contain matches: those of other protocols are not read.
+bool may_match_roughness(const ProtocolRow& protocol) {
+  return protocol.source.find("\"equal_roughness\"") != std::string::npos;
+}
+
 /// The questions of one kind in a protocol.
 struct QuestionsOfKind {
   /// The names of the questions, by block; nothing where the block has only one, whatever its name.
@@ -159,6 +164,22 @@ class Gathering {
     if (session.group_level && !gathered.people.empty() &&
         gathered.people.back().label == session.participant) {
       gathered.people.back().group = session.group_level;
+    }
+  }
+
+  /// A stimulus that several blocks present has one match.
+  void add_matches(const SessionRow& session, const std::vector<PresentedMatch>& presented,
+                   const QuestionsOfKind& questions) {
+    std::vector<PresentedMatch> own{};
+    for (PresentedMatch match : presented) {
+      if (!questions.has_block(match.block)) continue;
+      match.block.clear();
+      if (std::find(own.begin(), own.end(), match) == own.end()) own.push_back(std::move(match));
+    }
+    for (PresentedMatch& match : own) {
+      gathered.matches.push_back({.participant = session.participant,
+                                  .session = session.session,
+                                  .match = std::move(match)});
     }
   }
 
@@ -529,6 +550,10 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
       found->second.specified = stored_protocol(of.source);
       found->second.asked = questions_by_kind(found->second.specified, of.kind);
     }
+    std::vector<PresentedMatch> matches{};
+    if (may_match_roughness(of)) {
+      matches = presented_matches(study.plan(session.id));
+    }
     for (const auto& [kind, questions] : found->second.asked) {
       Gathering& gathering = groups[std::tuple(of.name, of.version, group, kind)];
       gathering.gathered.protocol = of.name;
@@ -538,6 +563,7 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
       gathering.gathered.group = group;
       gathering.declare(of, found->second.specified);
       gathering.add_session(session, participant, given, questions);
+      gathering.add_matches(session, matches, questions);
     }
   }
   std::vector<GatheredAnswers> all{};

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/findings/study/gathered_exploration.h"
+#include "app/records/presented_matches.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/file/stored_protocol.h"
 #include "results_schema/study.h"
@@ -150,6 +151,13 @@ struct AnswerCount {
   std::size_t anchors = 0;  ///< numbers of a magnitude that are not analysed
 };
 
+/// The match of a stimulus in a session, by the amplitude at which the session presented it.
+struct ParticipantMatch {
+  std::string participant{};
+  int session = 1;
+  PresentedMatch match{};
+};
+
 struct GatheredAnswers {
   std::string protocol{};
   std::string version{};
@@ -183,6 +191,8 @@ struct GatheredAnswers {
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
   std::map<std::uint32_t, ItemTextureForce> item_forces{};  ///< by word of the item; none without a force
+  /// Of the blocks of this kind with `equal_roughness`, in the order of the sessions.
+  std::vector<ParticipantMatch> matches{};
   /// By participant and block. No other number contains these responses.
   std::vector<CatchResponses> catch_responses{};
 

@@ -2295,6 +2295,30 @@
         <source>%1 All properties together, as a configuration of their standardised values: Procrustes r² = %2, permutation test (PROTEST) %3.</source>
         <translation>%1 Alle Eigenschaften zusammen, als Konfiguration ihrer standardisierten Werte: Prokrustes-r² = %2, Permutationstest (PROTEST) %3.</translation>
     </message>
+    <message>
+        <source>Relative amplitudes of equal roughness</source>
+        <translation>Relative Amplituden gleicher Rauheit</translation>
+    </message>
+    <message>
+        <source>Relative amplitudes of equal roughness: means</source>
+        <translation>Relative Amplituden gleicher Rauheit: Mittelwerte</translation>
+    </message>
+    <message>
+        <source>Factor by which the amplitude was multiplied, so that the participant judged the stimulus as rough as the reference. below_range and above_range: rougher, or less rough, at every amplitude, and presented at the end of the range. unmatched: too few reversals, and presented unchanged.</source>
+        <translation>Faktor, mit dem die Amplitude multipliziert wurde, damit die Versuchsperson den Reiz als so rau wie die Referenz beurteilte. below_range und above_range: bei jeder Amplitude rauer oder weniger rau, mit dem Ende des Bereichs dargeboten. unmatched: zu wenige Umkehrpunkte, unverändert dargeboten.</translation>
+    </message>
+    <message>
+        <source>Geometric means over the participants whose stimulus was matched, with t-based 95 % CIs on the logarithmic scale. The reference has the relative amplitude 1.</source>
+        <translation>Geometrische Mittel über die Versuchspersonen, deren Reiz angeglichen wurde, mit 95-%-KIs der t-Verteilung auf der logarithmischen Skala. Die Referenz hat die relative Amplitude 1.</translation>
+    </message>
+    <message>
+        <source>The surfaces were presented at amplitudes of equal roughness; all %1 matches succeeded.</source>
+        <translation>Die Oberflächen wurden mit Amplituden gleicher Rauheit dargeboten; alle %1 Angleichungen gelangen.</translation>
+    </message>
+    <message>
+        <source>The surfaces were presented at amplitudes of equal roughness; %1 of %2 matches did not succeed, so that these stimuli were presented at the end of the range or unchanged (the table lists them).</source>
+        <translation>Die Oberflächen wurden mit Amplituden gleicher Rauheit dargeboten; %1 von %2 Angleichungen gelangen nicht, sodass diese Reize mit dem Ende des Bereichs oder unverändert dargeboten wurden (die Tabelle führt sie auf).</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>

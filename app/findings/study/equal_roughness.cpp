@@ -1,0 +1,121 @@
+#include "app/findings/study/equal_roughness.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/geometric_mean.h"
+#include "app/findings/tidy/finding_list.h"
+
+namespace asperity {
+
+namespace {
+
+/// "recorded", and with textures "recorded, stone" if there are several.
+std::string stimulus_of(const PresentedMatch& match, bool has_textures) {
+  return has_textures ? match.model + ", " + match.texture : match.model;
+}
+
+bool has_several_textures(const std::vector<ParticipantMatch>& matches) {
+  return std::any_of(matches.begin(), matches.end(), [&matches](const ParticipantMatch& each) {
+    return each.match.texture != matches.front().match.texture;
+  });
+}
+
+/// The geometric mean of the matched sessions of each participant.
+using OfParticipants = std::map<std::string, std::vector<double>>;
+
+std::vector<double> participant_means(const OfParticipants& of) {
+  std::vector<double> means{};
+  for (const auto& [participant, amplitudes] : of) means.push_back(geometric_mean(amplitudes).mean);
+  return means;
+}
+
+}  // namespace
+
+void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  if (gathered.matches.empty()) return;
+  constexpr double kConfidenceOfAmplitudes = 0.95;
+  const bool has_textures = has_several_textures(gathered.matches);
+  NamedTable participants{kEqualRoughness,
+                          phrase("Analysis", "Relative amplitudes of equal roughness"),
+                          {{"participant", "session", "stimulus", "relative_amplitude",
+                            "roughness_match"},
+                           {}},
+                          {}};
+  std::vector<std::string> stimuli{};
+  std::map<std::string, OfParticipants> matched{};
+  std::size_t not_matched = 0;
+  for (const ParticipantMatch& each : gathered.matches) {
+    const std::string stimulus = stimulus_of(each.match, has_textures);
+    participants.table.rows.push_back({each.participant, static_cast<std::int64_t>(each.session),
+                                       stimulus, each.match.relative_amplitude,
+                                       std::string(text_of(each.match.status))});
+    if (std::find(stimuli.begin(), stimuli.end(), stimulus) == stimuli.end()) {
+      stimuli.push_back(stimulus);
+    }
+    if (each.match.status == MatchStatus::matched) {
+      matched[stimulus][each.participant].push_back(each.match.relative_amplitude);
+    } else {
+      ++not_matched;
+    }
+  }
+  participants.note =
+      phrase("Analysis",
+             "Factor by which the amplitude was multiplied, so that the participant judged the "
+             "stimulus as rough as the reference. below_range and above_range: rougher, or less "
+             "rough, at every amplitude, and presented at the end of the range. unmatched: too few "
+             "reversals, and presented unchanged.");
+  NamedTable means{kMeanAmplitudes,
+                   phrase("Analysis", "Relative amplitudes of equal roughness: means"),
+                   {{"stimulus", "persons", "relative_amplitude", "relative_amplitude_low",
+                     "relative_amplitude_high"},
+                    {}},
+                   phrase("Analysis",
+                          "Geometric means over the participants whose stimulus was matched, with "
+                          "t-based 95 % CIs on the logarithmic scale. The reference has the "
+                          "relative amplitude 1.")};
+  FindingList list{};
+  for (const std::string& stimulus : stimuli) {
+    const std::vector<double> of = participant_means(matched[stimulus]);
+    if (of.empty()) {
+      means.table.rows.push_back({stimulus, std::int64_t{0}, Cell{}, Cell{}, Cell{}});
+      continue;
+    }
+    const GeometricMean mean = geometric_mean(of, kConfidenceOfAmplitudes);
+    Basis basis{.n = mean.n,
+                .method = "geometric mean over the matched participants; t interval on the log scale",
+                .interval = mean.interval};
+    if (mean.interval) basis.confidence = kConfidenceOfAmplitudes;
+    list.number("relative_amplitude", stimulus, mean.mean, basis);
+    means.table.rows.push_back(
+        {stimulus, static_cast<std::int64_t>(mean.n), mean.mean,
+         mean.interval ? Cell{mean.interval->low} : Cell{},
+         mean.interval ? Cell{mean.interval->high} : Cell{}});
+  }
+  for (Finding& finding : list.take()) {
+    finding.analysis = kEqualRoughness;
+    outcome.findings.push_back(std::move(finding));
+  }
+  outcome.tables.push_back(std::move(means));
+  outcome.tables.push_back(std::move(participants));
+  if (not_matched == 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The surfaces were presented at amplitudes of equal roughness; all %1 matches "
+               "succeeded.")
+            .with(std::to_string(gathered.matches.size())));
+    return;
+  }
+  outcome.remarks.push_back(
+      phrase("Analysis",
+             "The surfaces were presented at amplitudes of equal roughness; %1 of %2 matches did not "
+             "succeed, so that these stimuli were presented at the end of the range or unchanged "
+             "(the table lists them).")
+          .with(std::to_string(not_matched), std::to_string(gathered.matches.size())));
+}
+
+}  // namespace asperity
