@@ -1,7 +1,10 @@
 // Sessions at amplitudes of equal roughness: what they present and store, resumed after an interruption anywhere.
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/exports/export_study.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/equal_roughness.h"
 #include "app/records/presented_matches.h"
@@ -201,6 +205,42 @@ TEST_F(EqualRoughnessSession, IsFoundChangedWhereAnAmplitudeWasChanged) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("trial 20"));
   }
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells{};
+  std::stringstream stream(line);
+  for (std::string cell{}; std::getline(stream, cell, '\t');) cells.push_back(cell);
+  return cells;
+}
+
+TEST_F(EqualRoughnessSession, IsExportedWithEverySurface) {
+  start(1);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  ExportOptions options{};
+  options.formats = {};
+  export_study(*study_, models_, folder_.path() / "out", options);
+  std::ifstream file(folder_.path() / "out" / "presentations.tsv");
+  std::string line{};
+  ASSERT_TRUE(std::getline(file, line));
+  const std::vector<std::string> names = cells_of(line);
+  const auto place = [&names](const std::string& name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  std::map<std::string, int> statuses{};
+  int varied = 0;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cells = cells_of(line);
+    const std::string& status = cells.at(place("roughness_match"));
+    ++statuses[status];
+    const bool is_standard = cells.at(place("role")) == "standard";
+    EXPECT_EQ(cells.at(place("relative_amplitude")) == "n/a", is_standard);
+    varied += cells.at(place("role")) == "comparison" ? 1 : 0;
+  }
+  EXPECT_EQ(varied, kTrialsOfMatching);
+  EXPECT_EQ(statuses["n/a"], 2 * kTrialsOfMatching);
+  EXPECT_EQ(statuses["reference"], 4);
+  EXPECT_EQ(statuses["matched"], 8);
 }
 
 TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {

@@ -1,32 +1,77 @@
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/roughness_match.h"
 
 namespace asperity::export_columns {
 namespace {
 
 using Place = ExportPlace;
 
+/// The presentation in the plan; null where there is none.
+const nlohmann::json* planned_presentation(const Place& at) {
+  const auto planned = at.plan->find("presentations");
+  if (planned == at.plan->end()) return nullptr;
+  for (const nlohmann::json& presentation : *planned) {
+    if (presentation.value("position", 0) == at.presentation->position) return &presentation;
+  }
+  return nullptr;
+}
+
+Cell planned_member(const Place& at, const std::string& name) {
+  const nlohmann::json* const planned = planned_presentation(at);
+  return planned == nullptr ? Cell{} : member_of(planned, name);
+}
+
 /// The place of the texture in the plan, in one of its two directions.
 Cell texture_origin_m(const Place& at, std::size_t direction) {
-  const auto planned = at.plan->find("presentations");
-  if (planned == at.plan->end()) return {};
-  for (const nlohmann::json& presentation : *planned) {
-    if (presentation.value("position", 0) != at.presentation->position) continue;
-    const auto patch = presentation.find("patch");
-    if (patch == presentation.end()) return {};
-    return patch->at("texture_origin_m").at(direction).get<double>();
+  const nlohmann::json* const planned = planned_presentation(at);
+  if (planned == nullptr || !planned->contains("patch")) return {};
+  return planned->at("patch").at("texture_origin_m").at(direction).get<double>();
+}
+
+std::vector<std::string> names_of_match_statuses() {
+  std::vector<std::string> names{};
+  for (const MatchStatus status : match_statuses()) names.emplace_back(text_of(status));
+  return names;
+}
+
+std::map<std::string, LevelMeaning> meanings_of_match_statuses() {
+  std::map<std::string, LevelMeaning> meanings{};
+  for (const MatchStatus status : match_statuses()) {
+    meanings[std::string(text_of(status))].description = meaning_of(status);
   }
-  return {};
+  return meanings;
+}
+
+/// The relative amplitude of the surface, and how it was determined.
+void add_equal_roughness(Columns& columns) {
+  columns.push_back(missing(
+      "the block neither varies the relative amplitude of this surface nor presents surfaces of equal "
+      "roughness",
+      at_least(0, column("relative_amplitude", "number", "1",
+                         "factor by which the amplitude parameter was multiplied",
+                         [](const Place& at) {
+                           return planned_member(at, "relative_amplitude");
+                         }))));
+  columns.push_back(missing(
+      "the block does not present surfaces of equal roughness",
+      with_levels(column("roughness_match", "text", "",
+                         "how the relative amplitude of equal roughness was determined",
+                         [](const Place& at) { return planned_member(at, "roughness_match"); }),
+                  names_of_match_statuses())));
+  columns.back().level_meanings = meanings_of_match_statuses();
 }
 
 /// From the last contact with any surface of the attempt to the onset of this one.
@@ -124,6 +169,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                  [](const Place& at) {
                                    return optional_cell(at.presentation->achieved_texture_force_N);
                                  }))));
+  add_equal_roughness(columns);
   add_instability(columns);
   for (const auto& [kind, models] : vocabulary.limits) {
     add(missing("the model does not check this assumption",
