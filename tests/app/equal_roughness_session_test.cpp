@@ -17,6 +17,7 @@
 #include "app/findings/study/equal_roughness.h"
 #include "app/records/presented_matches.h"
 #include "app/records/recorded_attempt.h"
+#include "app/report/text/report_roughness.h"
 #include "app/study_files/parameter_json.h"
 #include "results_schema/sqlite.h"
 #include "tests/app/scripted_session.h"
@@ -258,6 +259,17 @@ TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {
     }
   }
   EXPECT_EQ(tables, 1);
+}
+
+TEST(EqualRoughnessText, StatesTheMatchesThatDidNotSucceed) {
+  ReportFacts facts{};
+  EXPECT_EQ(equal_roughness_text(facts), "");
+  facts.roughness_matches = {{MatchStatus::matched, 8}};
+  EXPECT_THAT(equal_roughness_text(facts), HasSubstr("All 8 matches succeeded."));
+  facts.roughness_matches = {
+      {MatchStatus::matched, 6}, {MatchStatus::below_range, 1}, {MatchStatus::unmatched, 2}};
+  EXPECT_THAT(equal_roughness_text(facts),
+              HasSubstr("Of 9 matches, 3 did not succeed: 1 below_range (rougher than the reference"));
 }
 
 }  // namespace

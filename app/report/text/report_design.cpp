@@ -8,6 +8,7 @@
 #include "app/findings/study/task_words.h"
 #include "app/report/text/report_arrangement.h"
 #include "app/report/text/report_order.h"
+#include "app/report/text/report_roughness.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -244,6 +245,9 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   if (facts.has_equal_force) {
     text +=
         " The force models were matched in the RMS of their texture force along a prescribed path.";
+  }
+  if (const std::string matched = equal_roughness_text(facts); !matched.empty()) {
+    text += ' ' + matched;
   }
   return text;
 }

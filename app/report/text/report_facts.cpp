@@ -193,6 +193,14 @@ std::optional<int> trial_of(const TimedEvent& event) {
   return event.attempt->trial;
 }
 
+/// A stimulus that several blocks present has one match.
+void count_matches(const std::vector<PlannedTrialRow>& plan, ReportFacts& facts) {
+  std::set<std::pair<std::string, std::string>> counted{};
+  for (const PresentedMatch& match : presented_matches(plan)) {
+    if (counted.emplace(match.model, match.texture).second) ++facts.roughness_matches[match.status];
+  }
+}
+
 void count_session(const Study& study, const SessionOverview& overview, ReportFacts& facts) {
   const SessionRow& row = overview.row;
   ReportedSession& session = facts.sessions.emplace_back();
@@ -210,7 +218,9 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }
   std::map<int, PlannedTrialRow> plan{};
-  for (PlannedTrialRow& trial : study.plan(row.id)) {
+  std::vector<PlannedTrialRow> planned_trials = study.plan(row.id);
+  count_matches(planned_trials, facts);
+  for (PlannedTrialRow& trial : planned_trials) {
     const AnalysisUse use = use_in_analyses(trial);
     if (use == AnalysisUse::counted) {
       ++session.main_trials;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/findings/study/gathered_answers.h"
+#include "app/records/presented_matches.h"
 #include "app/records/session_conditions.h"
 #include "app/tasks/protocol_files.h"
 #include "results_schema/study.h"
@@ -122,6 +123,8 @@ struct ReportFacts {
   std::set<std::string> models{};          ///< presented, with their versions: "height_map 1"
   std::set<std::string> height_fields{};   ///< textures that were rendered from one
   std::set<std::string> body_textures{};   ///< textures of the presented bodies
+  /// Of surfaces at amplitudes of equal roughness: the number of matches of all sessions, by status.
+  std::map<MatchStatus, std::size_t> roughness_matches{};
   bool has_equal_force = false;            ///< the texture force of a presentation was matched
   std::set<double> stiffness_N_per_m{};    ///< of the surfaces presented, where it is stored
   std::set<double> friction{};             ///< the same: the coefficient

@@ -16,6 +16,7 @@
 #include "app/report/text/report_paper.h"
 #include "app/report/text/report_paper_trials.h"
 #include "app/report/text/report_parameters.h"
+#include "app/report/text/report_roughness.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -167,6 +168,9 @@ std::string paper_apparatus(const ReportFacts& facts) {
   if (facts.has_equal_force) {
     text +=
         " The force models were matched in the RMS of their texture force along a prescribed path.";
+  }
+  if (const std::string matched = equal_roughness_text(facts); !matched.empty()) {
+    text += ' ' + matched;
   }
   return text;
 }
