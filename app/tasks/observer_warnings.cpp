@@ -32,7 +32,7 @@ struct Extremes {
   std::optional<double> greatest{};
   PlannedPresentation of_least{};
   PlannedPresentation of_greatest{};
-  PlannedPresentation of_standard{};
+  std::optional<PlannedPresentation> of_standard{};
 
   void add(double value, const PlannedPresentation& planned) {
     if (!least || value < *least) {
@@ -115,7 +115,10 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
       return trial.block == block.name;
     });
     const Extremes extremes = extremes_of(trials, block);
-    if (first == trials.end() || !extremes.least || *extremes.least == *extremes.greatest) continue;
+    if (first == trials.end() || !extremes.least || !extremes.of_standard ||
+        *extremes.least == *extremes.greatest) {
+      continue;
+    }
     const auto magnitude_of = [&](const PlannedPresentation& planned) -> std::optional<double> {
       if (!builder.can_make(planned.stimulus)) return {};
       PreparedStimulus stimulus = builder.unmatched(planned.stimulus);
@@ -131,7 +134,7 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
     };
     const std::optional<double> least = magnitude_of(extremes.of_least);
     const std::optional<double> greatest = magnitude_of(extremes.of_greatest);
-    const std::optional<double> standard = magnitude_of(extremes.of_standard);
+    const std::optional<double> standard = magnitude_of(*extremes.of_standard);
     if (!least || !greatest || !standard) continue;
     const double from_standard =
         std::max(std::abs(*least - *standard), std::abs(*greatest - *standard));
