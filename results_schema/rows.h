@@ -187,6 +187,11 @@ struct PresentationRow {
   std::optional<InstabilityRow> instability{};
 };
 
+/// ResponseRow::source of a question of the session whose condition was not met. Such a question has one row with an empty
+/// answer, and so has one that was left empty, with the source of the participant. Version 0.1 stored no row for a
+/// question that was left empty, and had no conditions.
+inline constexpr std::string_view kNotAsked = "not_asked";
+
 struct ResponseRow {
   std::string question{};
   int item = 1;  ///< 1 for a choice; the presentation's position for an assignment
@@ -197,7 +202,7 @@ struct ResponseRow {
   std::int64_t time_ns = 0;
   std::optional<double> from_contact_s{};  ///< reaction time from the first contact
   std::optional<double> from_cue_s{};      ///< reaction time from the question
-  std::string source{};                    ///< "keyboard", "virtual", "virtual_guess"
+  std::string source{};                    ///< "keyboard", "virtual", "virtual_guess", kNotAsked
 };
 
 struct ServoQualityRow {

@@ -213,7 +213,11 @@ class Study final {
   void set_aside(std::int64_t session_id, int trial, int attempt, const StoredWords& reason);
 
   /// Answers to questions that belong to a session rather than a trial.
-  void add_session_answer(std::int64_t session_id, const ResponseRow& answer);
+  void add_session_answer(std::int64_t session_id, const ResponseRow& answer) {
+    add_session_answer(session_id, std::span(&answer, 1));
+  }
+  /// The items of one answer, all or none of them.
+  void add_session_answer(std::int64_t session_id, std::span<const ResponseRow> items);
   std::vector<ResponseRow> session_answers(std::int64_t session_id) const;
 
   /// What happened between attempts; those of an attempt are in its row.

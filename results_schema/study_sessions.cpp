@@ -459,15 +459,20 @@ std::vector<std::int64_t> Study::mark_crashed_sessions() {
   return crashed;
 }
 
-void Study::add_session_answer(std::int64_t session_id, const ResponseRow& answer) {
-  Statement(store_->writable(),
-            "INSERT INTO session_answer (session_id, question, item, answer, answer_number, "
-            "correct, options_json, time_ns, from_contact_s, from_cue_s, source) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .bind(session_id, answer.question, answer.item, answer.answer, answer.answer_number,
-            answer.correct, answer.options_json, answer.time_ns, answer.from_contact_s,
-            answer.from_cue_s, answer.source)
-      .run();
+void Study::add_session_answer(std::int64_t session_id, std::span<const ResponseRow> items) {
+  Database& database = store_->writable();
+  Transaction transaction(database);
+  for (const ResponseRow& answer : items) {
+    Statement(database,
+              "INSERT INTO session_answer (session_id, question, item, answer, answer_number, "
+              "correct, options_json, time_ns, from_contact_s, from_cue_s, source) "
+              "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .bind(session_id, answer.question, answer.item, answer.answer, answer.answer_number,
+              answer.correct, answer.options_json, answer.time_ns, answer.from_contact_s,
+              answer.from_cue_s, answer.source)
+        .run();
+  }
+  transaction.commit();
 }
 
 std::vector<ResponseRow> Study::session_answers(std::int64_t session_id) const {

@@ -237,10 +237,15 @@ class StudyExport final {
     files.begin_session(at, plan, attempts, timeline);
     std::vector<ResponseRow> answers = study_.session_answers(at.session->id);
     sort_responses(answers);
+    std::string withheld{};
     for (const ResponseRow& answer : answers) {
       ExportPlace here = at;
       here.response = &answer;
       here.response_is_withheld = !vocabulary_.is_published(answer.question);
+      // The number of rows would state how many options were chosen.
+      const bool is_hidden =
+          options_.audience == ExportAudience::published && here.response_is_withheld;
+      if (is_hidden && std::exchange(withheld, answer.question) == answer.question) continue;
       add("responses", here);
       files.add_session_answer(here);
     }

@@ -184,8 +184,28 @@ void WideTable::add_session_answer(const ExportPlace& at) {
     withheld_.insert(response.question);
     return;
   }
-  people_.back().said[asked_of(at)] =
-      response.answer_number ? Cell{*response.answer_number} : Cell{response.answer};
+  Person& person = people_.back();
+  const Asked asked = asked_of(at);
+  const StudyVocabulary::AnswerMeaning* const meaning = meaning_of(asked);
+  if (meaning != nullptr && !meaning->condition.empty()) {
+    person.was_asked[asked] = response.source != kNotAsked;
+  }
+  if (meaning != nullptr && meaning->has_several) {
+    Person::Chosen& chosen = person.chosen[asked];
+    if (chosen.session_id != at.session->id) chosen = {.session_id = at.session->id};
+    chosen.is_answered = !response.answer.empty();
+    if (chosen.is_answered) chosen.options.insert(response.item);
+    return;
+  }
+  // An earlier session may have had an answer.
+  person.said[asked] = response.answer_number    ? Cell{*response.answer_number}
+                       : response.answer.empty() ? Cell{}
+                                                 : Cell{response.answer};
+}
+
+const StudyVocabulary::AnswerMeaning* WideTable::meaning_of(const Asked& asked) const {
+  const auto found = vocabulary_.questions_of_source.find({asked.source_sha256, asked.question});
+  return found == vocabulary_.questions_of_source.end() ? nullptr : &found->second;
 }
 
 WideTable::Made WideTable::make() const {
@@ -239,7 +259,14 @@ WideTable::Made WideTable::make() const {
 
   // All conditions that occurred, with their responses.
   std::map<Asked, std::map<Condition, Tally>> met{};
-  std::map<Asked, bool> said_is_number{};
+  struct Forms {
+    bool has_numbers = false;
+    bool has_texts = false;
+    bool are_numbers() const noexcept { return has_numbers && !has_texts; }
+  };
+  std::map<Asked, Forms> said{};
+  std::set<Asked> chosen_from{};
+  std::set<Asked> conditional{};
   for (const Person& person : people_) {
     for (const auto& [asked, tallies] : person.tallies) {
       for (const auto& [condition, tally] : tallies) {
@@ -250,44 +277,84 @@ WideTable::Made WideTable::make() const {
         for (const auto& [option, times] : tally.chosen) all.chosen[option] += times;
       }
     }
+    for (const auto& asked_and_options : person.chosen) chosen_from.insert(asked_and_options.first);
+    for (const auto& asked_and_whether : person.was_asked) {
+      conditional.insert(asked_and_whether.first);
+    }
     for (const auto& [asked, cell] : person.said) {
-      const bool is_number = std::holds_alternative<double>(cell);
-      const auto [known, is_new] = said_is_number.insert({asked, is_number});
-      if (!is_new) known->second = known->second && is_number;
+      Forms& forms = said[asked];
+      if (std::holds_alternative<double>(cell)) forms.has_numbers = true;
+      if (std::holds_alternative<std::string>(cell)) forms.has_texts = true;
     }
   }
   std::set<Asked> all_asked{};
   for (const auto& asked_and_conditions : met) all_asked.insert(asked_and_conditions.first);
-  for (const auto& asked_and_kind : said_is_number) all_asked.insert(asked_and_kind.first);
+  for (const auto& asked_and_forms : said) all_asked.insert(asked_and_forms.first);
+  all_asked.insert(chosen_from.begin(), chosen_from.end());
+  all_asked.insert(conditional.begin(), conditional.end());
   for (const auto& asked_and_columns : discriminations_) all_asked.insert(asked_and_columns.first);
   const ProtocolNames names_of(all_asked);
-  for (const auto& [asked, is_number] : said_is_number) {
-    const auto is_asked_elsewhere = [&asked = asked](const auto& other) {
-      return other.first != asked && other.first.question == asked.question;
-    };
-    const bool elsewhere =
-        std::any_of(said_is_number.begin(), said_is_number.end(), is_asked_elsewhere);
+  const auto is_asked_elsewhere = [&all_asked](const Asked& asked) {
+    return std::any_of(all_asked.begin(), all_asked.end(), [&asked](const Asked& other) {
+      return other != asked && other.question == asked.question;
+    });
+  };
+  const auto column_of = [&](const Asked& asked, const std::string& what) {
     ExportColumn column{};
-    column.name = "session_" + (elsewhere ? names_of.in_names(asked) + "_" : "") + asked.question;
-    column.type = is_number ? "number" : "text";
-    column.description = "answer to the question " + asked.question + " of the last session with " +
-                         names_of.in_words(asked);
+    column.name = "session_" + (is_asked_elsewhere(asked) ? names_of.in_names(asked) + "_" : "") +
+                  asked.question;
+    column.description =
+        what + " " + asked.question + " of the last session with " + names_of.in_words(asked);
+    if (const auto* const meaning = meaning_of(asked)) {
+      column.description += ": " + meaning->prompt;
+      if (!meaning->condition.empty()) column.description += "; asked if " + meaning->condition;
+      column.source = meaning->source;
+    }
+    return column;
+  };
+  for (const auto& [asked, forms] : said) {
+    ExportColumn column = column_of(asked, "answer to the question");
+    column.type = forms.are_numbers() ? "number" : "text";
     column.missing = "not asked or not answered";
-    const auto meaning =
-        vocabulary_.questions_of_source.find({asked.source_sha256, asked.question});
-    if (meaning != vocabulary_.questions_of_source.end()) {
-      column.description += ": " + meaning->second.prompt;
-      if (!is_number) {
-        column.levels = meaning->second.options;
-        column.level_meanings = meaning->second.option_meanings;
+    if (const auto* const meaning = meaning_of(asked)) {
+      if (forms.are_numbers()) {
+        column.unit = meaning->unit;
+      } else {
+        column.levels = meaning->options;
+        column.level_meanings = meaning->option_meanings;
       }
-      column.minimum = meaning->second.minimum;
-      column.maximum = meaning->second.maximum;
-      column.source = meaning->second.source;
+      column.minimum = meaning->minimum;
+      column.maximum = meaning->maximum;
     }
     add(std::move(column), [&asked = asked](const Person& person) {
       const auto found = person.said.find(asked);
       return found == person.said.end() ? Cell{} : found->second;
+    });
+  }
+  for (const Asked& asked : chosen_from) {
+    const std::vector<std::string>& options = meaning_of(asked)->options;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+      ExportColumn column =
+          column_of(asked, "1: the option \"" + options[i] + "\" was chosen in the question");
+      column.name += "_" + std::to_string(i + 1);
+      column.type = "boolean";
+      column.missing = "not asked or not answered";
+      add(std::move(column), [&asked, option = static_cast<int>(i) + 1](const Person& person) {
+        const auto found = person.chosen.find(asked);
+        if (found == person.chosen.end() || !found->second.is_answered) return Cell{};
+        return Cell{std::int64_t{found->second.options.contains(option) ? 1 : 0}};
+      });
+    }
+  }
+  for (const Asked& asked : conditional) {
+    ExportColumn column = column_of(asked, "1: the condition was met and the question was asked;");
+    column.name += "_asked";
+    column.type = "boolean";
+    column.missing = "no session reached the question";
+    add(std::move(column), [&asked](const Person& person) {
+      const auto found = person.was_asked.find(asked);
+      if (found == person.was_asked.end()) return Cell{};
+      return Cell{std::int64_t{found->second ? 1 : 0}};
     });
   }
   for (const auto& [asked, discrimination] : discriminations_) {

@@ -64,6 +64,7 @@ class WideTable final {
   };
   class ProtocolNames;
   Asked asked_of(const ExportPlace& at) const;  ///< with a response
+  const StudyVocabulary::AnswerMeaning* meaning_of(const Asked& asked) const;
   /// False where the response does not belong to a discrimination.
   bool add_discrimination(const ExportPlace& at, const Condition& condition);
   struct Tally {
@@ -80,7 +81,15 @@ class WideTable final {
   struct Person {
     std::vector<Cell> about{};
     std::map<Asked, std::map<Condition, Tally>> tallies{};
-    std::map<Asked, Cell> said{};  ///< answers to questions of the session
+    /// Answers to questions of the session; those of a multiple choice by the number of the option.
+    std::map<Asked, Cell> said{};
+    struct Chosen {
+      std::int64_t session_id = 0;
+      std::set<int> options{};
+      bool is_answered = false;
+    };
+    std::map<Asked, Chosen> chosen{};
+    std::map<Asked, bool> was_asked{};  ///< of the questions with a condition
     std::int64_t answers = 0;
     std::int64_t flagged = 0;
     std::int64_t left_out = 0;

@@ -78,6 +78,9 @@ std::optional<Phrase> complaint_about_answer(const Question& question, const std
         .with(question.prompt);
   }
   switch (question.form) {
+    // Not asked about a participant; the protocol is refused.
+    case Question::Form::multiple_choice:
+    case Question::Form::scale:
     case Question::Form::text:
       return {};
     case Question::Form::choice:

@@ -74,13 +74,18 @@ void require_presented(const std::vector<AssetRow>& presented, const PreparedSti
 PlansOfSessions::PlansOfSessions(const Study& study, const ModelRegistry& models)
     : study_(study), declarations_(declarations_of(models)) {}
 
-Plan PlansOfSessions::of(const SessionRow& session) {
+const Protocol& PlansOfSessions::protocol_of(const SessionRow& session) {
   auto known = protocols_.find(session.protocol_id);
   if (known == protocols_.end()) {
     const ProtocolRow row = study_.protocol(session.protocol_id);
     known = protocols_.emplace(row.id, read_protocol(row.source, row.name, declarations_)).first;
   }
-  Course course(known->second, {.seed = seed_of(session),
+  return known->second;
+}
+
+Plan PlansOfSessions::of(const SessionRow& session) {
+  const Protocol& protocol = protocol_of(session);
+  Course course(protocol, {.seed = seed_of(session),
                                 .counterbalance_row = session.counterbalance_row,
                                 .group = session.group_level.value_or("")});
   std::vector<PlannedTrialRow> stored{};
@@ -95,7 +100,7 @@ Plan PlansOfSessions::of(const SessionRow& session) {
       decisions = study_.decisions(session.id);
       stored = study_.plan(session.id);
     });
-    advance_through(course, known->second, attempts, set_aside_in(decisions));
+    advance_through(course, protocol, attempts, set_aside_in(decisions));
   }
   if (session.state == SessionState::completed && course.awaited() != nullptr) {
     throw std::runtime_error(session_name(session) +

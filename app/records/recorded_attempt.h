@@ -41,6 +41,8 @@ class PlansOfSessions final {
   /// Errors: ProtocolError or std::runtime_error when the plan made by this program differs from
   /// the stored one in any column.
   Plan of(const SessionRow& session);
+  /// Errors: ProtocolError.
+  const Protocol& protocol_of(const SessionRow& session);
 
  private:
   const Study& study_;

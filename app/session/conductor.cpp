@@ -299,6 +299,7 @@ void Conductor::run_outside_trials(const std::function<void()>& step) {
 
 void Conductor::try_other(const PlanStep& step) {
   if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
+    if (!holds(screen->condition)) return;
     let_read(scene_to_read(screen->text));
   } else if (const auto* pause = std::get_if<Protocol::Break>(&step)) {
     rest(*pause);
@@ -348,33 +349,6 @@ void Conductor::rest_after_contact(const Trial& next) {
   const Protocol::Run& run = session_.course->run_of(next.block_ordinal);
   const double limit_s = run.break_every_contact_s;
   if (limit_s > 0.0 && contact_since_break_s_ >= limit_s) run_other(*run.pause);
-}
-
-void Conductor::ask(const Protocol::Ask& questions) {
-  for (const std::string& name : questions.questions) {
-    const std::vector<ResponseRow> answered = study_.session_answers(session_.row.id);
-    const bool is_answered =
-        std::any_of(answered.begin(), answered.end(),
-                    [&name](const ResponseRow& row) { return row.question == name; });
-    if (is_answered) continue;  // before the interruption
-    hold(Next::other);
-    if (stopped_) return;
-    const Question& question = protocol_.questions.at(name);
-    course_.enter(SessionPhase::questions);
-    course_.put_mask(false, outside_);
-    course_.show(scene_of_form(question));
-    const std::int64_t cue_ns = course_.now_ns();
-    const std::string answer = respondent_.answer(question, outside_);
-    if (answer.empty() && question.optional) continue;
-    ResponseRow row{};
-    row.question = name;
-    row.answer = answer;
-    row.time_ns = respondent_.answered_ns().value_or(course_.now_ns());
-    row.from_cue_s = seconds_between(cue_ns, row.time_ns);
-    row.source = respondent_.source();
-    row.options_json = nlohmann::json(question.options).dump();
-    study_.add_session_answer(session_.row.id, row);
-  }
 }
 
 void Conductor::finish_block(int block_ordinal) {

@@ -105,6 +105,9 @@ class Conductor final {
   void rest(const Protocol::Break& pause);
   void rest_after_contact(const Trial& next);
   void ask(const Protocol::Ask& questions);
+  /// Whether the stored answers of the session meet a condition; an absent one always holds.
+  bool holds(const std::optional<AnswerCondition>& condition) const;
+  void store_answer(const std::vector<ResponseRow>& items);
 
   void finish_block(int block_ordinal);
   void run_trial(const Trial& trial, AttemptPurpose purpose = AttemptPurpose::trial);

@@ -17,7 +17,8 @@ void Conductor::lead_back(std::size_t first) {
   std::vector<std::string> texts = protocol_.resume.screens.value_or(std::vector<std::string>{});
   if (!protocol_.resume.screens) {
     for (std::size_t i = 0; i < first; ++i) {
-      if (const auto* screen = std::get_if<Protocol::Screen>(&steps[i])) texts = {screen->text};
+      const auto* const screen = std::get_if<Protocol::Screen>(&steps[i]);
+      if (screen != nullptr && holds(screen->condition)) texts = {screen->text};
     }
   }
   if (!is_person) texts.clear();

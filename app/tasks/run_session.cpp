@@ -54,7 +54,7 @@ void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonito
                           .form = Question::Form::choice,
                           .options = {"yes", "no"}};
   if (monitor != nullptr) monitor->show(scene_of_form(question));
-  if (respondent.answer(question, wait) != "yes") {
+  if (respondent.answer(question, wait) != FormAnswer{"yes"}) {
     throw PhrasedError(phrase("RunSession",
                               "the participant did not agree to take part, and nothing was stored; "
                               "run the session with another participant"));
@@ -67,7 +67,8 @@ ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
   ParticipantAnswers answers{};
   for (const Question& question : protocol.participant_questions) {
     if (monitor != nullptr) monitor->show(scene_of_form(question));
-    answers[question.name] = respondent.answer(question, wait);
+    const FormAnswer answer = respondent.answer(question, wait);
+    answers[question.name] = answer.empty() ? std::string() : answer.front();
   }
   return person_of(label, protocol, answers, created_utc);
 }

@@ -19,6 +19,7 @@
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/program.h"
 #include "app/tasks/verify_instability.h"
+#include "app/tasks/verify_questionnaire.h"
 #include "protocols/plan/shown_options.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
@@ -323,6 +324,11 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
       try {
         const Plan plan = plans.of(sessions[s]);
         check_answers(sessions[s], plan, own.answers(sessions[s].id), found[s].problems);
+        for (const std::string& problem :
+             questionnaire_problems(sessions[s], plans.protocol_of(sessions[s]),
+                                    own.session_answers(sessions[s].id))) {
+          found[s].problems.push_back(problem);
+        }
         if (replay_too) replay_session(own, sessions[s], plan, program, builder, stop, found[s]);
       } catch (const std::exception& error) {
         found[s].failures.push_back({"", error.what()});

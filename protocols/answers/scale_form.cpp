@@ -28,6 +28,14 @@ std::optional<int> ScaleForm::step_near(double value) const noexcept {
   return static_cast<int>(std::lround((value - minimum) / (maximum - minimum) * steps()));
 }
 
+std::optional<int> ScaleForm::step_of(double typed) const noexcept {
+  constexpr double kSame = 1e-6;  // of the distance of two points
+  const std::optional<int> step = step_near(typed);
+  if (!step || points == 0) return step;
+  const double apart = value_at(1) - value_at(0);
+  return std::abs(typed - value_at(*step)) < kSame * apart ? step : std::nullopt;
+}
+
 std::vector<AnsweredItem> items_of(const TrialQuestion& question, const ScaleForm& form,
                                    const ScalePoint& answer) {
   if (answer.step < 0 || answer.step > form.steps()) {

@@ -38,6 +38,8 @@ struct ScaleForm {
   }
   /// The step whose value is next to a value from `minimum` to `maximum`; nothing outside them.
   std::optional<int> step_near(double value) const noexcept;
+  /// The same for a number that a participant typed: a scale with points takes only their values.
+  std::optional<int> step_of(double typed) const noexcept;
   bool operator==(const ScaleForm&) const = default;
 };
 

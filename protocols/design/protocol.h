@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/force_features.h"
+#include "protocols/answers/question.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/arrangement.h"
@@ -164,24 +165,6 @@ struct Factor {
   std::string meaning{};
   std::string unit{};
   std::vector<Level> levels{};
-};
-
-/// A question of the questionnaire or about the participant; the questions of a trial are a TrialQuestion each.
-struct Question {
-  enum class Form { choice, number, text };
-  std::string name{};
-  std::string prompt{};
-  Form form = Form::choice;
-  std::vector<std::string> options{};  ///< the stored values
-  /// The text shown for each option if it differs from the stored value (another language); otherwise empty.
-  std::vector<std::string> option_texts{};
-  std::optional<double> minimum{};
-  std::optional<double> maximum{};
-  bool optional = false;
-
-  const std::string& text_of_option(std::size_t i) const {
-    return option_texts.empty() ? options.at(i) : option_texts.at(i);
-  }
 };
 
 /// The judgement model of a virtual participant; see virtual_observer.h.
@@ -407,6 +390,7 @@ struct Protocol {
   };
   struct Screen {
     std::string text{};
+    std::optional<AnswerCondition> condition{};  ///< shown only if it is met; absent: always shown
   };
   struct Check {
     enum class What { device, force_zero } what = What::device;

@@ -23,6 +23,7 @@ std::vector<Diagnostic> Meaning::check() {
   }
   check_groups();
   check_flow();
+  check_conditions();
   for (const auto& [name, block] : protocol_.blocks) {
     check_block(block, pointer_to("/blocks", name));
   }

@@ -75,6 +75,13 @@ class Meaning final : private ProblemSink {
   void check_band(const Band& band, const std::string& pointer);
   void check_guidance(const Exploration& exploration, const std::string& pointer);
   void check_questions();
+  void check_question_form(const Question& question, const std::string& pointer);
+  void check_options(const Question& question, const std::string& pointer);
+  void check_participant_questions();
+  void check_conditions();
+  /// `asked`: the questions that the flow asks before.
+  void check_condition(const AnswerCondition& condition, const std::set<std::string>& asked,
+                       const std::string& pointer);
   void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
   void check_bodies();
   void check_body_keys(const std::string& name, const std::string& pointer);
@@ -133,6 +140,7 @@ class Meaning final : private ProblemSink {
   void check_same_scale(const Protocol::Block& block,
                         const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_scale(const Protocol::TrialQuestionTemplate& question, const std::string& place);
+  void check_scale_form(const ScaleForm& scale, const std::string& at);
   void check_rows(const Protocol::Block& block, const std::string& pointer);
   void check_derived(const Protocol::Block& block, const std::string& pointer);
   void check_repetitions_of(const Protocol::Block& block, const std::vector<BlockRow>& rows,

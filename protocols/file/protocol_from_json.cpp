@@ -10,6 +10,7 @@
 #include "protocols/file/derived_levels.h"
 #include "protocols/file/json_reading.h"
 #include "protocols/file/levels_from_json.h"
+#include "protocols/file/question_from_json.h"
 #include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
@@ -167,41 +168,6 @@ Exploration exploration_of(const std::string& name, const json& object) {
                {"moving_target", Guidance::moving_target},
                {"tones", Guidance::tones}});
   return exploration;
-}
-
-/// Fills the option texts only if an option has a separate text.
-void read_options(const json& object, Question& question) {
-  const auto found = object.find("options");
-  if (found == object.end()) return;
-  for (const json& option : *found) {
-    const bool has_text = option.is_object();
-    question.options.push_back((has_text ? option.at("value") : option).get<std::string>());
-    question.option_texts.push_back((has_text ? option.at("text") : option).get<std::string>());
-  }
-  if (question.option_texts == question.options) question.option_texts.clear();
-}
-
-Question question_of(const std::string& name, const json& object) {
-  Question question{};
-  question.name = name;
-  read(object, "prompt", question.prompt);
-  using Form = Question::Form;
-  read_choice(object, "form", question.form,
-              {{"choice", Form::choice}, {"number", Form::number}, {"text", Form::text}});
-  read_options(object, question);
-  read(object, "minimum", question.minimum);
-  read(object, "maximum", question.maximum);
-  read(object, "optional", question.optional);
-  return question;
-}
-
-ScaleForm scale_of(const json& object) {
-  ScaleForm scale{};
-  read(object, "minimum", scale.minimum);
-  read(object, "maximum", scale.maximum);
-  read(object, "points", scale.points);
-  read(object, "labels", scale.labels);
-  return scale;
 }
 
 Protocol::TrialQuestionTemplate trial_question_of(const json& object, const ExperimentKind& kind) {
@@ -414,7 +380,9 @@ Block block_of(const std::string& name, const json& object, const std::string& k
 
 Protocol::Step step_of(const json& object) {
   if (const auto found = object.find("screen"); found != object.end()) {
-    return Protocol::Screen{found->get<std::string>()};
+    Protocol::Screen screen{.text = found->get<std::string>()};
+    screen.condition = condition_in(object);
+    return screen;
   }
   if (object.contains("check")) {
     Protocol::Check check{};

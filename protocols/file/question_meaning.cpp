@@ -215,18 +215,21 @@ void Meaning::check_scale(const TrialQuestionTemplate& question, const std::stri
   if (!question.correct_factor.empty()) {
     remove("correct_factor", "no point of a scale is correct or incorrect");
   }
-  const std::string at = place + "/scale";
-  if (scale->minimum >= scale->maximum) {
-    report(at, "the maximum of the scale, " + digits(scale->maximum) +
-                   ", must be greater than its minimum, " + digits(scale->minimum) +
+  check_scale_form(*scale, place + "/scale");
+}
+
+void Meaning::check_scale_form(const ScaleForm& scale, const std::string& at) {
+  if (scale.minimum >= scale.maximum) {
+    report(at, "the maximum of the scale, " + digits(scale.maximum) +
+                   ", must be greater than its minimum, " + digits(scale.minimum) +
                    "; raise \"maximum\"");
   }
-  const std::size_t labels = scale->labels.size();
-  if (labels == 0 || labels == 2 || labels == static_cast<std::size_t>(scale->points)) return;
+  const std::size_t labels = scale.labels.size();
+  if (labels == 0 || labels == 2 || labels == static_cast<std::size_t>(scale.points)) return;
   report(at + "/labels",
          "a scale has labels for its two ends or for all of its points; labels given: " +
              std::to_string(labels) + ", points: " +
-             (scale->points == 0 ? std::string("none") : std::to_string(scale->points)) +
+             (scale.points == 0 ? std::string("none") : std::to_string(scale.points)) +
              "; add or remove labels");
 }
 

@@ -64,7 +64,21 @@ void Meaning::check_keys_of_format_2() {
   for (const Protocol::Step& step : protocol_.flow) {
     const auto* const run = std::get_if<Protocol::Run>(&step);
     if (run == nullptr || run->break_every_contact_s == 0.0) continue;
-    return refuse("break_every_contact_minutes");
+    refuse("break_every_contact_minutes");
+    break;
+  }
+  for (const Protocol::Step& step : protocol_.flow) {
+    const auto* const screen = std::get_if<Protocol::Screen>(&step);
+    if (screen != nullptr && screen->condition) refuse("if");
+  }
+  for (const auto& [name, question] : protocol_.questions) {
+    if (question.condition) refuse("if");
+    if (!question.unit.empty()) refuse("unit");
+    const bool is_scale = question.form == Question::Form::scale;
+    if (!is_scale && question.form != Question::Form::multiple_choice) continue;
+    report("/format", "the form " + in_quotes(is_scale ? "scale" : "multiple_choice") +
+                          " of a question requires the format \"asperity.protocol/2\"; write that "
+                          "here");
   }
 }
 
@@ -321,67 +335,6 @@ void Meaning::check_explorations() {
       report(pointer + "/maximum_repeats",
              "nothing is repeated while on_failure is \"flag\"; choose \"repeat_now\" or "
              "\"requeue_at_end_of_block\"");
-    }
-  }
-}
-
-void Meaning::check_questions() {
-  const auto& root = document_.root();
-  for (const auto& [name, question] : protocol_.questions) {
-    const std::string pointer = pointer_to("/questions", name);
-    const auto& object = root.at("questions").at(name);
-    switch (question.form) {
-      case Question::Form::choice:
-        if (question.options.empty()) report(pointer, "a choice needs \"options\"; add this key");
-        break;
-      case Question::Form::number:
-      case Question::Form::text:
-        if (object.contains("options")) {
-          report_key(pointer + "/options",
-                     "only a question of the form \"choice\" has options; remove this key");
-        }
-        break;
-    }
-    if (question.form != Question::Form::number) {
-      for (const char* const key : {"minimum", "maximum"}) {
-        if (object.contains(key)) {
-          report_key(pointer + "/" + key,
-                     "only a question of the form \"number\" has limits; remove this key");
-        }
-      }
-    } else if (question.minimum && question.maximum && *question.minimum > *question.maximum) {
-      report(pointer + "/minimum", "no number is at least " + digits(*question.minimum) +
-                                       " and at most " + digits(*question.maximum) +
-                                       "; lower the minimum or raise the maximum");
-    }
-    for (std::size_t i = 0; i < question.options.size(); ++i) {
-      const auto here = question.options.begin() + static_cast<std::ptrdiff_t>(i);
-      if (std::find(question.options.begin(), here, *here) != here) {
-        report(pointer_to(pointer + "/options", i),
-               in_quotes(*here) + " is listed twice; list it once");
-      }
-      const auto& texts = question.option_texts;
-      if (texts.empty()) continue;
-      const auto text = texts.begin() + static_cast<std::ptrdiff_t>(i);
-      if (std::find(texts.begin(), text, *text) != text) {
-        report(pointer_to(pointer + "/options", i),
-               in_quotes(*text) + " is shown for two options; give each its own text");
-      }
-      const auto value = std::find(question.options.begin(), question.options.end(), *text);
-      if (value != question.options.end() && *value != *here) {
-        report(pointer_to(pointer + "/options", i),
-               in_quotes(*text) + " is shown for " + in_quotes(*here) +
-                   " and stored for another option: give them different words");
-      }
-    }
-  }
-  if (!root.contains("participants") || !root.at("participants").contains("questions")) return;
-  const auto& asked = root.at("participants").at("questions");
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const auto name = asked[i].get<std::string>();
-    if (!protocol_.questions.contains(name)) {
-      report(pointer_to("/participants/questions", i),
-             unknown_name("question", name, protocol_.questions));
     }
   }
 }

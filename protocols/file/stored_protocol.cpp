@@ -16,6 +16,7 @@
 #include "protocols/answers/scale_form.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/protocol_from_json.h"
+#include "protocols/file/question_from_json.h"
 
 namespace asperity {
 
@@ -151,6 +152,7 @@ constexpr std::array kTextPlaces{
     "/factors/*/meaning",
     "/questions/*/prompt",
     "/questions/*/options/*/text",
+    "/questions/*/scale/labels",
     "/blocks/*/question/prompt",
     "/blocks/*/question/options/*/text",
     "/blocks/*/question/scale/labels",
@@ -213,6 +215,14 @@ StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
           .judgement = text_in(asked, "judgement"),
           .asks_for_less = direction.empty() ? std::nullopt : std::optional(direction == "less"),
           .rates = text_in(asked, "rates")};
+}
+
+std::optional<AnswerCondition> stored_condition(const Json& asked) {
+  try {
+    return condition_in(asked);
+  } catch (const Json::exception&) {
+    return {};  // of another form
+  }
 }
 
 /// The number that the surface with this role has for a parameter.
@@ -345,7 +355,16 @@ StoredProtocol stored_protocol(const std::string& source) {
     question = {.prompt = text_in(asked, "prompt"),
                 .form = text_in(asked, "form"),
                 .minimum = number_at(asked, "minimum"),
-                .maximum = number_at(asked, "maximum")};
+                .maximum = number_at(asked, "maximum"),
+                .unit = text_in(asked, "unit"),
+                .condition = stored_condition(asked)};
+    if (member_of(asked, "scale").is_object()) {
+      const StoredProtocol::TrialQuestion on_scale = trial_question_in(asked);
+      question.minimum = on_scale.minimum;
+      question.maximum = on_scale.maximum;
+      question.low_label = on_scale.low_label;
+      question.high_label = on_scale.high_label;
+    }
     const Json& options = member_of(asked, "options");
     if (!options.is_array()) return;
     for (const Json& option : options) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "protocols/answers/question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/dimension.h"
 #include "protocols/procedures/procedure.h"
@@ -26,9 +27,15 @@ struct StoredProtocol {
   /// Of a questionnaire.
   struct Question {
     std::string prompt{};
-    std::string form{};  ///< "choice", "number", "text"
+    std::string form{};  ///< "choice", "multiple_choice", "number", "scale", "text"
+    /// Of a number or a scale.
     std::optional<double> minimum{};
     std::optional<double> maximum{};
+    std::string unit{};
+    /// Of a scale: the labels of its ends; empty without labels.
+    std::string low_label{};
+    std::string high_label{};
+    std::optional<AnswerCondition> condition{};
     std::vector<std::string> options{};
     std::map<std::string, std::string> option_texts{};  ///< by option, where another text was shown
   };

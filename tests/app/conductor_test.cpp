@@ -848,10 +848,12 @@ TEST_F(ConductorTest, AnswersTheQuestionsOfTheSessionOnce) {
   begin(small_protocol());
   run();
   const auto answers = study_->session_answers(session_.row.id);
-  ASSERT_EQ(answers.size(), 1U);  // the optional one was left out
+  ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[0].question, "comfort");
   EXPECT_EQ(answers[0].answer, "well");
   EXPECT_EQ(answers[0].options_json, R"(["well","tired"])");
+  EXPECT_EQ(answers[1].answer, "") << "the optional one was left empty";
+  EXPECT_EQ(answers[1].source, "keyboard");
 }
 
 TEST_F(ConductorTest, GivesTheRespondentWhatEachSurfaceFeltLike) {

@@ -624,7 +624,8 @@ TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
                                 "(sessions.tsv), invalid_reason, exclusion_reason, flag_reason "
                                 "(attempts.tsv)."));
   EXPECT_THAT(readme, HasSubstr("n/a for answers to questionnaires, unless named by "
-                                "--with-questions: answer, answer_number (responses.tsv)."));
+                                "--with-questions: item, answer, answer_number, time_s, "
+                                "from_cue_s, source (responses.tsv)."));
   EXPECT_THAT(publication_text_of_any_study(), HasSubstr("age_years, sex, handedness"));
   EXPECT_THAT(publication_text_of_any_study(),
               HasSubstr("Left out unless named by --with-questions: answer_NAME"));

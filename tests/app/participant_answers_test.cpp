@@ -20,14 +20,9 @@ TEST(FormAnswer, IsTheValueOfAnOptionWhoseTextWasTyped) {
   const Question question{.form = Question::Form::choice,
                           .options = {"right", "left"},
                           .option_texts = {"rechts", "links"}};
-  std::string typed = "links";
-  EXPECT_FALSE(refusal_of(question, typed));
-  EXPECT_EQ(typed, "left");
-  typed = "1";
-  EXPECT_FALSE(refusal_of(question, typed));
-  EXPECT_EQ(typed, "right");
-  typed = "beide";
-  EXPECT_TRUE(refusal_of(question, typed));
+  EXPECT_EQ(std::get<FormAnswer>(form_answer(question, "links")), FormAnswer{"left"});
+  EXPECT_EQ(std::get<FormAnswer>(form_answer(question, "1")), FormAnswer{"right"});
+  EXPECT_TRUE(std::holds_alternative<Saying>(form_answer(question, "beide")));
 }
 
 TEST(SuggestedLabel, ContinuesThePatternOfTheStudy) {
@@ -71,11 +66,9 @@ TEST(AnswerOfAParticipant, MayHaveADecimalComma) {
   EXPECT_EQ(with_decimal_point("tall, I think"), "tall, I think");
   const Question height{
       .prompt = "How tall are you, m?", .form = Question::Form::number, .minimum = 1, .maximum = 3};
-  std::string answer = "1,75";
-  EXPECT_FALSE(refusal_of(height, answer));
-  EXPECT_EQ(answer, "1.75") << "as it is stored";
-  answer = "1,750";
-  EXPECT_TRUE(refusal_of(height, answer));
+  EXPECT_EQ(std::get<FormAnswer>(form_answer(height, "1,75")), FormAnswer{"1.75"})
+      << "as it is stored";
+  EXPECT_TRUE(std::holds_alternative<Saying>(form_answer(height, "1,750")));
 }
 
 TEST(PersonWithAnswers, HasThemWhereTheStoreKeepsThem) {

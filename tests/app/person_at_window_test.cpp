@@ -407,9 +407,9 @@ TEST_F(PressedTwice, AKeyDoesNotAnswerTheQuestionThatTheFirstPressBrought) {
     press(1.0, Kind::confirm);
     press(1.0 + gap_s, Kind::confirm);
     press(4.0, Kind::confirm);
-    EXPECT_EQ(person_.answer(optional_text(), wait_), "");
+    EXPECT_EQ(person_.answer(optional_text(), wait_), FormAnswer{});
     EXPECT_EQ(now_ns_, began_ns + nanoseconds(1.0));
-    EXPECT_EQ(person_.answer(optional_text(), wait_), "");
+    EXPECT_EQ(person_.answer(optional_text(), wait_), FormAnswer{});
     EXPECT_EQ(now_ns_, began_ns + nanoseconds(4.0)) << "pressed again after " << gap_s << " s";
   }
   EXPECT_TRUE(events("refused").empty()) << "it is no mistake";
@@ -972,20 +972,48 @@ TEST_F(AForm, TakesANumberWithinItsLimits) {
     EXPECT_EQ(scene.cue_number, 4U);
   });
   type(3.0, " 42 ");
-  EXPECT_EQ(person_.answer(number(18, 120), wait_), "42");
+  EXPECT_EQ(person_.answer(number(18, 120), wait_), FormAnswer{"42"});
   EXPECT_EQ(sound_.count(Cue::refused), 4);
 }
 
 TEST_F(AForm, TakesAnOptionByItsWordsOrItsNumber) {
   type(1.0, "awful");
   type(2.0, "tired");
-  EXPECT_EQ(person_.answer(choice(), wait_), "tired");
+  EXPECT_EQ(person_.answer(choice(), wait_), FormAnswer{"tired"});
   press(1.0, Kind::option, 9);
   press(2.0, Kind::option, 1);
-  EXPECT_EQ(person_.answer(choice(), wait_), "good");
+  EXPECT_EQ(person_.answer(choice(), wait_), FormAnswer{"good"});
   type(1.0, "5");
-  EXPECT_EQ(person_.answer(choice(), wait_), "5");
+  EXPECT_EQ(person_.answer(choice(), wait_), FormAnswer{"5"});
   EXPECT_EQ(events("refused").size(), 1U);
+}
+
+TEST_F(AForm, TakesSeveralOptionsInTheirOrder) {
+  Question question = choice();
+  question.form = Question::Form::multiple_choice;
+  type(1.0, "3 1");
+  EXPECT_EQ(person_.answer(question, wait_), (FormAnswer{"good", "5"}));
+  type(1.0, "2, 2");
+  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"tired"});
+  type(1.0, "1 4");
+  type(2.0, "");
+  type(3.0, "good");
+  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"good"});
+  EXPECT_EQ(events("refused").size(), 2U);
+}
+
+TEST_F(AForm, TakesOnlyThePointsOfAScale) {
+  Question question{};
+  question.form = Question::Form::scale;
+  question.scale = {.minimum = 1.0, .maximum = 7.0, .points = 7};
+  type(1.0, "2.5");
+  look(1.5, [](const ParticipantScene& scene) {
+    EXPECT_EQ(scene.cue, "Please enter a number from 1 to 7.");
+  });
+  type(2.0, "8");
+  type(3.0, "5");
+  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"5"});
+  EXPECT_EQ(events("refused").size(), 2U);
 }
 
 TEST_F(AForm, MayBeLeftEmptyWhereItIsOptional) {
@@ -993,11 +1021,11 @@ TEST_F(AForm, MayBeLeftEmptyWhereItIsOptional) {
   question.form = Question::Form::text;
   question.optional = true;
   press(1.0, Kind::confirm);
-  EXPECT_EQ(person_.answer(question, wait_), "");
+  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{});
   question.optional = false;
   press(1.0, Kind::confirm);
   type(2.0, "yes");
-  EXPECT_EQ(person_.answer(question, wait_), "yes");
+  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"yes"});
   EXPECT_EQ(events("refused").size(), 1U);
 }
 
@@ -1015,7 +1043,7 @@ TEST_F(AForm, KeepsWhatWasTypedOutOfTheEvents) {
   Question question{};
   question.form = Question::Form::text;
   type(1.0, "numbness in the left hand");
-  EXPECT_EQ(person_.answer(question, wait_), "numbness in the left hand");
+  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"numbness in the left hand"});
   for (const EventRow& event : events("input")) {
     EXPECT_EQ((event.text + event.data_json).find("numbness"), std::string::npos);
   }
@@ -1154,7 +1182,7 @@ TEST_F(DeviceButtons, AnswerTheChoicesOfAForm) {
   hold_button(2.0, 1, 0.1);
   hold_button(3.0, 1, 0.1);
   hold_button(4.0, 2, 0.1);
-  EXPECT_EQ(person_.answer(question, wait_), "tired");
+  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"tired"});
   EXPECT_EQ(events("refused").size(), 1U) << "nothing was chosen yet";
 }
 

@@ -286,7 +286,7 @@ TEST_F(RunSession, RefusesANewPersonOfAnotherLabel) {
   EXPECT_TRUE(study().participants().empty());
 }
 
-std::string think_forever(const Question&, const Wait& wait) {
+FormAnswer think_forever(const Question&, const Wait& wait) {
   for (;;) wait(1.0);
 }
 

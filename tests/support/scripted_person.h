@@ -42,7 +42,7 @@ class ScriptedPerson final : public Respondent {
   /// The reply to every such question, taking its own time.
   std::function<Reply(const Wait&)> at_ask{};
   /// The answer to a question about the person or the session.
-  std::function<std::string(const Question&, const Wait&)> at_form{};
+  std::function<FormAnswer(const Question&, const Wait&)> at_form{};
   std::function<void()> at_tell{};
   std::function<AfterFault()> at_fault{};
   bool has_had_enough = false;  ///< of each surface, as soon as it may
@@ -89,11 +89,11 @@ class ScriptedPerson final : public Respondent {
     texts.push_back(text);
     if (at_tell) at_tell();
   }
-  std::string answer(const Question& question, const Wait& wait) override {
+  FormAnswer answer(const Question& question, const Wait& wait) override {
     calls.push_back("answer");
     forms.push_back(question.name);
     if (at_form) return at_form(question, wait);
-    return question.options.empty() ? std::string() : question.options.front();
+    return question.options.empty() ? FormAnswer{} : FormAnswer{question.options.front()};
   }
   std::optional<std::int64_t> answered_ns() const override { return form_answered_ns; }
   std::string source() const override { return "keyboard"; }

@@ -22,11 +22,17 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   add(column("question", "text", "", "name of the question",
              [](const Place& at) { return at.response->question; }));
   add(at_least(1,
-               column("item", "integer", "", "1, or the position of the surface for an assignment",
+               column("item", "integer", "",
+                      "1; the position of the surface for an assignment; the number of the chosen "
+                      "option for a multiple choice, which has one row per chosen option",
                       [](const Place& at) { return integer(at.response->item); })));
+  columns.back().publication = Publication::without_questionnaires;
+  columns.back().missing = "the response is an answer to a questionnaire in a public export";
   std::string questions{};
   for (const auto& [name, question] : vocabulary.questions) {
     questions += (questions.empty() ? "; " : " · ") + name + ": " + question.prompt;
+    if (!question.unit.empty()) questions += " in " + question.unit;
+    if (!question.condition.empty()) questions += ", asked if " + question.condition;
     std::string options{};
     for (const std::string& option : question.options) {
       options += (options.empty() ? " (" : " | ") + option;
@@ -36,10 +42,13 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   add(column("answer", "text", "", "the response, by its name in the protocol" + questions,
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_questionnaires;
-  columns.back().missing = "never, except for answers to questionnaires in a public export";
+  columns.back().missing =
+      "a question of a questionnaire was left empty or not asked (see source), or the response is an "
+      "answer to a questionnaire in a public export";
   add(missing("the response is not a number, or is an answer to a questionnaire in a public export",
               column("answer_number", "number", "",
-                     "the response as a number: an estimate, or a point of a scale",
+                     "the response as a number: an estimate, a point of a scale, or a number in "
+                     "a questionnaire",
                      [](const Place& at) { return optional_cell(at.response->answer_number); })));
   columns.back().publication = Publication::without_questionnaires;
   add(missing("the protocol declares no correct response",
@@ -49,6 +58,8 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.response->options_json; }));
   add(column("time_s", "number", "s", "time of the response, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.response->time_ns); }));
+  columns.back().publication = Publication::without_questionnaires;
+  columns.back().missing = "the response is an answer to a questionnaire in a public export";
   add(missing("there was no contact before the response",
               at_least(0, column("from_contact_s", "number", "s",
                                  "time from the first contact of the attempt to the response",
@@ -56,14 +67,19 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
                                    return optional_cell(at.response->from_contact_s);
                                  }))));
   add(missing(
-      "not measured",
+      "not measured, not asked, or an answer to a questionnaire in a public export",
       at_least(0, column("from_cue_s", "number", "s",
                          "time from the cue, when the question was first asked, to the response",
                          [](const Place& at) { return optional_cell(at.response->from_cue_s); }))));
+  columns.back().publication = Publication::without_questionnaires;
   add(column("source", "text", "",
              "how the response was given: keyboard; virtual, by a virtual participant; "
-             "virtual_guess, by one that ignores the surface or has no expectation",
+             "virtual_guess, by one that ignores the surface or has no expectation; not_asked, a "
+             "question of a questionnaire whose condition was not met",
              [](const Place& at) { return at.response->source; }));
+  // That a question was not asked states something about the answer on which it depends.
+  columns.back().publication = Publication::without_questionnaires;
+  columns.back().missing = "the response is an answer to a questionnaire in a public export";
   add(missing(
       "the estimate was not re-elicited",
       column(

@@ -23,6 +23,12 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
     StudyVocabulary::AnswerMeaning meaning{};
     meaning.prompt = asked.prompt;
     meaning.free_text = asked.form == "text";
+    if (!asked.low_label.empty()) {
+      meaning.prompt += " [" + asked.low_label + " … " + asked.high_label + "]";
+    }
+    meaning.has_several = asked.form == "multiple_choice";
+    meaning.unit = asked.unit;
+    if (asked.condition) meaning.condition = clause_of(*asked.condition);
     meaning.minimum = asked.minimum;
     meaning.maximum = asked.maximum;
     meaning.options = asked.options;

@@ -39,7 +39,11 @@ struct StudyVocabulary {
   };
   struct AnswerMeaning {
     std::string prompt{};
-    bool free_text = true;      ///< false if a protocol declares a choice or a number
+    bool free_text = true;      ///< false if a protocol declares another form
+    bool has_several = false;   ///< a multiple choice: an answer has several options
+    std::string unit{};         ///< of a number
+    /// The condition under which it is asked, as `clause_of` states it; empty: always asked.
+    std::string condition{};
     bool questionnaire = true;  ///< about a participant or a session, not about a trial
     std::vector<std::string> options{};
     std::map<std::string, LevelMeaning> option_meanings{};  ///< if shown as another text

@@ -37,7 +37,8 @@ QString field_name(const Question& question) {
 /// So that two forms can be compared.
 auto comparable(const Question& question) {
   return std::tie(question.name, question.prompt, question.form, question.options,
-                  question.option_texts, question.minimum, question.maximum, question.optional);
+                  question.option_texts, question.minimum, question.maximum, question.unit,
+                  question.optional);
 }
 
 }  // namespace
@@ -75,7 +76,8 @@ void QuestionForm::set_questions(const std::vector<Question>& questions) {
 }
 
 void QuestionForm::add_row(const Question& question, int row) {
-  const QString text = QString::fromStdString(question.prompt);
+  QString text = QString::fromStdString(question.prompt);
+  if (!question.unit.empty()) text += " (" + QString::fromStdString(question.unit) + ')';
   // The star never begins a line of its own.
   const QString starred = tr("%1 *").replace(' ', QChar::Nbsp).arg(text);
   QLabel* prompt = make_text(question.optional ? text : starred, this);

@@ -90,10 +90,12 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ParticipantView::set_by_pointer(QPointF at, std::int64_t time_ns) {
-  auto input = scene_page().set_by_pointer(press_->item, at);
-  if (!input || press_->set == input->position) return;
-  press_->set = input->position;
-  tell(*std::move(input), time_ns, "mouse");
+  const std::optional<double> position = scene_page().position_at(press_->item, at);
+  if (!position || press_->set == position) return;
+  press_->set = position;
+  Action mark = *press_->item.action;
+  mark.position = *position;
+  act(mark, time_ns, "mouse");
 }
 
 bool ParticipantView::has_use_for(const QKeyEvent& event) const {

@@ -31,6 +31,12 @@ struct Line {
   QString answer{};
 };
 
+/// "if pain = yes: "; empty without a condition.
+QString if_text(const std::optional<AnswerCondition>& condition) {
+  if (!condition) return {};
+  return PlanPreview::tr("if %1:").arg(text(signs_of(*condition))) + ' ';
+}
+
 QString surfaces_text(const Trial& trial) {
   QStringList surfaces{};
   for (const PlannedPresentation& surface : trial.presentations) {
@@ -48,10 +54,10 @@ Line line_of(const Trial& trial) {
           right.join(", ")};
 }
 
-Line line_of(const PlanStep& step, const Plan& plan) {
+Line line_of(const PlanStep& step, const Plan& plan, const Protocol& protocol) {
   if (const auto* trial = std::get_if<TrialStep>(&step)) return line_of(plan.trials[trial->trial]);
   if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
-    return {{}, PlanPreview::tr("screen"), text(screen->text), {}};
+    return {{}, PlanPreview::tr("screen"), if_text(screen->condition) + text(screen->text), {}};
   }
   if (const auto* check = std::get_if<Protocol::Check>(&step)) {
     const bool zero = check->what == Protocol::Check::What::force_zero;
@@ -68,7 +74,7 @@ Line line_of(const PlanStep& step, const Plan& plan) {
   }
   QStringList questions{};
   for (const std::string& name : std::get<Protocol::Ask>(step).questions) {
-    questions.append(text(name));
+    questions.append(if_text(protocol.questions.at(name).condition) + text(name));
   }
   return {{}, PlanPreview::tr("questions"), questions.join(", "), {}};
 }
@@ -140,9 +146,9 @@ QString in_full(const Trial& trial) {
          html_line(PlanPreview::tr("Correct response"), line_of(trial).answer);
 }
 
-QString in_full(const PlanStep& step, const Plan& plan) {
+QString in_full(const PlanStep& step, const Plan& plan, const Protocol& protocol) {
   if (const auto* trial = std::get_if<TrialStep>(&step)) return in_full(plan.trials[trial->trial]);
-  const Line line = line_of(step, plan);
+  const Line line = line_of(step, plan, protocol);
   return html_line(line.block, line.what);
 }
 
@@ -312,7 +318,7 @@ void PlanPreview::make_plan_anew() {
 void PlanPreview::show_plan() {
   std::vector<StudyTable::Row> rows{};
   for (std::size_t i = 0; i < plan_->steps.size(); ++i) {
-    const Line line = line_of(plan_->steps[i], *plan_);
+    const Line line = line_of(plan_->steps[i], *plan_, *protocol_);
     QStandardItem* trial = line.trial.isEmpty() ? number_cell({}, -1.0)
                                                 : number_cell(line.trial, line.trial.toDouble());
     QList<QStandardItem*> cells{number_cell(static_cast<int>(i) + 1), trial, text_cell(line.block),
@@ -331,7 +337,7 @@ void PlanPreview::show_plan() {
 
 void PlanPreview::show_step(int step) {
   if (detail_ == nullptr || static_cast<std::size_t>(step) >= plan_->steps.size()) return;
-  detail_->setText(in_full(plan_->steps[static_cast<std::size_t>(step)], *plan_));
+  detail_->setText(in_full(plan_->steps[static_cast<std::size_t>(step)], *plan_, *protocol_));
 }
 
 }  // namespace asperity

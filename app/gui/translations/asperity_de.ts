@@ -5749,6 +5749,10 @@
         <source>Finish with these surfaces</source>
         <translation>Diese Oberflächen abschließen</translation>
     </message>
+    <message>
+        <source>Choose all that apply.</source>
+        <translation>Wählen Sie alles aus, was zutrifft.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantWords</name>
@@ -5903,6 +5907,10 @@
     <message>
         <source>First, please do some practice trials again. They do not count. Confirm when you are ready.</source>
         <translation>Bitte wiederholen Sie zuerst einige Übungsdurchgänge. Sie zählen nicht. Bestätigen Sie, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>Please choose one or more of the answers.</source>
+        <translation>Bitte wählen Sie eine oder mehrere der Antworten.</translation>
     </message>
 </context>
 <context>
@@ -10185,6 +10193,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Trial %1, %2, %3</source>
         <translation>Durchgang %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>if %1:</source>
+        <translation>wenn %1:</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
+#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
@@ -76,6 +78,46 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     text += presented_trials_text(block, facts);
     text += unmet_text(run->block, facts);
     list.items.push_back(text);
+  }
+  return list;
+}
+
+/// "a scale from 0 to 10", with its article.
+std::string form_text(const Question& question) {
+  switch (question.form) {
+    case Question::Form::choice:
+      return "one of " + counted(question.options.size(), "option", "options");
+    case Question::Form::multiple_choice:
+      return "one or more of " + counted(question.options.size(), "option", "options");
+    case Question::Form::number:
+      return "a number" + (question.unit.empty() ? "" : " in " + question.unit);
+    case Question::Form::scale:
+      return "a scale from " + number_text(question.scale.minimum) + " to " +
+             number_text(question.scale.maximum) +
+             (question.scale.points == 0
+                  ? ""
+                  : " with " + std::to_string(question.scale.points) + " points");
+    case Question::Form::text:
+      return "free text";
+  }
+  return {};
+}
+
+/// The questions that the flow asks, with their conditions; no items where it asks none.
+ReportList questionnaire_list(const Protocol& protocol) {
+  ReportList list{};
+  std::set<std::string> asked{};
+  for (const Protocol::Step& step : protocol.flow) {
+    const auto* const ask = std::get_if<Protocol::Ask>(&step);
+    if (ask == nullptr) continue;
+    for (const std::string& name : ask->questions) {
+      if (!asked.insert(name).second) continue;
+      const Question& question = protocol.questions.at(name);
+      std::string text = "Question of the questionnaire: " + quoted(question.prompt) + " (" +
+                         form_text(question) + (question.optional ? ", optional" : "") + ')';
+      if (question.condition) text += ", asked if " + clause_of(*question.condition);
+      list.items.push_back(text + '.');
+    }
   }
   return list;
 }
@@ -363,6 +405,9 @@ ReportSection design_section(const ReportFacts& facts) {
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});
   section.parts.emplace_back(blocks_list(protocol, facts));
+  if (ReportList questions = questionnaire_list(protocol); !questions.items.empty()) {
+    section.parts.emplace_back(std::move(questions));
+  }
   section.parts.emplace_back(ReportText{rendering_text(protocol, facts)});
   for (const auto& [name, exploration] : protocol.explorations) {
     const std::string which =

@@ -4,7 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <sstream>
+#include <utility>
 
+#include "analysis/number_text.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -54,45 +58,82 @@ std::string with_decimal_point(const std::string& typed) {
   return is_clear && number_in(with_point) ? with_point : typed;
 }
 
-std::optional<Saying> refusal_of(const Question& question, std::string& answer) {
-  if (answer.empty()) {
-    if (question.optional) return {};
+namespace {
+
+/// The position of the option that was typed by its value, its text or its number.
+std::optional<std::size_t> typed_option(const Question& question, const std::string& typed) {
+  // An option may itself be a number: a literal match takes precedence.
+  for (const auto* const texts : {&question.options, &question.option_texts}) {
+    const auto found = std::find(texts->begin(), texts->end(), typed);
+    if (found != texts->end()) return static_cast<std::size_t>(found - texts->begin());
+  }
+  const std::optional<std::size_t> number = whole_number(typed);
+  if (number && *number >= 1 && *number <= question.options.size()) return *number - 1;
+  return {};
+}
+
+/// The positions of the options that were typed as numbers, or one that was typed as a text; none
+/// where a part of the text is not an option.
+std::set<std::size_t> typed_options(const Question& question, const std::string& typed) {
+  if (const auto only = typed_option(question, typed)) return {*only};
+  std::set<std::size_t> chosen{};
+  std::string separated = typed;
+  std::replace(separated.begin(), separated.end(), ',', ' ');
+  std::istringstream parts(separated);
+  for (std::string part{}; parts >> part;) {
+    const std::optional<std::size_t> number = whole_number(part);
+    if (!number || *number < 1 || *number > question.options.size()) return {};
+    chosen.insert(*number - 1);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::variant<Saying, FormAnswer> form_answer(const Question& question, const std::string& typed) {
+  if (typed.empty()) {
+    if (question.optional) return FormAnswer{};
     return Saying{.what = Saying::What::answer_needed};
   }
   switch (question.form) {
     case Question::Form::text:
-      return {};
+      return FormAnswer{typed};
     case Question::Form::number: {
-      answer = with_decimal_point(answer);
+      std::string answer = with_decimal_point(typed);
       const std::optional<double> number = number_in(answer);
       const bool low = number && question.minimum && *number < *question.minimum;
       const bool high = number && question.maximum && *number > *question.maximum;
-      if (number && !low && !high) return {};
+      if (number && !low && !high) return FormAnswer{std::move(answer)};
       return Saying{.what = Saying::What::number_needed,
                     .minimum = question.minimum,
                     .maximum = question.maximum};
     }
+    case Question::Form::scale: {
+      const std::optional<double> number = number_in(with_decimal_point(typed));
+      const std::optional<int> step = number ? question.scale.step_of(*number) : std::nullopt;
+      if (step) return FormAnswer{number_text(question.scale.value_at(*step))};
+      return Saying{.what = Saying::What::number_needed,
+                    .minimum = question.scale.minimum,
+                    .maximum = question.scale.maximum};
+    }
     case Question::Form::choice: {
-      // An option may itself be a number: a literal match takes precedence.
-      if (std::find(question.options.begin(), question.options.end(), answer) !=
-          question.options.end()) {
-        return {};
-      }
-      const auto& texts = question.option_texts;
-      if (const auto text = std::find(texts.begin(), texts.end(), answer); text != texts.end()) {
-        answer = question.options[static_cast<std::size_t>(text - texts.begin())];
-        return {};
-      }
-      const std::optional<std::size_t> number = whole_number(answer);
-      if (number && *number >= 1 && *number <= question.options.size()) {
-        answer = question.options[*number - 1];
-        return {};
+      if (const auto option = typed_option(question, typed)) {
+        return FormAnswer{question.options[*option]};
       }
       return Saying{.what = Saying::What::option_needed,
                     .number = static_cast<int>(question.options.size())};
     }
+    case Question::Form::multiple_choice: {
+      FormAnswer chosen{};
+      for (const std::size_t option : typed_options(question, typed)) {
+        chosen.push_back(question.options[option]);
+      }
+      if (!chosen.empty()) return chosen;
+      return Saying{.what = Saying::What::options_needed,
+                    .number = static_cast<int>(question.options.size())};
+    }
   }
-  return {};
+  return FormAnswer{};
 }
 
 }  // namespace asperity

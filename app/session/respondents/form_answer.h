@@ -1,20 +1,22 @@
-// Checks whether a typed text answers a question of a form.
+// Reads the answer to a question of the questionnaire from what was typed.
 
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "app/session/respondents/participant_scene.h"
-#include "protocols/design/protocol.h"
+#include "protocols/answers/question.h"
 
 namespace asperity {
 
-/// The message shown to a participant whose answer is not acceptable; nothing when it is. `answer`
-/// may be the number of an option; it is then replaced by the option. A decimal comma of a number
-/// is replaced by a point.
-std::optional<Saying> refusal_of(const Question& question, std::string& answer);
+/// The answer that was typed, or the message shown to a participant whose answer is not acceptable.
+/// An option may be typed as its value, its text or its number; several options as their numbers,
+/// separated by blanks or commas; a point of a scale as its value. A decimal comma of a number is
+/// read as a point. An empty text leaves an optional question empty.
+std::variant<Saying, FormAnswer> form_answer(const Question& question, const std::string& typed);
 
 /// A number typed with a decimal comma, with a decimal point, as numbers are stored. Any other text
 /// is returned unchanged, including one that might contain thousands (is_unclear_estimate).

@@ -145,6 +145,8 @@ Phrase phrase_of(const Saying& saying) {
       return phrase("ParticipantWords", "Please enter a number.");
     case Saying::What::option_needed:
       return phrase("ParticipantWords", "Please choose one of the answers.");
+    case Saying::What::options_needed:
+      return phrase("ParticipantWords", "Please choose one or more of the answers.");
     case Saying::What::estimate_needed:
       return phrase("ParticipantWords", "Please enter a number above 0, such as 7 or 0.5.");
     case Saying::What::estimate_unclear:

@@ -47,6 +47,7 @@ struct Saying {
     answer_needed,      ///< refused: this question must be answered
     number_needed,      ///< refused: a number, not below `minimum`, not above `maximum`
     option_needed,      ///< refused: one of the options
+    options_needed,     ///< refused: one or more of the options
     estimate_needed,    ///< refused: a number above 0
     estimate_unclear,   ///< refused: `code` can be read with thousands or with decimals
     practice_resumes,   ///< practice trials are made again before the session resumes

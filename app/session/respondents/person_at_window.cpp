@@ -487,13 +487,13 @@ void PersonAtWindow::tell(const std::string& text, const Wait& wait) {
   desk_->listen(wait, desk_->after_shown_ns(kFeedback_s), continues);
 }
 
-std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
+FormAnswer PersonAtWindow::answer(const Question& question, const Wait& wait) {
   desk_->face({ParticipantScene::Kind::form}, scene_of_form(question));
-  std::string given{};
+  FormAnswer given{};
   std::optional<std::size_t> pointed{};
   desk_->listen(wait, {}, [&](const ParticipantInput& input) {
     if (steps_by_button(input)) {
-      if (question.options.empty()) return false;
+      if (question.form != Question::Form::choice) return false;
       pointed = pointed ? (*pointed + 1) % question.options.size() : 0;
       desk_->play(Cue::option, static_cast<int>(*pointed) + 1);
       return false;
@@ -510,11 +510,12 @@ std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
     } else {
       return false;
     }
-    if (std::optional<Saying> refusal = refusal_of(question, text)) {
+    std::variant<Saying, FormAnswer> read = form_answer(question, text);
+    if (auto* const refusal = std::get_if<Saying>(&read)) {
       desk_->refuse(input, std::move(*refusal));
       return false;
     }
-    given = std::move(text);
+    given = std::get<FormAnswer>(std::move(read));
     desk_->source = input.source;
     desk_->answered_ns = input.time_ns;
     return true;

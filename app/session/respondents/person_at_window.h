@@ -77,7 +77,7 @@ class PersonAtWindow final : public Respondent {
             std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
             const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
-  std::string answer(const Question& question, const Wait& wait) override;
+  FormAnswer answer(const Question& question, const Wait& wait) override;
   std::optional<std::int64_t> answered_ns() const override;
   std::string source() const override;
   void begin_attempt(int trial, int attempt) override;

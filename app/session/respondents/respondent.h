@@ -97,9 +97,9 @@ class Respondent {
                     const Wait& wait) = 0;
   /// Gives feedback after a practice trial.
   virtual void tell(const std::string& text, const Wait& wait) = 0;
-  /// Asks a question about the participant or the session; returns the answer as text, empty where
-  /// optional and omitted.
-  virtual std::string answer(const Question& question, const Wait& wait) = 0;
+  /// Asks a question about the participant or the session; returns the answer as it is stored, none
+  /// where optional and left empty.
+  virtual FormAnswer answer(const Question& question, const Wait& wait) = 0;
   /// When the last `answer` was given, as in Reply. Absent where only the time at which it returned
   /// is known.
   virtual std::optional<std::int64_t> answered_ns() const { return {}; }

@@ -12,6 +12,7 @@
 #include <termios.h>
 
 #include "app/session/respondents/dialogues/answer_dialogue.h"
+#include "app/session/respondents/dialogues/scale_dialogue.h"
 #include "app/session/respondents/form_answer.h"
 #include "app/study_files/height_field_files.h"
 #include "app/words/reason.h"
@@ -240,7 +241,7 @@ void TerminalRespondent::tell(const std::string& text, const Wait&) {
   output_ << text << std::endl;
 }
 
-std::string TerminalRespondent::answer(const Question& question, const Wait& wait) {
+FormAnswer TerminalRespondent::answer(const Question& question, const Wait& wait) {
   output_ << '\n'
           << wrapped_text(question.prompt + (question.optional ? " (may be left empty)" : ""),
                           columns_of_terminal(input_))
@@ -248,13 +249,23 @@ std::string TerminalRespondent::answer(const Question& question, const Wait& wai
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     output_ << "  " << i + 1 << "  " << question.text_of_option(i) << '\n';
   }
+  if (question.form == Question::Form::multiple_choice) {
+    output_ << "Enter the numbers of all that apply, separated by blanks.\n";
+  }
+  if (question.form == Question::Form::scale) {
+    output_ << ScaleDialogue(question.scale).introduction();
+  }
+  const std::string unit = question.unit.empty() ? "" : " (" + question.unit + ")";
   for (;;) {
-    output_ << "Your answer: " << std::flush;
-    std::string typed = line(wait).value_or(std::string());
-    const std::optional<Saying> refusal = refusal_of(question, typed);
-    if (!refusal) return typed;
+    output_ << "Your answer" << unit << ": " << std::flush;
+    const std::string typed = line(wait).value_or(std::string());
+    std::variant<Saying, FormAnswer> read = form_answer(question, typed);
+    const auto* const refusal = std::get_if<Saying>(&read);
+    if (refusal == nullptr) return std::get<FormAnswer>(std::move(read));
     if (refusal->what == Saying::What::option_needed) {
       output_ << "Please enter a number from 1 to " << question.options.size() << ".\n";
+    } else if (refusal->what == Saying::What::options_needed) {
+      output_ << "Please enter one or more numbers from 1 to " << question.options.size() << ".\n";
     } else {
       output_ << text_of(*refusal) << '\n';
     }

@@ -41,7 +41,7 @@ class TerminalRespondent final : public Respondent {
             std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
             const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
-  std::string answer(const Question& question, const Wait& wait) override;
+  FormAnswer answer(const Question& question, const Wait& wait) override;
   std::string source() const override { return "keyboard"; }
   /// At a terminal there is no experimenter's window: Return states that the fault is corrected.
   void hear_of_fault(const std::string& what) override;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/respondents/felt_surface.h"
 #include "protocols/kinds/experiment_kind.h"
@@ -171,17 +172,20 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion>
   return {std::move(given)};
 }
 
-std::string VirtualParticipant::answer(const Question& question, const Wait& wait) {
+FormAnswer VirtualParticipant::answer(const Question& question, const Wait& wait) {
   wait(kReading_s);
   source_ = "virtual";
   switch (question.form) {
     case Question::Form::choice:
-      return question.options.empty() ? std::string() : question.options.front();
+    case Question::Form::multiple_choice:
+      return question.options.empty() ? FormAnswer{} : FormAnswer{question.options.front()};
     case Question::Form::number: {
       const double low = question.minimum.value_or(0.0);
       const double high = question.maximum.value_or(low + 10.0);
-      return std::to_string(static_cast<int>(0.5 * (low + high)));
+      return {std::to_string(static_cast<int>(0.5 * (low + high)))};
     }
+    case Question::Form::scale:
+      return {number_text(question.scale.value_at(question.scale.steps() / 2))};
     case Question::Form::text:
       return {};
   }

@@ -60,7 +60,7 @@ class VirtualParticipant final : public Respondent {
             std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
             const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
-  std::string answer(const Question& question, const Wait& wait) override;
+  FormAnswer answer(const Question& question, const Wait& wait) override;
   std::string source() const override { return source_; }
   void begin_attempt(int trial, int attempt) override;
 

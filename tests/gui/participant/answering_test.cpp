@@ -172,7 +172,7 @@ TEST(Answering, AsksAgainForANumberThatIsOutOfRange) {
   question.minimum = 18.0;
   Room room{};
   auto answer =
-      room.on_thread<std::string>([&] { return room.person.answer(question, Room::wait()); });
+      room.on_thread<FormAnswer>([&] { return room.person.answer(question, Room::wait()); });
   ASSERT_TRUE(room.sees(
       [](const ParticipantScene& scene) { return scene.kind == ParticipantScene::Kind::form; }));
   room.key(Qt::Key_7);
@@ -182,7 +182,7 @@ TEST(Answering, AsksAgainForANumberThatIsOutOfRange) {
   EXPECT_TRUE(room.view().drawn_texts().contains("Please enter a number of at least 18."));
   room.key(Qt::Key_0);
   room.key(Qt::Key_Return);
-  EXPECT_EQ(answer.get(), "70");
+  EXPECT_EQ(answer.get(), FormAnswer{"70"});
 }
 
 // A hand that holds the device reads with its button.

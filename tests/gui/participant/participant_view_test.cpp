@@ -337,6 +337,58 @@ TEST(ParticipantView, TakesANumberByDigitsOrPad) {
   EXPECT_EQ(seat.last().text, "42");
 }
 
+TEST(ParticipantView, TakesSeveralOptionsOfAMultipleChoice) {
+  Seat seat{};
+  seat.show(scenes::form_choices());
+  seat.key(Qt::Key_3);
+  seat.key(Qt::Key_1);
+  seat.key(Qt::Key_4);
+  seat.key(Qt::Key_4);
+  EXPECT_TRUE(seat.inputs.empty()) << "nothing is told before it is confirmed";
+  seat.key(Qt::Key_Return);
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().kind, Kind::text);
+  EXPECT_EQ(seat.last().text, "1 3");
+}
+
+TEST(ParticipantView, LeavesOutAMultipleChoiceOfWhichNothingIsChosenAnyMore) {
+  Seat seat{};
+  seat.show(scenes::form_choices());
+  seat.key(Qt::Key_2);
+  seat.key(Qt::Key_2);
+  seat.click(Item::Kind::control, "Skip");
+  EXPECT_EQ(seat.last().text, "");
+}
+
+TEST(ParticipantView, TakesAPointOfAScaleOfTheQuestionnaireByArrowsOrPointer) {
+  Seat seat{};
+  seat.show(scenes::form_scale(11));
+  seat.key(Qt::Key_Right);  // shows the mark in the middle, which is not an answer yet
+  seat.click(Item::Kind::control, "Skip");
+  EXPECT_EQ(seat.last().text, "");
+  seat.show(ParticipantScene{});
+  seat.show(scenes::form_scale(11));
+  seat.key(Qt::Key_Right);
+  seat.key(Qt::Key_Right);
+  seat.key(Qt::Key_Right);
+  seat.click(Item::Kind::control, "Confirm");
+  EXPECT_EQ(seat.last().text, "7");
+}
+
+TEST(ParticipantView, ShowsTheUnitOfANumberAndTellsOnlyTheNumber) {
+  Seat seat{};
+  seat.show(scenes::form_unit());
+  seat.key(Qt::Key_2);
+  seat.key(Qt::Key_0);
+  bool shows_unit = false;
+  for (const Item& item : seat.view.items()) {
+    shows_unit = shows_unit || (item.kind == Item::Kind::number && item.text == "20 min");
+  }
+  EXPECT_TRUE(shows_unit);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "20");
+}
+
 TEST(ParticipantView, WritesNumbersWithAPointWhateverKeyWasPressed) {
   Seat seat{};
   ParticipantScene scene = scenes::form_number();

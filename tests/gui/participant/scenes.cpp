@@ -183,6 +183,33 @@ ParticipantScene form_number() {
                       .maximum = 120.0});
 }
 
+ParticipantScene form_choices() {
+  return of_question({.name = "places",
+                      .prompt = "Where does your hand hurt?",
+                      .form = Question::Form::multiple_choice,
+                      .options = {"fingers", "palm", "wrist", "elsewhere"},
+                      .optional = true});
+}
+
+ParticipantScene form_unit() {
+  return of_question({.name = "since",
+                      .prompt = "For how long has your hand hurt?",
+                      .form = Question::Form::number,
+                      .minimum = 0.0,
+                      .unit = "min"});
+}
+
+ParticipantScene form_scale(int points) {
+  return of_question({.name = "strength",
+                      .prompt = "How strong is the pain?",
+                      .form = Question::Form::scale,
+                      .scale = {.minimum = 0.0,
+                                .maximum = 10.0,
+                                .points = points,
+                                .labels = {"no pain", "the worst pain"}},
+                      .optional = true});
+}
+
 ParticipantScene form_text() {
   return of_question({.name = "remarks",
                       .prompt = "Is there anything else that we should know?",
@@ -293,6 +320,10 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   ParticipantScene signed_number = form_number();
   signed_number.question->minimum.reset();
   scenes.emplace_back("form-number-signed", signed_number);
+  scenes.emplace_back("form-choices", form_choices());
+  scenes.emplace_back("form-unit", form_unit());
+  scenes.emplace_back("form-scale", form_scale(11));
+  scenes.emplace_back("form-line", form_scale(0));
   scenes.emplace_back("form-text", form_text());
   scenes.emplace_back("mask-on", mask(true));
   scenes.emplace_back("mask-off", mask(false));

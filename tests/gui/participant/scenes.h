@@ -33,6 +33,12 @@ ParticipantScene scale_line();
 ParticipantScene scale_with_labels();
 ParticipantScene form_choice();
 ParticipantScene form_number();
+/// Several options may be chosen.
+ParticipantScene form_choices();
+/// A number with a unit.
+ParticipantScene form_unit();
+/// A scale of the questionnaire; 0: a line without points.
+ParticipantScene form_scale(int points);
 ParticipantScene form_text();
 ParticipantScene rest(std::int64_t until_ns);
 ParticipantScene mask(bool on);

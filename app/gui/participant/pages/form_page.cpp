@@ -1,5 +1,10 @@
 #include "app/gui/participant/pages/form_page.h"
 
+#include <algorithm>
+#include <vector>
+
+#include <QtCore/QStringList>
+
 #include "app/gui/participant/pages/number_pad.h"
 #include "app/gui/participant/pages/option_list.h"
 #include "app/gui/participant/pages/page_frame.h"
@@ -20,10 +25,14 @@ bool is_empty(const Question& question, const ParticipantDraft& draft) {
   switch (question.form) {
     case Question::Form::choice:
       return !draft.option;
+    case Question::Form::multiple_choice:
+      return draft.options.empty();
     case Question::Form::number:
       return draft.number.isEmpty();
     case Question::Form::text:
       return draft.text.trimmed().isEmpty();
+    case Question::Form::scale:  // scale_form_page.h
+      break;
   }
   return false;
 }
@@ -61,7 +70,7 @@ void lay_out_text(PageFrame& frame) {
              .size_px = frame.letters(frame.kText)});
 }
 
-/// As it is stored; empty where nothing is answered.
+/// As `form_answer` reads it; empty where nothing is answered.
 QString answer_in(const Question& question, const ParticipantDraft& draft) {
   switch (question.form) {
     case Question::Form::choice: {
@@ -69,12 +78,43 @@ QString answer_in(const Question& question, const ParticipantDraft& draft) {
       if (!draft.option || static_cast<std::size_t>(*draft.option) > options) return {};
       return QString::fromStdString(question.options[static_cast<std::size_t>(*draft.option - 1)]);
     }
+    case Question::Form::multiple_choice: {
+      QStringList numbers{};
+      for (const int option : draft.options) numbers.append(QString::number(option));
+      return numbers.join(' ');
+    }
     case Question::Form::number:
       return draft.number;
     case Question::Form::text:
       return draft.text.trimmed();
+    case Question::Form::scale:
+      break;
   }
   return {};
+}
+
+OptionList options_of(const PageFrame& frame, const Question& question) {
+  const ParticipantDraft& draft = frame.inputs().draft;
+  OptionList list{.question = frame.scene_text(), .chosen = draft.options};
+  if (question.form == Question::Form::multiple_choice) {
+    list.question += '\n' + frame.said(phrase("ParticipantLayout", "Choose all that apply."));
+  } else if (draft.option) {
+    list.chosen = {*draft.option};
+  }
+  for (std::size_t i = 0; i < question.options.size(); ++i) {
+    list.options.push_back(frame.text_from(question.text_of_option(i)));
+  }
+  return list;
+}
+
+/// Chooses an option, or no longer chooses it.
+void toggle(int option, std::vector<int>& chosen) {
+  const auto place = std::lower_bound(chosen.begin(), chosen.end(), option);
+  if (place != chosen.end() && *place == option) {
+    chosen.erase(place);
+  } else {
+    chosen.insert(place, option);
+  }
 }
 
 class FormPage final : public ParticipantPage {
@@ -87,17 +127,14 @@ class FormPage final : public ParticipantPage {
     }
     const Question& question = *scene.question;
     switch (question.form) {
-      case Question::Form::choice: {
-        std::vector<QString> options{};
-        for (std::size_t i = 0; i < question.options.size(); ++i) {
-          options.push_back(frame.text_from(question.text_of_option(i)));
-        }
-        lay_out_options(frame, options, frame.inputs().draft.option);
+      case Question::Form::choice:
+      case Question::Form::multiple_choice:
+        lay_out_options(frame, options_of(frame, question));
         break;
-      }
       case Question::Form::number: {
         const NumberTexts texts{
             .range = range_text(frame, question),
+            .unit = frame.text_from(question.unit),
             .no_number = frame.said(
                 phrase("ParticipantLayout", "This is not a number. Please correct it."))};
         lay_out_number(frame, texts, sign_of(question));
@@ -105,6 +142,8 @@ class FormPage final : public ParticipantPage {
       }
       case Question::Form::text:
         lay_out_text(frame);
+        break;
+      case Question::Form::scale:
         break;
     }
   }
@@ -131,11 +170,13 @@ class FormPage final : public ParticipantPage {
     if (!scene.question) return {};
     switch (scene.question->form) {
       case Question::Form::choice:
+      case Question::Form::multiple_choice:
         return key_of_option_list(typed, static_cast<int>(scene.question->options.size()));
       case Question::Form::number:
         // A minus is written where there can be none: it is seen, and said to be wrong.
         return key_of_number(key, typed, NumberSign::minus);
       case Question::Form::text:
+      case Question::Form::scale:
         break;
     }
     return {};
@@ -145,6 +186,8 @@ class FormPage final : public ParticipantPage {
     if (!scene.question) return Typing::none;
     switch (scene.question->form) {
       case Question::Form::choice:
+      case Question::Form::multiple_choice:
+      case Question::Form::scale:
         return Typing::none;
       case Question::Form::number:
         return Typing::number;
@@ -166,6 +209,10 @@ class FormPage final : public ParticipantPage {
     const Question& question = *scene.question;
     switch (action.what) {
       case Action::What::choose:
+        if (question.form == Question::Form::multiple_choice) {
+          toggle(action.number, draft.options);
+          return {};  // the page of the picture with this option stays in view
+        }
         if (question.optional && draft.option == action.number) {
           draft.option.reset();
         } else {

@@ -110,12 +110,13 @@ void lay_out_number(PageFrame& frame, const NumberTexts& texts, NumberSign sign)
   // As large as all that may be typed fits.
   const double digits = shown.width() - frame.em(frame.kGap);
   int size_px = frame.letters(frame.kLarge);
-  while (size_px > frame.letters(frame.kText) && frame.width_of(typed, size_px, true) > digits) {
+  const QString number = texts.unit.isEmpty() ? typed : (typed + ' ' + texts.unit).trimmed();
+  while (size_px > frame.letters(frame.kText) && frame.width_of(number, size_px, true) > digits) {
     --size_px;
   }
   frame.add({.kind = ParticipantItem::Kind::number,
              .rect = number_rect,
-             .text = typed,
+             .text = number,
              .size_px = size_px,
              .bold = true});
   if (is_no_number(typed, sign)) {

@@ -17,6 +17,7 @@ enum class NumberSign { none, minus };
 
 struct NumberTexts {
   QString range{};      ///< what may be typed; may be empty
+  QString unit{};       ///< shown after the number; may be empty
   QString no_number{};  ///< in its place while what was typed is no number
 };
 /// The question of the scene, what was typed, and the keys that type it.

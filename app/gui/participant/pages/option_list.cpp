@@ -53,12 +53,12 @@ OptionRows option_rows(const PageFrame& frame, const std::vector<QString>& optio
 
 }  // namespace
 
-void lay_out_options(PageFrame& frame, const std::vector<QString>& options,
-                     std::optional<int> chosen) {
+void lay_out_options(PageFrame& frame, const OptionList& list) {
+  const std::vector<QString>& options = list.options;
   const OptionRows alone = option_rows(frame, options, frame.body().height());
   const int count = static_cast<int>(options.size());
   const bool answers = frame.question_over(
-      frame.scene_text(), [&](double height) { return option_rows(frame, options, height).fits; });
+      list.question, [&](double height) { return option_rows(frame, options, height).fits; });
   frame.need_pages(frame.question_pages() +
                    (alone.fits ? 1 : (count + alone.on_a_page() - 1) / alone.on_a_page()));
   if (!answers) return;
@@ -66,8 +66,8 @@ void lay_out_options(PageFrame& frame, const std::vector<QString>& options,
   const OptionRows rows = option_rows(frame, options, frame.body().height());
   const int on_a_page = rows.on_a_page();
   frame.set_answer_page(0);
-  if (chosen && frame.question_pages() + 1 < frame.pages()) {
-    frame.set_answer_page(frame.question_pages() + 1 + (*chosen - 1) / on_a_page);
+  if (!list.chosen.empty() && frame.question_pages() + 1 < frame.pages()) {
+    frame.set_answer_page(frame.question_pages() + 1 + (list.chosen.front() - 1) / on_a_page);
   }
   const int first = (frame.page() - frame.question_pages() - 1) * on_a_page;
   const double total = rows.columns * rows.width + (rows.columns - 1) * frame.px(2 * frame.kGap);
@@ -84,7 +84,7 @@ void lay_out_options(PageFrame& frame, const std::vector<QString>& options,
          .text = options[static_cast<std::size_t>(i)],
          .key = key_of_listed_option(i + 1),
          .size_px = frame.letters(frame.kText),
-         .chosen = chosen == i + 1,
+         .chosen = std::find(list.chosen.begin(), list.chosen.end(), i + 1) != list.chosen.end(),
          .action = ParticipantAction{.what = ParticipantAction::What::choose, .number = i + 1}});
   }
 }

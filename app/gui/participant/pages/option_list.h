@@ -13,9 +13,12 @@ namespace asperity {
 
 class PageFrame;
 
-/// The question of the scene and its options, which are pressed as What::choose. `chosen` is from 1.
-void lay_out_options(PageFrame& frame, const std::vector<QString>& options,
-                     std::optional<int> chosen);
+struct OptionList {
+  QString question{};              ///< over the options
+  std::vector<QString> options{};  ///< pressed as What::choose
+  std::vector<int> chosen{};       ///< from 1; the first determines the page of the picture
+};
+void lay_out_options(PageFrame& frame, const OptionList& list);
 
 /// What is pressed for an option of a list: "1" … "9", then "A" ….
 QString key_of_listed_option(int number);

@@ -7,6 +7,7 @@
 #include "app/gui/participant/pages/feel_page.h"
 #include "app/gui/participant/pages/form_page.h"
 #include "app/gui/participant/pages/number_page.h"
+#include "app/gui/participant/pages/scale_form_page.h"
 #include "app/gui/participant/pages/scale_page.h"
 #include "app/gui/participant/pages/words_page.h"
 
@@ -31,7 +32,8 @@ const ParticipantPage& page_for(const ParticipantScene& scene) {
           [](const auto& form) -> const ParticipantPage& { return page_of_form(form); },
           scene.form);
     case ParticipantScene::Kind::form:
-      return form_page();
+      return scene.question && scene.question->form == Question::Form::scale ? scale_form_page()
+                                                                             : form_page();
     case ParticipantScene::Kind::text:
     case ParticipantScene::Kind::feedback:
     case ParticipantScene::Kind::rest:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <QtCore/QRectF>
 #include <QtCore/QSizeF>
@@ -19,7 +20,7 @@ struct ParticipantAction {
     surface,  ///< surface `number` (from 1): to be felt, or the one that a picture is given to
     next,     ///< enough of this surface; feel again
     confirm,
-    mark,     ///< scale `number` (from 1), where it is pressed
+    mark,     ///< scale `number` (from 1), at `position`
     step,     ///< the mark of the current scale, `number` steps to the right
     select,   ///< the scale `number` places further on
     write,    ///< `text` into the number
@@ -28,6 +29,7 @@ struct ParticipantAction {
   };
   What what = What::confirm;
   int number = 0;
+  double position = 0.0;  ///< of a mark, from 0 at the left end of the scale to 1 at the right
   QString text{};
 
   bool operator==(const ParticipantAction&) const = default;
@@ -38,6 +40,9 @@ struct ParticipantAction {
 struct ParticipantDraft {
   std::optional<int> surface{};  ///< of an assignment: picked by hand, from 1
   std::optional<int> option{};   ///< of a form
+  std::vector<int> options{};    ///< of a form with several answers, in order, from 1
+  std::optional<int> step{};     ///< of a form with a scale: where its mark is
+  bool step_counts = false;      ///< the mark is an answer, as ParticipantScene::Scale::counts
   QString number{};              ///< of a form or a trial, as typed
   QString text{};                ///< of a form, as written
 };

@@ -30,7 +30,9 @@ ActionEffect ParticipantPage::act(const ParticipantScene&, const ParticipantActi
       return {.told = ParticipantInput{.kind = Kind::step, .number = action.number}};
     case Action::What::select:
       return {.told = ParticipantInput{.kind = Kind::select, .number = action.number}};
-    case Action::What::mark:  // told where it was pressed
+    case Action::What::mark:
+      return {.told = ParticipantInput{
+                  .kind = Kind::mark, .number = action.number, .position = action.position}};
     case Action::What::write:
     case Action::What::erase:
     case Action::What::turn_to:  // the view's

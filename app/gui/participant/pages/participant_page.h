@@ -60,10 +60,9 @@ class ParticipantPage {
                            ParticipantDraft& draft) const;
 
   // --- the pointer ---
-  /// The input of a pointer that holds `item` and is at `at`, from the press on; nothing for an item
-  /// that acts when the pointer is released.
-  virtual std::optional<ParticipantInput> set_by_pointer(const ParticipantItem& /*item*/,
-                                                         QPointF /*at*/) const {
+  /// Where a pointer that holds `item` and is at `at` sets a mark, from the press on, as
+  /// ParticipantAction::position; nothing for an item that acts when the pointer is released.
+  virtual std::optional<double> position_at(const ParticipantItem& /*item*/, QPointF /*at*/) const {
     return {};
   }
   /// The letter of the surface that a drag from `item` carries; empty: none.

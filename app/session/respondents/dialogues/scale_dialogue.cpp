@@ -1,6 +1,5 @@
 #include "app/session/respondents/dialogues/scale_dialogue.h"
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -29,15 +28,8 @@ std::string ScaleDialogue::introduction() const {
 
 std::variant<NextLine, Answer> ScaleDialogue::take(const std::string& typed) {
   const std::optional<double> number = number_in(with_decimal_point(trimmed(typed)));
-  const std::optional<int> step = number ? form_.step_near(*number) : std::nullopt;
-  if (step) {
-    // A line without points takes every number, rounded to its steps; a scale only its points.
-    constexpr double kSame = 1e-6;  // of the distance of two points
-    const double apart = form_.value_at(1) - form_.value_at(0);
-    if (form_.points == 0 || std::abs(*number - form_.value_at(*step)) < kSame * apart) {
-      return Answer(ScalePoint{*step});
-    }
-  }
+  const std::optional<int> step = number ? form_.step_of(*number) : std::nullopt;
+  if (step) return Answer(ScalePoint{*step});
   std::string complaint = "Please enter a number from " + number_text(form_.minimum) + " to " +
                           number_text(form_.maximum);
   if (form_.points > 0) {

@@ -1,0 +1,50 @@
+// The answers to the questions of the questionnaire, as rows of the table `session_answer`.
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocols/answers/question.h"
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+/// When and how an answer was given.
+struct AnswerCircumstances {
+  std::int64_t time_ns = 0;
+  std::optional<double> from_cue_s{};
+  std::string source{};
+};
+
+/// One row per chosen option of a multiple choice, whose item is the place of the option in the protocol, from 1; otherwise
+/// one row.
+std::vector<ResponseRow> rows_of(const Question& question, const FormAnswer& answer,
+                                 const AnswerCircumstances& how);
+std::vector<ResponseRow> row_not_asked(const Question& question, std::int64_t time_ns);
+
+/// The stored answers of one session, by question.
+class QuestionnaireAnswers final {
+ public:
+  explicit QuestionnaireAnswers(const std::vector<ResponseRow>& rows);
+
+  /// Whether anything is stored: an answer, that it was left empty, or that it was not asked.
+  bool has(const std::string& question) const { return stored_.contains(question); }
+  /// The questions of which anything is stored, by name.
+  std::vector<std::string> questions() const;
+  bool was_not_asked(const std::string& question) const;
+  /// Empty where the question was left empty or not asked, and where nothing is stored.
+  FormAnswer to(const std::string& question) const;
+
+ private:
+  struct Stored {
+    FormAnswer answer{};
+    bool was_asked = true;
+  };
+  std::map<std::string, Stored, std::less<>> stored_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,253 @@
+// The questionnaire: forms of its questions, conditions of questions and screens, and what is refused.
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "protocols/answers/question.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_problems.h"
+#include "protocols/file/stored_protocol.h"
+#include "tests/protocols/example.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A library protocol that asks, at the end, for pain, its strength and its kind, and shows a text.
+json questioned() {
+  json protocol{};
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name == "spacing_jnd") protocol = json::parse(each.text);
+  }
+  protocol["format"] = "asperity.protocol/2";
+  protocol["questions"].update(json::parse(R"({
+    "pain": {"prompt": "Does your hand hurt?", "form": "choice", "options": ["yes", "no"]},
+    "strength": {"prompt": "How strong is the pain?", "form": "scale",
+                 "scale": {"minimum": 0, "maximum": 10, "points": 11},
+                 "if": {"question": "pain", "is": "yes"}},
+    "kinds": {"prompt": "What kind of pain?", "form": "multiple_choice",
+              "options": ["sharp", "dull", "burning"], "if": {"question": "strength", "at_least": 5}},
+    "since": {"prompt": "Since when?", "form": "number", "unit": "min", "minimum": 0, "maximum": 120,
+              "if": {"question": "kinds", "includes": "burning"}}
+  })"));
+  protocol["flow"].push_back({{"ask", {"pain", "strength", "kinds", "since"}}});
+  protocol["flow"].push_back(json::parse(
+      R"({"screen": "Please tell us.", "if": {"question": "strength", "in": [8, 9, 10]}})"));
+  return protocol;
+}
+
+std::vector<Diagnostic> questionnaire_problems(const json& protocol) {
+  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models())
+      .problems;
+}
+
+/// The first problem at a pointer; empty where there is none.
+std::string questionnaire_problem(const json& protocol, const std::string& pointer) {
+  for (const Diagnostic& problem : questionnaire_problems(protocol)) {
+    if (problem.pointer == pointer) return problem.message;
+  }
+  return {};
+}
+
+TEST(Questionnaire, IsReadWithItsFormsAndConditions) {
+  const ProtocolReading reading =
+      read_protocol_with_problems(questioned().dump(1), "file.json", test::example_models());
+  for (const Diagnostic& problem : reading.problems)
+    ADD_FAILURE() << problem.pointer << problem.message;
+  const Protocol& protocol = reading.protocol.value();
+  EXPECT_EQ(protocol.questions.at("strength").scale.points, 11);
+  EXPECT_EQ(protocol.questions.at("strength").condition,
+            (AnswerCondition{.question = "pain", .test = AnswerIsOneOf{{"yes"}}}));
+  EXPECT_EQ(protocol.questions.at("kinds").form, Question::Form::multiple_choice);
+  EXPECT_EQ(protocol.questions.at("kinds").condition,
+            (AnswerCondition{.question = "strength", .test = AnswerWithin{.minimum = 5.0}}));
+  EXPECT_EQ(protocol.questions.at("since").unit, "min");
+  EXPECT_EQ(protocol.questions.at("since").condition,
+            (AnswerCondition{.question = "kinds", .test = AnswerIncludes{"burning"}}));
+  EXPECT_EQ(std::get<Protocol::Screen>(protocol.flow.back()).condition,
+            (AnswerCondition{.question = "strength", .test = AnswerIsOneOf{{8.0, 9.0, 10.0}}}));
+}
+
+TEST(Questionnaire, RefusesAConditionOnAQuestionThatIsUnknownOrAskedLater) {
+  json protocol = questioned();
+  protocol["questions"]["strength"]["if"]["question"] = "pian";
+  EXPECT_THAT(questionnaire_problem(protocol, "/questions/strength/if/question"),
+              HasSubstr("did you mean \"pain\""));
+
+  protocol = questioned();
+  protocol["flow"][protocol["flow"].size() - 2]["ask"] = {"strength", "pain", "kinds", "since"};
+  EXPECT_EQ(questionnaire_problem(protocol, "/questions/strength/if/question"),
+            "the flow does not ask the question \"pain\" before; ask it in an earlier step of the "
+            "flow, or earlier in the same one");
+  EXPECT_EQ(questionnaire_problem(protocol, "/questions/kinds/if/question"), "");
+
+  protocol = questioned();
+  const std::size_t last = protocol["flow"].size() - 1;
+  std::swap(protocol["flow"][last], protocol["flow"][last - 1]);
+  EXPECT_THAT(questionnaire_problem(protocol, "/flow/" + std::to_string(last - 1) + "/if/question"),
+              HasSubstr("does not ask the question \"strength\" before"));
+
+  protocol = questioned();
+  protocol["questions"]["pain"]["if"] = {{"question", "pain"}, {"is", "yes"}};
+  EXPECT_THAT(questionnaire_problem(protocol, "/questions/pain/if/question"), HasSubstr("before"));
+}
+
+TEST(Questionnaire, RefusesAValueThatTheQuestionCannotHave) {
+  const auto with_condition = [](const char* condition) {
+    json protocol = questioned();
+    protocol["questions"]["since"]["if"] = json::parse(condition);
+    return protocol;
+  };
+  const std::string at = "/questions/since/if";
+  const auto problem = [&](const char* condition, const char* key) {
+    return questionnaire_problem(with_condition(condition), at + key);
+  };
+  EXPECT_EQ(problem(R"({"question": "pain", "is": "maybe"})", "/is"),
+            "\"maybe\" is not an option of the question \"pain\"; use \"yes\" or \"no\"");
+  EXPECT_THAT(problem(R"({"question": "pain", "in": ["no", 1]})", "/in/1"),
+              HasSubstr("1 is not an option of the question \"pain\""));
+  EXPECT_THAT(problem(R"({"question": "pain", "at_least": 1})", "/at_least"),
+              HasSubstr("state \"is\" or \"in\""));
+  EXPECT_THAT(problem(R"({"question": "pain", "includes": "yes"})", "/includes"),
+              HasSubstr("only a multiple choice includes options"));
+  EXPECT_THAT(problem(R"({"question": "kinds", "is": "sharp"})", "/is"),
+              HasSubstr("state \"includes\""));
+  EXPECT_THAT(problem(R"({"question": "kinds", "includes": "blunt"})", "/includes"),
+              HasSubstr("use \"sharp\", \"dull\" or \"burning\""));
+  EXPECT_EQ(problem(R"({"question": "strength", "is": 2.5})", "/is"),
+            "2.5 is not a point of the scale of the question \"strength\"; the points are 1 apart, "
+            "from 0 to 10");
+  EXPECT_THAT(problem(R"({"question": "strength", "is": 11})", "/is"),
+              HasSubstr("use a number of 0 to 10"));
+  EXPECT_THAT(problem(R"({"question": "strength", "is": "strong"})", "/is"),
+              HasSubstr("state a number"));
+  EXPECT_EQ(
+      problem(R"({"question": "strength", "at_least": 11})", "/at_least"),
+      "the answer to the question \"strength\" is 0 to 10 and never 11 or more; change the range");
+  EXPECT_THAT(problem(R"({"question": "strength", "at_most": -1})", "/at_most"),
+              HasSubstr("never -1 or less"));
+  EXPECT_THAT(problem(R"({"question": "strength", "at_least": 6, "at_most": 5})", "/at_least"),
+              HasSubstr("exchange the two"));
+  EXPECT_THAT(problem(R"({"question": "strategy", "is": "none"})", "/is"), HasSubstr("free text"));
+  EXPECT_THAT(problem(R"({"question": "pain"})", ""), HasSubstr("a condition states one of"));
+  EXPECT_THAT(problem(R"({"question": "pain", "is": "yes", "in": ["no"]})", ""),
+              HasSubstr("keep one of them"));
+}
+
+TEST(Questionnaire, RefusesKeysOfOtherForms) {
+  json protocol = questioned();
+  protocol["questions"]["pain"]["unit"] = "N";
+  protocol["questions"]["pain"]["scale"] = {{"points", 5}};
+  protocol["questions"]["strength"].erase("scale");
+  protocol["questions"]["kinds"].erase("options");
+  EXPECT_THAT(questionnaire_problem(protocol, "/questions/pain/unit"),
+              HasSubstr("\"number\" has a unit"));
+  EXPECT_THAT(questionnaire_problem(protocol, "/questions/pain/scale"),
+              HasSubstr("\"scale\" has a scale"));
+  EXPECT_THAT(questionnaire_problem(protocol, "/questions/strength"),
+              HasSubstr("a scale needs the key"));
+  EXPECT_THAT(questionnaire_problem(protocol, "/questions/kinds"),
+              HasSubstr("a multiple choice needs"));
+}
+
+TEST(Questionnaire, RefusesAScaleAndAConditionAmongTheQuestionsAboutTheParticipant) {
+  json protocol = questioned();
+  protocol["participants"]["questions"] = {"strength", "kinds", "pain"};
+  protocol["questions"]["kinds"].erase("if");
+  EXPECT_THAT(questionnaire_problem(protocol, "/participants/questions/0"),
+              HasSubstr("ask it in the flow"));
+  EXPECT_THAT(questionnaire_problem(protocol, "/participants/questions/1"),
+              HasSubstr("multiple choice"));
+  EXPECT_EQ(questionnaire_problem(protocol, "/participants/questions/2"), "");
+}
+
+TEST(Questionnaire, NeedsFormat2ForWhatFormat1DidNotHave) {
+  json protocol = questioned();
+  protocol["format"] = "asperity.protocol/1";
+  std::string all{};
+  for (const Diagnostic& problem : questionnaire_problems(protocol)) {
+    if (problem.pointer == "/format") all += problem.message + '\n';
+  }
+  for (const char* const key : {"\"if\"", "\"unit\"", "\"scale\"", "\"multiple_choice\""}) {
+    EXPECT_THAT(all, HasSubstr(key));
+  }
+}
+
+TEST(AnswerCondition, IsMetByAnAnswerThatFits) {
+  const AnswerCondition is{.question = "q", .test = AnswerIsOneOf{{"yes", "perhaps"}}};
+  EXPECT_TRUE(is_met(is, {"perhaps"}));
+  EXPECT_FALSE(is_met(is, {"no"}));
+  const AnswerCondition number{.question = "q", .test = AnswerIsOneOf{{2.0}}};
+  EXPECT_TRUE(is_met(number, {"2.0"})) << "the digits do not matter";
+  EXPECT_FALSE(is_met(number, {"20"}));
+  const AnswerCondition includes{.question = "q", .test = AnswerIncludes{"dull"}};
+  EXPECT_TRUE(is_met(includes, {"sharp", "dull"}));
+  EXPECT_FALSE(is_met(includes, {"sharp"}));
+  const AnswerCondition within{.question = "q",
+                               .test = AnswerWithin{.minimum = 2.0, .maximum = 3.0}};
+  EXPECT_TRUE(is_met(within, {"2"}));
+  EXPECT_TRUE(is_met(within, {"3"}));
+  EXPECT_FALSE(is_met(within, {"1.9"}));
+  EXPECT_FALSE(is_met(within, {"3.1"}));
+}
+
+TEST(AnswerCondition, IsNotMetWithoutAnAnswer) {
+  for (const AnswerCondition& condition :
+       {AnswerCondition{.question = "q", .test = AnswerIsOneOf{{""}}},
+        AnswerCondition{.question = "q", .test = AnswerIncludes{""}},
+        AnswerCondition{.question = "q", .test = AnswerWithin{.maximum = 3.0}}}) {
+    EXPECT_FALSE(is_met(condition, {}));
+  }
+}
+
+TEST(AnswerCondition, IsStatedInSignsAndInWords) {
+  const auto both = [](const AnswerCondition& condition) {
+    return signs_of(condition) + " | " + clause_of(condition);
+  };
+  EXPECT_EQ(both({.question = "pain", .test = AnswerIsOneOf{{"yes"}}}),
+            "pain = yes | the answer to \"pain\" was \"yes\"");
+  EXPECT_EQ(both({.question = "pain", .test = AnswerIsOneOf{{8.0, 9.0, 10.0}}}),
+            "pain ∈ {8, 9, 10} | the answer to \"pain\" was 8, 9 or 10");
+  EXPECT_EQ(both({.question = "kinds", .test = AnswerIncludes{"dull"}}),
+            "kinds ∋ dull | the answer to \"kinds\" included \"dull\"");
+  EXPECT_EQ(both({.question = "age", .test = AnswerWithin{.minimum = 18.0, .maximum = 30.0}}),
+            "18 ≤ age ≤ 30 | the answer to \"age\" was 18 to 30");
+}
+
+TEST(StoredAnswer, IsComparedWithItsQuestion) {
+  Question question{
+      .name = "kinds", .form = Question::Form::multiple_choice, .options = {"sharp", "dull"}};
+  const auto problems = [&question](const FormAnswer& answer) {
+    return problems_with(question, answer);
+  };
+  EXPECT_THAT(problems({"sharp", "dull"}), IsEmpty());
+  EXPECT_THAT(problems({"sharp", "blunt"}), ElementsAre("\"blunt\" is not one of its options"));
+  EXPECT_THAT(problems({}), ElementsAre(HasSubstr("left empty")));
+  question.optional = true;
+  EXPECT_THAT(problems({}), IsEmpty());
+  question.form = Question::Form::choice;
+  EXPECT_THAT(problems({"sharp", "dull"}), ElementsAre(HasSubstr("2 answers")));
+  question.form = Question::Form::scale;
+  question.scale = {.minimum = 1.0, .maximum = 7.0, .points = 7};
+  EXPECT_THAT(problems({"3"}), IsEmpty());
+  EXPECT_THAT(problems({"3.5"}), ElementsAre(HasSubstr("not a point of its scale")));
+}
+
+TEST(StoredProtocol, KnowsTheFormsAndConditionsOfAQuestionnaire) {
+  const StoredProtocol read = stored_protocol(questioned().dump());
+  EXPECT_EQ(read.questions.at("since").unit, "min");
+  EXPECT_EQ(read.questions.at("strength").maximum, 10.0);
+  ASSERT_TRUE(read.questions.at("kinds").condition);
+  EXPECT_EQ(signs_of(*read.questions.at("kinds").condition), "strength ≥ 5");
+}
+
+}  // namespace
+}  // namespace asperity
