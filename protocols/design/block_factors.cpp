@@ -55,8 +55,7 @@ std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept {
 
 bool chooses_levels_from_answers(const Protocol::Block& block) {
   if (!block.procedure || block.procedure->tracks.empty()) return false;
-  const ProcedureSettings& first = block.procedure->tracks.front();
-  return procedure_of(first).target(first).has_value();
+  return !std::holds_alternative<ConstantStimuli>(block.procedure->tracks.front());
 }
 
 }  // namespace asperity

@@ -89,6 +89,19 @@ StopRules stop_rules_of(const json& object) {
   return stop;
 }
 
+External external_in(const json& object, const Dimension& dimension) {
+  External settings{};
+  if (has_levels(dimension)) settings.levels = dimension.levels();
+  if (const auto stop = object.find("stop"); stop != object.end()) {
+    read(*stop, "trials", settings.trials);
+  }
+  if (const auto stated = object.find("settings"); stated != object.end()) {
+    settings.settings_json = stated->dump();
+  }
+  read(object, "answer_within_s", settings.answer_within_s);
+  return settings;
+}
+
 /// The steps of one direction: those of this direction, or those of both.
 StepList steps_of(const json& object, const char* direction) {
   StepList steps{};
@@ -125,6 +138,7 @@ ProcedureSettings settings_of(const json& object, const json& track, const Dimen
     return Psi{.track = posterior_track_in(object, dimension),
                .marginalised = marginalised_in(object)};
   }
+  if (method == external().id) return external_in(object, dimension);
   if (method == quest_plus().id) return QuestPlus{.track = posterior_track_in(object, dimension)};
   ConstantStimuli settings{};
   if (has_levels(dimension)) settings.levels = dimension.levels();

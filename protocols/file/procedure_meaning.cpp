@@ -21,14 +21,15 @@ struct MethodKeys {
   std::vector<std::string_view> keys{};
 };
 
-const std::array<MethodKeys, 5>& keys_of_methods() {
-  static const std::array<MethodKeys, 5> kKeys{
+const std::array<MethodKeys, 6>& keys_of_methods() {
+  static const std::array<MethodKeys, 6> kKeys{
       MethodKeys{"constant_stimuli", {"repetitions"}},
       MethodKeys{"transformed_up_down",
                  {"down", "up", "start", "steps", "steps_up", "steps_down", "stop", "tracks"}},
       MethodKeys{"weighted_up_down", {"target", "start", "steps", "steps_down", "stop", "tracks"}},
       MethodKeys{"psi", {"target", "prior", "marginalise", "stop", "tracks"}},
-      MethodKeys{"quest_plus", {"target", "prior", "stop", "tracks"}}};
+      MethodKeys{"quest_plus", {"target", "prior", "stop", "tracks"}},
+      MethodKeys{"external", {"stop", "tracks", "settings", "answer_within_s"}}};
   return kKeys;
 }
 
@@ -36,7 +37,9 @@ const std::array<MethodKeys, 5>& keys_of_methods() {
 bool has_inner_key(std::string_view method, std::string_view key) {
   const bool is_posterior = method == psi().id || method == quest_plus().id;
   if (key == "interval") return is_posterior;
-  if (key == "reversals" || key == "clipped_moves" || key == "start") return !is_posterior;
+  if (key == "reversals" || key == "clipped_moves" || key == "start") {
+    return !is_posterior && method != external().id;
+  }
   return true;
 }
 
@@ -158,8 +161,9 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
                "\"repeat_now\" or \"flag\"");
   }
   if (!has_levels(*block.vary)) return;  // reported at /vary
-  const bool is_constant = method == constant_stimuli().id;
-  if (!is_constant && !block.vary->grid) {
+  // A staircase and a posterior need levels in equal steps.
+  const bool takes_any_levels = method == constant_stimuli().id || method == external().id;
+  if (!takes_any_levels && !block.vary->grid) {
     report(pointer + "/vary/" + std::string(key_of(block.vary->measure)),
            "the method " + in_quotes(method) +
                " needs levels in equal steps; state the levels as a grid: {\"lowest\": …, "
@@ -170,7 +174,7 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
   const std::vector<double> values = block.vary->values();
   if (posterior_track_of(block.procedure->tracks.front()) != nullptr) {
     check_bayesian_procedure(block, method, pointer);
-  } else if (!is_constant && block.vary->standard && values.back() <= *block.vary->standard &&
+  } else if (!takes_any_levels && block.vary->standard && values.back() <= *block.vary->standard &&
              judged != nullptr && judged->judgement == DiscriminationJudgement::performance) {
     report(
         place + "/method",
@@ -243,8 +247,8 @@ void Meaning::check_track_starts(const Block& block, const std::string& pointer)
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const bool has_start = stated.contains("tracks") && stated.at("tracks").at(i).contains("start");
     if (!has_start && !stated.contains("start") &&
-        !std::holds_alternative<ConstantStimuli>(tracks[i]) &&
-        posterior_track_of(tracks[i]) == nullptr) {
+        (std::holds_alternative<TransformedUpDown>(tracks[i]) ||
+         std::holds_alternative<WeightedUpDown>(tracks[i]))) {
       report(pointer + "/procedure",
              "no start is stated; add \"start\", the level of the first "
              "trial, well above the expected threshold");

@@ -202,8 +202,9 @@ class Warnings final {
       return;
     }
     const ProcedureSettings& first = block.procedure->tracks.front();
-    const double target = *procedure_of(first).target(first);
-    if (std::abs(target - 0.5) < 0.01) return;
+    const std::optional<double> stated = procedure_of(first).target(first);
+    if (!stated || std::abs(*stated - 0.5) < 0.01) return;
+    const double target = *stated;
     warn(pointer_to("/blocks", block.name) + "/procedure/method",
          "the levels converge on " + digits(std::round(1000.0 * target) / 10.0) +
              " %, but the point of subjective equality lies at 50 %: state a rule with equal "

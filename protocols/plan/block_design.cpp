@@ -77,6 +77,10 @@ std::optional<double> least_threshold_error(const Block& block) {
       judged->judgement != DiscriminationJudgement::performance) {
     return {};
   }
+  // Where the trials will be is unknown.
+  if (block.procedure && std::holds_alternative<External>(block.procedure->tracks.front())) {
+    return {};
+  }
   const std::vector<double> values = block.vary->values();
   if (values.empty() || values.front() <= *block.vary->standard) return {};
   const PsychometricFunction f = assumed_function(*block.vary);
@@ -126,6 +130,8 @@ std::string procedure_text(const Protocol::Block& block) {
     text = "weighted up-down staircase";
   } else if (posterior_track_of(first) != nullptr) {
     text = procedure.id == psi().id ? "psi procedure" : "QUEST+";
+  } else if (std::holds_alternative<External>(first)) {
+    text = "levels of an external program (unknown before the session)";
   }
   if (const auto target = procedure.target(first)) text += " (" + per_cent(*target) + ")";
   text += procedure.has_fixed_length(first) ? ", " : ", at most ";

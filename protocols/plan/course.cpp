@@ -91,6 +91,17 @@ double example_chance(const Dimension& dimension, double value) {
   return chance + (1.0 - chance) / (1.0 + std::exp(-5.0 * from_middle));
 }
 
+/// As `Procedure::rule` of an external program.
+NextStep example_step(const LevelRequest& request, const Random& random) {
+  std::vector<LevelAnswer> answers{};
+  for (const TrackAnswer& each : request.answers) {
+    if (each.of.track == request.of.track) answers.push_back(each.answer);
+  }
+  return next_step(request.settings, answers,
+                   random.split(static_cast<std::uint64_t>(request.block_ordinal))
+                       .split(static_cast<std::uint64_t>(request.of.track)));
+}
+
 double expected_trials_of_run(const Protocol& protocol, const Block& block) {
   const auto rows = static_cast<double>(row_count(protocol, block));
   if (!block.procedure) {
@@ -210,9 +221,11 @@ void Course::proceed() {
   }
 }
 
-/// False where no track is under way, or the last one is finished.
+/// False where no track is under way, or the last one is finished. Adds nothing where a level is requested.
 bool Course::add_next_of_tracks() {
   if (!tracks_) return false;
+  requested_ = tracks_->request();
+  if (requested_) return true;
   const std::size_t before = tracks_->trials();
   std::optional<Trial> trial = tracks_->next(maker_);
   if (!trial) {
@@ -299,7 +312,9 @@ void Course::add(Trial trial) {
   plan_.trials.push_back(std::move(trial));
 }
 
-const Trial* Course::awaited() const noexcept { return tracks_ ? &plan_.trials.back() : nullptr; }
+const Trial* Course::awaited() const noexcept {
+  return tracks_ && !requested_ ? &plan_.trials.back() : nullptr;
+}
 
 const Run& Course::run_of(int block_ordinal) const {
   for (const Unit& unit : units_) {
@@ -338,10 +353,11 @@ std::vector<Trial> Course::possible_next() const {
 }
 
 void Course::advance(const TrialOutcome& outcome) {
-  if (!tracks_)
+  if (awaited() == nullptr)
     throw std::logic_error(
-        "Course::advance must not be called: the plan of the session is complete, and no trial "
-        "follows; call it only while the course has a next trial");
+        "Course::advance must not be called: no trial of the session is awaited; call it only "
+        "while "
+        "awaited() returns one");
   std::optional<LevelAnswer> answer{};
   if (outcome.answer) {
     const Dimension& dimension = *tracks_->run().block->vary;
@@ -349,6 +365,18 @@ void Course::advance(const TrialOutcome& outcome) {
               .is_correct = outcome.answer->counts_down};
   }
   tracks_->answer(answer);
+  trials_before_ = plan_.trials.size();
+  proceed();
+}
+
+void Course::supply(const NextStep& step) {
+  if (!requested_) {
+    throw std::logic_error(
+        "Course::supply must not be called: no level is requested; call it only while requested() "
+        "has one");
+  }
+  tracks_->supply(step);
+  requested_.reset();
   trials_before_ = plan_.trials.size();
   proceed();
 }
@@ -389,7 +417,12 @@ int expected_trials(const Protocol& protocol) {
 Plan example_plan(const Protocol& protocol, const Allocation& allocation) {
   Course course(protocol, allocation);
   Random observer = Random(allocation.seed).split("example observer");
-  while (const Trial* const trial = course.awaited()) {
+  while (!course.is_complete()) {
+    if (const auto& request = course.requested()) {
+      course.supply(example_step(*request, observer.split("levels")));
+      continue;
+    }
+    const Trial* const trial = course.awaited();
     if (trial->catch_trial) {
       course.advance({});
       continue;

@@ -33,8 +33,11 @@ struct TrialOutcome {
 /// of a procedure: the outcome of this trial determines the next one, and so on to the end of the block, which is
 /// followed by the trials of further blocks up to the next procedure.
 ///
-/// A course is a function of protocol, allocation and outcomes. Resuming, verifying and replaying a session make it
-/// again from the stored outcomes and compare it with the stored trials.
+/// Where a program states the levels (`External`), each of its statements has to be supplied before the plan continues;
+/// until then there is no awaited trial.
+///
+/// A course is a function of protocol, allocation, outcomes and supplied steps. Resuming, verifying and replaying a
+/// session make it again from the stored ones and compare it with the stored trials.
 class Course final {
  public:
   /// The protocol must outlive the course. Errors: as `make_plan`.
@@ -42,9 +45,13 @@ class Course final {
 
   /// The trials and steps that are determined so far. A reference to a trial remains valid when the plan grows.
   const Plan& plan() const noexcept { return plan_; }
-  /// The trial whose outcome determines what follows: the last one of the plan. Null when the plan is complete.
+  bool is_complete() const noexcept { return !tracks_; }
+  /// The trial whose outcome determines what follows: the last one of the plan. Null when the plan is complete, and while
+  /// a level is requested.
   const Trial* awaited() const noexcept;
-  /// The number of trials before the last outcome; all of them where there was none.
+  /// What a program has to state before the plan continues; nothing where nothing is missing.
+  const std::optional<LevelRequest>& requested() const noexcept { return requested_; }
+  /// The number of trials before the last outcome or supplied step; all of them where there was none.
   std::size_t trials_before_last_outcome() const noexcept;
   /// The step of the flow that runs this block of the session. Errors: std::out_of_range where there is none.
   const Protocol::Run& run_of(int block_ordinal) const;
@@ -59,6 +66,8 @@ class Course final {
   ///
   /// Errors: std::logic_error when the plan is complete.
   void advance(const TrialOutcome& outcome);
+  /// Continues the plan with the requested step. Errors: as `LevelTracks::supply`.
+  void supply(const NextStep& step);
 
  private:
   /// A step of the flow, or one run of a block of it.
@@ -80,6 +89,7 @@ class Course final {
   std::vector<Unit> units_{};
   std::size_t next_unit_ = 0;
   std::optional<LevelTracks> tracks_{};  ///< of the block that is being run
+  std::optional<LevelRequest> requested_{};
   std::optional<std::size_t> trials_before_{};
   std::map<std::string, std::vector<RoughnessMatch>, std::less<>> matches_{};
   Plan plan_{};
@@ -93,7 +103,8 @@ int expected_trials(const Protocol& protocol);
 bool has_estimated_trials(const Protocol& protocol);
 
 /// The course of a session whose answers come from an observer with a threshold in the middle of the levels: for
-/// estimates of durations, and to show an example of a session before it begins. Equal to `make_plan` for a protocol
+/// estimates of durations, and to show an example of a session before it begins; the levels of an external program are
+/// examples as well. Equal to `make_plan` for a protocol
 /// without procedures.
 Plan example_plan(const Protocol& protocol, const Allocation& allocation);
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include "analysis/number_text.h"
 #include "protocols/plan/block_rows.h"
 
 namespace asperity {
@@ -17,10 +19,13 @@ LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
   std::vector<Track> of_row{};  // the tracks of all rows share their rules
   for (const ProcedureSettings& settings : run_.block->procedure->tracks) {
     const Procedure& procedure = procedure_of(settings);
-    of_row.push_back(
-        {.most_trials = procedure.most_trials(settings),
-         .rule = procedure.rule(settings),
-         .answered = {.settings = settings}});
+    Track track{.most_trials = procedure.most_trials(settings), .answered = {.settings = settings}};
+    if (const auto* const external = std::get_if<External>(&settings)) {
+      track.levels = SuppliedLevels{.settings = *external};
+    } else {
+      track.levels = procedure.rule(settings);
+    }
+    of_row.push_back(std::move(track));
   }
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     for (Track track : of_row) {
@@ -34,15 +39,75 @@ LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
 std::optional<double> LevelTracks::next_level(const Track& track) {
   // Trials without an answer repeat their level: a participant who no longer responds must not repeat it for ever.
   if (track.trials >= kMostPresented * track.most_trials) return std::nullopt;
-  const NextStep step = track.rule(track.answered.answers, track.random);
+  const auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
+  const NextStep step =
+      supplied != nullptr ? supplied->next.value()
+                          : std::get<LevelRule>(track.levels)(track.answered.answers, track.random);
   const auto* const next = std::get_if<NextLevel>(&step);
   return next == nullptr ? std::nullopt : std::optional(next->level);
+}
+
+bool LevelTracks::is_open(const Track& track) {
+  const auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
+  if (supplied == nullptr || supplied->next) return next_level(track).has_value();
+  return track.answered.answers.size() < track.most_trials &&
+         track.trials < kMostPresented * track.most_trials;
+}
+
+/// Begins a round where none is under way, and leaves out the tracks that a program has ended.
+void LevelTracks::settle_round() {
+  for (;;) {
+    if (round_.empty()) begin_round();
+    if (round_.empty()) return;
+    const auto* const supplied = std::get_if<SuppliedLevels>(&tracks_[round_.back()].levels);
+    if (supplied == nullptr || !supplied->next ||
+        std::holds_alternative<NextLevel>(*supplied->next)) {
+      return;
+    }
+    round_.pop_back();
+  }
+}
+
+std::optional<LevelRequest> LevelTracks::request() {
+  settle_round();
+  if (round_.empty()) return std::nullopt;
+  const std::size_t index = round_.back();
+  const Track& track = tracks_[index];
+  const auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
+  if (supplied == nullptr || supplied->next) return std::nullopt;
+  LevelRequest request{
+      .block_ordinal = run_.ordinal,
+      .block = run_.block->name,
+      .of = {.track = static_cast<int>(index) + 1, .step = static_cast<int>(track.trials) + 1},
+      .tracks = tracks_.size(),
+      .factors = run_.outer,
+      .settings = supplied->settings,
+      .answers = answers_};
+  request.factors.insert(rows_[track.row].factors.begin(), rows_[track.row].factors.end());
+  return request;
+}
+
+void LevelTracks::supply(const NextStep& step) {
+  auto* const supplied =
+      round_.empty() ? nullptr : std::get_if<SuppliedLevels>(&tracks_[round_.back()].levels);
+  if (supplied == nullptr || supplied->next) {
+    throw std::logic_error(
+        "LevelTracks::supply must not be called: no level is requested; call request() before");
+  }
+  const auto* const next = std::get_if<NextLevel>(&step);
+  const std::vector<double>& levels = supplied->settings.levels;
+  if (next != nullptr && std::find(levels.begin(), levels.end(), next->level) == levels.end()) {
+    throw std::invalid_argument("level " + number_text(next->level) +
+                                " is not one of the levels of the block " + run_.block->name);
+  }
+  supplied->next = step;
+  settle_round();
 }
 
 void LevelTracks::begin_round() {
   std::vector<std::size_t> open{};
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    if (next_level(tracks_[i])) open.push_back(i);
+    if (is_open(tracks_[i])) open.push_back(i);
   }
   if (run_.block->order == Protocol::Block::Order::fixed) {
     open.resize(std::min<std::size_t>(open.size(), 1));
@@ -55,7 +120,7 @@ void LevelTracks::begin_round() {
 }
 
 std::optional<Trial> LevelTracks::next(const TrialMaker& maker) {
-  if (round_.empty()) begin_round();
+  settle_round();
   if (round_.empty()) return std::nullopt;
   return is_place_of_catch_trial() ? next_catch_trial(maker) : next_of_track(maker);
 }
@@ -70,7 +135,15 @@ bool LevelTracks::is_place_of_catch_trial() const {
 }
 
 void LevelTracks::answer(const std::optional<LevelAnswer>& answer) {
-  if (answer && awaited_) tracks_.at(*awaited_).answered.answers.push_back(*answer);
+  if (!answer || !awaited_) return;
+  Track& track = tracks_.at(*awaited_);
+  track.answered.answers.push_back(*answer);
+  auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
+  if (supplied == nullptr) return;
+  answers_.push_back(
+      {.of = {.track = static_cast<int>(*awaited_) + 1, .step = static_cast<int>(track.trials)},
+       .answer = *answer});
+  supplied->next.reset();
 }
 
 Trial LevelTracks::next_of_track(const TrialMaker& maker) {

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "analysis/random.h"
@@ -12,6 +14,24 @@
 #include "protocols/plan/trial_maker.h"
 
 namespace asperity {
+
+/// An answer that counts for a track, as a program receives it.
+struct TrackAnswer {
+  TrackStep of{};
+  LevelAnswer answer{};
+};
+
+/// A step of a track that a program has to state before the session can continue.
+struct LevelRequest {
+  int block_ordinal = 0;
+  std::string block{};
+  TrackStep of{};
+  std::size_t tracks = 0;  ///< of the run of the block
+  FactorLevels factors{};  ///< the levels of the other factors
+  External settings{};     ///< of the track
+  std::vector<TrackAnswer>
+      answers{};  ///< of all tracks of this run of the block, in the order of the trials
+};
 
 /// The tracks of a block with a procedure: one for every combination of the other factors and every track of the
 /// procedure, in this order.
@@ -24,6 +44,9 @@ namespace asperity {
 /// With catch trials, one of every `CatchTrials::every` trials of the block is one, at a place that is drawn beforehand.
 /// Their places do not depend on answers, and they do not change the levels of the tracks; answers determine only after
 /// how many trials the block ends.
+///
+/// The levels of the procedure `external` are supplied one by one: `request` returns what has to be supplied before
+/// `next`. A track is asked for a level when its turn comes, not before, so that the level can depend on every answer.
 class LevelTracks final {
  public:
   /// The protocol and the block must outlive the tracks.
@@ -33,6 +56,12 @@ class LevelTracks final {
   /// Trials so far.
   std::size_t trials() const noexcept { return trials_; }
 
+  /// The step that has to be supplied before `next`; nothing where none is missing.
+  std::optional<LevelRequest> request();
+  /// The step that `request` asks for: one of the levels of its settings, or the end of the track.
+  ///
+  /// Errors: std::logic_error where nothing is requested; std::invalid_argument for another level.
+  void supply(const NextStep& step);
   /// The next trial, without its ordinal; nothing when all tracks are finished. It has to be answered before the next
   /// one is determined.
   std::optional<Trial> next(const TrialMaker& maker);
@@ -46,10 +75,16 @@ class LevelTracks final {
   static constexpr std::size_t kMostPresented = 2;
 
  private:
+  /// The levels of a track that a program chooses.
+  struct SuppliedLevels {
+    External settings{};
+    std::optional<NextStep> next{};  // until its trial is answered
+  };
+
   struct Track {
     std::size_t row = 0;
     std::size_t most_trials = 0;
-    LevelRule rule{};
+    std::variant<LevelRule, SuppliedLevels> levels{};
     Random random{0};
     AnsweredTrack answered{};
     std::size_t trials = 0;
@@ -57,6 +92,9 @@ class LevelTracks final {
 
   /// The level of the next trial of a track; nothing when it is finished.
   static std::optional<double> next_level(const Track& track);
+  /// Whether the track can have another trial.
+  static bool is_open(const Track& track);
+  void settle_round();
   void begin_round();
   bool is_place_of_catch_trial() const;
   Trial next_of_track(const TrialMaker& maker);
@@ -69,6 +107,7 @@ class LevelTracks final {
   BlockRun run_{};
   std::vector<BlockRow> rows_{};
   std::vector<Track> tracks_{};
+  std::vector<TrackAnswer> answers_{};
   std::vector<std::size_t>
       round_{};  // the tracks that still follow in this round, the next one last
   std::size_t rounds_ = 0;

@@ -31,7 +31,8 @@ struct NextLevel {
 };
 
 /// Why a track is finished. The first rule in this order that applies is reported.
-enum class TrackEnd { trials, reversals, bound, interval };
+/// `program`: as the program of an external procedure states.
+enum class TrackEnd { trials, reversals, bound, interval, program };
 
 using NextStep = std::variant<NextLevel, TrackEnd>;
 

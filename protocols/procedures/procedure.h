@@ -12,6 +12,7 @@
 
 #include "analysis/random.h"
 #include "protocols/procedures/constant_stimuli.h"
+#include "protocols/procedures/external.h"
 #include "protocols/procedures/procedure_problems.h"
 #include "protocols/procedures/psi.h"
 #include "protocols/procedures/quest_plus.h"
@@ -22,13 +23,14 @@ namespace asperity {
 
 /// The settings of a procedure; the alternative determines the procedure.
 using ProcedureSettings =
-    std::variant<ConstantStimuli, TransformedUpDown, WeightedUpDown, Psi, QuestPlus>;
+    std::variant<ConstantStimuli, TransformedUpDown, WeightedUpDown, Psi, QuestPlus, External>;
 
 /// A procedure for choosing levels: all that differs between procedures.
 ///
 /// A `LevelRule` is a pure function. A track stores its answers alone: resuming, verifying and replaying it call the rule
 /// with the stored answers and compare. Equal settings, answers and stream give equal levels bit for bit, on every
-/// platform for the linear scale and with the same C library for the others.
+/// platform for the linear scale and with the same C library for the others. The levels of `External` are stated by a
+/// program and are stored; its rule gives only an example.
 ///
 /// Every function takes settings of the own alternative (otherwise std::bad_variant_access); all except `check`
 /// assume that `check` reports nothing.

@@ -19,7 +19,8 @@ void refuse_problems(const ProcedureSettings& settings) {
 
 std::span<const Procedure* const> procedures() {
   static const std::array kProcedures{&constant_stimuli(), &transformed_up_down(),
-                                      &weighted_up_down(), &psi(), &quest_plus()};
+                                      &weighted_up_down(), &psi(), &quest_plus(),
+                                      &external()};
   static_assert(kProcedures.size() == std::variant_size_v<ProcedureSettings>);
   return kProcedures;
 }

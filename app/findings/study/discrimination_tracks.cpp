@@ -176,6 +176,8 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
     if (block == gathered.blocks.end() || block->second.tracks.empty() || !block->second.vary) {
       return std::nullopt;
     }
+    // The levels that a program would state after other responses are unknown.
+    if (std::holds_alternative<External>(block->second.tracks.front())) return std::nullopt;
     placed.tracks.push_back(
         placed_track(std::move(of_track), block->second.tracks, *block->second.vary));
   }

@@ -271,6 +271,25 @@ std::string posterior_sentences(const Block& block) {
   return text;
 }
 
+/// Of the levels that a program stated; tracks have the same settings.
+std::string external_sentences(const Block& block) {
+  const std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
+  const auto* const method = std::get_if<External>(&tracks.front());
+  if (method == nullptr) return {};
+  std::string text = "An external program chose the " + words_of_parameter(block.vary->parameter) +
+                     " of the comparison";
+  if (tracks.size() > 1) {
+    const std::string count = count_in_words(tracks.size());
+    text += (block.order == Block::Order::fixed ? ", in " + count + " tracks one after the other"
+                                                : ", in " + count + " randomly interleaved tracks");
+  }
+  return text + ". Levels remained between " + level_text(block, method->levels.front()) + " and " +
+         level_text(block, method->levels.back()) + ". " +
+         (tracks.size() == 1 ? "The track" : "Each track") +
+         " ended when the program ended it, or at the latest after " +
+         std::to_string(method->trials) + (method->trials == 1 ? " trial." : " trials.");
+}
+
 std::string catch_sentences(const Block& block) {
   const std::string easy = catch_level_text(block);
   if (easy.empty()) return {};
@@ -320,6 +339,7 @@ std::string procedure_sentences(const Block& block) {
   }
   std::string text = up_down_sentences(block);
   if (text.empty()) text = posterior_sentences(block);
+  if (text.empty()) text = external_sentences(block);
   if (text.empty()) {
     const ProcedureSettings& first = block.procedure->tracks.front();
     const auto& constant = std::get<ConstantStimuli>(first);

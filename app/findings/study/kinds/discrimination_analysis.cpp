@@ -209,16 +209,21 @@ std::string interval_sentence(const Block& block) {
                : " Confidence intervals (CI) of single participants are by the delta method, for "
                  "the JND on the logarithmic scale.";
   }
-  const bool has_prior = posterior_track_of(block.procedure->tracks.front()) != nullptr;
+  const ProcedureSettings& first = block.procedure->tracks.front();
+  const bool has_prior = posterior_track_of(first) != nullptr;
+  const bool is_external = std::holds_alternative<External>(first);
   return (is_performance(block) ? " The slope of the function was limited to " +
                                       reading_number(kSlopesOfProcedures.least) + " to " +
                                       reading_number(kSlopesOfProcedures.greatest) + '.'
                                 : std::string()) +
-         (has_prior ? std::string()
-                    : " Confidence intervals (CI) of single participants are likelihood-ratio "
-                      "intervals whose critical value was found by running the procedure again "
-                      "with " +
-                          std::to_string(kRepetitionsOfProcedures) + " simulated observers.");
+         (is_external
+              ? " Confidence intervals of single participants were not computed: the levels "
+                "that the program would have stated after other responses are unknown."
+          : has_prior ? std::string()
+                      : " Confidence intervals (CI) of single participants are likelihood-ratio "
+                        "intervals whose critical value was found by running the procedure again "
+                        "with " +
+                            std::to_string(kRepetitionsOfProcedures) + " simulated observers.");
 }
 
 /// Empty where the procedure has no prior.
