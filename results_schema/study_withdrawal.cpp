@@ -178,7 +178,7 @@ void remove_file(const std::filesystem::path& path) {
 std::vector<std::filesystem::path> files_of_participant(Database& database,
                                                         const std::string& label) {
   const std::filesystem::path& study = database.folder();
-  std::vector<std::filesystem::path> files{study / "recordings" / label,
+  std::vector<std::filesystem::path> files{study / "recordings" / label, study / "logs" / label,
                                            study / ("sheet-" + label + ".png")};
   Statement recording(database,
                       "SELECT path FROM recording JOIN attempt ON attempt.id = attempt_id "
