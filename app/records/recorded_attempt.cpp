@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/layout.h"
+#include "app/session/levels/external_program.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/session/trial_outcome.h"
 #include "app/session/trial_surfaces.h"
@@ -74,6 +75,10 @@ void require_presented(const std::vector<AssetRow>& presented, const PreparedSti
 PlansOfSessions::PlansOfSessions(const Study& study, const ModelRegistry& models)
     : study_(study), declarations_(declarations_of(models)) {}
 
+bool PlansOfSessions::has_stated_levels(const SessionRow& session) const {
+  return !blocks_of_external_program(protocols_.at(session.protocol_id)).empty();
+}
+
 const Protocol& PlansOfSessions::protocol_of(const SessionRow& session) {
   auto known = protocols_.find(session.protocol_id);
   if (known == protocols_.end()) {
@@ -86,23 +91,25 @@ const Protocol& PlansOfSessions::protocol_of(const SessionRow& session) {
 Plan PlansOfSessions::of(const SessionRow& session) {
   const Protocol& protocol = protocol_of(session);
   Course course(protocol, {.seed = seed_of(session),
-                                .counterbalance_row = session.counterbalance_row,
-                                .group = session.group_level.value_or("")});
+                           .counterbalance_row = session.counterbalance_row,
+                           .group = session.group_level.value_or("")});
   std::vector<PlannedTrialRow> stored{};
-  if (course.awaited() == nullptr) {
+  if (course.is_complete()) {
     stored = study_.plan(session.id);
   } else {
     // A running session may store a response and the trials that it determines between two reads.
     std::vector<AttemptRow> attempts{};
     std::vector<DecisionRow> decisions{};
+    std::vector<EventRow> events{};
     study_.read_at_one_moment([&] {
       attempts = study_.attempts(session.id);
       decisions = study_.decisions(session.id);
+      events = study_.events(session.id);
       stored = study_.plan(session.id);
     });
-    advance_through(course, protocol, attempts, set_aside_in(decisions));
+    advance_through(course, protocol, attempts, set_aside_in(decisions), SuppliedSteps(events));
   }
-  if (session.state == SessionState::completed && course.awaited() != nullptr) {
+  if (session.state == SessionState::completed && !course.is_complete()) {
     throw std::runtime_error(session_name(session) +
                              ": the session is completed, but some of the trials that its "
                              "responses determine are not stored; restore the study from a copy");

@@ -43,6 +43,8 @@ class PlansOfSessions final {
   Plan of(const SessionRow& session);
   /// Errors: ProtocolError.
   const Protocol& protocol_of(const SessionRow& session);
+  /// Whether the levels of its plan, which has been made, are those that an external program stated.
+  bool has_stated_levels(const SessionRow& session) const;
 
  private:
   const Study& study_;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "app/session/levels/level_program.h"
 #include "app/session/rig/clock.h"
 #include "app/session/trial_attempt.h"
 #include "app/session/trial_outcome.h"
@@ -45,6 +46,8 @@ Conductor::Conductor(Study& study, const Protocol& protocol, StimulusBuilder& bu
         }
       }) {}
 
+Conductor::~Conductor() = default;
+
 SessionEnd Conductor::run(OpenSession session) {
   session_ = std::move(session);
   stopped_.reset();
@@ -60,7 +63,7 @@ SessionEnd Conductor::run(OpenSession session) {
   } attached{requests_};
   try {
     begin();
-    run_steps();
+    if (!stopped_) run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
     stop(is_fault(interruption.outcome) ? with_semicolon(fault_sentence(interruption, {}),
                                                          phrase_of(Reason::every_trial_stored))
@@ -106,6 +109,7 @@ void Conductor::begin() {
   note_guidance();
   note_earlier_matches();
   course_.enter(SessionPhase::ready);
+  supply_levels();
 }
 
 SessionFacts Conductor::facts_of_session() const {
@@ -152,6 +156,7 @@ void Conductor::note_earlier_matches() {
 SessionEnd Conductor::finish(std::int64_t began_ns) {
   rig_.loop().withdraw();
   upcoming_.make_ahead({});
+  end_program();
   SessionEnd end{};
   if (stopped_) end = *stopped_;
   course_.set_masking(false);
@@ -185,6 +190,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
   rig_.hand().lift();
   rig_.loop().withdraw();
   try {
+    level_program_.reset();
     course_.set_masking(false);
     course_.set_guiding_tones(false);
     publish_trouble(phrase("Troubles", "%1; the force is zero, and every completed trial is stored")
@@ -405,6 +411,8 @@ void Conductor::run_trial(const Trial& trial, AttemptPurpose purpose) {
     std::optional<Interruption> interruption{};
     const AttemptRow attempt = make_attempt(trial, purpose, interruption);
     tell(trial, attempt);
+    // After the feedback, which follows the response at once.
+    if (!stopped_) supply_levels();
     if (stopped_) return;
     if (is_fault(attempt.outcome)) {
       if (!wait_out_fault(fault_sentence(interruption.value(), trial.ordinal))) return;
@@ -541,6 +549,7 @@ void Conductor::extend_plan(const Trial& trial, const AttemptRow& attempt) {
   const Trial* const awaited = session_.course->awaited();
   if (awaited == nullptr || awaited->ordinal != trial.ordinal || !tally_->is_done(trial)) return;
   const std::size_t before = plan().trials.size();
+  tell_program(trial, attempt);
   session_.course->advance(outcome_of(protocol_, trial, attempt));
   store_trials(before);
   note_matches();

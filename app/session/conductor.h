@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "app/session/levels/external_program.h"
 #include "app/session/session_course.h"
 #include "app/session/session_links.h"
 #include "app/session/session_progress.h"
@@ -22,6 +23,9 @@
 #include "results_schema/study.h"
 
 namespace asperity {
+
+class LevelProgram;
+struct SuppliedStep;
 
 /// An attempt that is stored on disk.
 struct AttemptDone {
@@ -38,6 +42,8 @@ struct ConductorSettings {
   bool record = true;  ///< keep the tick records of every attempt
   /// Make the surfaces of the trials that can follow while a trial is carried out (UpcomingSurfaces).
   bool makes_ahead = false;
+  /// States the levels of the procedure `external`; required by a protocol that has it.
+  std::optional<ExternalProgram> level_program{};
   /// The conditions of this stretch of the session (program, scheduling), stored when it begins.
   std::string conditions_json = "null";
   /// Called after each commit, and only then.
@@ -70,12 +76,16 @@ struct SessionEnd {
 /// Threads: `run` belongs to one thread, the only writer of the session's rows. Requests may come
 /// from any.
 ///
+/// Where an external program states the levels and fails, every completed trial is stored, and the session waits for the
+/// experimenter, who has the program started again or stops the session; without an experimenter the session stops.
+///
 /// Errors: `run` throws ResultsError when the store fails; every attempt reported done is on disk.
 class Conductor final {
  public:
   /// All must outlive the conductor.
   Conductor(Study& study, const Protocol& protocol, StimulusBuilder& builder, Rig& rig,
             Respondent& respondent, ConductorSettings settings);
+  ~Conductor();
 
   SessionEnd run(OpenSession session);
 
@@ -126,6 +136,13 @@ class Conductor final {
   bool waits_for_others(const Trial& trial, const AttemptRow& attempt) const;
   void show_progress();
 
+  // The levels that an external program states (conductor_levels.cpp).
+  void supply_levels();
+  std::optional<SuppliedStep> stated_step();
+  void tell_program(const Trial& trial, const AttemptRow& attempt);
+  void end_program();
+  void wait_out_program(const Phrase& failure);
+
   // Suspensions of the session (conductor_holds.cpp).
   /// True when a trial was repeated meanwhile: the position in the session then has to be reported again.
   bool between_steps(Next next);
@@ -156,6 +173,8 @@ class Conductor final {
   UpcomingSurfaces upcoming_;
   std::optional<TrialTally> tally_{};
   std::optional<SessionProgress> progress_{};
+  std::unique_ptr<LevelProgram> level_program_;  ///< of the run of a block that is under way
+  int block_of_program_ = 0;                     ///< its ordinal
   int segment_ = 0;
   std::optional<SessionEnd> stopped_{};  ///< set once the session is to end early
   int attempts_made_ = 0;

@@ -67,7 +67,8 @@ void Conductor::refresh_practice(std::size_t first) {
 /// Repeats trials of earlier blocks that were invalidated to be repeated before the session was
 /// interrupted.
 void Conductor::resume_repeats(std::size_t first) {
-  if (!session_.resumed) return;
+  // An external program can end every track before its first trial.
+  if (!session_.resumed || first >= plan().steps.size()) return;
   const TrialStep* next = std::get_if<TrialStep>(&plan().steps.at(first));
   if (next == nullptr) return;
   const int block = plan().trials[next->trial].block_ordinal;

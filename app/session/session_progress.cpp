@@ -49,12 +49,12 @@ void SessionProgress::extend() {
   course_.update([&](SessionSnapshot& snapshot) {
     snapshot.blocks = plan_.blocks;
     snapshot.trials = static_cast<int>(plan_.trials.size()) + unknown_trials();
-    snapshot.trials_are_estimated = trials_.awaited() != nullptr;
+    snapshot.trials_are_estimated = !trials_.is_complete();
   });
 }
 
 int SessionProgress::unknown_trials() const {
-  if (trials_.awaited() == nullptr) return 0;
+  if (trials_.is_complete()) return 0;
   return std::max(
       0, course_.row().expected_trials.value_or(0) - static_cast<int>(plan_.trials.size()));
 }
@@ -100,7 +100,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
       others_left_s += planned_s_[i];
     }
   }
-  if (const int unknown = unknown_trials(); unknown > 0) {
+  if (const int unknown = unknown_trials(); unknown > 0 && !trial_s_.empty()) {
     trials_left_s += unknown * trial_s_.back();
   }
   std::optional<double> left_s = others_left_s;

@@ -200,7 +200,7 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   session.attempts = study.attempts(row.id);
   session.course.emplace(protocol, allocation_of(row));
   advance_through(*session.course, protocol, session.attempts,
-                  set_aside_in(study.decisions(row.id)));
+                  set_aside_in(study.decisions(row.id)), SuppliedSteps(study.events(row.id)));
   const std::vector<PlannedTrialRow> stored = study.plan(row.id);
   const std::string number = std::to_string(row.session);
   if (!is_stored_plan(stored, *session.course)) {

@@ -1,6 +1,8 @@
 #include "app/session/trial_outcome.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "app/study_files/parameter_json.h"
 #include "protocols/design/block_factors.h"
@@ -46,17 +48,27 @@ AttemptNumbers set_aside_in(const std::vector<DecisionRow>& decisions) {
 }
 
 void advance_through(Course& course, const Protocol& protocol,
-                     const std::vector<AttemptRow>& attempts, const AttemptNumbers& set_aside) {
-  while (const Trial* const trial = course.awaited()) {
+                     const std::vector<AttemptRow>& attempts, const AttemptNumbers& set_aside,
+                     SuppliedSteps supplied) {
+  while (!course.is_complete()) {
+    if (course.requested()) {
+      if (!supplied.supply(course)) return;
+      continue;
+    }
+    const Trial* const trial = course.awaited();
     const auto first =
         std::find_if(attempts.begin(), attempts.end(), [&](const AttemptRow& attempt) {
           return attempt.trial == trial->ordinal && attempt.purpose == AttemptPurpose::trial &&
                  (attempt.valid || attempt.outcome == AttemptOutcome::skipped ||
                   set_aside.contains({attempt.trial, attempt.attempt}));
         });
-    if (first == attempts.end()) return;
+    if (first == attempts.end()) break;
     course.advance(outcome_of(protocol, *trial, *first));
   }
+  if (supplied.left() == 0) return;
+  throw std::runtime_error(
+      "more levels of an external program are stored than the responses of the session request; "
+      "restore the study from a copy");
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/session/levels/supplied_steps.h"
 #include "protocols/design/trial.h"
 #include "protocols/plan/course.h"
 #include "results_schema/rows.h"
@@ -24,12 +25,16 @@ using AttemptNumbers = std::set<std::pair<int, int>>;
 /// The attempts that were invalidated after they had completed their trials.
 AttemptNumbers set_aside_in(const std::vector<DecisionRow>& decisions);
 
-/// Continues a course with the stored attempts of its session, in the order of the trials.
+/// Continues a course with the stored attempts of its session, in the order of the trials, and with the stored steps of an
+/// external program where it requests them.
 ///
 /// The outcome of a trial is that of the first attempt that completed it, even if this attempt was
 /// invalidated later: the following levels were presented because of it. Whatever is decided later
 /// changes the analysis and not the levels that were presented.
+///
+/// Errors: as `SuppliedSteps::supply`; std::runtime_error where more steps are stored than the course requests.
 void advance_through(Course& course, const Protocol& protocol,
-                     const std::vector<AttemptRow>& attempts, const AttemptNumbers& set_aside);
+                     const std::vector<AttemptRow>& attempts, const AttemptNumbers& set_aside,
+                     SuppliedSteps supplied);
 
 }  // namespace asperity

@@ -106,6 +106,26 @@ const std::vector<EventKind>& event_kinds() {
        .meaning = "a block ended before its criterion was met. Text: the block",
        .hed = "Experiment-control",
        .text_is_public = true},
+      {.name = "external_program",
+       .meaning = "the program that states the levels of a run of a block was started. Text: its "
+                  "name. Data: `block_ordinal`; `program`, `arguments` and `sha256`, the name of "
+                  "its file, its arguments and the checksum of its file; `argument_sha256`, the "
+                  "checksums of the arguments that are files; `log`, the file with what it wrote "
+                  "to its standard error",
+       .hed = "Experiment-control",
+       .text_is_public = true,
+       .public_data = {"block_ordinal", "program", "sha256"}},
+      {.name = "external_level",
+       .meaning = "the external program stated a step of a track. Data: `block_ordinal`, `track` "
+                  "and `step`; `stated`, the level as stated, and `level`, the nearest level of "
+                  "the block, which is presented; or `end`, the end of the track",
+       .hed = "Experiment-control",
+       .public_data = {"block_ordinal", "track", "step", "stated", "level", "end"}},
+      {.name = "external_program_failed",
+       .meaning = "the external program failed, and the session waited or was stopped. Text: what "
+                  "failed",
+       .hed = "Experiment-control, Warning",
+       .text_is_words = true},
       {.name = "paused",
        .meaning = "the session was paused",
        .hed = "Experiment-control, Pause",

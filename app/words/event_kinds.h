@@ -27,6 +27,11 @@ struct EventKind {
   bool text_is_words = false;
 };
 
+/// The kinds of the events of a program that states levels.
+inline constexpr const char* kExternalProgram = "external_program";
+inline constexpr const char* kExternalLevel = "external_level";
+inline constexpr const char* kExternalFailure = "external_program_failed";
+
 /// In the order of the documentation.
 const std::vector<EventKind>& event_kinds();
 /// Null for a kind that this version does not store: its text and its data have no known meaning.

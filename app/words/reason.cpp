@@ -43,6 +43,8 @@ const std::vector<ReasonWords>& all_reasons() {
        phrase("Reasons",
               "the servo loop stalled for more than 50 ms, %1 times: the computer was suspended, "
               "the program was stopped, or other programs kept it from running")},
+      {Reason::external_program_failed, "external_program_failed",
+       phrase("Reasons", "the levels could not be determined: %1")},
       {Reason::aborted, "aborted", phrase("Reasons", "aborted")},
       {Reason::emergency_stop, "emergency_stop_pressed",
        phrase("Reasons", "the emergency stop was pressed")},

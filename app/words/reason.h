@@ -28,6 +28,7 @@ enum class Reason {
   failed_repeatedly,  ///< a trial; which, how many times, why
   criterion_not_met,  ///< of which block
   stood_still,        ///< the servo loop; how many times
+  external_program_failed,  ///< what failed
   // of either
   aborted,
   emergency_stop,

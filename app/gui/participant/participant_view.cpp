@@ -185,10 +185,11 @@ void ParticipantView::look() {
     }
   } else if (auto facts = monitor_.facts(); facts && facts != facts_) {
     // The plan has further trials, perhaps of another block with other pictures.
+    // Before an external program has stated the first level there are no trials.
     const bool has_another_block =
         facts->plan && facts_->plan && !facts->plan->trials.empty() &&
-        !facts_->plan->trials.empty() &&
-        facts->plan->trials.back().block_ordinal != facts_->plan->trials.back().block_ordinal;
+        (facts_->plan->trials.empty() ||
+         facts->plan->trials.back().block_ordinal != facts_->plan->trials.back().block_ordinal);
     facts_ = std::move(facts);
     if (has_another_block) prepare_pictures();
   }

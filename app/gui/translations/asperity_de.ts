@@ -4150,6 +4150,77 @@
     </message>
 </context>
 <context>
+    <name>ExternalProgram</name>
+    <message>
+        <source>the levels of the block &quot;%1&quot; come from an external program, and none is given; give it with --external PROGRAM, or choose it in the window</source>
+        <translation>die Stufen des Blocks „%1“ kommen aus einem externen Programm, und es ist keines angegeben; das Programm mit --external PROGRAM angeben oder im Fenster wählen</translation>
+    </message>
+    <message>
+        <source>the protocol &quot;%1&quot; takes no levels from an external program; leave out the program %2, or set the procedure of a block to &quot;external&quot;</source>
+        <translation>das Protokoll „%1“ bezieht keine Stufen aus einem externen Programm; das Programm %2 weglassen oder das Verfahren eines Blocks auf „external“ setzen</translation>
+    </message>
+    <message>
+        <source>the external program %1 does not exist or is not a file; give the path of the program itself</source>
+        <translation>das externe Programm %1 existiert nicht oder ist keine Datei; den Pfad des Programms selbst angeben</translation>
+    </message>
+    <message>
+        <source>the external program %1 cannot be executed; make it executable (chmod +x), and begin a script with the line #! and its interpreter</source>
+        <translation>das externe Programm %1 kann nicht ausgeführt werden; es ausführbar machen (chmod +x) und ein Skript mit der Zeile #! und seinem Interpreter beginnen</translation>
+    </message>
+    <message>
+        <source>it ended with status %1</source>
+        <translation>es endete mit dem Status %1</translation>
+    </message>
+    <message>
+        <source>signal %1 ended it</source>
+        <translation>Signal %1 beendete es</translation>
+    </message>
+    <message>
+        <source>it closed its standard output</source>
+        <translation>es schloss seine Standardausgabe</translation>
+    </message>
+    <message>
+        <source>the external program %1 cannot be started (%2); check that it is executable and, if it is a script, that its interpreter exists</source>
+        <translation>das externe Programm %1 kann nicht gestartet werden (%2); prüfen, ob es ausführbar ist und, bei einem Skript, ob sein Interpreter existiert</translation>
+    </message>
+    <message>
+        <source>the external program %1 wrote &quot;%2&quot; without being asked; it must write one line for each &quot;ask&quot;, and everything else to its standard error</source>
+        <translation>das externe Programm %1 schrieb „%2“, ohne gefragt zu sein; es muss eine Zeile für jedes „ask“ schreiben und alles andere in seine Standardfehlerausgabe</translation>
+    </message>
+    <message>
+        <source>the external program %1 wrote more than the one line that was asked for: &quot;%2&quot;; it must write one line for each &quot;ask&quot;, and everything else to its standard error</source>
+        <translation>das externe Programm %1 schrieb mehr als die eine verlangte Zeile: „%2“; es muss eine Zeile für jedes „ask“ schreiben und alles andere in seine Standardfehlerausgabe</translation>
+    </message>
+    <message>
+        <source>the external program %1 wrote %2 bytes without the end of a line, beginning with &quot;%3&quot;; it must write one line for each &quot;ask&quot;</source>
+        <translation>das externe Programm %1 schrieb %2 Byte ohne Zeilenende, beginnend mit „%3“; es muss eine Zeile für jedes „ask“ schreiben</translation>
+    </message>
+    <message>
+        <source>the external program %1 did not state the level: %2%3; what it wrote to its standard error is in %4</source>
+        <translation>das externe Programm %1 hat die Stufe nicht angegeben: %2%3; seine Standardfehlerausgabe steht in %4</translation>
+    </message>
+    <message>
+        <source>the external program %1 did not answer within %2 s; check that it writes a line and flushes it after each &quot;ask&quot;, or raise &quot;answer_within_s&quot; in the protocol</source>
+        <translation>das externe Programm %1 hat nicht innerhalb von %2 s geantwortet; prüfen, ob es nach jedem „ask“ eine Zeile schreibt und den Ausgabepuffer leert, oder „answer_within_s“ im Protokoll erhöhen</translation>
+    </message>
+    <message>
+        <source>the external program %1 stated the level %2, but the levels of the block lie between %3 and %4; correct the program, or extend the levels in the protocol</source>
+        <translation>das externe Programm %1 gab die Stufe %2 an, aber die Stufen des Blocks liegen zwischen %3 und %4; das Programm korrigieren oder die Stufen im Protokoll erweitern</translation>
+    </message>
+    <message>
+        <source>the external program %1 reports a problem: %2</source>
+        <translation>das externe Programm %1 meldet ein Problem: %2</translation>
+    </message>
+    <message>
+        <source>the external program %1 answered &quot;%2&quot;, which is neither a level nor the end of the track; it must write {&quot;level&quot;: NUMBER} or {&quot;end&quot;: true}</source>
+        <translation>das externe Programm %1 antwortete „%2“, was weder eine Stufe noch das Ende der Spur ist; es muss {&quot;level&quot;: ZAHL} oder {&quot;end&quot;: true} schreiben</translation>
+    </message>
+    <message>
+        <source>what the external program %1 writes to its standard error cannot be kept: %2; check the permissions and the free space of the study&apos;s folder</source>
+        <translation>die Standardfehlerausgabe des externen Programms %1 kann nicht aufbewahrt werden: %2; die Zugriffsrechte und den freien Platz des Studienordners prüfen</translation>
+    </message>
+</context>
+<context>
     <name>Figures</name>
     <message>
         <source>cannot tell</source>
@@ -6269,6 +6340,10 @@
         <source>surface %1 vibrated: buzz %2, at most %3 allowed</source>
         <translation>Oberfläche %1 vibrierte: buzz %2, höchstens %3 erlaubt</translation>
     </message>
+    <message>
+        <source>the levels could not be determined: %1</source>
+        <translation>die Stufen konnten nicht bestimmt werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>Rehearsal</name>
@@ -7512,6 +7587,10 @@
     <message>
         <source>The servo loop stalled for more than 50 ms: the force was set to zero, and the interrupted step is repeated. At the third occurrence the session stops.</source>
         <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und der unterbrochene Schritt wird wiederholt. Beim dritten Mal wird die Sitzung gestoppt.</translation>
+    </message>
+    <message>
+        <source>%1 The session is paused; every completed trial is stored. Fix the problem, then resume: the program is started again and receives the responses so far.</source>
+        <translation>%1 Die Sitzung ist angehalten; jeder abgeschlossene Durchgang ist gespeichert. Das Problem beheben, dann fortsetzen: Das Programm wird neu gestartet und erhält die bisherigen Antworten.</translation>
     </message>
 </context>
 <context>
