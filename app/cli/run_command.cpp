@@ -12,6 +12,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
+#include "app/cli/external_option.h"
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
@@ -51,6 +52,7 @@ void tell_what_a_terminal_lacks(const Protocol& protocol) {
 void add_run(CLI::App& program, Job& job) {
   struct Options {
     RunInputs inputs{};
+    ExternalOptions external{};
     std::optional<std::uint64_t> seed{};
     bool fast = false;
     bool realtime = false;
@@ -69,6 +71,7 @@ void add_run(CLI::App& program, Job& job) {
                    "are attached")
       ->capture_default_str();
   add_driver_options(*command, options->inputs.driver_options);
+  add_external_options(*command, options->external);
   command->add_option("--seed", options->seed, "Seed of the session; drawn at random by default");
   CLI::Option* group =
       command->add_option("--group", options->inputs.group,
@@ -102,6 +105,7 @@ void add_run(CLI::App& program, Job& job) {
     job = [options]() -> int {
       RunInputs& inputs = options->inputs;
       inputs.driver_options.tell = say;
+      inputs.level_program = options->external.chosen();
       if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
         throw PhrasedError(*complaint);
       }

@@ -10,6 +10,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/external_option.h"
 #include "app/cli/number_option.h"
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
@@ -25,6 +26,7 @@ namespace asperity {
 void add_simulate(CLI::App& program, Job& job) {
   struct Options {
     SimulationInputs inputs{};
+    ExternalOptions external{};
     bool json = false;
   };
   auto options = std::make_shared<Options>();
@@ -47,6 +49,7 @@ void add_simulate(CLI::App& program, Job& job) {
                    "Simulated device that the virtual hands hold: simulated, "
                    "simulated:MODEL[,PROPERTY=VALUE…]")
       ->capture_default_str();
+  add_external_options(*command, options->external);
   command->add_option("--seed", options->inputs.seed, "Seed; the same seed gives the same results")
       ->required();
   command
@@ -67,6 +70,7 @@ void add_simulate(CLI::App& program, Job& job) {
   command->callback([options, &job] {
     job = [options] {
       require_device("--device", options->inputs.device);
+      options->inputs.level_program = options->external.chosen();
       const InterruptWatch interrupt;
       const ModelRegistry models = built_in_models();
       const std::filesystem::path& folder = options->inputs.study;

@@ -221,6 +221,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol =
       load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());
+  require_program(protocol, inputs.level_program);
   Study study = Study::open(inputs.study, Access::read_write);
   study.mark_crashed_sessions();
   const StudyLock lock(inputs.study, Study::session_lock_name(inputs.participant));
@@ -237,6 +238,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   Sitting sitting{};
   sitting.mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
   sitting.seed = inputs.seed;
+  sitting.level_program = inputs.level_program;
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
   if (!inputs.resume) sitting.group = group_of_new_session(study, protocol, inputs, sitting.mode);
   if (inputs.resume) {

@@ -49,6 +49,8 @@ struct RunInputs {
   double standstill_to_fault_s = ServoSettings{}.standstill_to_fault_s;
   /// Mirrors the workspace and the strokes left to right, for a left hand.
   bool mirrored = false;
+  /// States the levels of the procedure `external`; required by a protocol that has it.
+  std::optional<ExternalProgram> level_program{};
   /// A new participant who has already answered the protocol's questions (the label is
   /// `participant`); otherwise the respondent is asked.
   std::optional<ParticipantRow> new_person{};
@@ -80,7 +82,7 @@ struct RunInputs {
 ///
 /// Errors: ProtocolError; ResultsError; std::runtime_error for a label that is not acceptable,
 /// missing consent, a session that cannot be resumed, one that is too old without a `late_reason`,
-/// a device that cannot be opened or that the protocol does not accept (rehearsed_device.h).
+/// an external program that is missing or cannot be used, a device that cannot be opened or that the protocol does not accept (rehearsed_device.h).
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
                        const std::function<void(const AttemptDone&)>& done,

@@ -152,15 +152,25 @@ class Simulation final {
         stop_(std::move(stop)),
         progress_(progress),
         done_(done) {
+    bool is_used = !inputs.level_program;
     for (const auto& file : inputs.protocols) {
       protocols_.push_back(load_protocol_to_run(file, inputs.study, builder_));
       sessions_each_ += protocols_.back().sessions;
+      const Protocol& protocol = protocols_.back();
+      is_used = is_used || !blocks_of_external_program(protocol).empty();
+      require_program(protocol, program_for(protocol));
     }
+    // No protocol takes levels from it.
+    if (!is_used) require_program(protocols_.back(), inputs.level_program);
   }
 
   SimulationResult run();
 
  private:
+  /// Nothing for a protocol that has no use for the program.
+  std::optional<ExternalProgram> program_for(const Protocol& protocol) const {
+    return blocks_of_external_program(protocol).empty() ? std::nullopt : inputs_.level_program;
+  }
   void prepare(Study& study);
   void check_sessions(const Study& study) const;
   bool is_half_added(const Study& study, const Batches& there) const;
@@ -438,6 +448,7 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
   sitting.counterbalance_row = allocation.counterbalance_row;
   if (protocol.groups) sitting.group = allocation.group;
   sitting.record = keeps_recordings(number);
+  sitting.level_program = program_for(protocol);
   const StudyLock lock(study.folder(), Study::session_lock_name(person.label));
   SteppedRig rig(rig_settings_for(protocol, {}, inputs_.device), calendar_index);
   if (unfinished) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ struct SimulationInputs {
   int jobs = 1;
   Recordings recordings = Recordings::first;
   std::string device = "simulated";  ///< or one of its models, as in RunInputs::device
+  /// States the levels of the procedure `external`; of protocols without it, it is not started.
+  std::optional<ExternalProgram> level_program{};
   /// Resume the interrupted simulation of the same seed and number of participants, or begin it in
   /// a study that has no virtual participants yet. Otherwise such a simulation is rejected.
   bool resume = false;

@@ -112,6 +112,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
         phrase("RunSession", "%1; choose another device, or relax the requirement in the protocol")
             .with(complaints.front()));
   }
+  require_program(protocol, sitting.level_program);
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);
@@ -144,6 +145,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
   Conductor conductor(study, protocol, builder, rig, *person,
                       {.record = sitting.record,
                        .makes_ahead = rig.pacing() == "real_time",
+                       .level_program = sitting.level_program,
                        .conditions_json = conditions_json(program, rig),
                        .done = done,
                        .links = links});

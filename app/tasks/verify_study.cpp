@@ -80,6 +80,7 @@ struct SessionFaults {
   std::vector<Failure> failures{};  ///< of reading: another check may have reported the same one
   std::vector<std::string> problems{};
   int recordings_replayed = 0;
+  bool has_stated_levels = false;  ///< of an external program
   bool exact_used = false;
   bool tolerance_used = false;
 };
@@ -323,6 +324,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
       tell(static_cast<double>(s) / static_cast<double>(sessions.size()));
       try {
         const Plan plan = plans.of(sessions[s]);
+        found[s].has_stated_levels = plans.has_stated_levels(sessions[s]);
         check_answers(sessions[s], plan, own.answers(sessions[s].id), found[s].problems);
         for (const std::string& problem :
              questionnaire_problems(sessions[s], plans.protocol_of(sessions[s]),
@@ -377,14 +379,21 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   for (const std::string& failure : failures) add_unless_told(failure, "", result.problems);
   bool exact_used = false;
   bool tolerance_used = false;
+  int with_stated_levels = 0;
   for (SessionFaults& faults : found) {
     for (const SessionFaults::Failure& failure : faults.failures) {
       add_unless_told(failure.what, failure.before, result.problems);
     }
     std::move(faults.problems.begin(), faults.problems.end(), std::back_inserter(result.problems));
     result.recordings_replayed += faults.recordings_replayed;
+    with_stated_levels += faults.has_stated_levels ? 1 : 0;
     exact_used = exact_used || faults.exact_used;
     tolerance_used = tolerance_used || faults.tolerance_used;
+  }
+  if (with_stated_levels > 0) {
+    result.rules.push_back(
+        "levels of an external program, as stored (their range, order and tracks were checked): " +
+        std::to_string(with_stated_levels) + (with_stated_levels == 1 ? " session" : " sessions"));
   }
   if (exact_used) result.rules.emplace_back("same program and system: compared bit for bit");
   if (tolerance_used) {

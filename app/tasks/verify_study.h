@@ -16,7 +16,7 @@ struct VerifyResult {
   std::vector<std::string> problems{};  ///< a sentence each; empty: no problems
   std::vector<std::string> remarks{};   ///< information for the user: leftovers of a crash
   int recordings_replayed = 0;
-  std::vector<std::string> rules{};  ///< how replays were compared, one line per rule applied
+  std::vector<std::string> rules{};  ///< what was compared with what, one line per rule applied
 };
 
 /// Checks the constraints and other rules of the schema, hashes, that every stored plan is the one
