@@ -10,6 +10,7 @@
 #include "app/study_files/parameter_json.h"
 #include "app/tasks/study_overview.h"
 #include "app/words/coded_phrases.h"
+#include "app/words/event_kinds.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
@@ -215,6 +216,8 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
     if (event.kind == "session_resumed") ++session.resumed;
     if (event.kind == kResumedLate) session.late_resumes.push_back(event);
+    if (event.kind == kExternalProgram) session.external_programs.push_back(event);
+    if (event.kind == kExternalFailure) ++session.external_failures;
     if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }
   std::map<int, PlannedTrialRow> plan{};

@@ -363,6 +363,48 @@ ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
           listed(reasons) + "); the data were " + data + " and are not included in this report."};
 }
 
+/// "staircase.py (SHA-256 9f86…, arguments: --fast)"
+std::string program_text(const EventRow& event) {
+  const auto data = nlohmann::json::parse(event.data_json);
+  std::vector<std::string> arguments{};
+  for (const auto& argument : data.at("arguments")) {
+    std::string text = argument.get<std::string>();
+    const auto files = data.find("argument_sha256");
+    if (files != data.end() && files->contains(text)) {
+      text += " (SHA-256 " + files->at(text).get<std::string>() + ')';
+    }
+    arguments.push_back(std::move(text));
+  }
+  return data.at("program").get<std::string>() + " (SHA-256 " +
+         data.at("sha256").get<std::string>() +
+         (arguments.empty() ? std::string() : "; arguments: " + listed(arguments)) + ')';
+}
+
+/// The external programs that stated levels, each with its number of sessions; empty without any.
+std::string external_programs_text(const ReportFacts& facts) {
+  std::map<std::string, std::size_t> sessions{};
+  std::size_t failures = 0;
+  for (const ReportedSession& session : facts.sessions) {
+    std::set<std::string> own{};
+    for (const EventRow& event : session.external_programs) own.insert(program_text(event));
+    for (const std::string& program : own) ++sessions[program];
+    failures += session.external_failures;
+  }
+  std::string text{};
+  for (const auto& [program, count] : sessions) {
+    text += (text.empty() ? "" : " ") + std::string("The external program ") + program +
+            " stated levels in " + counted(count, "session", "sessions") + '.';
+  }
+  if (failures > 0) {
+    text += " A program failed " +
+            (failures == 1   ? std::string("once")
+             : failures == 2 ? std::string("twice")
+                             : count_in_words(failures) + " times") +
+            "; no completed trial was lost or repeated.";
+  }
+  return text;
+}
+
 ReportSection exclusions_section(const ReportFacts& facts) {
   ReportSection section{"Sessions and exclusions", {}};
   section.parts.emplace_back(sessions_text(facts));
@@ -392,6 +434,9 @@ ReportSection exclusions_section(const ReportFacts& facts) {
     }
   }
   if (!unfinished.items.empty()) section.parts.emplace_back(std::move(unfinished));
+  if (const std::string programs = external_programs_text(facts); !programs.empty()) {
+    section.parts.emplace_back(ReportText{programs});
+  }
   if (excluded.items.empty()) {
     section.parts.emplace_back(ReportText{"No session was excluded."});
   } else {
