@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/records/participant_answers.h"
+#include "app/session/levels/external_program.h"
 #include "app/session/sound/sound.h"
 
 namespace asperity {
@@ -28,6 +29,7 @@ struct StartDraft {
   bool has_consented = false;
   std::string consent_seen_by{};
   std::optional<bool> left_hand{};      ///< where somebody has chosen it
+  std::optional<ExternalProgram> level_program{};
   std::optional<MaskingNoise> noise{};  ///< where the protocol asks for one
 };
 

@@ -18,6 +18,7 @@
 #include "app/gui/start/device_chooser.h"
 #include "app/gui/start/group_chooser.h"
 #include "app/gui/start/participant_card.h"
+#include "app/gui/start/program_chooser.h"
 #include "app/gui/start/setup_card.h"
 #include "app/records/participant_answers.h"
 
@@ -78,6 +79,8 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   make_simulation_card(*column);
   consent_ = new ConsentCard(form_);
   column->addWidget(consent_);
+  program_ = new ProgramChooser(form_);
+  column->addWidget(program_);
   setup_ = new SetupCard(study_, form_);
   column->addWidget(setup_);
   noise_card_ = make_card(form_, noise_layout_);
@@ -263,6 +266,7 @@ void StartPage::connect_parts() {
   connect(participant_, &ParticipantCard::go_on_wanted, this, [this] { go_on(true); });
   connect(participant_, &ParticipantCard::late_reason_changed, this, &StartPage::check_soon);
   connect(consent_, &ConsentCard::changed, this, &StartPage::show_start);
+  connect(program_, &ProgramChooser::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::screens_changed, this, &StartPage::check_soon);
   connect(&setup_->device(), &DeviceChooser::changed, this, [this] {

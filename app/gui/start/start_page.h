@@ -37,6 +37,7 @@ class ConsentCard;
 class ModeBand;
 class NoiseCheck;
 class ParticipantCard;
+class ProgramChooser;
 class SetupCard;
 class StateLabel;
 
@@ -177,6 +178,7 @@ class StartPage final : public QWidget {
   QPushButton* real_time_ = nullptr;
   QLabel* simulation_text_ = nullptr;
   ConsentCard* consent_ = nullptr;
+  ProgramChooser* program_ = nullptr;
   SetupCard* setup_ = nullptr;
   QWidget* noise_card_ = nullptr;
   QVBoxLayout* noise_layout_ = nullptr;

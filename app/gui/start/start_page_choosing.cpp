@@ -16,6 +16,7 @@
 #include "app/gui/sound/noise_check.h"
 #include "app/gui/start/consent_card.h"
 #include "app/gui/start/participant_card.h"
+#include "app/gui/start/program_chooser.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
 
@@ -117,6 +118,7 @@ StartDraft StartPage::draft() const {
   draft.as_fast_as_possible = fast_->isChecked();
   draft.has_consented = consent_->is_given();
   draft.consent_seen_by = consent_->seen_by();
+  draft.level_program = program_->program();
   draft.left_hand = setup_->chosen_left();
   if (noise_ != nullptr) draft.noise = noise_->value();
   return draft;
@@ -128,6 +130,7 @@ void StartPage::fill_in(const StartDraft& draft) {
   virtual_people_->setValue(draft.virtual_people);
   participant_->fill_in(draft.person);
   consent_->fill_in(draft.has_consented, draft.consent_seen_by);
+  program_->choose(draft.level_program);
   if (draft.left_hand) setup_->choose_left(*draft.left_hand);
   if (draft.noise && noise_ != nullptr) make_noise_check(*draft.noise);
   going_on_ = draft.session;

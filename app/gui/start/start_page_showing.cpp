@@ -15,6 +15,7 @@
 #include "app/gui/start/device_chooser.h"
 #include "app/gui/start/group_chooser.h"
 #include "app/gui/start/participant_card.h"
+#include "app/gui/start/program_chooser.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
 #include "app/records/participant_answers.h"
@@ -66,6 +67,7 @@ void StartPage::show_protocol() {
     return;
   }
   const Protocol* protocol = chosen();
+  program_->set_protocol(facts_.chosen.protocol);
   protocol_state_->setVisible(protocol == nullptr);
   protocol_text_->setVisible(protocol != nullptr);
   if (protocol == nullptr) {

@@ -20,6 +20,7 @@
 #include "app/gui/start/device_chooser.h"
 #include "app/gui/start/group_chooser.h"
 #include "app/gui/start/participant_card.h"
+#include "app/gui/start/program_chooser.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
 #include "app/tasks/checks/session_checks.h"
@@ -51,6 +52,9 @@ std::vector<QString> StartPage::reasons() const {
   std::vector<QString> reasons = participant_->complaints();
   if (needs_consent()) {
     for (QString& complaint : consent_->complaints()) reasons.push_back(std::move(complaint));
+  }
+  if (QString complaint = program_->complaint(); !complaint.isEmpty()) {
+    reasons.push_back(std::move(complaint));
   }
   if (const QString waits_for = setup_->device().waits_for(); !waits_for.isEmpty()) {
     reasons.push_back(waits_for);
@@ -146,6 +150,7 @@ SessionOrder StartPage::order() const {
   inputs.resumed_session = resumed_session();
   inputs.late_reason = participant_->late_reason();
   inputs.group = participant_->group().group();
+  inputs.level_program = program_->program();
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
   inputs.standstill_to_fault_s = study_.standstill_to_fault_s();
@@ -191,6 +196,7 @@ void StartPage::simulate_several() {
   inputs.study = study_.folder();
   inputs.participants = virtual_people_->value();
   inputs.seed = new_seed();
+  inputs.level_program = program_->program();
   inputs.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency() / 2));
   auto answers = std::make_shared<std::atomic<int>>(0);
   progress_->setValue(0);

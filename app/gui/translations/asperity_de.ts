@@ -10325,6 +10325,45 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::ProgramChooser</name>
+    <message>
+        <source>External program</source>
+        <translation>Externes Programm</translation>
+    </message>
+    <message>
+        <source>A program of the laboratory states the levels of this protocol. Choose the program.</source>
+        <translation>Ein Programm des Labors gibt die Stufen dieses Protokolls an. Das Programm wählen.</translation>
+    </message>
+    <message>
+        <source>Program *</source>
+        <translation>Programm *</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse for the external program</source>
+        <translation>Das externe Programm suchen</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumente</translation>
+    </message>
+    <message>
+        <source>Separated by spaces; an argument that contains spaces is in quotation marks.</source>
+        <translation>Durch Leerzeichen getrennt; ein Argument mit Leerzeichen steht in Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>No external program is chosen; choose the one that states the levels.</source>
+        <translation>Kein externes Programm ist gewählt; das Programm wählen, das die Stufen angibt.</translation>
+    </message>
+    <message>
+        <source>Choose the external program</source>
+        <translation>Externes Programm wählen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ProgressCell</name>
     <message>
         <source>%1 of %2</source>

@@ -902,5 +902,55 @@ TEST(StartPagePictures, ShowEveryMode) {
   apply_theme(*qApp, ThemeChoice::light);
 }
 
+/// A discrimination whose levels a program states.
+constexpr const char* kStatedLevels = R"({
+  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "stated",
+  "version": "1.0.0", "title": "Stated levels", "device": {"input_only": true},
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-5, "wavelength_m": 0.0025}}},
+  "explorations": {"short": {"minimum_contact_s": 0.1, "maximum_contact_s": 2}},
+  "blocks": {"main": {
+    "exploration": "short", "positions": "balanced",
+    "vary": {"parameter": "amplitude_m", "of": "comparison", "relative_to": "standard",
+             "levels_percent": {"lowest": 5, "highest": 100, "step": 5}},
+    "procedure": {"method": "external", "stop": {"trials": 4}},
+    "presented": [{"role": "standard", "stimulus": "grating"}, {"role": "comparison", "stimulus": "grating"}],
+    "question": {"name": "rougher", "prompt": "Which is rougher?", "judgement": "performance"}}},
+  "flow": [{"run": "main"}]})";
+
+TEST_F(TheStartPage, NeedsAProgramWhereTheProtocolTakesItsLevelsFromOne) {
+  page->show();
+  choose(protocol);
+  EXPECT_FALSE(is_shown("external_program"));
+  EXPECT_FALSE(page->order().inputs.level_program);
+  write_protocol(kStatedLevels);
+  choose(protocol);
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(is_shown("external_program"));
+  EXPECT_TRUE(has_reason("No external program is chosen"));
+  EXPECT_FALSE(can_start());
+  type("external_program", "/nowhere/levels");
+  EXPECT_TRUE(has_reason("/nowhere/levels does not exist"));
+  EXPECT_FALSE(can_start());
+  type("external_program", "/usr/bin/env");
+  type("external_program_arguments", R"(python3 "my levels.py")");
+  EXPECT_FALSE(has_reason("external program"));
+  const std::optional<ExternalProgram> program = page->order().inputs.level_program;
+  ASSERT_TRUE(program);
+  EXPECT_EQ(program->file, "/usr/bin/env");
+  EXPECT_EQ(program->arguments, (std::vector<std::string>{"python3", "my levels.py"}));
+  // A page that is made anew has it; another run of Asperity does not.
+  page.reset();
+  page = std::make_unique<StartPage>(*study);
+  page->resize(1146, 768);
+  page->show();
+  ASSERT_TRUE(wait_for_checks());
+  ASSERT_TRUE(page->order().inputs.level_program);
+  EXPECT_EQ(page->order().inputs.level_program->arguments, program->arguments);
+  for (const QString& key : QSettings().allKeys()) {
+    EXPECT_FALSE(QSettings().value(key).toString().contains("/usr/bin/env")) << key.toStdString();
+  }
+}
+
 }  // namespace
 }  // namespace asperity
