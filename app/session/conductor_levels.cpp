@@ -53,6 +53,7 @@ void Conductor::supply_levels() {
     const std::size_t before = plan().trials.size();
     session_.course->supply(step->step);
     store_trials(before);
+    note_matches();
   }
   progress_->extend();
   if (course_.has_monitor()) course_.set_plan(std::make_shared<const Plan>(plan()));
