@@ -59,7 +59,7 @@ class PromptRespondent final : public Respondent {
     return {only_answer(ChosenOption{static_cast<std::size_t>(random.below(2))})};
   }
   void tell(const std::string&, const Wait&) override {}
-  std::string answer(const Question&, const Wait&) override { return {}; }
+  FormAnswer answer(const Question&, const Wait&) override { return {}; }
   std::string source() const override { return "virtual_guess"; }
   void begin_attempt(int, int) override {}
 
