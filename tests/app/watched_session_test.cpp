@@ -382,7 +382,7 @@ TEST_F(WatchedSession, PausesBeforeAQuestionToo) {
     requests_.resume();
   });
   EXPECT_EQ(run().state, SessionState::completed);
-  EXPECT_EQ(study_->session_answers(session_.row.id).size(), 1U);
+  EXPECT_EQ(study_->session_answers(session_.row.id).size(), 2U);  // one left empty
 }
 
 TEST_F(WatchedSession, StopsFromAPause) {

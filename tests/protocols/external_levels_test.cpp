@@ -68,7 +68,7 @@ std::vector<std::string> problems_of_changed(const std::function<void(nlohmann::
   return problems;
 }
 
-TrialOutcome answered(const Trial& trial, bool counts_down) {
+TrialOutcome answered_as(const Trial& trial, bool counts_down) {
   return {.answer =
               TrialOutcome::Answer{.value = std::get<double>(trial.factors.at("texture_gain")),
                                    .counts_down = counts_down}};
@@ -99,7 +99,7 @@ TEST(ExternalLevels, AreRequestedBeforeEachTrialAndForNoOtherTrack) {
     for (const Trial& next : course.possible_next()) {
       EXPECT_TRUE(next.block == "after" || next.factors == course.awaited()->factors);
     }
-    course.advance(answered(*course.awaited(), trial % 3 == 0));
+    course.advance(answered_as(*course.awaited(), trial % 3 == 0));
   }
   EXPECT_THAT(levels, ElementsAre(1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8));
   EXPECT_TRUE(course.is_complete());
@@ -124,10 +124,10 @@ TEST(ExternalLevels, StayUntilTheTrialHasAnAnswerThatCounts) {
   course.advance({});
   // The other track has its turn first.
   course.supply(NextLevel{20.0});
-  course.advance(answered(*course.awaited(), true));
+  course.advance(answered_as(*course.awaited(), true));
   while (course.requested() && course.requested()->of.track != first) {
     course.supply(NextLevel{30.0});
-    course.advance(answered(*course.awaited(), true));
+    course.advance(answered_as(*course.awaited(), true));
   }
   ASSERT_NE(course.awaited(), nullptr) << "without a request";
   EXPECT_EQ(course.awaited()->track->track, first);
@@ -142,7 +142,7 @@ TEST(ExternalLevels, EndTracksOneByOne) {
   ASSERT_TRUE(course.requested());
   const int left = course.requested()->of.track;
   course.supply(NextLevel{50.0});
-  course.advance(answered(*course.awaited(), true));
+  course.advance(answered_as(*course.awaited(), true));
   ASSERT_TRUE(course.requested());
   EXPECT_EQ(course.requested()->of.track, left);
   course.supply(TrackEnd::program);
