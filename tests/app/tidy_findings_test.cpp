@@ -345,22 +345,35 @@ TEST(TidyFamilies, LeaveOutTargetsThatNotAllRatersScored) {
 
 // The corrected d′ of a and b are z(8.5/11) − z(2.5/11) = 1.496 and z(6.5/11) − z(3.5/11) = 0.702.
 TEST(TidyFamilies, AverageTheSensitivityOverParticipantsWithAnIntervalFromThem) {
-  const auto found = dprime_findings(input_of(
-      "id,subject,design,signal_yes,signal_n,noise_yes,noise_n\nx,a,yesno,8,10,2,10\nx,b,yesno,6,10,3,10\n",
-      "{}"));
+  const std::string header = "id,subject,design,signal_yes,signal_n,noise_yes,noise_n\n";
+  std::string table = header;
+  for (const char* const subject : {"a", "c", "e"}) {
+    table += std::string("x,") + subject + ",yesno,8,10,2,10\n";
+  }
+  for (const char* const subject : {"b", "d", "f"}) {
+    table += std::string("x,") + subject + ",yesno,6,10,3,10\n";
+  }
+  const auto found = dprime_findings(input_of(table, "{}"));
   EXPECT_NEAR(value_of(found, "dprime.loglinear", "x|a"), 1.496, 1e-3);
   EXPECT_NEAR(value_of(found, "dprime.mean", "x"), 0.5 * (1.496 + 0.702), 1e-3);
   const auto mean = std::find_if(found.begin(), found.end(), [](const Finding& finding) {
     return finding.quantity == "dprime.mean";
   });
+  // t of five degrees of freedom, 1.099 ± 2.571·0.4349/√6, but for the 64 different resamples.
   ASSERT_TRUE(mean->low && mean->high);
-  EXPECT_NEAR(*mean->low, 0.702, 1e-3) << "a quarter of the resamples are b alone";
-  EXPECT_NEAR(*mean->high, 1.496, 1e-3);
+  EXPECT_NEAR(*mean->low, 0.642, 0.15);
+  EXPECT_NEAR(*mean->high, 1.556, 0.15);
+  EXPECT_GE(*mean->low, 0.702 - 1e-3) << "no resample leaves the range of the participants";
+  const auto few =
+      dprime_findings(input_of(header + "x,a,yesno,8,10,2,10\nx,b,yesno,6,10,3,10\n", "{}"));
+  for (const Finding& finding : few) {
+    if (finding.quantity == "dprime.mean") EXPECT_FALSE(finding.low) << "of two participants";
+  }
 }
 
 TEST(TidyFamilies, GiveTheAreaOfRatingsAnIntervalOverParticipants) {
   std::string table = "condition,subject,rating,noise,signal\n";
-  for (const char* const subject : {"a", "b", "c"}) {
+  for (const char* const subject : {"a", "b", "c", "d", "e", "f"}) {
     for (const char* const counts : {"1,9,3", "2,6,5", "3,4,7", "4,1,5"}) {
       table += std::string("x,") + subject + ',' + counts + '\n';
     }
@@ -370,10 +383,10 @@ TEST(TidyFamilies, GiveTheAreaOfRatingsAnIntervalOverParticipants) {
     return finding.quantity == "uv.az";
   });
   ASSERT_NE(area, found.end());
-  EXPECT_EQ(area->n, 3U);
+  EXPECT_EQ(area->n, 6U);
   ASSERT_TRUE(area->low && area->high);
   EXPECT_NEAR(*area->high - *area->low, 0.0, 1e-9) << "all participants are equal";
-  EXPECT_EQ(value_of(found, "n.signal", "x"), 60.0);
+  EXPECT_EQ(value_of(found, "n.signal", "x"), 120.0);
 }
 
 // The responses and numbers of crossed_binomial_test.cpp.
