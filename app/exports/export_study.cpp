@@ -197,7 +197,15 @@ class StudyExport final {
     }
     for (const std::string& name : vocabulary_.for_public) {
       const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
-      if (is_asked && vocabulary_.is_published(name)) continue;
+      if (is_asked && vocabulary_.is_published(name)) {
+        // Whether a question was asked reveals the answer that it depends on.
+        const std::string& earlier = vocabulary_.questions.at(name).asked_after;
+        if (earlier.empty() || vocabulary_.is_published(earlier)) continue;
+        throw std::invalid_argument(
+            "answers to \"" + name + "\" cannot be published without those to \"" + earlier +
+            "\": it is asked " + vocabulary_.questions.at(name).condition +
+            ", so that they reveal these answers; publish both, or leave both out");
+      }
       throw std::invalid_argument(
           "answers to \"" + name + "\" cannot be published: " +
           (is_asked ? "they are free text"

@@ -651,6 +651,27 @@ TEST(Export, TellsThePublicOfAQuestionnairesQuestionThatATrialOfAnotherProtocolA
   EXPECT_GT(cells_that_are("cracked", made.beside("named")), 0);
 }
 
+// Whether the second question was asked is the answer to the first one.
+TEST(Export, PublishesAConditionalQuestionWithTheOneOfItsConditionOnly) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  const std::int64_t protocol = made.add_protocol("feeling", "recognition", R"({"questions": {
+      "pain": {"prompt": "Pain?", "form": "choice", "options": ["no", "yes"]},
+      "where": {"prompt": "Where?", "form": "choice", "options": ["hand", "arm"],
+                "if": {"question": "pain", "is": "yes"}}}})");
+  const std::int64_t session = made.add_session("anna", protocol, {some_trial()});
+  made.study().add_session_answer(session, session_answer("pain", "yes"));
+  made.study().add_session_answer(session, session_answer("where", "arm"));
+  ExportOptions options = options_of(ExportAudience::published);
+  options.questions_for_public = {"where"};
+  EXPECT_THAT(
+      refusal_of<std::invalid_argument>([&] { export_to(made, made.beside("out"), options); }),
+      HasSubstr("cannot be published without those to \"pain\""));
+  options.questions_for_public = {"pain", "where"};
+  export_to(made, made.beside("both"), options);
+  EXPECT_GT(cells_that_are("arm", made.beside("both")), 0);
+}
+
 TEST(Export, RefusesToTellThePublicWhatIsTypedFreelyOrNotAsked) {
   MadeUpStudy made;
   fill_with_health(made);

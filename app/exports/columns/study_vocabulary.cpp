@@ -28,7 +28,10 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
     }
     meaning.has_several = asked.form == "multiple_choice";
     meaning.unit = asked.unit;
-    if (asked.condition) meaning.condition = clause_of(*asked.condition);
+    if (asked.condition) {
+      meaning.condition = clause_of(*asked.condition);
+      meaning.asked_after = asked.condition->question;
+    }
     meaning.minimum = asked.minimum;
     meaning.maximum = asked.maximum;
     meaning.options = asked.options;

@@ -44,6 +44,7 @@ struct StudyVocabulary {
     std::string unit{};         ///< of a number
     /// The condition under which it is asked, as `clause_of` states it; empty: always asked.
     std::string condition{};
+    std::string asked_after{};  ///< the question whose answer the condition is about; empty without
     bool questionnaire = true;  ///< about a participant or a session, not about a trial
     std::vector<std::string> options{};
     std::map<std::string, LevelMeaning> option_meanings{};  ///< if shown as another text
