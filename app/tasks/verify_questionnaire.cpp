@@ -1,8 +1,19 @@
 #include "app/tasks/verify_questionnaire.h"
 
+#include <algorithm>
+
 #include "app/session/questionnaire_rows.h"
 
 namespace asperity {
+namespace {
+
+bool is_of_virtual_participant(const std::vector<ResponseRow>& rows, const std::string& question) {
+  return std::any_of(rows.begin(), rows.end(), [&question](const ResponseRow& row) {
+    return row.question == question && row.source.starts_with("virtual");
+  });
+}
+
+}  // namespace
 
 std::vector<std::string> questionnaire_problems(const SessionRow& session, const Protocol& protocol,
                                                 const std::vector<ResponseRow>& rows) {
@@ -33,6 +44,11 @@ std::vector<std::string> questionnaire_problems(const SessionRow& session, const
     }
     if (!was_asked) {
       if (!stored.to(name).empty()) report(name, "it was not asked, and an answer is stored");
+      continue;
+    }
+    // Virtual participants write no texts, whether or not the protocol requires one.
+    if (question.form == Question::Form::text && stored.to(name).empty() &&
+        is_of_virtual_participant(rows, name)) {
       continue;
     }
     for (const std::string& problem : problems_with(question, stored.to(name))) {
