@@ -223,7 +223,8 @@ DetectionStatus status_of(const std::vector<YesCount>& counts) {
     return DetectionStatus::all_yes;
   }
   if (all([](const YesCount& each) { return each.yes == 0.0; })) return DetectionStatus::all_no;
-  return step_between(counts) ? DetectionStatus::separated : DetectionStatus::ok;
+  if (step_between(counts)) return DetectionStatus::separated;
+  return counts.size() < 3 ? DetectionStatus::one_difference : DetectionStatus::ok;
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ struct DetectionFunction {
 enum class DetectionStatus {
   ok,
   no_data,         ///< no trials with x = 0, or none with x > 0
+  one_difference,  ///< one x > 0: an exponent is not identified
   all_yes,         ///< every response is "yes"
   all_no,          ///< every response is "no"
   separated,       ///< only "no" up to some difference, only "yes" beyond it: d′ is infinite

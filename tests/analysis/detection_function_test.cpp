@@ -106,6 +106,8 @@ TEST(DetectionFunctions, StateWhyThereIsNone) {
   EXPECT_EQ(status({{0.0, 10, 10}, {1.0, 10, 10}}), DetectionStatus::all_yes);
   EXPECT_EQ(status({{0.0, 10, 0}, {1.0, 10, 0}}), DetectionStatus::all_no);
   EXPECT_EQ(status({{0.0, 20, 10}, {1.0, 10, 3}, {2.0, 10, 2}}), DetectionStatus::not_increasing);
+  // Every exponent would fit.
+  EXPECT_EQ(status({{0.0, 20, 4}, {1.0, 20, 15}}), DetectionStatus::one_difference);
   const DetectionFit step = fit_detection(
       std::vector<PsychometricBlock>{{0.0, 20, 0}, {1.0, 10, 0}, {2.0, 10, 10}, {3.0, 10, 10}},
       model);

@@ -36,8 +36,13 @@ WhyNoThreshold why_no_detection(DetectionStatus status) {
   switch (status) {
     case DetectionStatus::ok:
       break;
-    case DetectionStatus::no_data:
+    case DetectionStatus::one_difference:
       return {"one_level",
+              phrase("MissingThreshold",
+                     "one level differs from the standard, and a function requires two: see d′ in "
+                     "the table of sensitivities")};
+    case DetectionStatus::no_data:
+      return {"no_data",
               phrase("MissingThreshold",
                      "there are no trials without a difference, or none with one: complete the "
                      "session")};

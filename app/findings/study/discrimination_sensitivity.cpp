@@ -237,8 +237,8 @@ void ask_sensitivity(const DiscriminationResults& results, const std::vector<Cou
       phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
           .with(words_of_parameter(results.study.task.varied.parameter), means),
       phrase("Analysis",
-             "Mean over the participants of d′ with the log-linear correction; percentile CIs by a "
-             "bootstrap over participants."),
+             "Mean over the participants of d′ with the log-linear correction; CIs by expanded "
+             "percentiles of a bootstrap over participants, with six participants or more."),
       kSensitivity, found.find("dprime.mean", id_of(results, levels.front())));
 }
 

@@ -2136,8 +2136,8 @@
         <translation>Wahlen und Exploration: logistisches gemischtes Modell</translation>
     </message>
     <message>
-        <source>Logistic mixed model of the choices of the comparison, with random intercepts of participants. Differences are those of the comparison from the standard: of the level, and of the mean normal force and the mean speed during contact. Odds ratios per SD over the trials, and of the position; Wald tests and 95 % CIs. The tests are exploratory and uncorrected: participants chose force and speed themselves.</source>
-        <translation>Logistisches gemischtes Modell der Wahlen des Vergleichsreizes, mit zufälligen Achsenabschnitten der Versuchspersonen. Differenzen sind die des Vergleichsreizes vom Standard: der Stufe sowie der mittleren Normalkraft und der mittleren Geschwindigkeit während des Kontakts. Odds-Ratios je SD über die Durchgänge und für die Position; Wald-Tests und 95-%-KI. Die Tests sind explorativ und unkorrigiert: Die Versuchspersonen wählten Kraft und Geschwindigkeit selbst.</translation>
+        <source>Logistic mixed model of the choices of the comparison, with the conditions and random intercepts of participants. Differences are those of the comparison from the standard: of the level, and of the mean normal force and the mean speed during contact. Odds ratios per SD over the trials, and of the position, with Wald’s 95 % CIs. Exploratory: participants chose force and speed themselves, and the CIs are too narrow where they differ in these effects.</source>
+        <translation>Logistisches gemischtes Modell der Wahlen des Vergleichsreizes, mit den Bedingungen und zufälligen Achsenabschnitten der Versuchspersonen. Differenzen sind die des Vergleichsreizes vom Standard: der Stufe sowie der mittleren Normalkraft und der mittleren Geschwindigkeit während des Kontakts. Odds-Ratios je SD über die Durchgänge und für die Position, mit Wald-95-%-KI. Explorativ: Die Versuchspersonen wählten Kraft und Geschwindigkeit selbst, und die KI sind zu schmal, wenn sie sich in diesen Effekten unterscheiden.</translation>
     </message>
     <message>
         <source>Responses to trials without the surfaces of the design or without a level, which are left out: %1.</source>
@@ -2176,8 +2176,8 @@
         <translation>Mittleres d′ nach %1 des Vergleichs: %2.</translation>
     </message>
     <message>
-        <source>Mean over the participants of d′ with the log-linear correction; percentile CIs by a bootstrap over participants.</source>
-        <translation>Mittel von d′ mit log-linearer Korrektur über die Versuchspersonen; Perzentil-KI durch einen Bootstrap über die Versuchspersonen.</translation>
+        <source>Mean over the participants of d′ with the log-linear correction; CIs by expanded percentiles of a bootstrap over participants, with six participants or more.</source>
+        <translation>Mittelwert über die Versuchspersonen von d′ mit log-linearer Korrektur; KI durch erweiterte Perzentile eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen.</translation>
     </message>
     <message>
         <source>Sensitivity by level</source>
@@ -5468,6 +5468,10 @@
     <message>
         <source>hits are not more frequent than false alarms, as if the responses were guesses: check the responses in the practice before you present other levels</source>
         <translation>Treffer sind nicht häufiger als falsche Alarme, als wären die Antworten geraten: Prüfen Sie die Antworten in der Übung, bevor Sie andere Stufen darbieten</translation>
+    </message>
+    <message>
+        <source>one level differs from the standard, and a function requires two: see d′ in the table of sensitivities</source>
+        <translation>nur eine Stufe unterscheidet sich vom Standard, und eine Funktion erfordert zwei: siehe d′ in der Tabelle der Sensitivitäten</translation>
     </message>
 </context>
 <context>
