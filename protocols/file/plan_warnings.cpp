@@ -9,6 +9,7 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
+#include "protocols/plan/roughness_matching.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {
@@ -97,7 +98,7 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
   }
   for (const auto& [name, size] : largest) {
     const Protocol::Block& block = protocol.blocks.at(name);
-    if (!block.vary || !block.vary->is_relative_amplitude()) continue;
+    if (!matches_roughness(protocol, block)) continue;
     if (size.total_s <= kLongestMatching_s) continue;
     warnings.push_back(document.at(
         pointer_to("/blocks", name) + (block.procedure ? "/procedure" : ""),

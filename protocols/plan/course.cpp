@@ -230,7 +230,8 @@ bool Course::add_next_of_tracks() {
   std::optional<Trial> trial = tracks_->next(maker_);
   if (!trial) {
     const Block& block = *tracks_->run().block;
-    if (block.vary->is_relative_amplitude()) {
+    // Such a block is run once (Meaning::check_equal_roughness).
+    if (matches_roughness(*protocol_, block)) {
       matches_[block.name] = roughness_matches(*block.vary, tracks_->answered());
     }
     tracks_.reset();

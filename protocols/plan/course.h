@@ -55,7 +55,7 @@ class Course final {
   std::size_t trials_before_last_outcome() const noexcept;
   /// The step of the flow that runs this block of the session. Errors: std::out_of_range where there is none.
   const Protocol::Run& run_of(int block_ordinal) const;
-  /// The matches of the blocks that vary the relative amplitude and are finished, by the name of the block.
+  /// The matches of the blocks that match roughness and are finished, by the name of the block.
   const std::map<std::string, std::vector<RoughnessMatch>, std::less<>>& matches() const noexcept {
     return matches_;
   }

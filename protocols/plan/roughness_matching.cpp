@@ -82,6 +82,13 @@ std::optional<UpDownTrack> equality_track(const ProcedureSettings& settings) {
   return track;
 }
 
+bool matches_roughness(const Protocol& protocol, const Protocol::Block& block) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&block](const auto& each) {
+    const auto& equal = each.second.equal_roughness;
+    return equal && equal->matched_in == block.name;
+  });
+}
+
 std::vector<RoughnessMatch> roughness_matches(const Dimension& vary,
                                               const std::vector<AnsweredTrack>& tracks) {
   std::vector<RoughnessMatch> matches{};

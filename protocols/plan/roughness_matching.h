@@ -27,6 +27,10 @@ struct AnsweredTrack {
 /// The up-down track of settings whose levels approach equal proportions of both answers; empty for others.
 std::optional<UpDownTrack> equality_track(const ProcedureSettings& settings);
 
+/// Whether the tracks of this block determine amplitudes: a block with `equal_roughness` names it. Other blocks can vary the
+/// relative amplitude as well (a JND), and match nothing.
+bool matches_roughness(const Protocol& protocol, const Protocol::Block& block);
+
 /// One match for each stimulus, in the order of the tracks. `vary` is the dimension of the block of the tracks.
 ///
 ///   ln a = (1/T)·Σ_t (1/R_t)·Σ_r ln a_tr

@@ -273,8 +273,7 @@ Trial TrialMaker::make(Trial trial, const BlockRun& run,
                                   ? block.experimenter_prompt
                                   : with_code(block.experimenter_prompt, texture->code);
   // Roughness is matched to a surface that is felt, and the picture is the standard of another question.
-  const bool matches_roughness = block.vary && block.vary->is_relative_amplitude();
-  if (texture != nullptr && !matches_roughness &&
+  if (texture != nullptr && !matches_roughness(*protocol_, block) &&
       protocol_->realism_standard == RealismStandard::photograph) {
     trial.standard_picture = texture->picture;
   }

@@ -261,6 +261,18 @@ TEST(EqualRoughness, IsStoredWithEveryPlannedSurfaceAndInNoOtherPlan) {
   EXPECT_EQ(json_of(unmatched.plan().trials.back()).find("relative"), std::string::npos);
 }
 
+TEST(EqualRoughness, IsNotMatchedByABlockThatNoOtherBlockNames) {
+  RoughnessJson file = realism_of_models();
+  for (auto& [name, block] : file["blocks"].items()) block.erase("equal_roughness");
+  file["blocks"]["matching"]["procedure"]["stop"]["trials"] = 20;
+  const Protocol protocol = valid_models(file);
+  const Course course = answered_models(protocol, 2);
+  EXPECT_TRUE(course.matches().empty());
+  EXPECT_TRUE(course.plan().trials.front().standard_picture.has_value());
+  EXPECT_TRUE(
+      warnings_about_plan(protocol, "file.json", example_plan(protocol, {.seed = 1})).empty());
+}
+
 TEST(EqualRoughness, LeavesTheAmplitudeOfAParticipantWhoDoesNotAnswer) {
   const Protocol protocol = valid_models(realism_of_models());
   Course course(protocol, {.seed = 3});
@@ -326,6 +338,17 @@ TEST(EqualRoughness, RefusesFilesThatCannotMatch) {
        }},
       {"/flow/5/run", "has not been run",
        [](auto& p) { std::swap(p["flow"][5], p["flow"][8]); }},
+      {"/flow/6/run", "would match the same stimuli twice",
+       [](auto& p) {
+         const RoughnessJson run = p["flow"][5];
+         p["flow"].insert(p["flow"].begin() + 6, run);
+       }},
+      {"/flow/5/for_each", "matches all stimuli in one run",
+       [](auto& p) {
+         p["blocks"]["matching"].erase("crossed");
+         p["blocks"]["matching"].erase("exclude");
+         p["flow"][5]["for_each"] = "model";
+       }},
       {"/blocks/matching/procedure", "\"down\": 1",
        [](auto& p) { p["blocks"]["matching"]["procedure"]["down"] = 2; }},
       {"/blocks/matching/vary/levels", "above 0",
