@@ -144,7 +144,8 @@ void Meaning::check_matches(const std::vector<Trial>& possible) {
         report(at_matching + "/presented",
                name_of(*varied) +
                    " would be matched several times, with different parameters; a match belongs to "
-                   "a stimulus, a model and a texture: use a stimulus for each of them");
+                   "a stimulus, a model and a texture: define a stimulus for each of them, with a "
+                   "separate block that matches it and a separate block that presents it");
       }
       if (are_of_same_stimulus(*varied, *reference)) {
         report(at_matching, name_of(*varied) +

@@ -359,6 +359,14 @@ TEST(EqualRoughness, RefusesFilesThatCannotMatch) {
        }},
       {"/blocks/matching", "matched with itself",
        [](auto& p) { p["blocks"]["matching"].erase("exclude"); }},
+      {"/blocks/matching/presented", "a separate block that matches it",
+       [](auto& p) {
+         p["factors"]["damping"] = {{"levels", {0.2, 0.4}}};
+         p["stimuli"]["rendered"]["parameters"]["friction_damping_N_s_per_m"]["factor"] = "damping";
+         p["blocks"]["matching"]["crossed"].push_back("damping");
+         p["blocks"]["comparisons"]["crossed"].push_back("damping");
+         for (auto& row : p["blocks"]["familiarisation"]["listed"]) row["damping"] = 0.2;
+       }},
       {"/blocks/comparisons/equal_roughness", "neither matched",
        [](auto& p) { p["blocks"]["matching"]["exclude"].push_back({{"model", "recorded"}}); }},
       {"/blocks/comparisons/equal_roughness", "neither matched",
