@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
 #include "app/session/levels/level_program.h"
 #include "app/session/rig/clock.h"
 #include "app/session/trial_attempt.h"
@@ -140,17 +139,6 @@ void Conductor::note_guidance() {
         return guidance == Guidance::experimenter || (guidance == Guidance::tones ? hears : sees);
       });
   course_.event("guidance", is_told ? "given" : "not_given");
-}
-
-/// The matches of a resumed session; those that an interruption kept from being stored are stored now.
-void Conductor::note_earlier_matches() {
-  noted_matches_.clear();
-  for (const EventRow& event : study_.events(session_.row.id)) {
-    if (event.kind != "roughness_match") continue;
-    const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
-    if (data.is_object()) noted_matches_.insert(data.value("block", ""));
-  }
-  note_matches();
 }
 
 SessionEnd Conductor::finish(std::int64_t began_ns) {
@@ -555,30 +543,6 @@ void Conductor::extend_plan(const Trial& trial, const AttemptRow& attempt) {
   note_matches();
   progress_->extend();
   if (course_.has_monitor()) course_.set_plan(std::make_shared<const Plan>(plan()));
-}
-
-/// Stores the matches of roughness that the store lacks, and informs the experimenter.
-void Conductor::note_matches() {
-  for (const auto& [block, matches] : session_.course->matches()) {
-    if (!noted_matches_.insert(block).second) continue;
-    std::string told = "Matched roughness:";
-    for (const RoughnessMatch& match : matches) {
-      const nlohmann::ordered_json data{{"block", block},
-                                        {"stimulus", match.stimulus},
-                                        {"model", match.model},
-                                        {"texture", match.texture},
-                                        {"relative_amplitude", match.relative_amplitude},
-                                        {"status", text_of(match.status)},
-                                        {"answers", match.answers},
-                                        {"reversals", match.reversals}};
-      course_.event("roughness_match", Phrase(std::string(text_of(match.status))), data.dump());
-      told += (&match == matches.data() ? " " : "; ") + match.model;
-      if (!match.texture.empty()) told += " with " + match.texture;
-      told += " at " + fixed(match.relative_amplitude, 3) + " times its amplitude (" +
-              std::string(text_of(match.status)) + ')';
-    }
-    if (settings_.links.tell && !matches.empty()) settings_.links.tell(told + '.');
-  }
 }
 
 /// Reports why a trial is repeated to a user who has no window that shows it.

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -98,8 +99,6 @@ class Conductor final {
   void begin();
   SessionFacts facts_of_session() const;
   void note_guidance();
-  void note_earlier_matches();
-  void note_matches();
   SessionEnd finish(std::int64_t began_ns);
   void end_after(const std::exception& error) noexcept;
   void stop(const Phrase& reason);
@@ -143,6 +142,10 @@ class Conductor final {
   void end_program();
   void wait_out_program(const Phrase& failure);
 
+  // The matches of roughness (conductor_matches.cpp).
+  void note_earlier_matches();
+  void note_matches();
+
   // Suspensions of the session (conductor_holds.cpp).
   /// True when a trial was repeated meanwhile: the position in the session then has to be reported again.
   bool between_steps(Next next);
@@ -181,7 +184,8 @@ class Conductor final {
 
   int standstills_ = 0;
   bool is_refreshing_ = false;
-  std::set<std::string> noted_matches_{};  ///< the blocks whose matches are stored
+  /// Block, stimulus, model and texture of the matches that are stored: each has its own event.
+  std::set<std::array<std::string, 4>> noted_matches_{};
   double contact_since_break_s_ = 0.0;  ///< or since the session was begun or resumed
 
   Wait outside_{};    ///< waits while there is no current trial
