@@ -1,30 +1,57 @@
 #include "app/records/presented_matches.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 namespace asperity {
 
-std::vector<PresentedMatch> presented_matches(std::span<const PlannedTrialRow> plan) {
+namespace {
+
+void add_once(PresentedMatch match, std::vector<PresentedMatch>& matches) {
+  if (std::find(matches.begin(), matches.end(), match) == matches.end()) {
+    matches.push_back(std::move(match));
+  }
+}
+
+}  // namespace
+
+bool presents_matches(const StoredProtocol& protocol) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                     [](const auto& each) { return !each.second.matched_in.empty(); });
+}
+
+std::vector<PresentedMatch> presented_matches(const StoredProtocol& protocol,
+                                              std::span<const PlannedTrialRow> trials) {
   std::vector<PresentedMatch> matches{};
-  for (const PlannedTrialRow& row : plan) {
-    if (row.plan_json.find("\"roughness_match\"") == std::string::npos) continue;
+  for (const PlannedTrialRow& row : trials) {
+    const auto block = protocol.blocks.find(row.block);
+    if (block == protocol.blocks.end() || block->second.matched_in.empty()) continue;
     const nlohmann::json trial = nlohmann::json::parse(row.plan_json);
     for (const nlohmann::json& surface : trial.at("presentations")) {
       const auto status = match_status_named(surface.value("roughness_match", ""));
       if (!status || *status == MatchStatus::reference) continue;
-      const PresentedMatch match{.block = row.block,
-                                 .model = surface.value("model", ""),
-                                 .texture = surface.value("texture", ""),
-                                 .relative_amplitude = surface.value("relative_amplitude", 1.0),
-                                 .status = *status};
-      if (std::find(matches.begin(), matches.end(), match) == matches.end()) {
-        matches.push_back(match);
-      }
+      add_once({.block = row.block,
+                .matched_in = block->second.matched_in,
+                .stimulus = surface.value("stimulus", ""),
+                .model = surface.value("model", ""),
+                .texture = surface.value("texture", ""),
+                .relative_amplitude = surface.value("relative_amplitude", 1.0),
+                .status = *status},
+               matches);
     }
   }
   return matches;
+}
+
+std::vector<PresentedMatch> without_blocks(std::vector<PresentedMatch> matches) {
+  std::vector<PresentedMatch> distinct{};
+  for (PresentedMatch& match : matches) {
+    match.block.clear();
+    add_once(std::move(match), distinct);
+  }
+  return distinct;
 }
 
 }  // namespace asperity

@@ -385,6 +385,7 @@ StoredProtocol stored_protocol(const std::string& source) {
     const std::string surfaces = text_in(member_of(block, "arrangement"), "surfaces");
     made.is_sequential = surfaces.empty() || surfaces == "sequential";
     made.drawn = texts_in(block, "drawn");
+    made.matched_in = text_in(member_of(block, "equal_roughness"), "matched_in");
     const Json& procedure = member_of(block, "procedure");
     made.has_procedure =
         procedure.is_object() && text_in(procedure, "method") != "constant_stimuli";

@@ -19,6 +19,7 @@
 #include "app/records/recorded_attempt.h"
 #include "app/report/text/report_roughness.h"
 #include "app/study_files/parameter_json.h"
+#include "protocols/file/stored_protocol.h"
 #include "results_schema/sqlite.h"
 #include "tests/app/scripted_session.h"
 
@@ -116,7 +117,8 @@ class EqualRoughnessSession : public SessionTest {
 TEST_F(EqualRoughnessSession, RendersTheAmplitudesThatTheResponsesDetermined) {
   start(1);
   ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  const std::vector<PresentedMatch> matches = presented_matches(study_->plan(session_.row.id));
+  const std::vector<PresentedMatch> matches =
+      presented_matches(stored_protocol(kMatchedModels), study_->plan(session_.row.id));
   ASSERT_EQ(matches.size(), 2U);
   std::map<std::string, double> relative{{"sinusoid", 1.0}};
   for (const PresentedMatch& match : matches) {
@@ -272,6 +274,103 @@ TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {
     }
   }
   EXPECT_EQ(tables, 1);
+}
+
+/// The matches that the analysis lists, and those that the report counts.
+std::pair<std::size_t, std::size_t> reported_matches(const Study& study) {
+  std::pair<std::size_t, std::size_t> matches{};
+  for (const AnalysisOutcome& outcome : analyze_study(study, {}, {})) {
+    for (const NamedTable& table : outcome.tables) {
+      if (table.name == kEqualRoughness) matches.first += table.table.rows.size();
+    }
+  }
+  for (const ReportFacts& facts : report_facts(study, {}, {}, {})) {
+    for (const auto& [status, count] : facts.roughness_matches) matches.second += count;
+  }
+  return matches;
+}
+
+TEST_F(EqualRoughnessSession, IsReportedOnlyWhereAnAttemptCounts) {
+  start(1);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const std::int64_t first = session_.row.id;
+  start(2);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  start(3);
+  ASSERT_EQ(run_trials(kTrialsOfMatching).state, SessionState::stopped);
+  ASSERT_EQ(study_->plan(session_.row.id).size(), static_cast<std::size_t>(kTrialsOfSession));
+  EXPECT_EQ(reported_matches(*study_), std::pair(std::size_t{4}, std::size_t{4}))
+      << "the third participant did not compare";
+  study_->add_decision(first, {.verdict = Verdict::exclude, .reason = "was asleep"});
+  EXPECT_EQ(reported_matches(*study_), std::pair(std::size_t{2}, std::size_t{2}));
+}
+
+PlannedTrialRow presenting(const std::string& block, const std::string& stimulus) {
+  const nlohmann::json surface{{"stimulus", stimulus},
+                               {"model", "recorded"},
+                               {"texture", "stone"},
+                               {"relative_amplitude", 1.0},
+                               {"roughness_match", "unmatched"}};
+  return {.block = block,
+          .plan_json = nlohmann::json{{"presentations", nlohmann::json::array({surface})}}.dump()};
+}
+
+TEST(PresentedMatches, AreThoseOfAStimulusInAMatchingBlock) {
+  StoredProtocol protocol{};
+  protocol.blocks["light"].matched_in = "matching_light";
+  protocol.blocks["again"].matched_in = "matching_light";
+  protocol.blocks["heavy"].matched_in = "matching_heavy";
+  protocol.blocks["other"];
+  const std::vector<PlannedTrialRow> trials{
+      presenting("light", "smooth"), presenting("light", "coarse"), presenting("light", "smooth"),
+      presenting("again", "smooth"), presenting("heavy", "smooth"), presenting("other", "smooth")};
+  const std::vector<PresentedMatch> matches = presented_matches(protocol, trials);
+  EXPECT_EQ(matches.size(), 4U);
+  const std::vector<PresentedMatch> distinct = without_blocks(matches);
+  ASSERT_EQ(distinct.size(), 3U);
+  EXPECT_EQ(distinct[0].stimulus, "smooth");
+  EXPECT_EQ(distinct[0].matched_in, "matching_light");
+  EXPECT_EQ(distinct[1].stimulus, "coarse");
+  EXPECT_EQ(distinct[2].matched_in, "matching_heavy");
+}
+
+/// The stimuli in the table of means, in its order.
+std::vector<Cell> labels_of(const std::vector<PresentedMatch>& matches) {
+  GatheredAnswers gathered{};
+  for (const PresentedMatch& match : matches) {
+    gathered.matches.push_back({.participant = "p1", .session = 1, .match = match});
+  }
+  AnalysisOutcome outcome{};
+  add_equal_roughness(gathered, outcome);
+  std::vector<Cell> labels{};
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name != kMeanAmplitudes) continue;
+    for (const auto& row : table.table.rows) labels.push_back(row.front());
+  }
+  return labels;
+}
+
+TEST(PresentedMatches, HaveTheShortestLabelsThatDistinguishThem) {
+  const auto match = [](const std::string& matched_in, const std::string& stimulus,
+                        const std::string& model, const std::string& texture) {
+    return PresentedMatch{
+        .matched_in = matched_in, .stimulus = stimulus, .model = model, .texture = texture};
+  };
+  const auto texts = [](const std::vector<std::string>& labels) {
+    return std::vector<Cell>(labels.begin(), labels.end());
+  };
+  EXPECT_EQ(labels_of({match("m", "a_stone_recorded", "recorded", "stone"),
+                       match("n", "b_stone_normal_map", "normal_map", "stone")}),
+            texts({"recorded", "normal_map"}));
+  EXPECT_EQ(labels_of({match("m", "a_stone_recorded", "recorded", "stone"),
+                       match("m", "a_wood_recorded", "recorded", "wood")}),
+            texts({"recorded, stone", "recorded, wood"}));
+  EXPECT_EQ(labels_of({match("m", "a_stone_recorded", "recorded", "stone"),
+                       match("m", "b_stone_recorded", "recorded", "stone")}),
+            texts({"a_stone_recorded", "b_stone_recorded"}));
+  EXPECT_EQ(labels_of({match("m", "a_stone_recorded", "recorded", "stone"),
+                       match("n", "a_stone_recorded", "recorded", "stone")}),
+            texts({"recorded (m)", "recorded (n)"}));
 }
 
 TEST(EqualRoughnessText, StatesTheMatchesThatDidNotSucceed) {

@@ -14,16 +14,44 @@ namespace asperity {
 
 namespace {
 
-/// "recorded", and with textures "recorded, stone" if there are several.
-std::string stimulus_of(const PresentedMatch& match, bool has_textures) {
-  return has_textures ? match.model + ", " + match.texture : match.model;
-}
-
-bool has_several_textures(const std::vector<ParticipantMatch>& matches) {
-  return std::any_of(matches.begin(), matches.end(), [&matches](const ParticipantMatch& each) {
-    return each.match.texture != matches.front().match.texture;
+/// Whether matches of which `of` is the same differ in `part`.
+template <typename Of>
+bool differ_in(std::string PresentedMatch::* part, const std::vector<ParticipantMatch>& matches,
+               const Of& of) {
+  std::map<decltype(of(matches.front().match)), std::string> known{};
+  return std::any_of(matches.begin(), matches.end(), [&](const ParticipantMatch& each) {
+    const std::string& own = each.match.*part;
+    return known.try_emplace(of(each.match), own).first->second != own;
   });
 }
+
+/// The shortest labels that distinguish all matches: "recorded"; with several textures "recorded, stone"; with several
+/// stimuli of a model and texture their names, "rendered_stone_recorded"; and the blocks, if several match a stimulus:
+/// "recorded (matching)".
+class MatchLabels {
+ public:
+  explicit MatchLabels(const std::vector<ParticipantMatch>& matches)
+      : has_textures_(differ_in(&PresentedMatch::texture, matches,
+                                [](const PresentedMatch&) { return 0; })),
+        has_names_(differ_in(&PresentedMatch::stimulus, matches,
+                             [](const PresentedMatch& match) {
+                               return std::pair(match.model, match.texture);
+                             })),
+        has_blocks_(differ_in(&PresentedMatch::matched_in, matches,
+                              [](const PresentedMatch& match) { return match.stimulus; })) {}
+
+  std::string of(const PresentedMatch& match) const {
+    std::string label = has_names_ ? match.stimulus : match.model;
+    if (has_textures_ && !has_names_ && !match.texture.empty()) label += ", " + match.texture;
+    if (has_blocks_) label += " (" + match.matched_in + ')';
+    return label;
+  }
+
+ private:
+  bool has_textures_ = false;
+  bool has_names_ = false;
+  bool has_blocks_ = false;
+};
 
 /// The geometric mean of the matched sessions of each participant.
 using OfParticipants = std::map<std::string, std::vector<double>>;
@@ -39,7 +67,7 @@ std::vector<double> participant_means(const OfParticipants& of) {
 void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   if (gathered.matches.empty()) return;
   constexpr double kConfidenceOfAmplitudes = 0.95;
-  const bool has_textures = has_several_textures(gathered.matches);
+  const MatchLabels labels(gathered.matches);
   NamedTable participants{kEqualRoughness,
                           phrase("Analysis", "Relative amplitudes of equal roughness"),
                           {{"participant", "session", "stimulus", "relative_amplitude",
@@ -50,7 +78,7 @@ void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outco
   std::map<std::string, OfParticipants> matched{};
   std::size_t not_matched = 0;
   for (const ParticipantMatch& each : gathered.matches) {
-    const std::string stimulus = stimulus_of(each.match, has_textures);
+    const std::string stimulus = labels.of(each.match);
     participants.table.rows.push_back({each.participant, static_cast<std::int64_t>(each.session),
                                        stimulus, each.match.relative_amplitude,
                                        std::string(text_of(each.match.status))});

@@ -37,9 +37,19 @@ bool is_unfelt(const SessionRow& session) {
   return device.has_motors == false || !device.hand_of_program().empty();
 }
 
-/// Whether the plans of its sessions can contain matches: those of other protocols are not read.
-bool may_match_roughness(const ProtocolRow& protocol) {
-  return protocol.source.find("\"equal_roughness\"") != std::string::npos;
+/// The matches of the trials with an attempt that counts.
+std::vector<PresentedMatch> counted_matches(const Study& study, const SessionRow& session,
+                                            const SessionAnswers& answers,
+                                            const StoredProtocol& protocol) {
+  if (!presents_matches(protocol)) return {};
+  std::set<int> counted{};
+  for (const SessionAnswers::Attempt& attempt : answers.attempts) {
+    if (attempt.use == AnalysisUse::counted) counted.insert(attempt.trial);
+  }
+  std::vector<PlannedTrialRow> trials = study.plan(session.id);
+  std::erase_if(trials,
+                [&counted](const PlannedTrialRow& row) { return !counted.contains(row.trial); });
+  return presented_matches(protocol, trials);
 }
 
 /// The questions of one kind in a protocol.
@@ -168,15 +178,12 @@ class Gathering {
   }
 
   /// A stimulus that several blocks present has one match.
-  void add_matches(const SessionRow& session, const std::vector<PresentedMatch>& presented,
+  void add_matches(const SessionRow& session, std::vector<PresentedMatch> presented,
                    const QuestionsOfKind& questions) {
-    std::vector<PresentedMatch> own{};
-    for (PresentedMatch match : presented) {
-      if (!questions.has_block(match.block)) continue;
-      match.block.clear();
-      if (std::find(own.begin(), own.end(), match) == own.end()) own.push_back(std::move(match));
-    }
-    for (PresentedMatch& match : own) {
+    std::erase_if(presented, [&questions](const PresentedMatch& match) {
+      return !questions.has_block(match.block);
+    });
+    for (PresentedMatch& match : without_blocks(std::move(presented))) {
       gathered.matches.push_back({.participant = session.participant,
                                   .session = session.session,
                                   .match = std::move(match)});
@@ -550,10 +557,8 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
       found->second.specified = stored_protocol(of.source);
       found->second.asked = questions_by_kind(found->second.specified, of.kind);
     }
-    std::vector<PresentedMatch> matches{};
-    if (may_match_roughness(of)) {
-      matches = presented_matches(study.plan(session.id));
-    }
+    const std::vector<PresentedMatch> matches =
+        counted_matches(study, session, given, found->second.specified);
     for (const auto& [kind, questions] : found->second.asked) {
       Gathering& gathering = groups[std::tuple(of.name, of.version, group, kind)];
       gathering.gathered.protocol = of.name;

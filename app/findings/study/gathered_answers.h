@@ -191,7 +191,7 @@ struct GatheredAnswers {
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
   std::map<std::uint32_t, ItemTextureForce> item_forces{};  ///< by word of the item; none without a force
-  /// Of the blocks of this kind with `equal_roughness`, in the order of the sessions.
+  /// Of the blocks of this kind with `equal_roughness`, in the order of the sessions: those with an attempt that counts.
   std::vector<ParticipantMatch> matches{};
   /// By participant and block. No other number contains these responses.
   std::vector<CatchResponses> catch_responses{};

@@ -194,15 +194,23 @@ std::optional<int> trial_of(const TimedEvent& event) {
   return event.attempt->trial;
 }
 
-/// A stimulus that several blocks present has one match.
-void count_matches(const std::vector<PlannedTrialRow>& plan, ReportFacts& facts) {
-  std::set<std::pair<std::string, std::string>> counted{};
-  for (const PresentedMatch& match : presented_matches(plan)) {
-    if (counted.emplace(match.model, match.texture).second) ++facts.roughness_matches[match.status];
+/// A stimulus that several blocks present has one match. Only the trials with an attempt that counts present it.
+void count_matches(const StoredProtocol& protocol, const std::map<int, PlannedTrialRow>& plan,
+                   const std::vector<AttemptRow>& attempts, ReportFacts& facts) {
+  if (!presents_matches(protocol)) return;
+  std::vector<PlannedTrialRow> trials{};
+  for (const AttemptRow& attempt : attempts) {
+    const PlannedTrialRow& planned = plan.at(attempt.trial);
+    if (use_in_analyses(planned, attempt) == AnalysisUse::counted) trials.push_back(planned);
+  }
+  for (const PresentedMatch& match : without_blocks(presented_matches(protocol, trials))) {
+    ++facts.roughness_matches[match.status];
   }
 }
 
-void count_session(const Study& study, const SessionOverview& overview, ReportFacts& facts) {
+/// `specified`: the stored protocol of the session.
+void count_session(const Study& study, const SessionOverview& overview,
+                   const StoredProtocol& specified, ReportFacts& facts) {
   const SessionRow& row = overview.row;
   ReportedSession& session = facts.sessions.emplace_back();
   session.row = row;
@@ -221,9 +229,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }
   std::map<int, PlannedTrialRow> plan{};
-  std::vector<PlannedTrialRow> planned_trials = study.plan(row.id);
-  count_matches(planned_trials, facts);
-  for (PlannedTrialRow& trial : planned_trials) {
+  for (PlannedTrialRow& trial : study.plan(row.id)) {
     const AnalysisUse use = use_in_analyses(trial);
     if (use == AnalysisUse::counted) {
       ++session.main_trials;
@@ -244,6 +250,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     count_attempt(attempt, plan[attempt.trial], facts);
     if (attempt.purpose == AttemptPurpose::trial) presented.insert(attempt.trial);
   }
+  count_matches(specified, plan, attempts, facts);
   for (const int trial : presented) {
     const PlannedTrialRow& planned = plan[trial];
     ++session.presented_trials;
@@ -289,6 +296,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
   std::map<std::tuple<std::string, std::string, AnswerGroup>, ReportFacts> groups{};
   const std::vector<SessionOverview> sessions = session_overviews(study, stop);
   std::map<const ReportFacts*, std::vector<std::string>> texts_of_sources{};
+  std::map<std::int64_t, StoredProtocol> specified{};  ///< those of the sessions, each once
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     if (stop.stop_requested()) break;
     if (progress) progress(static_cast<double>(i) / static_cast<double>(sessions.size()));
@@ -310,7 +318,9 @@ std::vector<ReportFacts> report_facts(const Study& study,
     if (facts.participants.empty() || facts.participants.back().label != person.label) {
       facts.participants.push_back(person);
     }
-    count_session(study, sessions[i], facts);
+    const auto [stored, is_new] = specified.try_emplace(of.id);
+    if (is_new) stored->second = stored_protocol(of.source);
+    count_session(study, sessions[i], stored->second, facts);
   }
   std::vector<ReportFacts> all{};
   const std::vector<WithdrawalRow> withdrawals = study.withdrawals();
