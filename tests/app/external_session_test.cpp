@@ -1,14 +1,19 @@
 // Sessions whose levels an external program states: the same levels as a built-in procedure where it has the same rule, resumed after
 // an interruption anywhere, and held where the program fails.
 
+#include <cerrno>
+#include <csignal>
 #include <fstream>
 #include <string>
+#include <sys/types.h>
+#include <sys/wait.h>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/records/recorded_attempt.h"
+#include "app/session/levels/child_process.h"
 #include "app/session/levels/supplied_steps.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/event_kinds.h"
@@ -438,6 +443,25 @@ for line in sys.stdin:
   ASSERT_EQ(run_trials(2).state, SessionState::stopped);
   EXPECT_LT(log().size(), 1'200'000U);
   EXPECT_THAT(log(), HasSubstr("further output is not kept"));
+}
+
+TEST(ChildProcess, KeepsTheIdentifierOfAProcessThatHasEndedUntilItsGroupIsEnded) {
+  pid_t process = 0;
+  {
+    ChildProcess child("/bin/sh", {"-c", "echo $$; exit 3"});
+    constexpr int kMostLooks = 10'000;
+    for (int look = 0; look < kMostLooks && child.ending().how == ChildProcess::End::closed;
+         ++look) {
+      child.pump(0.01);
+    }
+    ASSERT_EQ(child.ending().how, ChildProcess::End::exited);
+    EXPECT_EQ(child.ending().number, 3);
+    process = std::stoi(child.output());
+    EXPECT_EQ(::kill(process, 0), 0) << "not reaped";
+  }
+  int status = 0;
+  EXPECT_EQ(::waitpid(process, &status, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD) << "reaped";
 }
 
 TEST(ExternalProgram, IsRefusedWhereASessionCannotUseIt) {

@@ -139,28 +139,31 @@ ChildProcess::~ChildProcess() {
   input_.close();
   look_for_end();
   if (process_ <= 0) return;
-  if (!status_) {
+  if (!ending_) {
     ::kill(-process_, SIGTERM);
     constexpr int kLooks = 20;
     constexpr std::chrono::milliseconds kBetweenLooks{10};
-    for (int look = 0; look < kLooks && !status_; ++look) {
+    for (int look = 0; look < kLooks && !ending_; ++look) {
       std::this_thread::sleep_for(kBetweenLooks);
       look_for_end();
     }
   }
   // Also what the program has started, and left behind.
   ::kill(-process_, SIGKILL);
-  if (!status_) {
-    int status = 0;
-    while (::waitpid(process_, &status, 0) == -1 && errno == EINTR) {
-    }
+  // Only now: the identifier of a process that was reaped can be that of another program's group.
+  int status = 0;
+  while (::waitpid(process_, &status, 0) == -1 && errno == EINTR) {
   }
 }
 
 void ChildProcess::look_for_end() {
-  if (status_ || process_ <= 0) return;
-  int status = 0;
-  if (::waitpid(process_, &status, WNOHANG) == process_) status_ = status;
+  if (ending_ || process_ <= 0) return;
+  siginfo_t info{};  // si_pid remains 0 while the process runs
+  const int result =
+      ::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT);
+  if (result != 0 || info.si_pid != process_) return;
+  ending_ = {.how = info.si_code == CLD_EXITED ? End::exited : End::signalled,
+             .number = info.si_status};
 }
 
 void ChildProcess::write_queued() {
@@ -207,24 +210,20 @@ void ChildProcess::pump(double longest_wait_s) {
   const bool has_output = read_into(output_, from_output_);
   const bool has_errors = read_into(errors_, from_errors_);
   // A process that it started may keep the pipes open.
-  if (status_ && !has_output && !has_errors) from_output_.close();
+  if (ending_ && !has_output && !has_errors) from_output_.close();
   if (from_output_.is_open()) return;
   // The system closes the pipes of a process shortly before its status can be read.
   constexpr int kLooks = 20;
   constexpr std::chrono::milliseconds kBetweenLooks{5};
-  for (int look = 0; look < kLooks && !status_ && !has_looked_; ++look) {
+  for (int look = 0; look < kLooks && !ending_ && !has_looked_; ++look) {
     look_for_end();
-    if (!status_) std::this_thread::sleep_for(kBetweenLooks);
+    if (!ending_) std::this_thread::sleep_for(kBetweenLooks);
   }
   has_looked_ = true;
 }
 
 bool ChildProcess::has_ended() const noexcept { return !from_output_.is_open(); }
 
-ChildProcess::Ending ChildProcess::ending() const noexcept {
-  if (!status_) return {};
-  if (WIFSIGNALED(*status_)) return {.how = End::signalled, .number = WTERMSIG(*status_)};
-  return {.how = End::exited, .number = WEXITSTATUS(*status_)};
-}
+ChildProcess::Ending ChildProcess::ending() const noexcept { return ending_.value_or(Ending{}); }
 
 }  // namespace asperity

@@ -17,7 +17,8 @@ namespace asperity {
 /// The program receives an empty signal mask and the default actions, so that it does not inherit how this program
 /// handles Ctrl-C; a Ctrl-C at the terminal does not reach it.
 ///
-/// The destructor ends the process group (SIGTERM, then SIGKILL) and waits for the process.
+/// The destructor ends the process group (SIGTERM, then SIGKILL) and waits for the process. Until then a process that has
+/// ended is not reaped, so that its identifier, which is that of the group, belongs to no other process.
 class ChildProcess final {
  public:
   /// Errors: std::system_error where the program cannot be started.
@@ -79,8 +80,8 @@ class ChildProcess final {
   void look_for_end();
 
   pid_t process_ = -1;
-  std::optional<int> status_{};  ///< of waitpid
-  bool has_looked_ = false;      ///< for the status, once its output was closed
+  std::optional<Ending> ending_{};
+  bool has_looked_ = false;  ///< for the status, once its output was closed
   Descriptor input_{};
   Descriptor from_output_{};
   Descriptor from_errors_{};
