@@ -43,7 +43,11 @@ Conductor::Conductor(Study& study, const Protocol& protocol, StimulusBuilder& bu
         for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
           course_.pass_slice();
         }
-      }) {}
+      }) {
+  course_.set_each_slice([this] {
+    if (level_program_) level_program_->attend(0.0);
+  });
+}
 
 Conductor::~Conductor() = default;
 

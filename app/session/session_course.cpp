@@ -101,6 +101,7 @@ void SessionCourse::pass(double duration_s) {
     respondent_.button_changed(change);
   }
   if (guiding_) links_.sound->set_guide(watch_.hand().tone());
+  if (each_slice_) each_slice_();
   listen_to_device();
   publish_now();
 }

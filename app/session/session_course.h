@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/session/respondents/respondent.h"
@@ -84,6 +85,8 @@ class SessionCourse final {
   void wait_refusing_answers(double duration_s);
   /// One slice, without regard to requests.
   void pass_slice();
+  /// Called in each slice, also within attempts; it returns at once and throws nothing.
+  void set_each_slice(std::function<void()> call) { each_slice_ = std::move(call); }
   static constexpr double kSlice_s = 0.02;
 
   // --- what is seen and heard ---
@@ -158,6 +161,7 @@ class SessionCourse final {
   std::vector<EventRow> attempt_events_{};
   std::int64_t health_shown_ns_ = 0;
   DeviceComplaints complaints_{};
+  std::function<void()> each_slice_{};
 };
 
 }  // namespace asperity

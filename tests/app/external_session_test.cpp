@@ -2,11 +2,14 @@
 // an interruption anywhere, and held where the program fails.
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <sys/types.h>
 #include <sys/wait.h>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -430,6 +433,40 @@ TEST_F(ExternalSession, IsStoppedByTheExperimenterWhileItWaits) {
   EXPECT_EQ(resume(1000).state, SessionState::completed);
 }
 
+/// Writes more than a pipe holds after its statement of a level, and then makes a file.
+constexpr const char* kWarnsAfterAnswering = R"(
+import json, sys
+asked = 0
+for line in sys.stdin:
+    if "ask" not in json.loads(line):
+        continue
+    asked += 1
+    print('{"level": 50}', flush=True)
+    sys.stderr.write("w" * 300000)
+    sys.stderr.flush()
+    open(sys.argv[0] + ".warned" + str(asked), "w").close()
+)";
+
+TEST_F(ExternalSession, ReadsTheErrorsOfAProgramDuringATrial) {
+  write_program(kWarnsAfterAnswering);
+  start(1);
+  bool has_warned = false;
+  person_.at_ask = [this, &has_warned](const Wait& wait) {
+    // The session's time stands still for the program, which needs some of the machine's.
+    constexpr int kMostLooks = 400;
+    const std::string mark = script().string() + ".warned1";
+    for (int look = 0; look < kMostLooks && !std::filesystem::exists(mark); ++look) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(25));
+      wait(0.02);
+    }
+    has_warned = std::filesystem::exists(mark);
+    return chooses(0);
+  };
+  ASSERT_EQ(run_trials(1).state, SessionState::stopped);
+  EXPECT_TRUE(has_warned);
+  EXPECT_GE(log().size(), 300'000U);
+}
+
 TEST_F(ExternalSession, LimitsWhatItKeepsOfTheErrorsOfAProgram) {
   write_program(R"(
 import json, sys
@@ -449,11 +486,8 @@ TEST(ChildProcess, KeepsTheIdentifierOfAProcessThatHasEndedUntilItsGroupIsEnded)
   pid_t process = 0;
   {
     ChildProcess child("/bin/sh", {"-c", "echo $$; exit 3"});
-    constexpr int kMostLooks = 10'000;
-    for (int look = 0; look < kMostLooks && child.ending().how == ChildProcess::End::closed;
-         ++look) {
-      child.pump(0.01);
-    }
+    constexpr int kMostLooks = 1000;
+    for (int look = 0; look < kMostLooks && !child.has_ended(); ++look) child.pump(0.1);
     ASSERT_EQ(child.ending().how, ChildProcess::End::exited);
     EXPECT_EQ(child.ending().number, 3);
     process = std::stoi(child.output());

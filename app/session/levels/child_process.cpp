@@ -137,8 +137,9 @@ void ChildProcess::start(const std::filesystem::path& program,
 
 ChildProcess::~ChildProcess() {
   input_.close();
-  look_for_end();
   if (process_ <= 0) return;
+  look_for_end();
+  if (has_ended()) ending();  // a program that has closed its output is about to end
   if (!ending_) {
     ::kill(-process_, SIGTERM);
     constexpr int kLooks = 20;
@@ -198,7 +199,9 @@ bool ChildProcess::read_into(std::string& text, Descriptor& from) {
 void ChildProcess::pump(double longest_wait_s) {
   if (input_.is_open()) write_queued();
   std::vector<pollfd> watched{};
+  const bool has_room = output_.size() <= kMostBytes;
   for (const Descriptor* const from : {&from_output_, &from_errors_}) {
+    if (from == &from_output_ && !has_room) continue;
     if (from->is_open()) watched.push_back({.fd = from->number(), .events = POLLIN, .revents = 0});
   }
   if (input_.is_open() && !to_write_.empty()) {
@@ -207,23 +210,24 @@ void ChildProcess::pump(double longest_wait_s) {
   ::poll(watched.data(), watched.size(), static_cast<int>(longest_wait_s * 1000.0));
   if (input_.is_open()) write_queued();
   look_for_end();  // before the outputs: what it wrote before it ended is read
-  const bool has_output = read_into(output_, from_output_);
+  const bool has_output = !has_room || read_into(output_, from_output_);
   const bool has_errors = read_into(errors_, from_errors_);
   // A process that it started may keep the pipes open.
   if (ending_ && !has_output && !has_errors) from_output_.close();
-  if (from_output_.is_open()) return;
-  // The system closes the pipes of a process shortly before its status can be read.
-  constexpr int kLooks = 20;
-  constexpr std::chrono::milliseconds kBetweenLooks{5};
-  for (int look = 0; look < kLooks && !ending_ && !has_looked_; ++look) {
-    look_for_end();
-    if (!ending_) std::this_thread::sleep_for(kBetweenLooks);
-  }
-  has_looked_ = true;
 }
 
 bool ChildProcess::has_ended() const noexcept { return !from_output_.is_open(); }
 
-ChildProcess::Ending ChildProcess::ending() const noexcept { return ending_.value_or(Ending{}); }
+ChildProcess::Ending ChildProcess::ending() {
+  // The system closes the pipes of a process shortly before its status can be read.
+  constexpr int kLooks = 20;
+  constexpr std::chrono::milliseconds kBetweenLooks{5};
+  look_for_end();
+  for (int look = 0; look < kLooks && !ending_; ++look) {
+    std::this_thread::sleep_for(kBetweenLooks);
+    look_for_end();
+  }
+  return ending_.value_or(Ending{});
+}
 
 }  // namespace asperity

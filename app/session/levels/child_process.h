@@ -31,8 +31,9 @@ class ChildProcess final {
   void write(std::string_view bytes) { to_write_ += bytes; }
   /// Closes its standard input once the queued bytes are written.
   void close_input() { closes_input_ = true; }
-  /// Writes queued bytes and reads what has come, at most 64 KiB of each output in one call. Waits for at most this time
-  /// until there is something to read or the process ends, and once, at its end, for 0.1 s more.
+  /// Writes queued bytes and reads what has come, at most 64 KiB of each output in one call, and no more of its standard
+  /// output while more than 64 KiB of it are unused. Waits for at most this time until there is something to read or the
+  /// process ends.
   void pump(double longest_wait_s);
 
   /// What its standard output has brought; the caller removes what it has used.
@@ -40,13 +41,13 @@ class ChildProcess final {
   std::string take_errors() { return std::exchange(errors_, {}); }
   /// Whether it has ended, or has closed its standard output, and everything that it wrote has been read.
   bool has_ended() const noexcept;
-  /// How it ended; `closed` also while it runs.
+  /// How it ended; `closed` also while it runs. Waits up to 0.1 s for it.
   enum class End { closed, exited, signalled };
   struct Ending {
     End how = End::closed;
     int number = 0;  ///< its exit status, or the signal
   };
-  Ending ending() const noexcept;
+  Ending ending();
 
  private:
   /// A file descriptor that is closed at the end.
@@ -81,7 +82,6 @@ class ChildProcess final {
 
   pid_t process_ = -1;
   std::optional<Ending> ending_{};
-  bool has_looked_ = false;  ///< for the status, once its output was closed
   Descriptor input_{};
   Descriptor from_output_{};
   Descriptor from_errors_{};

@@ -75,6 +75,7 @@ LevelProgram::LevelProgram(const ExternalProgram& program, const std::string& be
 void LevelProgram::ask(const LevelRequest& request) {
   request_ = request;
   attend(0.0);
+  require_kept_errors();
   if (!process_->output().empty()) {
     fail_with(
         phrase("ExternalProgram",
@@ -103,8 +104,13 @@ void LevelProgram::attend(double longest_wait_s) {
   keep_errors();
 }
 
+void LevelProgram::require_kept_errors() const {
+  if (unkept_) fail_with(*unkept_);
+}
+
 std::optional<SuppliedStep> LevelProgram::step(double longest_wait_s) {
   attend(longest_wait_s);
+  require_kept_errors();
   std::string& output = process_->output();
   const std::size_t end = output.find('\n');
   if (end != std::string::npos && end + 1 == output.size()) {
@@ -194,11 +200,10 @@ void LevelProgram::keep_errors() {
   try {
     append_to_log(log_, text);
   } catch (const ResultsError& error) {
-    fail_with(
-        phrase("ExternalProgram",
-               "what the external program %1 writes to its standard error cannot be kept: %2; "
-               "check the permissions and the free space of the study's folder")
-            .with(name_, std::string(error.what())));
+    unkept_ = phrase("ExternalProgram",
+                     "what the external program %1 writes to its standard error cannot be kept: "
+                     "%2; check the permissions and the free space of the study's folder")
+                  .with(name_, std::string(error.what()));
   }
 }
 

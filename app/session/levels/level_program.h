@@ -11,6 +11,7 @@
 #include "app/session/levels/child_process.h"
 #include "app/session/levels/external_program.h"
 #include "app/session/levels/supplied_steps.h"
+#include "app/words/phrase.h"
 #include "protocols/plan/level_tracks.h"
 
 namespace asperity {
@@ -35,8 +36,11 @@ class LevelProgram final {
   std::optional<SuppliedStep> step(double longest_wait_s);
   /// Closes the input of the program, which then has nothing left to do.
   void close() { process_->close_input(); }
-  /// Passes bytes while nothing is requested.
+  /// Passes bytes while nothing is requested: a program whose standard error is not read is blocked. Nothing that the
+  /// program does is an error here.
   void attend(double longest_wait_s);
+  /// Errors: PhrasedError where what it wrote to its standard error could not be kept.
+  void require_kept_errors() const;
   bool has_ended() const noexcept { return process_->has_ended(); }
 
  private:
@@ -52,8 +56,9 @@ class LevelProgram final {
   bool has_been_asked_ = false;
   LevelRequest request_{};
   Clock::time_point deadline_{};
-  std::size_t logged_ = 0;         ///< bytes
-  std::string last_error_line_{};  ///< of its standard error
+  std::size_t logged_ = 0;          ///< bytes
+  std::string last_error_line_{};   ///< of its standard error
+  std::optional<Phrase> unkept_{};  ///< why its standard error could not be kept
 };
 
 }  // namespace asperity
