@@ -148,7 +148,6 @@ void Conductor::note_guidance() {
 SessionEnd Conductor::finish(std::int64_t began_ns) {
   rig_.loop().withdraw();
   upcoming_.make_ahead({});
-  end_program();
   SessionEnd end{};
   if (stopped_) end = *stopped_;
   course_.set_masking(false);
@@ -171,6 +170,7 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   course_.play(Cue::finished);
   course_.show({.kind = ParticipantScene::Kind::ended});
   course_.publish(SessionPhase::ended);
+  end_program();  // last: the end of the session is stored, whatever the program does
   return end;
 }
 

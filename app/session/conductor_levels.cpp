@@ -105,7 +105,8 @@ void Conductor::tell_program(const Trial& trial, const AttemptRow& attempt) {
                                    .is_correct = outcome.answer->counts_down}});
 }
 
-/// Closes the input of the program and waits until it has ended; one that does not end is ended.
+/// Closes the input of the program and waits until it has ended; one that does not end is ended. It has stated what it
+/// was asked: a failure is stored, and changes nothing for the session.
 void Conductor::end_program() {
   if (!level_program_) return;
   level_program_->close();
@@ -114,6 +115,11 @@ void Conductor::end_program() {
   while (!level_program_->has_ended() && std::chrono::steady_clock::now() < until) {
     if (!is_stepped) course_.pass_slice();
     level_program_->attend(is_stepped ? SessionCourse::kSlice_s : 0.0);
+  }
+  try {
+    level_program_->require_kept_errors();
+  } catch (const PhrasedError& failure) {
+    course_.event(kExternalFailure, failure.said().english());
   }
   level_program_.reset();
 }

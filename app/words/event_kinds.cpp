@@ -122,8 +122,8 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control",
        .public_data = {"block_ordinal", "track", "step", "stated", "level", "end"}},
       {.name = "external_program_failed",
-       .meaning = "the external program failed, and the session waited or was stopped. Text: what "
-                  "failed",
+       .meaning = "the external program failed, and the session waited or was stopped; or its "
+                  "standard error could not be kept until it ended. Text: what failed",
        .hed = "Experiment-control, Warning",
        .text_is_words = true},
       {.name = "paused",

@@ -467,6 +467,38 @@ TEST_F(ExternalSession, ReadsTheErrorsOfAProgramDuringATrial) {
   EXPECT_GE(log().size(), 300'000U);
 }
 
+/// Writes to its standard error once its input is closed.
+constexpr const char* kTakesLeave = R"(
+import json, sys
+for line in sys.stdin:
+    if "ask" in json.loads(line):
+        print('{"level": 50}', flush=True)
+sys.stderr.write("goodbye\n")
+)";
+
+TEST_F(ExternalSession, StoresItsEndAlsoWhereTheErrorsOfAProgramCannotBeKept) {
+  write_program(kTakesLeave);
+  for (const int trials : {3, 1000}) {  // the program is ended with the session, and with its block
+    SCOPED_TRACE(trials);
+    start(1);
+    const std::filesystem::path logs = folder_.path() / "study" / "logs";
+    std::filesystem::create_directories(logs);
+    std::ofstream(logs / session_.row.participant) << "not a folder";
+    const SessionState state =
+        trials < kAllTrials ? SessionState::stopped : SessionState::completed;
+    EXPECT_EQ(run_trials(trials).state, state);
+    EXPECT_EQ(study_->session(session_.row.id).state, state);
+    EXPECT_EQ(
+        events_of_kind(state == SessionState::completed ? "session_completed" : "session_stopped")
+            .size(),
+        1U);
+    const std::vector<EventRow> failures = events_of_kind(kExternalFailure);
+    ASSERT_EQ(failures.size(), 1U);
+    EXPECT_THAT(failures.front().text,
+                AllOf(HasSubstr("cannot be kept"), HasSubstr(session_.row.participant)));
+  }
+}
+
 TEST_F(ExternalSession, LimitsWhatItKeepsOfTheErrorsOfAProgram) {
   write_program(R"(
 import json, sys
