@@ -88,7 +88,9 @@ class ExternalSession : public SessionTest {
   void write_program(const std::string& text) { std::ofstream(script()) << text; }
   std::filesystem::path script() const { return folder_ / "program.py"; }
   ExternalProgram program() const {
-    return {.file = "/usr/bin/env", .arguments = {"python3", script().string()}};
+    ExternalProgram chosen{.file = "/usr/bin/env", .arguments = {"python3", script().string()}};
+    chosen.arguments.insert(chosen.arguments.end(), arguments_.begin(), arguments_.end());
+    return chosen;
   }
 
   /// A new session; a trial has the same answer in every session of this seed.
@@ -145,6 +147,7 @@ class ExternalSession : public SessionTest {
   }
 
   int participants_ = 1;
+  std::vector<std::string> arguments_{};  ///< further ones of the program
 };
 
 TEST_F(ExternalSession, OfTheDocumentedProgramHasTheLevelsOfTheSameStaircase) {
@@ -420,6 +423,28 @@ TEST_F(ExternalSession, StopsAfterAFailureWithoutAnExperimenterAndIsResumed) {
   EXPECT_EQ(attempts().size(), static_cast<std::size_t>(kAllTrials));
 }
 
+/// A regular file that no one can read from its beginning.
+constexpr const char* kUnreadable = "/proc/self/mem";
+
+TEST_F(ExternalSession, WaitsWhereAFileOfTheProgramCannotBeRead) {
+  links_.experimenter_is_there = true;
+  start(1);
+  arguments_ = {kUnreadable};
+  person_.at_fault = [this] {
+    arguments_.clear();
+    return Respondent::AfterFault::end;
+  };
+  const SessionEnd end = run_trials(1000);
+  EXPECT_EQ(end.state, SessionState::stopped);
+  ASSERT_EQ(person_.faults_heard.size(), 1U);
+  EXPECT_THAT(person_.faults_heard.front(),
+              AllOf(HasSubstr("the file /proc/self/mem cannot be read"),
+                    HasSubstr("Fix the problem, then resume")));
+  EXPECT_EQ(events_of_kind(kExternalFailure).size(), 1U);
+  EXPECT_THAT(events_of_kind(kExternalProgram), IsEmpty()) << "it was not started";
+  EXPECT_EQ(resume(1000).state, SessionState::completed);
+}
+
 TEST_F(ExternalSession, IsStoppedByTheExperimenterWhileItWaits) {
   write_program("raise SystemExit('not installed')\n");
   links_.experimenter_is_there = true;
@@ -548,6 +573,10 @@ TEST(ExternalProgram, IsRefusedWhereASessionCannotUseIt) {
   EXPECT_THAT(complaint(needs, ExternalProgram{.file = "/etc/passwd"}),
               HasSubstr("cannot be executed"));
   EXPECT_EQ(complaint(needs, ExternalProgram{.file = "/usr/bin/env"}), "");
+  EXPECT_NO_THROW(require_program(needs, ExternalProgram{.file = "/usr/bin/env"}));
+  EXPECT_THROW(
+      require_program(needs, ExternalProgram{.file = "/usr/bin/env", .arguments = {kUnreadable}}),
+      PhrasedError);
 }
 
 }  // namespace

@@ -4152,6 +4152,10 @@
 <context>
     <name>ExternalProgram</name>
     <message>
+        <source>the file %1 cannot be read, and its checksum is stored with the session: %2; check the permissions of the file, or correct the external program and its arguments</source>
+        <translation>die Datei %1 kann nicht gelesen werden, und ihre Prüfsumme wird mit der Sitzung gespeichert: %2; die Zugriffsrechte der Datei prüfen oder das externe Programm und seine Argumente korrigieren</translation>
+    </message>
+    <message>
         <source>the levels of the block &quot;%1&quot; come from an external program, and none is given; give it with --external PROGRAM, or choose it in the window</source>
         <translation>die Stufen des Blocks „%1“ kommen aus einem externen Programm, und es ist keines angegeben; das Programm mit --external PROGRAM angeben oder im Fenster wählen</translation>
     </message>

@@ -7,8 +7,25 @@
 #include <nlohmann/json.hpp>
 
 #include "results_schema/sha256.h"
+#include "results_schema/study.h"
 
 namespace asperity {
+
+namespace {
+
+std::string stored_checksum(const std::filesystem::path& file) {
+  try {
+    return sha256_of_file(file);
+  } catch (const ResultsError& error) {
+    throw PhrasedError(
+        phrase("ExternalProgram",
+               "the file %1 cannot be read, and its checksum is stored with the session: %2; check "
+               "the permissions of the file, or correct the external program and its arguments")
+            .with(file.string(), std::string(error.what())));
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> blocks_of_external_program(const Protocol& protocol) {
   std::vector<std::string> names{};
@@ -61,16 +78,17 @@ void require_program(const Protocol& protocol, const std::optional<ExternalProgr
   if (const auto complaint = complaint_about_program(protocol, program)) {
     throw PhrasedError(*complaint);
   }
+  if (program) provenance_json(*program);  // each file can be read
 }
 
 std::string provenance_json(const ExternalProgram& program) {
   nlohmann::ordered_json json{{"program", program.name()},
-                              {"sha256", sha256_of_file(program.file)},
+                              {"sha256", stored_checksum(program.file)},
                               {"arguments", program.arguments}};
   for (const std::string& argument : program.arguments) {
     std::error_code error{};
     if (!std::filesystem::is_regular_file(argument, error)) continue;
-    json["argument_sha256"][argument] = sha256_of_file(argument);
+    json["argument_sha256"][argument] = stored_checksum(argument);
   }
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -30,10 +30,12 @@ std::vector<std::string> blocks_of_external_program(const Protocol& protocol);
 std::optional<Phrase> complaint_about_program(const Protocol& protocol,
                                               const std::optional<ExternalProgram>& program);
 
-/// Errors: PhrasedError with this complaint.
+/// Errors: PhrasedError with this complaint, and as `provenance_json`.
 void require_program(const Protocol& protocol, const std::optional<ExternalProgram>& program);
 
-/// Name, arguments and SHA-256 of the file, and of every argument that is a file: the data of `external_program`.
+/// Name, arguments and SHA-256 of the file, and of every argument that is a file: the data of `external_program`. Determined
+/// at each start, because a program that failed can be corrected before it is started again. Errors: PhrasedError that
+/// names the file that cannot be read.
 std::string provenance_json(const ExternalProgram& program);
 
 }  // namespace asperity
