@@ -117,5 +117,16 @@ with tempfile.TemporaryDirectory() as place:
         asperity("report", place / "stated", "--out", place / "report.html")
         said = (place / "report.html").read_text(encoding="utf-8")
         expect("staircase.py (SHA-256" in said, "the report does not name the program")
+        expect("stated levels in 2 sessions" in said, "the report does not state the sessions of the program")
+
+        # A program that fails before its first statement has stated no levels.
+        example.write_text("#!/usr/bin/env python3\nraise SystemExit('not installed')\n", encoding="utf-8")
+        example.chmod(0o755)
+        said = simulate("failed", "external", "--jobs", 1, status=1)
+        expect("not installed" in said, f"the failure of the program is not stated: {said}")
+        asperity("report", place / "failed", "--out", place / "failed.html")
+        said = (place / "failed.html").read_text(encoding="utf-8")
+        expect("An external program failed once." in said, "the report does not state the failure of the program")
+        expect("stated levels" not in said, "the report states levels of a program that stated none")
     asperity("copy", place / "stated", place / "copy")
     asperity("verify", place / "copy")

@@ -220,11 +220,15 @@ void count_session(const Study& study, const SessionOverview& overview,
   session.done_trials = overview.done_trials;
   session.decisions = study.decisions(row.id);
   const std::vector<EventRow> events = study.events(row.id);
+  const EventRow* started = nullptr;  // a program that has stated nothing yet
   for (const EventRow& event : events) {
     if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
     if (event.kind == "session_resumed") ++session.resumed;
     if (event.kind == kResumedLate) session.late_resumes.push_back(event);
-    if (event.kind == kExternalProgram) session.external_programs.push_back(event);
+    if (event.kind == kExternalProgram) started = &event;
+    if (event.kind == kExternalLevel && started != nullptr) {
+      session.external_programs.push_back(*std::exchange(started, nullptr));
+    }
     if (event.kind == kExternalFailure) ++session.external_failures;
     if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }

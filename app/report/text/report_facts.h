@@ -48,7 +48,8 @@ struct ReportedSession {
   std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};
   std::vector<EventRow> late_resumes{};  ///< see kResumedLate
-  std::vector<EventRow> external_programs{};  ///< `external_program`; one for each start
+  /// `external_program`, of each start that was followed by a statement (`external_level`).
+  std::vector<EventRow> external_programs{};
   std::size_t external_failures = 0;
   std::vector<ReportedNote> notes{};     ///< in chronological order
 };

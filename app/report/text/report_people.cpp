@@ -396,11 +396,11 @@ std::string external_programs_text(const ReportFacts& facts) {
             " stated levels in " + counted(count, "session", "sessions") + '.';
   }
   if (failures > 0) {
-    text += " A program failed " +
+    text += (text.empty() ? "" : " ") + std::string("An external program failed ") +
             (failures == 1   ? std::string("once")
              : failures == 2 ? std::string("twice")
                              : count_in_words(failures) + " times") +
-            "; no completed trial was lost or repeated.";
+            '.';
   }
   return text;
 }
