@@ -221,7 +221,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol =
       load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());
-  require_program(protocol, inputs.level_program);
+  // A session that is resumed needs none once every level is stored (`sit`).
+  if (!inputs.resume || inputs.level_program) require_program(protocol, inputs.level_program);
   Study study = Study::open(inputs.study, Access::read_write);
   study.mark_crashed_sessions();
   const StudyLock lock(inputs.study, Study::session_lock_name(inputs.participant));

@@ -112,13 +112,15 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
         phrase("RunSession", "%1; choose another device, or relax the requirement in the protocol")
             .with(complaints.front()));
   }
-  require_program(protocol, sitting.level_program);
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);
+    // Once every level is stored, none is needed.
+    if (!session.course->is_complete()) require_program(protocol, sitting.level_program);
     store_changed_device(rig.capability(), study, session.row, rig.clock().now_ns());
     store_late_resume(sitting, study, rig.clock().now_ns());
   } else {
+    require_program(protocol, sitting.level_program);
     SessionConditions conditions{};
     conditions.mode = sitting.mode;
     conditions.seed = sitting.seed;

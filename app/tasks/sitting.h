@@ -37,7 +37,7 @@ struct Sitting {
 /// Runs the session. `person` is null for a virtual participant, who then answers as the protocol's
 /// observer does. The caller holds the participant's lock. `stop` requests the end after the
 /// current trial. Errors: PhrasedError, before anything is stored, for a device that the protocol does not accept and for
-/// an external program that is missing or cannot be used.
+/// an external program that is missing or cannot be used, unless every level of a resumed session is stored.
 SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
                const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,

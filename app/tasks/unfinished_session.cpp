@@ -1,11 +1,13 @@
 #include "app/tasks/unfinished_session.h"
 
 #include <algorithm>
+#include <exception>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "app/session/levels/external_program.h"
 #include "app/session/rig/clock.h"
 #include "app/session/session_setup.h"
 #include "app/words/time_ago.h"
@@ -64,6 +66,19 @@ Phrase complaint_about(const LateResume& late) {
       .with(age, number_text(late.maximum_age_hours));
 }
 
+namespace {
+
+bool lacks_levels(const Study& study, const Protocol& protocol, const SessionRow& row) {
+  if (blocks_of_external_program(protocol).empty()) return false;
+  try {
+    return !reopen(study, protocol, row).course->is_complete();
+  } catch (const std::exception&) {
+    return true;  // it cannot be resumed, which is stated when this is attempted
+  }
+}
+
+}  // namespace
+
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol) {
   std::set<std::int64_t> ids{};  // of the sessions with this text
   for (const ProtocolRow& row : study.protocols()) {
@@ -80,7 +95,8 @@ std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Pro
                         .trials_done = counts.done_trials,
                         .trials = counts.planned_trials,
                         .late = late_resume(study, protocol, row),
-                        .noise = recorded_stretches(row, study.events(row.id), {}).back().noise});
+                        .noise = recorded_stretches(row, study.events(row.id), {}).back().noise,
+                        .lacks_levels = lacks_levels(study, protocol, row)});
   }
   return sessions;
 }

@@ -37,6 +37,7 @@ struct UnfinishedSession {
   int trials = 0;
   std::optional<LateResume> late{};  ///< if it is resumed now
   RecordedNoise noise{};             ///< of its last stretch
+  bool lacks_levels = false;         ///< an external program has to state further levels
 };
 
 /// The unfinished sessions of exactly this protocol, by participant and session.

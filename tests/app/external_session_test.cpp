@@ -18,6 +18,7 @@
 #include "app/records/recorded_attempt.h"
 #include "app/session/levels/child_process.h"
 #include "app/session/levels/supplied_steps.h"
+#include "app/tasks/sitting.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/event_kinds.h"
 #include "results_schema/atomic_file.h"
@@ -443,6 +444,35 @@ TEST_F(ExternalSession, WaitsWhereAFileOfTheProgramCannotBeRead) {
   EXPECT_EQ(events_of_kind(kExternalFailure).size(), 1U);
   EXPECT_THAT(events_of_kind(kExternalProgram), IsEmpty()) << "it was not started";
   EXPECT_EQ(resume(1000).state, SessionState::completed);
+}
+
+TEST_F(ExternalSession, IsResumedWithoutTheProgramOnceEveryLevelIsStored) {
+  constexpr int kStatedTrials = 24;
+  for (const int position : {kStatedTrials - 1, kStatedTrials}) {
+    SCOPED_TRACE(position);
+    start(2);
+    ASSERT_EQ(run_trials(position).state, SessionState::stopped);
+    const std::string& label = session_.row.participant;
+    const auto unfinished = unfinished_of(unfinished_sessions(*study_, protocol_), label, {});
+    ASSERT_TRUE(unfinished);
+    EXPECT_EQ(unfinished->lacks_levels, position < kStatedTrials);
+    Sitting sitting{};
+    sitting.participant = study_->participant(label).value();
+    sitting.unfinished = unfinished->row;
+    make_rig({});
+    rig_->move_clock_to(last_time_ns(*study_, unfinished->row));
+    const auto resume_without = [&] {
+      return sit(*study_, protocol_, *builder_, this_program(), sitting, *rig_, &person_, {}, {})
+          .state;
+    };
+    if (unfinished->lacks_levels) {
+      EXPECT_THROW(resume_without(), PhrasedError);
+      EXPECT_EQ(study_->session(session_.row.id).state, SessionState::stopped);
+    } else {
+      EXPECT_EQ(resume_without(), SessionState::completed);
+      EXPECT_EQ(verified_trials(), static_cast<std::size_t>(kAllTrials));
+    }
+  }
 }
 
 TEST_F(ExternalSession, IsStoppedByTheExperimenterWhileItWaits) {

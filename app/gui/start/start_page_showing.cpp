@@ -67,7 +67,6 @@ void StartPage::show_protocol() {
     return;
   }
   const Protocol* protocol = chosen();
-  program_->set_protocol(facts_.chosen.protocol);
   protocol_state_->setVisible(protocol == nullptr);
   protocol_text_->setVisible(protocol != nullptr);
   if (protocol == nullptr) {
@@ -190,6 +189,11 @@ void StartPage::show_person() {
   if (unfinished_ && !resume_ && going_on_) return go_on(true);
   participant_->set_unfinished(unfinished_, resume_);
   participant_->ask_late_reason(resume_ && unfinished_->late.has_value());
+  if (is_read_) {
+    // A session whose levels are all stored is resumed without a program.
+    const bool takes_levels = !resume_ || unfinished_->lacks_levels;
+    program_->set_protocol(takes_levels ? facts_.chosen.protocol : nullptr);
+  }
   participant_->group().set_groups(groups_to_choose());
   participant_->set_session_text(session_text());
   if (resume_) {
