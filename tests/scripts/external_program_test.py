@@ -49,7 +49,8 @@ def asperity(*arguments, status=0):
 def levels(study):
     with sqlite3.connect(f"file:{study}/study.sqlite?mode=ro", uri=True) as database:
         return [json.loads(row[0])["amplitude_m"] for row in
-                database.execute("SELECT factors_json FROM trial ORDER BY session_id, trial")]
+                database.execute("SELECT factors_json FROM trial JOIN session ON session.id = session_id "
+                                 "JOIN participant ON participant.id = participant_id ORDER BY label, trial")]
 
 
 def expect(holds, what):
