@@ -150,6 +150,8 @@ class Conductor final {
   /// True when a trial was repeated meanwhile: the position in the session then has to be reported again.
   bool between_steps(Next next);
   void hold(Next next);
+  void begin_pause();
+  void end_pause(SessionPhase before);
   void pause_without_noise();
   void repeat_as_asked();
   void repeat_last(const Phrase& reason);

@@ -95,12 +95,7 @@ void Conductor::hold(Next next) {
       pause_without_noise();
     }
     if (!requests_.is_paused()) break;
-    if (!paused) {
-      course_.event("paused", "");
-      course_.enter(SessionPhase::paused);
-      course_.show({.kind = ParticipantScene::Kind::paused});
-      course_.play(Cue::paused);
-    }
+    if (!paused) begin_pause();
     paused = true;
     if (requests_.take_stop(StopAfter::trial)) {
       stop(phrase_of(Reason::as_asked));
@@ -110,6 +105,18 @@ void Conductor::hold(Next next) {
     course_.store_remarks();
   }
   if (!paused || stopped_) return;
+  end_pause(before);
+}
+
+void Conductor::begin_pause() {
+  course_.event("paused", "");
+  course_.enter(SessionPhase::paused);
+  course_.show({.kind = ParticipantScene::Kind::paused});
+  course_.play(Cue::paused);
+}
+
+/// Returns to the phase in which the pause began.
+void Conductor::end_pause(SessionPhase before) {
   course_.event("resumed", "");
   course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
   course_.enter(before);

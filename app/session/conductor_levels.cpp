@@ -17,7 +17,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kToEnd_s = 2.0;  // a program that is told to end may store what it knows
+constexpr double kToEnd_s = 2.0;  // after the end of its input a program may store what it knows
 
 /// Relative to the folder of the study.
 std::string log_of_program(const SessionRow& session) {
@@ -31,7 +31,7 @@ std::string log_of_program(const SessionRow& session) {
 /// Has the external program state what the plan requests, and stores each statement before what follows from it.
 void Conductor::supply_levels() {
   if (!session_.course->requested()) {
-    // Told to end at the end of its block, not of the session.
+    // Its input ends with its block, not with the session.
     if (session_.course->awaited() == nullptr ||
         session_.course->awaited()->block_ordinal != block_of_program_) {
       end_program();
@@ -138,10 +138,7 @@ void Conductor::wait_out_program(const Phrase& failure) {
              "resume: the program is started again and receives the responses so far.")
           .with(failure.as_sentence());
   publish_trouble(what, SessionTrouble::Remedy::resume);
-  course_.event("paused", "");
-  course_.enter(SessionPhase::paused);
-  course_.show({.kind = ParticipantScene::Kind::paused});
-  course_.play(Cue::paused);
+  begin_pause();
   respondent_.hear_of_fault(what.english());
   while (!stopped_ && requests_.is_paused()) {
     course_.pass_slice();
@@ -156,10 +153,7 @@ void Conductor::wait_out_program(const Phrase& failure) {
     }
   }
   if (stopped_) return;
-  course_.event("resumed", "");
-  course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
-  course_.enter(before);
-  course_.show({});
+  end_pause(before);
 }
 
 }  // namespace asperity

@@ -26,7 +26,7 @@ class LevelProgram final {
   LevelProgram(const ExternalProgram& program, const std::string& begin,
                std::filesystem::path log_of_errors);
 
-  /// Asks for a step. The program is told the answers that it has not received yet. Errors: as `step`.
+  /// Asks for a step. Sends the answers that the program has not received yet first. Errors: as `step`.
   void ask(const LevelRequest& request);
   /// Tells an answer before the next request, so that the program has the time between trials.
   void tell(const TrackAnswer& answer);
