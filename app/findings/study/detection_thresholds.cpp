@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,21 +15,6 @@ namespace asperity {
 namespace {
 
 constexpr double kConfidenceOfDetections = 0.95;
-
-std::vector<PsychometricBlock> blocks_by_difference(const DiscriminationTask& task,
-                                                    const HitsByValue& hits) {
-  std::map<double, PsychometricBlock> by_x{};
-  for (const auto& [value, count] : hits) {
-    const double x = std::abs(value - task.standard());
-    PsychometricBlock& block = by_x[x];
-    block.x = x;
-    block.trials += count.trials;
-    block.hits += count.hits;
-  }
-  std::vector<PsychometricBlock> blocks{};
-  for (const auto& [x, block] : by_x) blocks.push_back(block);
-  return blocks;
-}
 
 WhyNoThreshold why_no_detection(DetectionStatus status) {
   switch (status) {
@@ -77,7 +61,7 @@ class DetectionList final {
   DetectionList(const DiscriminationTask& task, DiscriminationFit& fit) : task_(task), fit_(fit) {}
 
   void add(const DiscriminationData& data) {
-    const std::vector<PsychometricBlock> blocks = blocks_by_difference(task_, data.hits);
+    const std::vector<PsychometricBlock> blocks = psychometric_blocks(task_, data.hits);
     n_ = 0;
     for (const PsychometricBlock& block : blocks) n_ += static_cast<std::size_t>(block.trials);
     thresholds_.number("standard", data.key, task_.standard(),
@@ -102,13 +86,8 @@ class DetectionList final {
     thresholds_.number("jnd.dprime1", data.key, alpha, estimate);
     if (task_.standard() == 0.0) return;
     const double standard = std::abs(task_.standard());
-    Basis fraction = estimate;
-    fraction.unit = "1";
+    Basis fraction = basis_in_standards(estimate, standard);
     fraction.method = "just-noticeable difference at d′ = 1 divided by the standard";
-    if (fraction.interval) {
-      fraction.interval->low /= standard;
-      fraction.interval->high /= standard;
-    }
     thresholds_.number("weber", data.key, alpha / standard, fraction);
   }
 

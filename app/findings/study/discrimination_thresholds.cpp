@@ -54,21 +54,6 @@ std::size_t trials_in(const HitsByValue& hits) {
   return trials;
 }
 
-/// By x, as in `psychometric_input`.
-std::vector<PsychometricBlock> blocks_of(const DiscriminationTask& task, const HitsByValue& hits) {
-  std::map<double, PsychometricBlock> by_x{};
-  for (const auto& [value, count] : hits) {
-    const double x = task.is_performance ? std::abs(value - task.standard()) : value;
-    PsychometricBlock& block = by_x[x];
-    block.x = x;
-    block.trials += count.trials;
-    block.hits += count.hits;
-  }
-  std::vector<PsychometricBlock> blocks{};
-  for (const auto& [x, block] : by_x) blocks.push_back(block);
-  return blocks;
-}
-
 /// Collects the thresholds of one function after another.
 class ThresholdList final {
  public:
@@ -103,13 +88,8 @@ class ThresholdList final {
     number(quantity, value, estimate);
     if (std::string(quantity) != "jnd" || task_.standard() == 0.0) return;
     const double standard = std::abs(task_.standard());
-    Basis fraction = estimate;
-    fraction.unit = "1";
+    Basis fraction = basis_in_standards(estimate, standard);
     fraction.method = "just-noticeable difference divided by the standard; " + estimate.method;
-    if (fraction.interval) {
-      fraction.interval->low /= standard;
-      fraction.interval->high /= standard;
-    }
     number("weber", value / standard, fraction);
   }
 
@@ -181,7 +161,8 @@ std::optional<ProcedureBootstrap> repeated_procedure(const DiscriminationTask& t
                                                      const DiscriminationData& data,
                                                      double proportion_of_hits) {
   if (!data.placed) return std::nullopt;
-  return procedure_interval(task, blocks_of(task, data.hits), *data.placed, proportion_of_hits);
+  return procedure_interval(task, psychometric_blocks(task, data.hits), *data.placed,
+                            proportion_of_hits);
 }
 
 /// Whether psi or QUEST+ placed the trials.
@@ -233,7 +214,7 @@ void add_posterior(const DiscriminationTask& task, const DiscriminationData& dat
   const std::optional<ThresholdPrior> prior = common_prior(*data.placed);
   if (!prior) return;
   const CredibleThreshold threshold =
-      posterior_threshold(*prior, blocks_of(task, data.hits), kProportionAtThreshold);
+      posterior_threshold(*prior, psychometric_blocks(task, data.hits), kProportionAtThreshold);
   if (threshold.at_ends > kMostAtEndsOfPrior) {
     return list.none("jnd.posterior", threshold_at_end_of_prior());
   }
@@ -344,7 +325,7 @@ void add_limited_function(const DiscriminationTask& task, const DiscriminationDa
                              number_text(kSlopesOfProcedures.least) + " and " +
                              number_text(kSlopesOfProcedures.greatest);
   const Basis basis{.n = trials_in(data.hits), .method = method};
-  const std::vector<PsychometricBlock> blocks = blocks_of(task, data.hits);
+  const std::vector<PsychometricBlock> blocks = psychometric_blocks(task, data.hits);
   const auto none = [&](const char* word, const char* sentence) {
     list.word("status", data.key, word, sentence, basis);
   };
@@ -419,6 +400,30 @@ std::vector<Finding> functions_at(const DiscriminationTask& task,
 
 }  // namespace
 
+std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& task,
+                                                   const HitsByValue& hits) {
+  std::map<double, PsychometricBlock> by_x{};
+  for (const auto& [value, count] : hits) {
+    const double x = task.is_performance ? std::abs(value - task.standard()) : value;
+    PsychometricBlock& block = by_x[x];
+    block.x = x;
+    block.trials += count.trials;
+    block.hits += count.hits;
+  }
+  std::vector<PsychometricBlock> blocks{};
+  for (const auto& [x, block] : by_x) blocks.push_back(block);
+  return blocks;
+}
+
+Basis basis_in_standards(Basis estimate, double standard) {
+  estimate.unit = "1";
+  if (estimate.interval) {
+    estimate.interval->low /= standard;
+    estimate.interval->high /= standard;
+  }
+  return estimate;
+}
+
 TidyInput psychometric_input(const DiscriminationTask& task,
                              std::span<const DiscriminationData> data, double proportion_of_hits) {
   LabelRows conditions{};
@@ -426,7 +431,7 @@ TidyInput psychometric_input(const DiscriminationTask& task,
   NumberColumn trials{};
   NumberColumn hits{};
   for (const DiscriminationData& one : data) {
-    for (const PsychometricBlock& block : blocks_of(task, one.hits)) {
+    for (const PsychometricBlock& block : psychometric_blocks(task, one.hits)) {
       conditions.add(one.key);
       levels.push_back(block.x);
       trials.push_back(static_cast<double>(block.trials));

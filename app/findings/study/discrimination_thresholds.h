@@ -8,8 +8,10 @@
 
 #include "analysis/finding.h"
 #include "analysis/proportion.h"
+#include "analysis/psychometric_likelihood.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_tracks.h"
+#include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/words/phrase.h"
 
@@ -63,6 +65,12 @@ struct DiscriminationFit {
   /// The sentences of `WhyNoThreshold` in `thresholds`, each once, except for those of slopes.
   std::vector<Phrase> reasons{};
 };
+/// The trials by x, ascending: the value, or with correct responses its distance from the standard.
+std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& task,
+                                                   const HitsByValue& hits);
+/// The basis of an estimate that is divided by the standard, above 0; its method is the same.
+Basis basis_in_standards(Basis estimate, double standard);
+
 /// Of a design with options in words: `fit_detections`.
 DiscriminationFit fit_discrimination(const DiscriminationTask& task,
                                      std::span<const DiscriminationData> data);

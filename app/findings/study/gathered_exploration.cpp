@@ -89,6 +89,11 @@ class OwnConditions final {
   std::map<ExploredCondition, OwnExplorations> by_condition_{};
 };
 
+/// Nothing where NaN stands for none.
+std::optional<double> stored_number_or_none(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
 }  // namespace
 
 OwnAverage own_average_of(Explored quantity) noexcept {
@@ -153,18 +158,15 @@ void GatheredExploration::end_participant(const GatheredAnswers& gathered) {
 }
 
 std::optional<double> GatheredExploration::contact_s(std::size_t surface) const {
-  const double value = contact_s_[surface];
-  return std::isnan(value) ? std::nullopt : std::optional(value);
+  return stored_number_or_none(contact_s_[surface]);
 }
 
 std::optional<double> GatheredExploration::force_N(std::size_t surface) const {
-  const float value = force_N_[surface];
-  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+  return stored_number_or_none(force_N_[surface]);
 }
 
 std::optional<double> GatheredExploration::speed_m_per_s(std::size_t surface) const {
-  const float value = speed_m_per_s_[surface];
-  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+  return stored_number_or_none(speed_m_per_s_[surface]);
 }
 
 std::span<const OwnValue> GatheredExploration::own_values(const ExploredCondition& condition,
