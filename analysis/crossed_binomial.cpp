@@ -354,6 +354,7 @@ StandardisedModel with_standardised_covariates(const CrossedModel& model) {
     const double mean = model.design.col(column).mean();
     const double deviation =
         std::sqrt((model.design.col(column).array() - mean).square().sum() / rows);
+    if (!(deviation > 0.0)) continue;  // not a model, which the likelihood refuses
     made.model.design.col(column) = (model.design.col(column).array() - mean) / deviation;
     made.back(column, column) = 1.0 / deviation;
     made.back(0, column) = -mean / deviation;
@@ -385,7 +386,6 @@ CrossedProblem boundary(bool participants, bool items) {
 }  // namespace
 
 CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedModel& given) {
-  (void)CrossedLikelihood(responses, given);  // refuses what is not a model
   const auto [model, back] = with_standardised_covariates(given);
   const CrossedLikelihood likelihood(responses, model);
   if (is_separated(responses, model, likelihood)) return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/number_text.h"
+#include "analysis/overloaded.h"
 #include "protocols/answers/stored_number.h"
 
 namespace asperity {
@@ -10,11 +11,6 @@ namespace asperity {
 namespace {
 
 using FormOfQuestion = Question::Form;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
 
 std::string quoted_text(const std::string& text) { return '"' + text + '"'; }
 

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "analysis/number_text.h"
+#include "analysis/overloaded.h"
 #include "app/session/levels/level_messages.h"
 #include "app/words/phrase.h"
 #include "results_schema/log_file.h"
@@ -46,13 +47,6 @@ Phrase text_of_end(const ChildProcess::Ending& ending) {
   }
   return phrase("ExternalProgram", "it closed its standard output");
 }
-
-template <typename... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <typename... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace
 
