@@ -24,6 +24,7 @@
 #include "app/tasks/new_study.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
+#include "protocols/file/analysis_warnings.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/plan_warnings.h"
 #include "protocols/file/protocol_problems.h"
@@ -505,6 +506,9 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   const Plan example = example_plan(*check.protocol, {1, 0});
   check.cost = cost_of(*check.protocol, example);
   for (Diagnostic& warning : warnings_about_plan(*check.protocol, check.file, example)) {
+    check.warnings.push_back(std::move(warning));
+  }
+  for (Diagnostic& warning : warnings_about_analysis(*check.protocol, check.file)) {
     check.warnings.push_back(std::move(warning));
   }
   for (const auto& [name, block] : check.protocol->blocks) {

@@ -164,6 +164,10 @@ void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
     return;
   }
   if (!check_varied(checked, problems)) return;
+  if (checked.block.design->has_noise() &&
+      *checked.question.judgement == DiscriminationJudgement::comparison) {
+    return;  // reported with the design
+  }
   const Dimension& dimension = *checked.block.vary;
   if (dimension.levels().empty()) return;  // reported with the parameter
   const std::string at_levels = checked.pointer + "/vary/" + std::string(key_of(dimension.measure));

@@ -1,0 +1,83 @@
+// Warnings about analyses that the trials of a valid protocol cannot support.
+
+#include "protocols/file/analysis_warnings.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+json library_file(std::string_view name) {
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name == name) return json::parse(each.text);
+  }
+  throw std::invalid_argument("no such library protocol");
+}
+
+std::vector<std::string> warnings_of(const json& file) {
+  const Protocol protocol = read_protocol(file.dump(), "file.json", declarations_of(built_in_models()));
+  std::vector<std::string> warnings{};
+  for (const Diagnostic& warning : warnings_about_analysis(protocol, "file.json")) {
+    warnings.push_back(warning.pointer + ": " + warning.message);
+  }
+  return warnings;
+}
+
+TEST(AnalysisWarnings, AreNoneAboutTheLibrary) {
+  for (const LibraryProtocol& each : library_protocols()) {
+    EXPECT_THAT(warnings_of(json::parse(each.text)), testing::IsEmpty()) << each.name;
+  }
+}
+
+TEST(AnalysisWarnings, NameTestsThatADesignDoesNotHave) {
+  json file = library_file("amplitude_same_different");
+  file["analysis"]["family"] = {"conditions", "order", "point_of_subjective_equality"};
+  EXPECT_THAT(warnings_of(file),
+              ElementsAre(AllOf(HasSubstr("/analysis/family/0: the test \"conditions\""),
+                                HasSubstr("one condition")),
+                          AllOf(HasSubstr("/analysis/family/1: the test \"order\""),
+                                HasSubstr("no surface is chosen; remove it")),
+                          AllOf(HasSubstr("/analysis/family/2:"),
+                                HasSubstr("requires the judgement \"comparison\""))));
+}
+
+TEST(AnalysisWarnings, AreAboutStaircasesThatGuessesAttain) {
+  json file = library_file("amplitude_jnd");
+  for (auto& [name, block] : file["blocks"].items()) {
+    if (block.contains("procedure")) {
+      block["procedure"]["down"] = 1;
+      block["procedure"]["up"] = 1;
+    }
+  }
+  EXPECT_THAT(warnings_of(file),
+              ElementsAre(AllOf(HasSubstr("/procedure/method: the levels converge on 50 %"),
+                                HasSubstr("guesses are correct in 50 %"))));
+}
+
+TEST(AnalysisWarnings, AreAboutTooFewSurfacesForAConfiguration) {
+  json file = library_file("map_of_renderings");
+  for (auto& [name, block] : file["blocks"].items()) {
+    if (!block.contains("all_pairs")) continue;
+    json& levels = file["factors"][block["all_pairs"]["factor"].get<std::string>()]["levels"];
+    while (levels.size() > 8) levels.erase(levels.size() - 1);
+  }
+  EXPECT_THAT(warnings_of(file), ElementsAre(AllOf(HasSubstr("requires at least 9 surfaces"),
+                                                   HasSubstr("compares 8"))));
+}
+
+}  // namespace
+}  // namespace asperity
