@@ -87,11 +87,18 @@ std::string kind_of_stored(const std::string& kind_of_protocol, const StoredProt
   return std::string(kind == nullptr ? of_block : kind->id);
 }
 
+/// Responses by which models were matched in roughness have their own analysis (equal_roughness.h).
+bool matches_roughness(const StoredProtocol& protocol, const std::string& block) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                     [&block](const auto& each) { return each.second.matched_in == block; });
+}
+
 /// What the stored protocol of sessions asks, by kind.
 std::map<std::string, QuestionsOfKind> questions_by_kind(const StoredProtocol& protocol,
                                                          const std::string& kind_of_protocol) {
   std::map<std::string, QuestionsOfKind> kinds{};
   for (const auto& [name, block] : protocol.blocks) {
+    if (matches_roughness(protocol, name)) continue;
     for (const StoredProtocol::TrialQuestion& question : block.questions) {
       const std::string kind = kind_of_stored(kind_of_protocol, block, question);
       if (kind != kind_of_stored_block(kind_of_protocol, block)) {

@@ -15,6 +15,7 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/kinds/discrimination.h"
 #include "protocols/plan/block_design.h"
+#include "protocols/plan/roughness_matching.h"
 
 namespace asperity {
 
@@ -286,6 +287,7 @@ std::string fit_of_block(const Block& block) {
 std::string paper_fit_of_discrimination(const Protocol& protocol) {
   std::string text{};
   for (const Block* const block : discrimination_blocks(protocol)) {
+    if (matches_roughness(protocol, *block)) continue;  // its matches are reported instead
     for (const std::string& sentence : {fit_of_block(*block), interval_sentence(*block),
                                         posterior_sentence(*block), mean_sentence(*block)}) {
       if (text.find(sentence) != std::string::npos) continue;
