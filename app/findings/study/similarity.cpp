@@ -258,16 +258,20 @@ std::size_t different_disparities(const FoundNumbers& found) {
 
 /// If all dissimilarities within clusters are below all others, non-metric scaling has a perfect solution in which each cluster
 /// is one point and all others have one distance, whatever the sizes of the dissimilarities [Kruskal 1978].
-void remark_on_degenerate_solution(const FoundNumbers& found, AnalysisOutcome& outcome) {
+bool is_degenerate(const FoundNumbers& found) {
   constexpr std::size_t kFewSteps = 3;
   const std::size_t different = different_disparities(found);
-  if (different == 0 || different > kFewSteps) return;
+  return different > 0 && different <= kFewSteps;
+}
+
+void remark_on_degenerate_solution(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  if (!is_degenerate(found)) return;
   outcome.remarks.push_back(
       phrase("Analysis",
              "The configuration is degenerate: the number of different disparities is %1. It shows "
              "which items form clusters, and neither their distances nor the number of dimensions. "
              "Use the dendrogram, and the stress of metric scaling.")
-          .with(std::to_string(different)));
+          .with(std::to_string(different_disparities(found))));
 }
 
 void add_remarks(const FoundNumbers& found, std::size_t items, AnalysisOutcome& outcome) {
@@ -314,8 +318,15 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
     return;
   }
   const auto with_numbers = [&](const Phrase& words) {
-    return words.with(std::to_string(dimensions_in(found)), stress_text(*stress->value),
-                      stress_text(found.value("stress.perm.mean").value_or(0.0)), p_text(*test));
+    const Phrase said =
+        words.with(std::to_string(dimensions_in(found)), stress_text(*stress->value),
+                   stress_text(found.value("stress.perm.mean").value_or(0.0)), p_text(*test));
+    return is_degenerate(found)
+               ? phrase("Analysis", "%1 %2")
+                     .with(said, phrase("Analysis",
+                                        "The configuration is degenerate: a low stress then shows "
+                                        "clusters, and not a number of dimensions."))
+               : said;
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",

@@ -2319,6 +2319,10 @@
         <source>The surfaces were presented at amplitudes of equal roughness; %1 of %2 matches did not succeed, so that these stimuli were presented at the end of the range or unchanged (the table lists them).</source>
         <translation>Die Oberflächen wurden mit Amplituden gleicher Rauheit dargeboten; %1 von %2 Angleichungen gelangen nicht, sodass diese Reize mit dem Ende des Bereichs oder unverändert dargeboten wurden (die Tabelle führt sie auf).</translation>
     </message>
+    <message>
+        <source>The configuration is degenerate: a low stress then shows clusters, and not a number of dimensions.</source>
+        <translation>Die Konfiguration ist degeneriert: Ein geringer Stress zeigt dann Cluster und keine Zahl von Dimensionen.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -4222,6 +4226,10 @@
     <message>
         <source>what the external program %1 writes to its standard error cannot be kept: %2; check the permissions and the free space of the study&apos;s folder</source>
         <translation>die Standardfehlerausgabe des externen Programms %1 kann nicht aufbewahrt werden: %2; die Zugriffsrechte und den freien Platz des Studienordners prüfen</translation>
+    </message>
+    <message>
+        <source>the external program %1 did not state the level: %2, and it wrote nothing to its standard error; start it by hand to find the cause</source>
+        <translation>das externe Programm %1 hat die Stufe nicht angegeben: %2, und es hat nichts auf seine Standardfehlerausgabe geschrieben; zum Finden der Ursache von Hand starten</translation>
     </message>
 </context>
 <context>

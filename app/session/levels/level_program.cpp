@@ -126,12 +126,19 @@ std::optional<SuppliedStep> LevelProgram::step(double longest_wait_s) {
             .with(name_, std::to_string(output.size()), quoted_output(output)));
   }
   if (process_->has_ended()) {
+    const Phrase end_of_program = text_of_end(process_->ending());
+    if (logged_ == 0) {
+      fail_with(phrase("ExternalProgram",
+                       "the external program %1 did not state the level: %2, and it wrote nothing "
+                       "to its standard error; start it by hand to find the cause")
+                    .with(name_, end_of_program));
+    }
     const std::string errors =
         last_error_line_.empty() ? std::string() : ", \"" + quoted_output(last_error_line_) + '"';
     fail_with(phrase("ExternalProgram",
                      "the external program %1 did not state the level: %2%3; what it wrote to its "
                      "standard error is in %4")
-                  .with(name_, text_of_end(process_->ending()), errors, log_.string()));
+                  .with(name_, end_of_program, errors, log_.string()));
   }
   if (Clock::now() >= deadline_) {
     fail_with(
