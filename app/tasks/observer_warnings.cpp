@@ -78,6 +78,14 @@ double required_proportion(const Protocol::Block& block) {
   return std::max(kAtThreshold, procedure_of(track).target(track).value_or(kAtThreshold));
 }
 
+/// A magnitude from its natural logarithm, with three significant digits.
+std::string magnitude_text(double log_magnitude) {
+  const double magnitude = std::exp(log_magnitude);
+  constexpr double kDigits = 3.0;
+  const double decimals = std::max(0.0, kDigits - 1.0 - std::floor(std::log10(magnitude)));
+  return fixed(magnitude, static_cast<int>(decimals));
+}
+
 std::string per_cent(double proportion) { return fixed(100.0 * proportion, 0) + " %"; }
 
 std::string judged_force(ObserverDeclaration::MagnitudeOf what) {
@@ -144,7 +152,18 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
     const std::string place = pointer_to("/blocks", block.name) + "/vary/parameter";
     const std::string judged = judged_force(observer.magnitude_of);
     const std::string parameter = in_quotes(block.vary->parameter);
-    if (std::abs(change) < kLeastChange) {
+    const double from = std::min(*least, *standard);
+    const double to = std::max(*greatest, *standard);
+    if (block.design->surfaces() == 1 && observer.yes_above &&
+        (std::log(*observer.yes_above) <= from || std::log(*observer.yes_above) >= to)) {
+      warnings.push_back(document.at(
+          "/observer/yes_above",
+          "the virtual observer judges " + judged + ", which is " + magnitude_text(*standard) +
+              " at the standard and " + magnitude_text(*least) + " to " +
+              magnitude_text(*greatest) + " at the levels of " + parameter +
+              ": with this criterion nearly all simulated responses are the same. State a value "
+              "between that of the standard and those of the levels"));
+    } else if (std::abs(change) < kLeastChange) {
       warnings.push_back(document.at(
           place, "the virtual observer judges " + judged + ", which does not change with " +
                      parameter +

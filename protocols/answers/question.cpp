@@ -30,8 +30,9 @@ bool is_option(const Question& question, const std::string& text) {
 
 /// "use "yes" or "no"", of the options of a question.
 std::string options_to_use(const Question& question) {
-  std::string text = "use ";
   const std::size_t count = question.options.size();
+  if (count == 0) return "state the options of that question";
+  std::string text = "use ";
   for (std::size_t i = 0; i < count; ++i) {
     text += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + quoted_text(question.options[i]);
   }

@@ -100,5 +100,26 @@ TEST(StimulusWarnings, DoNotNeedAStudyForStimuliWithoutFiles) {
               IsEmpty());
 }
 
+// A criterion outside of the magnitudes of the surfaces gives the same response to all of them.
+TEST(ObserverWarnings, NameACriterionThatSeparatesNoSurfaces) {
+  const auto of_criterion = [](const std::string& criterion) {
+    const std::string block =
+        R"({"design": "yes_no", "positions": null, "until": null, "question": {"options":
+           [{"value": "yes", "text": "Yes"}, {"value": "no", "text": "No"}]}})";
+    return warned(
+        patched("amplitude_same_different",
+                (R"({"observer": {"different_above": null, "yes_above": )" + criterion +
+                 R"(}, "blocks": {"practice": )" + block + R"(, "comparisons": )" + block + "}}")
+                    .c_str()));
+  };
+  const std::vector<Diagnostic> found = of_criterion("2");
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].pointer, "/observer/yes_above");
+  EXPECT_THAT(found[0].message,
+              AllOf(HasSubstr("judges the variation of the normal force, which is 0."),
+                    HasSubstr("nearly all simulated responses are the same")));
+  EXPECT_THAT(of_criterion("0.024"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace asperity
