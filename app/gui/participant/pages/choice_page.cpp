@@ -41,6 +41,7 @@ class ChoiceLayout final {
   void standard_beside();
   void options_in_words();
   double height_of_options_in_words() const;
+  double width_of_options_in_words() const;
 
   PageFrame& frame_;
   const Scene& scene_;
@@ -160,12 +161,23 @@ void ChoiceLayout::standard_beside() {
   frame_.add(std::move(standard));
 }
 
+/// Of the widest one, so that their edges are aligned.
+double ChoiceLayout::width_of_options_in_words() const {
+  double width = 0.0;
+  for (const Scene::Choice& choice : scene_.choices) {
+    if (choice.picture || choice.text.empty()) continue;
+    const QString text = words_of(choice.saying, choice.text, scene_.language);
+    width = std::max(width, frame_.width_of_answer(text));
+  }
+  return std::min(body_.width(), width);
+}
+
 // From below, in their order.
 void ChoiceLayout::options_in_words() {
+  const double width = width_of_options_in_words();
   for (std::size_t i = scene_.choices.size(); i-- > 0;) {
     if (scene_.choices[i].picture || scene_.choices[i].text.empty()) continue;
     Item answer = option_in_words(frame_, i);
-    const double width = std::min(body_.width(), frame_.width_of_answer(answer.text));
     const double height = frame_.height_of_answer(answer.text, width);
     answer.rect = QRectF(body_.center().x() - width / 2.0, body_.bottom() - height, width, height);
     body_.setBottom(answer.rect.top() - frame_.px(frame_.kGap));
@@ -174,12 +186,12 @@ void ChoiceLayout::options_in_words() {
 }
 
 double ChoiceLayout::height_of_options_in_words() const {
+  const double width = width_of_options_in_words();
   double height = 0.0;
   for (const Scene::Choice& choice : scene_.choices) {
     if (choice.picture || choice.text.empty()) continue;
     const QString text = words_of(choice.saying, choice.text, scene_.language);
-    height += frame_.height_of_answer(text, std::min(body_.width(), frame_.width_of_answer(text))) +
-              frame_.px(frame_.kGap);
+    height += frame_.height_of_answer(text, width) + frame_.px(frame_.kGap);
   }
   return height;
 }
