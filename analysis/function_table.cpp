@@ -1,6 +1,7 @@
 #include "analysis/function_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -81,6 +82,20 @@ void FunctionTable::respond_at(Eigen::ArrayXd& weights, double x, bool is_hit) c
   for (Eigen::Index i = 0; i < weights.size(); ++i) {
     const double hit = functions_[static_cast<std::size_t>(i)].value(x);
     weights[i] *= is_hit ? hit : 1.0 - hit;
+  }
+  normalise(weights);
+}
+
+void FunctionTable::guess(Eigen::ArrayXd& weights, std::size_t level, double chance) const {
+  const auto values = values_.col(static_cast<Eigen::Index>(level));
+  weights *= values.pow(chance) * (1.0 - values).max(0.0).pow(1.0 - chance);
+  normalise(weights);
+}
+
+void FunctionTable::guess_at(Eigen::ArrayXd& weights, double x, double chance) const {
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    const double hit = functions_[static_cast<std::size_t>(i)].value(x);
+    weights[i] *= std::pow(hit, chance) * std::pow(std::max(1.0 - hit, 0.0), 1.0 - chance);
   }
   normalise(weights);
 }

@@ -52,6 +52,11 @@ class FunctionTable final {
   /// function with a probability can give this response.
   void respond(Eigen::ArrayXd& weights, std::size_t level, bool is_hit) const;
   void respond_at(Eigen::ArrayXd& weights, double x, bool is_hit) const;
+  /// The same after a response "cannot tell", which counts as the mean of a guess that is a hit with the probability `chance`:
+  ///
+  ///   w′(f) ∝ w(f)·ψ_f(x)^chance·(1 − ψ_f(x))^(1 − chance).
+  void guess(Eigen::ArrayXd& weights, std::size_t level, double chance) const;
+  void guess_at(Eigen::ArrayXd& weights, double x, double chance) const;
   /// W by group.
   Eigen::ArrayXd marginal(const Eigen::ArrayXd& weights) const;
   /// H(W).

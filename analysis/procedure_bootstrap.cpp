@@ -108,7 +108,7 @@ class FamilyLikelihood final {
     double hits = 0.0;
     for (const PsychometricBlock& block : blocks) {
       trials += static_cast<double>(block.trials);
-      hits += static_cast<double>(block.hits);
+      hits += hits_of(block);
     }
     const double share = std::clamp(hits / trials, family_.gamma.value_or(family_.lambda.low),
                                     1.0 - family_.lambda.low);
@@ -150,10 +150,8 @@ class FamilyLikelihood final {
     sums_.setZero();
     for (const PsychometricBlock& block : blocks) {
       const RowOfLevel& of_level = row(block.x);
-      if (block.hits > 0) sums_ += static_cast<float>(block.hits) * of_level.hit;
-      if (block.hits < block.trials) {
-        sums_ += static_cast<float>(block.trials - block.hits) * of_level.miss;
-      }
+      if (hits_of(block) > 0.0) sums_ += static_cast<float>(hits_of(block)) * of_level.hit;
+      if (misses_of(block) > 0.0) sums_ += static_cast<float>(misses_of(block)) * of_level.miss;
     }
   }
 

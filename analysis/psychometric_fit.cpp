@@ -17,7 +17,7 @@ std::optional<double> pearson(const std::vector<PsychometricBlock>& blocks,
   for (const PsychometricBlock& block : blocks) {
     const auto n = static_cast<double>(block.trials);
     const double p = f.value(block.x);
-    const double residual = static_cast<double>(block.hits) - n * p;
+    const double residual = hits_of(block) - n * p;
     sum += residual * residual / (n * p * (1.0 - p));
   }
   return std::isfinite(sum) ? std::optional<double>(sum) : std::nullopt;
@@ -51,16 +51,20 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
   const auto every = [&](const auto& holds) {
     return std::all_of(blocks.begin(), blocks.end(), holds);
   };
-  if (every([](const PsychometricBlock& b) { return b.hits == b.trials; })) {
+  if (every([](const PsychometricBlock& b) { return misses_of(b) == 0.0; })) {
     return {.status = PsychometricStatus::all_correct};
   }
-  if (every([](const PsychometricBlock& b) { return b.hits == 0; })) {
+  if (every([](const PsychometricBlock& b) { return hits_of(b) == 0.0; })) {
     return {.status = PsychometricStatus::all_wrong};
   }
-  std::map<double, HitCount> levels;
+  struct CountOfLevel {
+    double hits = 0.0;
+    double trials = 0.0;
+  };
+  std::map<double, CountOfLevel> levels;
   for (const PsychometricBlock& block : blocks) {
-    levels[block.x].hits += block.hits;
-    levels[block.x].trials += block.trials;
+    levels[block.x].hits += hits_of(block);
+    levels[block.x].trials += static_cast<double>(block.trials);
   }
   if (distinct_levels(blocks, model.shape).size() < 2) {
     return {.status = PsychometricStatus::one_level};
@@ -75,7 +79,7 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
   std::optional<double> first_correct;
   double before = 0.0;
   for (const auto& [x, count] : levels) {
-    const double correct = proportion(count);
+    const double correct = count.hits / count.trials;
     if (correct < before) {
       return {};
     }

@@ -26,24 +26,27 @@ double log_probability_of(const PsychometricBlock& block, const PsychometricFunc
                           const StandardCurve& s) {
   const double reach = 1.0 - f.gamma - f.lambda;
   double sum = 0.0;
-  if (block.hits > 0) {
-    sum += static_cast<double>(block.hits) *
-           std::log(std::max(f.gamma + reach * s.F, kLeastProbability));
+  if (hits_of(block) > 0.0) {
+    sum += hits_of(block) * std::log(std::max(f.gamma + reach * s.F, kLeastProbability));
   }
-  if (block.hits < block.trials) {
-    sum += static_cast<double>(block.trials - block.hits) *
-           std::log(std::max(f.lambda + reach * s.Q, kLeastProbability));
+  if (misses_of(block) > 0.0) {
+    sum += misses_of(block) * std::log(std::max(f.lambda + reach * s.Q, kLeastProbability));
   }
   return sum;
 }
 
+struct SplitCount {
+  double hits = 0.0;
+  double trials = 0.0;
+};
+
 // k·ln p + (n − k)·ln(1 − p) at the p in [low, high] where it is greatest.
-double log_probability_within(const HitCount& count, double low, double high) {
-  if (count.trials == 0) {
+double log_probability_within(const SplitCount& count, double low, double high) {
+  const double k = count.hits;
+  const double n = count.trials;
+  if (n == 0.0) {
     return 0.0;
   }
-  const auto k = static_cast<double>(count.hits);
-  const auto n = static_cast<double>(count.trials);
   const double p = std::clamp(k / n, low, high);
   return (k > 0.0 ? k * std::log(std::max(p, kLeastProbability)) : 0.0) +
          (k < n ? (n - k) * std::log(std::max(1.0 - p, kLeastProbability)) : 0.0);
@@ -52,7 +55,7 @@ double log_probability_within(const HitCount& count, double low, double high) {
 }  // namespace
 
 bool is_impossible(const PsychometricBlock& block, const PsychometricModel& model) {
-  return is_weibull(model.shape) && block.x == 0.0 && block.hits > 0 && model.gamma == 0.0;
+  return is_weibull(model.shape) && block.x == 0.0 && hits_of(block) > 0.0 && model.gamma == 0.0;
 }
 
 std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock> blocks,
@@ -72,6 +75,11 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
   }
   std::vector<PsychometricBlock> kept;
   for (const PsychometricBlock& block : blocks) {
+    if (!(block.guessed_hits >= 0.0) ||
+        (block.hits <= block.trials && !(misses_of(block) >= 0.0))) {
+      throw std::invalid_argument("guessed_hits is " + number_text(block.guessed_hits) +
+                                  "; it must be at least 0 and not exceed the trials without hits");
+    }
     if (block.hits > block.trials) {
       throw std::invalid_argument("hits is " + std::to_string(block.hits) + " and trials is " +
                                   std::to_string(block.trials) + "; hits must not exceed trials");
@@ -146,7 +154,7 @@ PsychometricLikelihood::PsychometricLikelihood(std::span<const PsychometricBlock
   free_ = {true, true, !model.gamma, !model.lambda};
   for (const PsychometricBlock& block : blocks_) {
     const auto n = static_cast<double>(block.trials);
-    const auto k = static_cast<double>(block.hits);
+    const double k = hits_of(block);
     constant_ += log_choose(n, k);
   }
 }
@@ -185,7 +193,7 @@ double PsychometricLikelihood::saturated() const {
   double sum = constant_;
   for (const PsychometricBlock& block : blocks_) {
     const auto n = static_cast<double>(block.trials);
-    const auto k = static_cast<double>(block.hits);
+    const double k = hits_of(block);
     sum += k > 0.0 ? k * std::log(k / n) : 0.0;
     sum += k < n ? (n - k) * std::log((n - k) / n) : 0.0;
   }
@@ -193,12 +201,12 @@ double PsychometricLikelihood::saturated() const {
 }
 
 double PsychometricLikelihood::constant(const CurveRange& F) const {
-  HitCount at_zero;
-  HitCount above;
+  SplitCount at_zero;
+  SplitCount above;
   for (const PsychometricBlock& block : blocks_) {
-    HitCount& count = is_weibull(model_.shape) && block.x == 0.0 ? at_zero : above;
-    count.hits += block.hits;
-    count.trials += block.trials;
+    SplitCount& count = is_weibull(model_.shape) && block.x == 0.0 ? at_zero : above;
+    count.hits += hits_of(block);
+    count.trials += static_cast<double>(block.trials);
   }
   const double least_gamma = bounds_.low(2);
   const double greatest_gamma = bounds_.high(2);
@@ -240,11 +248,11 @@ void PsychometricLikelihood::add_derivatives(const PsychometricBlock& block,
     const CurveParameters relative = first / p;
     answer.hessian += count * (sign / p * second - relative * relative.transpose());
   };
-  if (block.hits > 0) {
-    add(static_cast<double>(block.hits), f.gamma + reach * s.F, 1.0);
+  if (hits_of(block) > 0.0) {
+    add(hits_of(block), f.gamma + reach * s.F, 1.0);
   }
-  if (block.hits < block.trials) {
-    add(static_cast<double>(block.trials - block.hits), f.lambda + reach * s.Q, -1.0);
+  if (misses_of(block) > 0.0) {
+    add(misses_of(block), f.lambda + reach * s.Q, -1.0);
   }
 }
 

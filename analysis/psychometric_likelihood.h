@@ -19,7 +19,19 @@ struct PsychometricBlock {
   double x = 0.0;
   std::uint64_t trials = 0;
   std::uint64_t hits = 0;
+  /// The hits that are expected of trials without a choice, if each is a guess; those trials are no `hits`. The likelihood is
+  /// then the mean log likelihood of such guesses, whose counts vary less than binomial ones: intervals and tests of the fit
+  /// that assume binomial counts do not hold.
+  double guessed_hits = 0.0;
 };
+
+/// k and n − k with guessed hits.
+inline double hits_of(const PsychometricBlock& block) noexcept {
+  return static_cast<double>(block.hits) + block.guessed_hits;
+}
+inline double misses_of(const PsychometricBlock& block) noexcept {
+  return static_cast<double>(block.trials - block.hits) - block.guessed_hits;
+}
 
 /// Limits of β, for few trials at levels that an adaptive procedure chose: such data hardly determine a slope, and the
 /// threshold of a flat function can be anywhere. 0 < least < greatest.

@@ -113,9 +113,9 @@ std::vector<PsychometricFunction> functions_of(const ThresholdPrior& prior,
   for (std::size_t i = 0; i < prior.thresholds.count; ++i) {
     for (std::size_t j = 0; j < outer; ++j) {
       for (std::size_t k = 0; k < inner; ++k) {
-        functions.push_back(function_with(
-            in_ratios(prior.thresholds, i), in_ratios(prior.slopes, slope_is_inside ? k : j),
-            in_steps(prior.lapses, slope_is_inside ? j : k), prior));
+        functions.push_back(function_with(in_ratios(prior.thresholds, i),
+                                          in_ratios(prior.slopes, slope_is_inside ? k : j),
+                                          in_steps(prior.lapses, slope_is_inside ? j : k), prior));
       }
     }
   }
@@ -131,8 +131,8 @@ Eigen::ArrayXd posterior_of(std::span<const PsychometricFunction> functions,
     const PsychometricFunction& f = functions[static_cast<std::size_t>(i)];
     for (const PsychometricBlock& block : answered) {
       const double hit = f.value(block.x);
-      const auto hits = static_cast<double>(block.hits);
-      const auto misses = static_cast<double>(block.trials - block.hits);
+      const double hits = hits_of(block);
+      const double misses = misses_of(block);
       if (hits > 0.0) logarithms[i] += hits * std::log(hit);
       if (misses > 0.0) logarithms[i] += misses * std::log(1.0 - hit);
     }

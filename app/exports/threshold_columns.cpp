@@ -49,7 +49,7 @@ std::string key_of_person(std::size_t person) { return std::to_string(person); }
 
 /// Choices of the standard in place of those of the comparison.
 HitsByValue of_standard(HitsByValue hits) {
-  for (auto& [value, count] : hits) count.hits = count.trials - count.hits;
+  for (auto& [value, count] : hits) count.hits = count.trials - count.hits - count.unsure;
   return hits;
 }
 
@@ -83,9 +83,10 @@ void ThresholdColumns::add(std::size_t person, const StudyVocabulary::BlockOfDis
     choices.in_unfinished_sessions[{trial.session, trial.block_ordinal, trial.track}].push_back(
         trial);
   }
-  HitCount& count = choices.of_comparison[trial.value];
+  ChoiceCount& count = choices.of_comparison[trial.value];
   ++count.trials;
   count.hits += trial.chose_comparison ? 1 : 0;
+  count.unsure += trial.is_unsure ? 1 : 0;
 }
 
 std::vector<ThresholdColumns::Column> ThresholdColumns::make(const std::string& name,
@@ -137,17 +138,29 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
                 .type = "integer",
                 .unit = "1",
                 .minimum = 0.0};
+    Column unsure{};
+    bool has_unsure = false;
+    unsure.column = {.name = name_of_condition + "_cannot_tell",
+                     .description =
+                         "number of responses \"cannot tell\", each of which counts as "
+                         "the mean of a guess in the thresholds" +
+                         of + when,
+                     .type = "integer",
+                     .unit = "1",
+                     .minimum = 0.0};
     for (const auto& [person, choices] : people) {
       const HitsByValue& hits = choices.of_comparison;
-      std::int64_t trials = 0;
-      for (const auto& [value, count] : hits) trials += static_cast<std::int64_t>(count.trials);
-      n.cells[person] = trials;
+      const ChoiceCount sum = sum_of_choices(hits);
+      n.cells[person] = static_cast<std::int64_t>(sum.trials);
+      unsure.cells[person] = static_cast<std::int64_t>(sum.unsure);
+      has_unsure = has_unsure || sum.unsure > 0;
       if (const std::int64_t tracks = choices.unfinished_tracks(); tracks > 0) {
         unfinished.cells[person] = tracks;
       }
       data.push_back({.key = key_of_person(person),
                       .hits = of_choices_of_standard ? of_standard(hits) : hits,
-                      .by_procedure = choices.by_procedure});
+                      .by_procedure = choices.by_procedure,
+                      .needs_intervals = false});
     }
     const DiscriminationFit fit = fit_discrimination(of_task.task, data);
     const FoundNumbers found(fit.thresholds);
@@ -168,6 +181,7 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
       columns.push_back(std::move(made));
     }
     columns.push_back(std::move(n));
+    if (has_unsure) columns.push_back(std::move(unsure));
     if (!unfinished.cells.empty()) columns.push_back(std::move(unfinished));
   }
   return columns;

@@ -169,6 +169,7 @@ bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condi
       people_.size() - 1, block->second, at.trial->block, others,
       {.value = *value,
        .chose_comparison = is_hit_response(task, at.response->answer),
+       .is_unsure = at.response->answer == kCannotTell,
        .by_procedure = at.trial->track && task.has_levels_of_procedure,
        .session = at.session->session,
        .block_ordinal = at.trial->block_ordinal,

@@ -102,7 +102,7 @@ void Conductor::tell_program(const Trial& trial, const AttemptRow& attempt) {
   const Dimension& dimension = *protocol_.blocks.at(trial.block).vary;
   level_program_->tell({.of = *trial.track,
                         .answer = {.level = dimension.level_of(outcome.answer->value),
-                                   .is_correct = outcome.answer->counts_down}});
+                                   .outcome = outcome.answer->outcome}});
 }
 
 /// Closes the input of the program and waits until it has ended; one that does not end is ended. It has stated what it

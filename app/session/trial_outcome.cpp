@@ -27,14 +27,16 @@ TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const Atte
   const bool is_missing = response == attempt.responses.end();
   if (is_missing && !(is_timeout && block.procedure.value().timeouts_are_incorrect)) return {};
   // The relative amplitude is not a parameter of the model: what is stored as rendered is its product with the amplitude.
-  const double value = dimension.is_relative_amplitude()
-                           ? std::get<double>(trial.factors.at(dimension.factor))
-                           : number_of(parameter_values_in(varied->parameters_json),
-                                       dimension.parameter);
-  const bool chose_varied = !is_missing && response->answer == varied->item;
-  return {.answer = TrialOutcome::Answer{
-              .value = value,
-              .counts_down = is_missing ? false : chose_varied != judged->asks_for_less}};
+  const double value =
+      dimension.is_relative_amplitude()
+          ? std::get<double>(trial.factors.at(dimension.factor))
+          : number_of(parameter_values_in(varied->parameters_json), dimension.parameter);
+  const auto outcome = [&] {
+    if (is_missing) return LevelOutcome::incorrect;
+    if (response->answer == kCannotTellOption) return LevelOutcome::unsure;
+    return forced_outcome((response->answer == varied->item) != judged->asks_for_less);
+  };
+  return {.answer = TrialOutcome::Answer{.value = value, .outcome = outcome()}};
 }
 
 AttemptNumbers set_aside_in(const std::vector<DecisionRow>& decisions) {

@@ -32,6 +32,8 @@ struct Option {
 
 /// The value of the option that neither of two surfaces is preferred.
 inline constexpr const char* kTieOption = "tie";
+/// The value of the option of a participant who does not choose (`allow_cannot_tell`).
+inline constexpr const char* kCannotTellOption = "cannot_tell";
 
 /// A question of a trial.
 struct TrialQuestion {

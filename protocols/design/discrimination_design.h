@@ -33,6 +33,9 @@ struct DiscriminationDesign {
   bool has_noise() const noexcept { return !yes.empty(); }
   /// The number of surfaces of every trial.
   std::size_t surfaces() const noexcept { return trials.front().surfaces(); }
+  /// The number of surfaces of which one is chosen; 0 where the options are words. A guess is correct with the probability
+  /// 1/alternatives, and a response "cannot tell" counts as such a guess.
+  std::size_t alternatives() const noexcept { return has_noise() ? 0 : surfaces(); }
   /// Whether trials with this number of comparisons have a signal.
   bool is_signal(std::size_t comparisons) const noexcept;
   /// The value of the correct option in trials with this number of comparisons: the comparison, or one of the words.

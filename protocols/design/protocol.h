@@ -117,8 +117,8 @@ struct Texture {
   std::optional<std::string> true_height_field{};  ///< study-relative; of procedural textures
   /// Role → study-relative path, of roles that force models declare (AssetDeclaration).
   std::map<std::string, std::string, std::less<>> assets{};
-  std::optional<double> spacing_m{};               ///< distance of its elements
-  std::optional<ForceFeatures> prior{};            ///< expectation if there is no true height field
+  std::optional<double> spacing_m{};     ///< distance of its elements
+  std::optional<ForceFeatures> prior{};  ///< expectation if there is no true height field
   std::string note{};
 };
 
@@ -198,6 +198,9 @@ struct ObserverDeclaration {
   /// Of a same–different task: the relative difference between two magnitudes from which on the response is "different";
   /// 0.1 is a difference of 10 %.
   std::optional<double> different_above{};
+  /// Of a choice between surfaces with the option "cannot tell": the relative difference between two magnitudes below which
+  /// this is the response. Absent: it never is.
+  std::optional<double> unsure_within{};
 };
 
 /// The text in a protocol file and in the store.
@@ -284,12 +287,13 @@ struct Protocol {
     std::string tie{};
     /// The options are words, pictures of these textures, or otherwise the felt alternatives.
     std::vector<std::string> pictures{};
-    bool reshuffle_pictures = false;      ///< for every trial; otherwise once per session
+    bool reshuffle_pictures = false;  ///< for every trial; otherwise once per session
     bool allow_cannot_tell = false;
     std::optional<DiscriminationJudgement> judgement{};  ///< of a discrimination
     /// Of the judgement "comparison": the question asks for the surface with the lower value of the varied parameter.
     bool asks_for_less = false;
-    std::optional<RatedQuantity> rates{};  ///< of a similarity; dissimilarity where it is not stated
+    std::optional<RatedQuantity>
+        rates{};                   ///< of a similarity; dissimilarity where it is not stated
     std::string correct_factor{};  ///< recognition: the factor with the correct picture
   };
   /// Practice: the block ends when `correct` of the last `of_last` responses were correct, or after `maximum_trials`,
@@ -323,7 +327,7 @@ struct Protocol {
       /// to no track and no threshold is estimated from them; errors in them are lapses of attention.
       struct CatchTrials {
         double level = 0.0;  ///< as `vary` states levels; it need not be one of them
-        int every = 0;       ///< at least 2
+        int every = 0;  ///< at least 2
       };
       std::optional<CatchTrials> catch_trials{};
     };
@@ -372,11 +376,11 @@ struct Protocol {
     std::vector<Presented> presented{};
     Positions positions = Positions::as_listed;
     std::vector<TrialQuestionTemplate> questions{};  ///< of every trial; at least one
-    bool has_question_list = false;   ///< the file has the key "questions" instead of "question"
-    bool shuffles_questions = false;  ///< for every trial
-    bool on_one_page = false;         ///< all questions are shown together
-    std::string page_prompt{};        ///< shown above them
-    std::string experimenter_prompt{};    ///< "{code}" stands for the code of the trial's texture
+    bool has_question_list = false;     ///< the file has the key "questions" instead of "question"
+    bool shuffles_questions = false;    ///< for every trial
+    bool on_one_page = false;           ///< all questions are shown together
+    std::string page_prompt{};          ///< shown above them
+    std::string experimenter_prompt{};  ///< "{code}" stands for the code of the trial's texture
     bool pictures_after_feeling = false;  ///< hidden until all surfaces were felt (an eye mask)
     Arrangement arrangement{};
     Roving rove{};
@@ -403,7 +407,7 @@ struct Protocol {
   struct Run {
     std::string block{};
     std::string for_each{};  ///< a factor iterated outside the block, in a counterbalanced order
-    int break_every_trials = 0;    ///< 0: none within the block
+    int break_every_trials = 0;  ///< 0: none within the block
     /// Between two trials, once surfaces were in contact for so long since the last break of the session or since the
     /// session was begun or resumed; 0: none. The plan does not contain these breaks.
     double break_every_contact_s = 0.0;

@@ -191,7 +191,8 @@ void complete_dimension(Block& block, const Protocol& protocol,
   }
   if (dimension.is_relative_amplitude()) {
     dimension.meaning =
-        "Factor by which the amplitude of the texture is multiplied: the amplitude parameter of the force "
+        "Factor by which the amplitude of the texture is multiplied: the amplitude parameter of "
+        "the force "
         "model, whatever determines its value otherwise";
     return;
   }
@@ -221,6 +222,14 @@ void declare_dimension(Block& block, Protocol& protocol, const std::set<std::str
     }
   }
   std::sort(factor.levels.begin(), factor.levels.end());
+}
+
+void declare_unforced(std::size_t alternatives, std::vector<ProcedureSettings>& tracks) {
+  for (ProcedureSettings& track : tracks) {
+    if (auto* const weighted = std::get_if<WeightedUpDown>(&track)) {
+      weighted->unforced_alternatives = alternatives;
+    }
+  }
 }
 
 Block::LevelProcedure procedure_in(const json& object, const Dimension& dimension) {

@@ -24,6 +24,9 @@ void complete_dimension(Protocol::Block& block, const Protocol& protocol,
 void declare_dimension(Protocol::Block& block, Protocol& protocol,
                        const std::set<std::string>& of_file);
 
+/// States in the settings of tracks that choices between so many alternatives are unforced: "cannot tell" is an option.
+void declare_unforced(std::size_t alternatives, std::vector<ProcedureSettings>& tracks);
+
 /// The key "procedure", with the levels of the block's completed dimension.
 Protocol::Block::LevelProcedure procedure_in(const nlohmann::json& object,
                                              const Dimension& dimension);

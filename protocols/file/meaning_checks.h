@@ -117,6 +117,8 @@ class Meaning final : private ProblemSink {
   void check_procedure(const Protocol::Block& block, const std::string& pointer);
   void check_bayesian_procedure(const Protocol::Block& block, const std::string& method,
                                 const std::string& pointer);
+  void check_unforced(const Protocol::Block& block, const std::string& method,
+                      const std::string& pointer);
   void check_catch_trials(const Protocol::Block& block, const std::string& pointer);
   void check_track_starts(const Protocol::Block& block, const std::string& pointer);
   void check_arrangement(const Protocol::Block& block, const std::string& pointer);

@@ -183,6 +183,7 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
             "are easier; state levels above the standard, or use \"constant_stimuli\"");
     return;
   }
+  check_unforced(block, method, pointer);
   check_catch_trials(block, pointer);
   check_track_starts(block, pointer);
 }
@@ -203,6 +204,32 @@ void Meaning::check_bayesian_procedure(const Block& block, const std::string& me
            "the method " + in_quotes(method) +
                " needs levels that are proportional to the difference from the standard; state "
                "them as \"levels_percent\" or \"levels_difference\"");
+  }
+}
+
+/// Where a response can be "cannot tell": whether the method has a step for it.
+void Meaning::check_unforced(const Block& block, const std::string& method,
+                             const std::string& pointer) {
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+  if (judged == nullptr || !judged->allow_cannot_tell || block.design->has_noise()) return;
+  const std::string remedy =
+      "; use \"weighted_up_down\", or remove \"allow_cannot_tell\" from the question";
+  if (method == transformed_up_down().id) {
+    report(pointer + "/procedure/method",
+           "the method " + in_quotes(method) +
+               " counts correct responses in succession, among which the response \"cannot tell\" "
+               "has no place" +
+               remedy);
+  } else if (method == external().id) {
+    report(pointer + "/procedure/method",
+           "a program that states levels receives correct and incorrect responses only" + remedy);
+  } else if (method == weighted_up_down().id &&
+             judged->judgement == DiscriminationJudgement::comparison) {
+    const auto index = static_cast<std::size_t>(judged - block.questions.data());
+    report(place_of_question(block, index) + "/judgement",
+           "the step after the response \"cannot tell\" is the mean step of a guess, which is "
+           "defined where one response is correct; use \"performance\", or the method "
+           "\"constant_stimuli\"");
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/design/block_factors.h"
 #include "protocols/file/derived_levels.h"
 #include "protocols/file/json_reading.h"
 #include "protocols/file/levels_from_json.h"
@@ -530,6 +531,7 @@ void read_observer(const json& root, Protocol& protocol) {
     read(*found, "exponent", observer.exponent);
     read(*found, "yes_above", observer.yes_above);
     read(*found, "different_above", observer.different_above);
+    read(*found, "unsure_within", observer.unsure_within);
   }
   if (const auto found = root.find("recording"); found != root.end()) {
     read(*found, "every_tick", protocol.record);
@@ -578,6 +580,10 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
     const json& object = root.at("blocks").at(name);
     if (const auto found = object.find("procedure"); found != object.end()) {
       block.procedure = procedure_in(*found, *block.vary);
+      const auto* const judged = judged_question(block);
+      if (judged != nullptr && judged->allow_cannot_tell && block.design->alternatives() > 0) {
+        declare_unforced(block.design->alternatives(), block.procedure->tracks);
+      }
     }
     declare_dimension(block, protocol, factors_of_file);
   }
@@ -600,11 +606,10 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
     using Assignment = Protocol::Groups::Assignment;
     protocol.groups.emplace();
     read(*found, "factor", protocol.groups->factor);
-    read_choice(
-        *found, "assigned", protocol.groups->assigned,
-        {{"balanced", Assignment::balanced},
-         {"permuted_blocks", Assignment::permuted_blocks},
-         {"by_experimenter", Assignment::by_experimenter}});
+    read_choice(*found, "assigned", protocol.groups->assigned,
+                {{"balanced", Assignment::balanced},
+                 {"permuted_blocks", Assignment::permuted_blocks},
+                 {"by_experimenter", Assignment::by_experimenter}});
     read(*found, "block_sizes", protocol.groups->block_sizes);
     read(*found, "seed", protocol.groups->seed);
   }

@@ -14,6 +14,7 @@
 
 #include "analysis/number_text.h"
 #include "protocols/answers/scale_form.h"
+#include "protocols/design/discrimination_design.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/protocol_from_json.h"
 #include "protocols/file/question_from_json.h"
@@ -256,6 +257,21 @@ std::optional<Dimension> stored_dimension(const Json& protocol, const Json& bloc
   return dimension;
 }
 
+/// The number of alternatives of a block whose judged question allows the response "cannot tell"; otherwise 0.
+std::size_t unforced_alternatives(const Json& block) {
+  const auto is_unforced = [](const Json& asked) {
+    return !text_in(asked, "judgement").empty() &&
+           member_of(asked, "allow_cannot_tell") == Json(true);
+  };
+  const Json& several = member_of(block, "questions");
+  const bool is_any =
+      is_unforced(member_of(block, "question")) ||
+      (several.is_array() && std::any_of(several.begin(), several.end(), is_unforced));
+  const std::string id = text_in(block, "design");
+  const DiscriminationDesign* const design = id.empty() ? &two_alternatives() : find_design(id);
+  return is_any && design != nullptr ? design->alternatives() : 0;
+}
+
 std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& block) {
   try {
     Dimension dimension = dimension_in(member_of(block, "vary"));
@@ -263,6 +279,9 @@ std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& b
         stored_standard(protocol, block, dimension.standard_role, dimension.parameter);
     std::vector<ProcedureSettings> tracks =
         procedure_in(member_of(block, "procedure"), dimension).tracks;
+    if (const std::size_t alternatives = unforced_alternatives(block); alternatives > 0) {
+      declare_unforced(alternatives, tracks);
+    }
     const bool can_be_used =
         std::all_of(tracks.begin(), tracks.end(),
                     [](const ProcedureSettings& each) { return problems_of(each).empty(); });
@@ -292,12 +311,11 @@ AnalysisDeclaration analysis_declared_in(const Json& protocol) {
   if (margin.is_number() && margin.get<double>() > 0.0 && margin.get<double>() < 1.0) {
     declared.equivalence_margin = margin.get<double>();
   }
-  for_each_object(member_of(analysis, "constructs"),
-                  [&declared](const std::string& name, const Json& construct) {
-                    declared.constructs[name] = {
-                        .scales = texts_in(construct, "scales"),
-                        .reverse_keyed = texts_in(construct, "reverse_keyed")};
-                  });
+  for_each_object(member_of(analysis, "constructs"), [&declared](const std::string& name,
+                                                                 const Json& construct) {
+    declared.constructs[name] = {.scales = texts_in(construct, "scales"),
+                                 .reverse_keyed = texts_in(construct, "reverse_keyed")};
+  });
   return declared;
 }
 

@@ -236,9 +236,11 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
         "in a discrimination the judgement determines the correct response; remove this "
         "key");
   }
-  if (question.allow_cannot_tell) {
+  if (question.allow_cannot_tell && checked.block.design->has_noise()) {
     problems.report(checked.at_question + "/allow_cannot_tell",
-                    "a discrimination has no option without a judgement; remove this key");
+                    "a " + std::string(checked.block.design->name) + " has the \"options\" " +
+                        in_quotes(checked.block.design->yes) + " and " +
+                        in_quotes(checked.block.design->no) + "; remove this key");
   }
   check_design(checked, problems);
   check_judgement(checked, problems);
@@ -271,8 +273,9 @@ VirtualResponse judge_in_words(const Judgement& judgement, const Block& block) {
 }
 
 /// In words (`judge_in_words`), or the surface with the greater magnitude (VirtualObserver::compare), whatever the question
-/// asks for; the other one where the judgement is of performance and the level is below the standard. A parameter on which
-/// the magnitude does not depend gives responses by chance.
+/// asks for; the other one where the judgement is of performance and the level is below the standard; "cannot tell", where it
+/// is an option, if the magnitudes differ by less than `unsure_within`. A parameter on which the magnitude does not depend
+/// gives responses by chance.
 VirtualResponse judge_discrimination(const Judgement& judgement) {
   const Block& block = judgement.protocol.blocks.at(judgement.trial.block);
   const auto asked =
@@ -282,9 +285,14 @@ VirtualResponse judge_discrimination(const Judgement& judgement) {
   const bool chooses_less =
       asked->asks_for_less ||
       (asked->judgement == DiscriminationJudgement::performance && is_below_standard(*block.vary));
-  const std::size_t greater =
-      *judgement.observer.compare(judgement.felt[0], judgement.felt[1], 0.0);
-  return {ChosenOption{chooses_less ? 1 - greater : greater}, false};
+  const std::optional<double>& unsure_within = judgement.protocol.observer.unsure_within;
+  const double least_difference =
+      asked->allow_cannot_tell && unsure_within ? std::log1p(*unsure_within) : 0.0;
+  const std::optional<std::size_t> greater =
+      judgement.observer.compare(judgement.felt[0], judgement.felt[1], least_difference);
+  // "cannot tell" is the last option.
+  if (!greater) return {ChosenOption{judgement.question.options.size() - 1}, false};
+  return {ChosenOption{chooses_less ? 1 - *greater : *greater}, false};
 }
 
 }  // namespace

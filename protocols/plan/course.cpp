@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "protocols/design/block_factors.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/groups.h"
 #include "protocols/plan/squares.h"
@@ -337,8 +338,11 @@ std::vector<Trial> Course::possible_next() const {
   if (!trial->catch_trial) {
     const Dimension& dimension = *tracks_->run().block->vary;
     const double value = std::get<double>(trial->factors.at(dimension.factor));
-    for (const bool counts_down : {false, true}) {
-      outcomes.insert(outcomes.begin(), {TrialOutcome::Answer{value, counts_down}});
+    std::vector<LevelOutcome> possible{LevelOutcome::incorrect, LevelOutcome::correct};
+    const auto* const judged = judged_question(*tracks_->run().block);
+    if (judged != nullptr && judged->allow_cannot_tell) possible.push_back(LevelOutcome::unsure);
+    for (const LevelOutcome outcome : possible) {
+      outcomes.insert(outcomes.begin(), {TrialOutcome::Answer{value, outcome}});
     }
   }
   std::vector<Trial> next{};
@@ -363,7 +367,7 @@ void Course::advance(const TrialOutcome& outcome) {
   if (outcome.answer) {
     const Dimension& dimension = *tracks_->run().block->vary;
     answer = {.level = dimension.level_of(outcome.answer->value),
-              .is_correct = outcome.answer->counts_down};
+              .outcome = outcome.answer->outcome};
   }
   tracks_->answer(answer);
   trials_before_ = plan_.trials.size();
@@ -430,8 +434,9 @@ Plan example_plan(const Protocol& protocol, const Allocation& allocation) {
     }
     const Dimension& dimension = *protocol.blocks.at(trial->block).vary;
     const double value = std::get<double>(trial->factors.at(dimension.factor));
-    const bool counts_down = observer.uniform() < example_chance(dimension, value);
-    course.advance({.answer = TrialOutcome::Answer{.value = value, .counts_down = counts_down}});
+    const LevelOutcome outcome =
+        forced_outcome(observer.uniform() < example_chance(dimension, value));
+    course.advance({.answer = TrialOutcome::Answer{.value = value, .outcome = outcome}});
   }
   return course.plan();
 }

@@ -17,12 +17,12 @@ namespace asperity {
 
 /// The input of a procedure from one trial.
 struct TrialOutcome {
-  /// The value of the varied parameter that was delivered, and whether the answer leads to a lower level: the varied
-  /// surface was chosen, or not chosen where the question asks for less. Nothing where there is no answer that counts for
+  /// The value of the varied parameter that was delivered, and whether the answer leads to a lower level (`correct`):
+  /// the varied surface was chosen, or not chosen where the question asks for less. Nothing where there is no answer that counts for
   /// the track.
   struct Answer {
     double value = 0.0;
-    bool counts_down = false;
+    LevelOutcome outcome = LevelOutcome::incorrect;
   };
   std::optional<Answer> answer{};
 };

@@ -26,14 +26,14 @@ TrackResult result_of(const Dimension& vary, const AnsweredTrack& answered) {
   UpDownRun run(track->rule);
   double sum = 0.0;
   for (const LevelAnswer& answer : answered.answers) {
-    if (!run.respond(answer.is_correct).is_reversal) continue;
+    if (!run.respond(answer.outcome == LevelOutcome::correct).is_reversal) continue;
     sum += std::log(vary.value_of(answer.level));
     ++result.reversals;
   }
   if (result.reversals > 0) result.mean_of_logarithms = sum / result.reversals;
   const LevelAnswer& last = answered.answers.back();
   const std::size_t index = nearest_index(track->grid, last.level);
-  const std::size_t end = last.is_correct ? 0 : size_of(track->grid) - 1;
+  const std::size_t end = last.outcome == LevelOutcome::correct ? 0 : size_of(track->grid) - 1;
   if (index == end) result.end = vary.value_of(level_of(track->grid, end));
   return result;
 }
@@ -60,8 +60,8 @@ void estimate(const Dimension& vary, const std::vector<TrackResult>& tracks,
   }
   match.status = MatchStatus::matched;
   // The measure "ratio" rounds as every level of a plan is rounded.
-  match.relative_amplitude = value_at(
-      LevelMeasure::ratio, std::exp(sum / static_cast<double>(tracks.size())), 1.0);
+  match.relative_amplitude =
+      value_at(LevelMeasure::ratio, std::exp(sum / static_cast<double>(tracks.size())), 1.0);
 }
 
 bool is_of(const RoughnessMatch& match, const std::string& stimulus, const std::string& model,
@@ -112,12 +112,10 @@ std::vector<RoughnessMatch> roughness_matches(const Dimension& vary,
 
 void apply_match(const std::vector<RoughnessMatch>& matches, PlannedPresentation& planned) {
   const auto match = std::find_if(matches.begin(), matches.end(), [&planned](const auto& each) {
-    return is_of(each, planned.stimulus_template, planned.stimulus.model,
-                 planned.stimulus.texture);
+    return is_of(each, planned.stimulus_template, planned.stimulus.model, planned.stimulus.texture);
   });
   planned.roughness_match = match == matches.end() ? MatchStatus::reference : match->status;
-  planned.stimulus.relative_amplitude =
-      match == matches.end() ? 1.0 : match->relative_amplitude;
+  planned.stimulus.relative_amplitude = match == matches.end() ? 1.0 : match->relative_amplitude;
 }
 
 bool are_of_same_stimulus(const PlannedPresentation& one, const PlannedPresentation& other) {
@@ -126,9 +124,9 @@ bool are_of_same_stimulus(const PlannedPresentation& one, const PlannedPresentat
   };
   const auto parts = [&body](const PlannedPresentation& planned) {
     const StimulusDescription& stimulus = planned.stimulus;
-    return std::tuple(stimulus.model, stimulus.texture, body(stimulus.surface),
-                      body(stimulus.tool), stimulus.parameters,
-                      stimulus.material.stiffness_N_per_m, stimulus.material.friction);
+    return std::tuple(stimulus.model, stimulus.texture, body(stimulus.surface), body(stimulus.tool),
+                      stimulus.parameters, stimulus.material.stiffness_N_per_m,
+                      stimulus.material.friction);
   };
   return parts(one) == parts(other) && one.equal_force == other.equal_force;
 }

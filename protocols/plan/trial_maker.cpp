@@ -162,7 +162,7 @@ TrialQuestion planned_question(const Protocol& protocol,
     }
   }
   if (source.allow_cannot_tell) {
-    question.options.push_back({"cannot_tell", "I cannot tell", std::nullopt, {}});
+    question.options.push_back({kCannotTellOption, "I cannot tell", std::nullopt, {}});
   }
   const ExperimentKind& kind = kind_named(trial.kind);
   if (kind.correct_of != nullptr) question.correct = kind.correct_of(source, trial);

@@ -14,11 +14,19 @@ namespace asperity {
 /// No track may have more trials.
 inline constexpr std::size_t kMostTrials = 100000;
 
+/// What a response means for the levels. `correct`: the response that leads to a lower level; where no response is correct,
+/// the choice that counts as such. `unsure`: the response "cannot tell" of an unforced choice.
+enum class LevelOutcome { incorrect, correct, unsure };
+
+constexpr LevelOutcome forced_outcome(bool is_correct) noexcept {
+  return is_correct ? LevelOutcome::correct : LevelOutcome::incorrect;
+}
+
 /// One answered trial of a track. Attempts that were interrupted, invalidated or excluded are not answers; the caller
 /// of a procedure leaves them out.
 struct LevelAnswer {
   double level = 0.0;  ///< the level that was delivered, which can differ from the proposed one
-  bool is_correct = false;
+  LevelOutcome outcome = LevelOutcome::incorrect;
 
   bool operator==(const LevelAnswer&) const = default;
 };

@@ -99,8 +99,8 @@ void check_prior(const PosteriorTrack& track, ProcedureProblems& problems) {
                     "highest lapse rate above 0, such as 0.06");
   }
   if (!(prior.performance > prior.guess_rate && prior.performance < 1.0 - prior.lapses.highest)) {
-    problems.report("target", "the target " + number_text(prior.performance) +
-                                  " must be above " + number_text(prior.guess_rate) +
+    problems.report("target", "the target " + number_text(prior.performance) + " must be above " +
+                                  number_text(prior.guess_rate) +
                                   ", the proportion of correct guesses, and below " +
                                   number_text(1.0 - prior.lapses.highest) +
                                   ", 1 minus the highest lapse rate; state one, such as 0.75");
@@ -127,31 +127,51 @@ class PreparedTrack final {
   NextStep next(std::span<const LevelAnswer> answers) const {
     if (answers.size() >= track_.stop.trials) return TrackEnd::trials;
     Eigen::ArrayXd weights = table_.uniform();
-    std::size_t correct = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      respond(weights, answers[i]);
-      correct += answers[i].is_correct ? 1 : 0;
+    Answered answered{};
+    for (const LevelAnswer& answer : answers) {
+      respond(weights, answer);
+      ++answered.all;
+      answered.correct += answer.outcome == LevelOutcome::correct ? 1 : 0;
+      answered.incorrect += answer.outcome == LevelOutcome::incorrect ? 1 : 0;
       // After every answer: an interval that becomes wider again does not continue a finished track.
-      if (is_precise(weights, i + 1, correct)) return TrackEnd::interval;
+      if (is_precise(weights, answered)) return TrackEnd::interval;
     }
     const std::size_t index = place_of_least(table_.expected_entropies(weights));
     return NextLevel{.level = level_of(track_.grid, index)};
   }
 
  private:
+  struct Answered {
+    std::size_t all = 0;
+    std::size_t correct = 0;
+    std::size_t incorrect = 0;
+  };
+
   void respond(Eigen::ArrayXd& weights, const LevelAnswer& answer) const {
-    if (is_on(track_.grid, answer.level)) {
-      table_.respond(weights, nearest_index(track_.grid, answer.level), answer.is_correct);
+    const bool is_level = is_on(track_.grid, answer.level);
+    const double difference = difference_of(track_, answer.level);
+    if (answer.outcome == LevelOutcome::unsure) {
+      const double chance = track_.prior.guess_rate;
+      if (is_level) {
+        table_.guess(weights, nearest_index(track_.grid, answer.level), chance);
+      } else {
+        table_.guess_at(weights, difference, chance);
+      }
+      return;
+    }
+    const bool is_correct = answer.outcome == LevelOutcome::correct;
+    if (is_level) {
+      table_.respond(weights, nearest_index(track_.grid, answer.level), is_correct);
     } else {
-      table_.respond_at(weights, difference_of(track_, answer.level), answer.is_correct);
+      table_.respond_at(weights, difference, is_correct);
     }
   }
 
-  bool is_precise(const Eigen::ArrayXd& weights, std::size_t answers, std::size_t correct) const {
+  bool is_precise(const Eigen::ArrayXd& weights, const Answered& answered) const {
     if (!track_.stop.interval) return false;
     const IntervalRule& rule = *track_.stop.interval;
-    if (answers < rule.minimum_trials || correct < rule.minimum_of_each ||
-        answers - correct < rule.minimum_of_each) {
+    if (answered.all < rule.minimum_trials || answered.correct < rule.minimum_of_each ||
+        answered.incorrect < rule.minimum_of_each) {
       return false;
     }
     const CredibleThreshold threshold = credible_threshold(

@@ -56,6 +56,10 @@ void check_posterior_track(const PosteriorTrack& track, ProcedureProblems& probl
 /// The level with the least expected entropy (`FunctionTable`) after the answers at the levels that were *delivered*: a
 /// delivered level that is not one of the grid has its own likelihood. The first level is that of the prior.
 ///
+/// An unsure answer has the mean log likelihood of a guess, which is correct with the probability γ, the guess rate of the
+/// prior (`FunctionTable::guess`): the answer is split as in the fits of psychometric functions. The expected entropy
+/// takes the next answer to be correct or incorrect.
+///
 /// The rule owns the table of likelihoods, which its copies share.
 LevelRule posterior_rule(const PosteriorTrack& track, std::span<const NuisanceParameter> nuisances);
 

@@ -78,6 +78,11 @@ using ChanceOfCorrect = std::function<double(double level)>;
 /// The answers of a track whose levels are presented as proposed to an observer with independent responses.
 std::vector<LevelAnswer> simulated_track(const LevelRule& rule, const ChanceOfCorrect& observer,
                                          const Random& of_track);
+/// A response at a level.
+using OutcomeOfObserver = std::function<LevelOutcome(double level, Random& random)>;
+/// The same of an observer whose responses can be "cannot tell". One stream serves all responses.
+std::vector<LevelAnswer> simulated_track(const LevelRule& rule, const OutcomeOfObserver& observer,
+                                         const Random& of_track);
 /// The same of a single track. Errors: as `level_rule`.
 std::vector<LevelAnswer> simulated_track(const ProcedureSettings& settings,
                                          const ChanceOfCorrect& observer, const Random& of_track);

@@ -19,8 +19,8 @@ void refuse_problems(const ProcedureSettings& settings) {
 
 std::span<const Procedure* const> procedures() {
   static const std::array kProcedures{&constant_stimuli(), &transformed_up_down(),
-                                      &weighted_up_down(), &psi(), &quest_plus(),
-                                      &external()};
+                                      &weighted_up_down(), &psi(),
+                                      &quest_plus(),       &external()};
   static_assert(kProcedures.size() == std::variant_size_v<ProcedureSettings>);
   return kProcedures;
 }
@@ -58,7 +58,7 @@ NextStep next_step(const ProcedureSettings& settings, std::span<const LevelAnswe
   return level_rule(settings)(answers, of_track);
 }
 
-std::vector<LevelAnswer> simulated_track(const LevelRule& rule, const ChanceOfCorrect& observer,
+std::vector<LevelAnswer> simulated_track(const LevelRule& rule, const OutcomeOfObserver& observer,
                                          const Random& of_track) {
   Random responses = of_track.split("responses");
   std::vector<LevelAnswer> answers{};
@@ -66,9 +66,16 @@ std::vector<LevelAnswer> simulated_track(const LevelRule& rule, const ChanceOfCo
     const NextStep step = rule(answers, of_track);
     const NextLevel* const next = std::get_if<NextLevel>(&step);
     if (next == nullptr) return answers;
-    answers.push_back(
-        {.level = next->level, .is_correct = responses.uniform() < observer(next->level)});
+    answers.push_back({.level = next->level, .outcome = observer(next->level, responses)});
   }
+}
+
+std::vector<LevelAnswer> simulated_track(const LevelRule& rule, const ChanceOfCorrect& observer,
+                                         const Random& of_track) {
+  return simulated_track(rule, OutcomeOfObserver([&observer](double level, Random& responses) {
+                           return forced_outcome(responses.uniform() < observer(level));
+                         }),
+                         of_track);
 }
 
 std::vector<LevelAnswer> simulated_track(const ProcedureSettings& settings,

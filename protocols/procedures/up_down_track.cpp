@@ -16,10 +16,17 @@ struct MovedIndex {
   bool is_clipped = false;
 };
 
-MovedIndex moved(const UpDownTrack& track, double level, UpDownMove move, std::size_t reversals) {
-  const std::size_t from = nearest_index(track.grid, level);
+const StepList& steps_of_move(const UpDownTrack& track, UpDownMove move, LevelOutcome outcome) {
+  if (move == UpDownMove::down) return track.steps_down;
+  const bool is_unsure = outcome == LevelOutcome::unsure && !track.steps_unsure.empty();
+  return is_unsure ? track.steps_unsure : track.steps_up;
+}
+
+MovedIndex moved(const UpDownTrack& track, const LevelAnswer& answer, UpDownMove move,
+                 std::size_t reversals) {
+  const std::size_t from = nearest_index(track.grid, answer.level);
   if (move == UpDownMove::none) return {.index = from};
-  const StepList& steps = move == UpDownMove::up ? track.steps_up : track.steps_down;
+  const StepList& steps = steps_of_move(track, move, answer.outcome);
   const std::size_t by = grid_steps(track.grid, steps[std::min(reversals, steps.size() - 1)]);
   const std::size_t room = move == UpDownMove::up ? size_of(track.grid) - 1 - from : from;
   const std::size_t way = std::min(by, room);
@@ -114,9 +121,9 @@ NextStep next_of(const UpDownTrack& track, std::span<const LevelAnswer> answers)
   bool is_at_bound = false;
   UpDownMove last = UpDownMove::none;
   for (const LevelAnswer& answer : answers) {
-    last = run.respond(answer.is_correct).move;
+    last = run.respond(answer.outcome == LevelOutcome::correct).move;
     if (last == UpDownMove::none || !track.stop.clipped_moves) continue;
-    clipped = moved(track, answer.level, last, run.reversals()).is_clipped ? clipped + 1 : 0;
+    clipped = moved(track, answer, last, run.reversals()).is_clipped ? clipped + 1 : 0;
     is_at_bound = is_at_bound || clipped >= *track.stop.clipped_moves;
   }
   if (answers.size() >= track.stop.trials) return TrackEnd::trials;
@@ -124,7 +131,7 @@ NextStep next_of(const UpDownTrack& track, std::span<const LevelAnswer> answers)
   if (is_at_bound) return TrackEnd::bound;
   const std::size_t index = answers.empty()
                                 ? nearest_index(track.grid, track.start)
-                                : moved(track, answers.back().level, last, run.reversals()).index;
+                                : moved(track, answers.back(), last, run.reversals()).index;
   return NextLevel{.level = level_of(track.grid, index)};
 }
 

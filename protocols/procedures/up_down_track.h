@@ -36,6 +36,8 @@ struct UpDownTrack {
   StepList steps_up{};
   StepList steps_down{};
   StopRules stop{};
+  /// Of the moves up after `LevelOutcome::unsure`, as many as `steps_up`; empty where a choice is forced.
+  StepList steps_unsure{};
 
   bool operator==(const UpDownTrack&) const = default;
 };
@@ -46,7 +48,7 @@ void check_track(const UpDownTrack& track, ProcedureProblems& problems);
 
 /// The next level: the level of the grid that is nearest to the last *delivered* level, moved by the rule and its step,
 /// and at a bound no further than the bound. A delivered level that is half a grid step or more away from the proposed
-/// one therefore moves the track with it.
+/// one therefore moves the track with it. Where there are no unsure steps, an unsure answer counts as an incorrect one.
 NextStep next_of(const UpDownTrack& track, std::span<const LevelAnswer> answers);
 
 /// `balanced_performance` with the last steps of both lists.

@@ -22,6 +22,33 @@ double lengthened(LevelScale scale, double step, double times) {
 
 double weight_of(double target) { return target / (1.0 - target); }
 
+/// The step up after "cannot tell", in steps down (WeightedUpDown).
+double unsure_weight_of(double target, std::size_t alternatives) {
+  const double chance = 1.0 / static_cast<double>(alternatives);
+  return (target - chance) / (1.0 - target);
+}
+
+/// The target of a track whose other settings have no problem.
+void check_unsure_steps(const WeightedUpDown& method, ProcedureProblems& problems) {
+  const std::size_t alternatives = *method.unforced_alternatives;
+  const double weight = unsure_weight_of(method.target, alternatives);
+  if (!(weight > 0.0)) {
+    problems.report("target",
+                    "the target " + number_text(method.target) + " is not above 1/" +
+                        std::to_string(alternatives) +
+                        ", the proportion of correct guesses, so that the response \"cannot tell\" "
+                        "would not lead to a higher level; use a higher target, such as 0.75");
+    return;
+  }
+  problems.report(
+      "target", "the step up after the response \"cannot tell\" is " + number_text(weight) +
+                    " times the step down for the target " + number_text(method.target) + " and " +
+                    std::to_string(alternatives) +
+                    " alternatives, the mean step of a guess, which is not a whole number of steps "
+                    "of the grid; use a larger step down or a finer grid" +
+                    (alternatives == 2 ? ", or the target 0.75 (ratio 1)" : ""));
+}
+
 void check_weighted(const ProcedureSettings& settings, ProcedureProblems& problems) {
   const WeightedUpDown& method = settings_in(settings);
   UpDownTrack track{.grid = method.grid,
@@ -42,6 +69,9 @@ void check_weighted(const ProcedureSettings& settings, ProcedureProblems& proble
     return;
   }
   if (!of_track.empty() || track_of(method)) return;
+  WeightedUpDown forced = method;
+  forced.unforced_alternatives.reset();
+  if (track_of(forced)) return check_unsure_steps(method, problems);
   const double weight = weight_of(method.target);
   problems.report(
       "target",
@@ -86,6 +116,12 @@ std::optional<UpDownTrack> track_of(const WeightedUpDown& method) {
     const double up = lengthened(method.grid.scale, step, weight_of(method.target));
     if (grid_steps(method.grid, up) == 0) return std::nullopt;
     track.steps_up.push_back(up);
+    if (!method.unforced_alternatives) continue;
+    const double weight = unsure_weight_of(method.target, *method.unforced_alternatives);
+    if (!(weight > 0.0)) return std::nullopt;
+    const double unsure = lengthened(method.grid.scale, step, weight);
+    if (grid_steps(method.grid, unsure) == 0) return std::nullopt;
+    track.steps_unsure.push_back(unsure);
   }
   return track;
 }

@@ -94,6 +94,25 @@ TEST(FunctionTable, GivesTheProbabilitiesOfBayesTheorem) {
   EXPECT_NEAR(table.marginal(weights)[1], weights[2] + weights[3], 1e-12);
 }
 
+// The mean log likelihood of a guess between two alternatives: √(ψ·(1 − ψ)).
+TEST(FunctionTable, TakesAResponseWithoutAChoiceAsTheMeanOfAGuess) {
+  const FunctionTable table = table_of(1);
+  Eigen::ArrayXd weights = some_weights(table);
+  Eigen::ArrayXd expected = weights;
+  for (Eigen::Index i = 0; i < expected.size(); ++i) {
+    const double hit = table.functions()[static_cast<std::size_t>(i)].value(2.0);
+    expected[i] *= std::sqrt(hit * (1.0 - hit));
+  }
+  expected /= expected.sum();
+  Eigen::ArrayXd elsewhere = weights;
+  table.guess(weights, 3, 0.5);
+  table.guess_at(elsewhere, 2.0, 0.5);
+  for (Eigen::Index i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(weights[i], expected[i], 1e-12);
+    EXPECT_NEAR(elsewhere[i], expected[i], 1e-12);
+  }
+}
+
 TEST(FunctionTable, TakesALevelThatIsNotInTheTable) {
   const FunctionTable table = table_of(1);
   Eigen::ArrayXd by_table = some_weights(table);

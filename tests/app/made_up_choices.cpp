@@ -159,9 +159,10 @@ std::vector<MadeUpTrial> staircase_trials(const PsychometricFunction& observer,
     const Random of_track = Random(seed).split(static_cast<std::uint64_t>(i));
     int step = 0;
     for (const LevelAnswer& answer : simulated_track(block.tracks[i], chance, of_track)) {
-      MadeUpTrial trial = discriminated({.value_m = block.vary->value_of(answer.level),
-                                         .chose_comparison = answer.is_correct,
-                                         .comparison_first = step % 2 == 0});
+      MadeUpTrial trial =
+          discriminated({.value_m = block.vary->value_of(answer.level),
+                         .chose_comparison = answer.outcome == LevelOutcome::correct,
+                         .comparison_first = step % 2 == 0});
       trial.track = static_cast<int>(i) + 1;
       trial.step = ++step;
       trials.push_back(std::move(trial));

@@ -157,6 +157,64 @@ TEST_F(PsiSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
   }
 }
 
+/// The same tracks with the weighted method and the option "cannot tell", which is every third response.
+class UnforcedSession : public StaircaseSession {
+ protected:
+  void SetUp() override {
+    std::string text = kStaircases;
+    const auto replace = [&text](const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    replace(R"("method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10, 5],)",
+            R"("method": "weighted_up_down", "steps": [10, 5],)");
+    replace(R"("judgement": "performance"}})",
+            R"("judgement": "performance", "allow_cannot_tell": true}})");
+    begin(text);
+    links_ = {};
+  }
+
+  void start(std::uint64_t seed) {
+    StaircaseSession::start(seed);
+    const auto choose = person_.at_question;
+    person_.at_question = [choose](int question, const Trial& trial) {
+      const bool has_option = trial.questions.front().options.size() == 3;
+      return has_option && trial.ordinal % 3 == 0 ? chooses(2) : choose(question, trial);
+    };
+  }
+};
+
+TEST_F(UnforcedSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
+  start(1);
+  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  const std::vector<std::string> expected = stored_plan();
+  ASSERT_EQ(expected.size(), static_cast<std::size_t>(kTrials));
+  for (int position = 1; position < kTrials; ++position) {
+    SCOPED_TRACE("after " + std::to_string(position));
+    start(1);
+    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
+    EXPECT_EQ(resume(1000).state, SessionState::completed);
+    EXPECT_EQ(stored_plan(), expected);
+  }
+  // As verification makes it again from the stored responses.
+  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
+            expected.size());
+}
+
+TEST_F(UnforcedSession, TakesCannotTellAsTheThirdOutcome) {
+  start(1);
+  const Trial& trial = session_.course->plan().trials.front();
+  AttemptRow attempt{
+      .trial = trial.ordinal, .attempt = 1, .outcome = AttemptOutcome::answered, .valid = true};
+  for (const PlannedPresentation& planned : trial.presentations) {
+    attempt.presentations.push_back({.position = planned.position,
+                                     .role = planned.role,
+                                     .item = planned.item,
+                                     .parameters_json = R"({"amplitude_m": 6e-5})"});
+  }
+  attempt.responses.push_back({.question = "rougher", .answer = kCannotTellOption});
+  EXPECT_EQ(outcome_of(protocol_, trial, attempt).answer->outcome, LevelOutcome::unsure);
+}
+
 TEST_F(StaircaseSession, IsResumedWhereTheNextTrialWasNotYetStored) {
   const std::vector<std::string> expected = uninterrupted(2);
   start(2);
@@ -328,13 +386,13 @@ TEST_F(StaircaseSession, TakesAMissedDeadlineAsTheProtocolSpecifies) {
   };
   EXPECT_FALSE(outcome(AttemptOutcome::timed_out, false)) << "the judged question";
   ASSERT_TRUE(outcome(AttemptOutcome::timed_out, true)) << "a later question";
-  EXPECT_TRUE(outcome(AttemptOutcome::timed_out, true)->counts_down);
+  EXPECT_EQ(outcome(AttemptOutcome::timed_out, true)->outcome, LevelOutcome::correct);
   EXPECT_FALSE(outcome(AttemptOutcome::skipped, true));
   EXPECT_EQ(outcome(AttemptOutcome::answered, false)->value, 6e-5) << "as delivered";
   protocol_.blocks.at("tracks").procedure->timeouts_are_incorrect = true;
   ASSERT_TRUE(outcome(AttemptOutcome::timed_out, false));
-  EXPECT_FALSE(outcome(AttemptOutcome::timed_out, false)->counts_down);
-  EXPECT_TRUE(outcome(AttemptOutcome::timed_out, true)->counts_down);
+  EXPECT_EQ(outcome(AttemptOutcome::timed_out, false)->outcome, LevelOutcome::incorrect);
+  EXPECT_EQ(outcome(AttemptOutcome::timed_out, true)->outcome, LevelOutcome::correct);
 }
 
 /// "Which is smoother?": the choice of the standard states that the comparison is rougher.
@@ -345,7 +403,7 @@ TEST_F(StaircaseSession, GoesDownAfterTheStandardWhereTheQuestionAsksForLess) {
   const auto counts_down = [&](bool chose_comparison) {
     return outcome_of(protocol_, trial,
                       attempt_at(trial, AttemptOutcome::answered, chose_comparison))
-        .answer->counts_down;
+               .answer->outcome == LevelOutcome::correct;
   };
   EXPECT_FALSE(counts_down(true));
   EXPECT_TRUE(counts_down(false));

@@ -71,7 +71,7 @@ double gain_of(const Trial& trial) { return std::get<double>(trial.factors.at("t
 /// The comparison is chosen in two of three trials of a track, first at its second step.
 TrialOutcome outcome_by_step(const Trial& trial) {
   return {.answer = TrialOutcome::Answer{.value = gain_of(trial),
-                                         .counts_down = trial.track->step % 3 != 1}};
+                                         .outcome = forced_outcome(trial.track->step % 3 != 1)}};
 }
 
 Course answered_course(const Protocol& protocol, std::uint64_t seed) {
@@ -129,7 +129,8 @@ TEST(Course, ProposesTheLevelsOfTheProcedureOfEachTrack) {
     for (std::size_t step = 0; step < levels.size(); ++step) {
       const NextStep next = next_step(own, answers, Random(0));
       EXPECT_NEAR(levels[step], std::get<NextLevel>(next).level, 1e-9) << track << '/' << step;
-      answers.push_back({.level = std::get<NextLevel>(next).level, .is_correct = step % 3 != 0});
+      answers.push_back(
+          {.level = std::get<NextLevel>(next).level, .outcome = forced_outcome(step % 3 != 0)});
     }
     EXPECT_TRUE(std::holds_alternative<TrackEnd>(next_step(own, answers, Random(0))));
   }
@@ -190,7 +191,8 @@ TEST(Course, PresentsTheLevelAgainAfterATrialThatDoesNotCount) {
   file["factors"].erase("stroking");
   const Protocol protocol = protocol_of(file);
   Course course(protocol, {.seed = 1});
-  course.advance({.answer = TrialOutcome::Answer{.value = 1.6, .counts_down = false}});
+  course.advance(
+      {.answer = TrialOutcome::Answer{.value = 1.6, .outcome = LevelOutcome::incorrect}});
   EXPECT_DOUBLE_EQ(gain_of(*course.awaited()), 1.8);
   course.advance({});
   EXPECT_DOUBLE_EQ(gain_of(*course.awaited()), 1.8);
@@ -217,13 +219,13 @@ TEST(Course, KnowsTheTrialsThatCanFollow) {
     const double value = gain_of(*course.awaited());
     most = std::max(most, possible.size());
     Course after_correct = course;
-    after_correct.advance({.answer = TrialOutcome::Answer{value, true}});
+    after_correct.advance({.answer = TrialOutcome::Answer{value, LevelOutcome::correct}});
     const std::size_t before = course.plan().trials.size();
     EXPECT_EQ(json_of(possible.at(0)), json_of(after_correct.plan().trials.at(before)));
     if (i % 4 == 3) {
       course.advance({});
     } else {
-      course.advance({.answer = TrialOutcome::Answer{value, i % 4 != 0}});
+      course.advance({.answer = TrialOutcome::Answer{value, forced_outcome(i % 4 != 0)}});
     }
     const auto is_next = [&](const Trial& each) {
       return json_of(each) == json_of(course.plan().trials.at(before));
@@ -234,11 +236,40 @@ TEST(Course, KnowsTheTrialsThatCanFollow) {
   EXPECT_TRUE(course.possible_next().empty());
 }
 
+TEST(Course, KnowsTheTrialsThatCanFollowCannotTell) {
+  json file = staircases();
+  json& block = file["blocks"]["tracks"];
+  block["question"]["allow_cannot_tell"] = true;
+  block["procedure"] = {
+      {"method", "weighted_up_down"}, {"start", 50}, {"steps", {10}}, {"stop", {{"trials", 6}}}};
+  const Protocol protocol = protocol_of(file);
+  Course course(protocol, {.seed = 3});
+  const int track = course.awaited()->track->track;
+  std::size_t most = 0;
+  while (const Trial* const trial = course.awaited()) {
+    const std::vector<Trial> possible = course.possible_next();
+    most = std::max(most, possible.size());
+    const std::size_t before = course.plan().trials.size();
+    const bool is_first = trial->track->track == track && trial->track->step == 1;
+    const double gain = gain_of(*trial);
+    course.advance({.answer = TrialOutcome::Answer{gain, LevelOutcome::unsure}});
+    const auto is_next = [&](const Trial& each) {
+      return json_of(each) == json_of(course.plan().trials.at(before));
+    };
+    EXPECT_EQ(std::count_if(possible.begin(), possible.end(), is_next), 1);
+    if (!is_first) continue;
+    while (course.awaited()->track->track != track) course.advance({});
+    EXPECT_NEAR(gain_of(*course.awaited()), 1.6, 1e-9) << "50 % and one step down upwards";
+  }
+  EXPECT_LE(most, 4U);
+}
+
 TEST(Course, MovesFromTheDeliveredLevel) {
   const Protocol protocol = protocol_of(staircases());
   Course course(protocol, {.seed = 1});
   const int track = course.awaited()->track->track;
-  course.advance({.answer = TrialOutcome::Answer{.value = 1.3, .counts_down = false}});
+  course.advance(
+      {.answer = TrialOutcome::Answer{.value = 1.3, .outcome = LevelOutcome::incorrect}});
   while (course.awaited()->track->track != track)
     course.advance(outcome_by_step(*course.awaited()));
   EXPECT_NEAR(gain_of(*course.awaited()), 1.5, 1e-9) << "30 % and a step of 20 %";
@@ -254,9 +285,9 @@ json with_catch_trials(int every) {
 Course answered_with_catch_trials(const Protocol& protocol, std::uint64_t seed, bool well = true) {
   Course course(protocol, {.seed = seed});
   while (const Trial* const trial = course.awaited()) {
-    course.advance(trial->catch_trial
-                       ? TrialOutcome{TrialOutcome::Answer{.value = 3.0, .counts_down = well}}
-                       : outcome_by_step(*trial));
+    course.advance(trial->catch_trial ? TrialOutcome{TrialOutcome::Answer{
+                                            .value = 3.0, .outcome = forced_outcome(well)}}
+                                      : outcome_by_step(*trial));
   }
   return course;
 }

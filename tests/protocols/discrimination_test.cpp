@@ -142,9 +142,66 @@ TEST(Discriminations, RefuseSurfacesThatAreNotAStandardAndAComparison) {
        {"/presented", "the same surface would always be presented first",
         [&](ProtocolJson& p) { main_block(p)["positions"] = "as_listed"; }},
        {"/question/correct_factor", "the judgement determines the correct response",
-        [&](ProtocolJson& p) { main_block(p)["question"]["correct_factor"] = "amplitude_m"; }},
-       {"/question/allow_cannot_tell", "has no option without a judgement",
-        [&](ProtocolJson& p) { main_block(p)["question"]["allow_cannot_tell"] = true; }}});
+        [&](ProtocolJson& p) { main_block(p)["question"]["correct_factor"] = "amplitude_m"; }}});
+}
+
+TEST(Discriminations, MayHaveTheOptionCannotTell) {
+  for (ProtocolJson protocol : {amplitude_jnd(), comparison_of_amplitudes()}) {
+    main_block(protocol)["question"]["allow_cannot_tell"] = true;
+    const Plan plan = make_plan(valid_discrimination(protocol), {1, 0});
+    for (const Trial& trial : plan.trials) {
+      if (trial.phase != Phase::main) continue;
+      ASSERT_EQ(trial.questions.front().options.size(), 3U);
+      EXPECT_EQ(trial.questions.front().options.back().value, kCannotTellOption);
+    }
+  }
+}
+
+/// Weighted up-down to 75 % with the option "cannot tell".
+ProtocolJson unforced_weighted() {
+  ProtocolJson protocol = amplitude_jnd();
+  ProtocolJson& block = main_block(protocol);
+  block.erase("repetitions");
+  block["vary"]["levels_percent"] = {{"lowest", 5}, {"highest", 50}, {"step", 5}};
+  block["procedure"] = {
+      {"method", "weighted_up_down"}, {"start", 40}, {"steps", {5}}, {"stop", {{"trials", 20}}}};
+  block["question"]["allow_cannot_tell"] = true;
+  return protocol;
+}
+
+TEST(Discriminations, StateInTheWeightedMethodThatChoicesAreUnforced) {
+  const auto alternatives = [](const ProcedureSettings& settings) {
+    return std::get<WeightedUpDown>(settings).unforced_alternatives;
+  };
+  ProtocolJson protocol = unforced_weighted();
+  const Protocol read = valid_discrimination(protocol);
+  EXPECT_EQ(alternatives(read.blocks.at("comparisons").procedure->tracks.front()), 2U);
+  const StoredProtocol stored = stored_protocol(protocol.dump());
+  ASSERT_EQ(stored.blocks.at("comparisons").tracks.size(), 1U);
+  EXPECT_EQ(alternatives(stored.blocks.at("comparisons").tracks.front()), 2U);
+  main_block(protocol)["question"].erase("allow_cannot_tell");
+  EXPECT_FALSE(alternatives(
+      valid_discrimination(protocol).blocks.at("comparisons").procedure->tracks.front()));
+}
+
+TEST(Discriminations, RefuseCannotTellWhereAProcedureHasNoStepForIt) {
+  expect_faults(
+      unforced_weighted(),
+      {{"/procedure/method", "use \"weighted_up_down\"",
+        [](ProtocolJson& p) {
+          main_block(p)["procedure"]["method"] = "transformed_up_down";
+          main_block(p)["procedure"]["down"] = 2;
+        }},
+       {"/procedure/method", "receives correct and incorrect responses only",
+        [](ProtocolJson& p) {
+          main_block(p)["procedure"] = {{"method", "external"}, {"stop", {{"trials", 20}}}};
+        }},
+       {"/procedure/target", "is not above 1/2",
+        [](ProtocolJson& p) { main_block(p)["procedure"]["target"] = 0.5; }},
+       {"/question/judgement", "is defined where one response is correct", [](ProtocolJson& p) {
+          main_block(p)["question"]["judgement"] = "comparison";
+          main_block(p)["vary"]["levels_percent"] = {{"lowest", -50}, {"highest", 50}, {"step", 5}};
+        }}});
 }
 
 TEST(Discriminations, RefuseABlockWithoutAStandardOfAKnownValue) {

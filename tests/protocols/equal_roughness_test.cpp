@@ -41,8 +41,7 @@ RoughnessJson realism_of_models() {
 }
 
 ProtocolReading reading_of_models(const RoughnessJson& file) {
-  return read_protocol_with_problems(file.dump(1), "file.json",
-                                     declarations_of(built_in_models()));
+  return read_protocol_with_problems(file.dump(1), "file.json", declarations_of(built_in_models()));
 }
 
 Protocol valid_models(const RoughnessJson& file) {
@@ -75,7 +74,8 @@ AnsweredTrack answered(const std::vector<std::pair<double, bool>>& answers,
                                       .steps_up = {3},
                                       .steps_down = {3},
                                       .stop = {.trials = 20}}};
-  for (const auto& [level, is_rougher] : answers) track.answers.push_back({level, is_rougher});
+  for (const auto& [level, is_rougher] : answers)
+    track.answers.push_back({level, forced_outcome(is_rougher)});
   return track;
 }
 
@@ -98,12 +98,13 @@ TEST(RoughnessMatches, AreTheGeometricMeanOfTheReversalsOfEachTrack) {
 }
 
 TEST(RoughnessMatches, AreTheEndOfTheRangeWhereAllAnswersPointBeyondIt) {
-  const RoughnessMatch below = match_of({answered({{6, true}, {3, true}, {0, true}, {-3, true}, {-6, true}}),
-                                         answered({{-6, true}, {-6, true}})});
+  const RoughnessMatch below =
+      match_of({answered({{6, true}, {3, true}, {0, true}, {-3, true}, {-6, true}}),
+                answered({{-6, true}, {-6, true}})});
   EXPECT_EQ(below.status, MatchStatus::below_range);
   EXPECT_NEAR(below.relative_amplitude, std::pow(10.0, -6.0 / 20.0), 1e-11);
-  const RoughnessMatch above = match_of({answered({{6, false}, {6, false}}),
-                                         answered({{3, false}, {6, false}, {6, false}})});
+  const RoughnessMatch above = match_of(
+      {answered({{6, false}, {6, false}}), answered({{3, false}, {6, false}, {6, false}})});
   EXPECT_EQ(above.status, MatchStatus::above_range);
   EXPECT_NEAR(above.relative_amplitude, std::pow(10.0, 6.0 / 20.0), 1e-11);
 }
@@ -182,13 +183,15 @@ double relative_amplitude_of(const Trial& trial) {
 
 /// A participant without noise for whom each model is as rough as the reference at its own relative amplitude.
 std::map<std::string, double> points_of_equality() {
-  return {{"normal_map", 1.6}, {"lateral_gradient", 0.7}, {"filtered_noise", 0.45}, {"recorded", 2.3}};
+  return {
+      {"normal_map", 1.6}, {"lateral_gradient", 0.7}, {"filtered_noise", 0.45}, {"recorded", 2.3}};
 }
 
 TrialOutcome noiseless_outcome(const Trial& trial) {
   const double amplitude = relative_amplitude_of(trial);
   const double equal = points_of_equality().at(text_of(trial.factors.at("model")));
-  return {.answer = TrialOutcome::Answer{.value = amplitude, .counts_down = amplitude > equal}};
+  return {.answer = TrialOutcome::Answer{.value = amplitude,
+                                         .outcome = forced_outcome(amplitude > equal)}};
 }
 
 Course answered_models(const Protocol& protocol, std::uint64_t seed) {
@@ -213,9 +216,8 @@ TEST(EqualRoughness, PresentsEveryModelAtItsPointOfEqualityInLaterBlocks) {
         continue;
       }
       EXPECT_EQ(planned.roughness_match, MatchStatus::matched);
-      const double step_dB =
-          20.0 * std::abs(std::log10(*planned.stimulus.relative_amplitude /
-                                     points_of_equality().at(model)));
+      const double step_dB = 20.0 * std::abs(std::log10(*planned.stimulus.relative_amplitude /
+                                                        points_of_equality().at(model)));
       EXPECT_LT(step_dB, 2.0) << model;
     }
   }
@@ -236,7 +238,9 @@ TEST(EqualRoughness, IsAFunctionOfTheStoredAnswers) {
   Course other(protocol, {.seed = 8});
   while (const Trial* const trial = other.awaited()) {
     TrialOutcome outcome = noiseless_outcome(*trial);
-    if (trial->ordinal == 60) outcome.answer->counts_down = !outcome.answer->counts_down;
+    if (trial->ordinal == 60) {
+      outcome.answer->outcome = forced_outcome(outcome.answer->outcome != LevelOutcome::correct);
+    }
     other.advance(outcome);
   }
   EXPECT_NE(first.matches(), other.matches()) << "one other answer";
@@ -336,8 +340,7 @@ TEST(EqualRoughness, RefusesFilesThatCannotMatch) {
        [](auto& p) {
          p["blocks"]["comparisons"]["equal_roughness"]["matched_in"] = "familiarisation";
        }},
-      {"/flow/5/run", "has not been run",
-       [](auto& p) { std::swap(p["flow"][5], p["flow"][8]); }},
+      {"/flow/5/run", "has not been run", [](auto& p) { std::swap(p["flow"][5], p["flow"][8]); }},
       {"/flow/6/run", "would match the same stimuli twice",
        [](auto& p) {
          const RoughnessJson run = p["flow"][5];
@@ -368,7 +371,9 @@ TEST(EqualRoughness, RefusesFilesThatCannotMatch) {
          for (auto& row : p["blocks"]["familiarisation"]["listed"]) row["damping"] = 0.2;
        }},
       {"/blocks/comparisons/equal_roughness", "neither matched",
-       [](auto& p) { p["blocks"]["matching"]["exclude"].push_back({{"model", "recorded"}}); }},
+       [](auto& p) {
+         p["blocks"]["matching"]["exclude"].push_back({{"model", "recorded"}});
+       }},
       {"/blocks/comparisons/equal_roughness", "neither matched",
        [](auto& p) { p["stimuli"]["reference"]["material"]["friction"] = 0.4; }},
   };
@@ -429,7 +434,8 @@ class JudgeOfStrength {
         observer_(protocol.observer, Random(seed).split("observer")) {
     Random differences = random_.split("differences");
     for (const auto& [model, perceived] : perceived_models()) {
-      own_[model] = perceived.strength + (model == "height_map" ? 0.0 : 0.15 * differences.normal());
+      own_[model] =
+          perceived.strength + (model == "height_map" ? 0.0 : 0.15 * differences.normal());
     }
   }
 
@@ -439,8 +445,9 @@ class JudgeOfStrength {
     for (const PlannedPresentation& planned : trial.presentations) {
       const std::string& model = planned.stimulus.model;
       ForceFeatures features{};
-      features.size = own_.at(model) + perceived_models().at(model).exponent *
-                                           std::log(planned.stimulus.relative_amplitude.value_or(1.0));
+      features.size =
+          own_.at(model) + perceived_models().at(model).exponent *
+                               std::log(planned.stimulus.relative_amplitude.value_or(1.0));
       felt.push_back(features);
     }
     const Random of_attempt = random_.split(static_cast<std::uint64_t>(trial.ordinal));
@@ -473,9 +480,10 @@ std::map<std::string, double> proportions_of_choices(const Protocol& protocol, i
     Course course(protocol, {.seed = participant});
     while (const Trial* const trial = course.awaited()) {
       const std::optional<std::size_t> choice = judge.judge(*trial);
-      course.advance({.answer = TrialOutcome::Answer{
-                          .value = relative_amplitude_of(*trial),
-                          .counts_down = trial->presentations.at(*choice).role == "comparison"}});
+      course.advance(
+          {.answer = TrialOutcome::Answer{
+               .value = relative_amplitude_of(*trial),
+               .outcome = forced_outcome(trial->presentations.at(*choice).role == "comparison")}});
     }
     for (const Trial& trial : course.plan().trials) {
       if (trial.block != "comparisons" || comparisons-- <= 0) continue;
@@ -497,7 +505,8 @@ std::map<std::string, double> proportions_of_choices(const Protocol& protocol, i
 
 TEST(EqualRoughness, LetsAJudgeOfStrengthChooseEachModelInHalfOfItsComparisons) {
   RoughnessJson file = realism_of_models();
-  file["observer"] = {{"expectation", "none"}, {"feature_noise", 0.2}, {"magnitude_of", "normal_force"}};
+  file["observer"] = {
+      {"expectation", "none"}, {"feature_noise", 0.2}, {"magnitude_of", "normal_force"}};
   // The errors of the matches of a participant are common to all comparisons of this participant. With 20 comparisons of each
   // of 1000 participants the standard error of a proportion is 0.6 %; with 60 of 333 it would be 1 %.
   file["blocks"]["comparisons"]["repetitions"] = 1;

@@ -71,7 +71,7 @@ std::vector<std::string> problems_of_changed(const std::function<void(nlohmann::
 TrialOutcome answered_as(const Trial& trial, bool counts_down) {
   return {.answer =
               TrialOutcome::Answer{.value = std::get<double>(trial.factors.at("texture_gain")),
-                                   .counts_down = counts_down}};
+                                   .outcome = forced_outcome(counts_down)}};
 }
 
 TEST(ExternalLevels, AreRequestedBeforeEachTrialAndForNoOtherTrack) {

@@ -30,14 +30,15 @@ std::vector<double> levels_along(const ProcedureSettings& settings,
     if (next == nullptr) return levels;
     levels.push_back(next->level);
     if (trial == responses.size()) return levels;
-    answers.push_back({.level = next->level, .is_correct = responses[trial]});
+    answers.push_back({.level = next->level, .outcome = forced_outcome(responses[trial])});
   }
 }
 
 /// Answers at the level that is given, whatever was proposed.
 std::vector<LevelAnswer> answers_at(double level, const std::vector<bool>& responses) {
   std::vector<LevelAnswer> answers{};
-  for (const bool correct : responses) answers.push_back({.level = level, .is_correct = correct});
+  for (const bool correct : responses)
+    answers.push_back({.level = level, .outcome = forced_outcome(correct)});
   return answers;
 }
 
@@ -181,13 +182,16 @@ TEST(Psi, EndsWithAPreciseThresholdAfterEnoughResponsesOfEachKind) {
   EXPECT_LT(track.size(), 200U);
   EXPECT_EQ(next_step(method, track, Random(7)), NextStep(TrackEnd::interval));
   const auto incorrect = static_cast<std::size_t>(std::count_if(
-      track.begin(), track.end(), [](const LevelAnswer& answer) { return !answer.is_correct; }));
+      track.begin(), track.end(),
+      [](const LevelAnswer& answer) { return answer.outcome != LevelOutcome::correct; }));
   EXPECT_GE(incorrect, 8U);
   // The interval at the end, by its definition.
   const auto functions = functions_of(method.track.prior, {});
   std::vector<PsychometricBlock> blocks{};
   for (const LevelAnswer& answer : track) {
-    blocks.push_back({.x = answer.level, .trials = 1, .hits = answer.is_correct ? 1U : 0U});
+    blocks.push_back({.x = answer.level,
+                      .trials = 1,
+                      .hits = answer.outcome == LevelOutcome::correct ? 1U : 0U});
   }
   const auto ratio = [&] {
     const CredibleThreshold threshold = credible_threshold(
@@ -195,7 +199,7 @@ TEST(Psi, EndsWithAPreciseThresholdAfterEnoughResponsesOfEachKind) {
     return threshold.interval.high / threshold.interval.low;
   };
   EXPECT_LE(ratio(), 2.0);
-  const bool had_enough = incorrect > 8 || track.back().is_correct;
+  const bool had_enough = incorrect > 8 || track.back().outcome == LevelOutcome::correct;
   blocks.pop_back();
   EXPECT_TRUE(ratio() > 2.0 || !had_enough || track.size() == 16U);
   method.track.stop.interval->minimum_of_each = 0;
@@ -258,7 +262,7 @@ TEST(Procedures, StayFinishedWithFurtherAnswers) {
         settings, [](double) { return 0.6; }, Random(4));
     for (int further = 0; further < 5; ++further) {
       EXPECT_TRUE(std::holds_alternative<TrackEnd>(next_step(settings, answers, Random(4))));
-      answers.push_back({.level = 3.0, .is_correct = further % 2 == 0});
+      answers.push_back({.level = 3.0, .outcome = forced_outcome(further % 2 == 0)});
     }
   }
 }
@@ -292,7 +296,7 @@ TEST(UpDownTracks, CountMovesBeyondABoundAgainAfterAnotherMove) {
   method.track.stop = {.trials = 40, .clipped_moves = 2};
   std::vector<LevelAnswer> answers = answers_at(20.0, {false, true, true, false});
   EXPECT_TRUE(std::holds_alternative<NextLevel>(next_step(method, answers, Random(1))));
-  answers.push_back({.level = 20.0, .is_correct = false});
+  answers.push_back({.level = 20.0, .outcome = LevelOutcome::incorrect});
   EXPECT_EQ(next_step(method, answers, Random(1)), NextStep(TrackEnd::bound));
 }
 
@@ -388,6 +392,117 @@ MeanOfTracks mean_of_tracks(const std::vector<double>& of_tracks) {
   return {.mean = mean, .error = std::sqrt(sum / (n - 1.0) / n)};
 }
 
+/// 1-up/1-down to 75 % with steps of 3 down and 9 up, among `alternatives` with the option "cannot tell".
+WeightedUpDown unforced(std::size_t alternatives) {
+  return {.grid = {.scale = LevelScale::linear, .lowest = 1.0, .highest = 100.0, .step = 1.0},
+          .start = 40.0,
+          .steps_down = {3.0},
+          .stop = {.trials = 400},
+          .unforced_alternatives = alternatives};
+}
+
+double level_after(const ProcedureSettings& settings, LevelOutcome outcome) {
+  const std::vector<LevelAnswer> answers{{.level = 40.0, .outcome = outcome}};
+  return std::get<NextLevel>(next_step(settings, answers, Random(1))).level;
+}
+
+// [Kaernbach 2001]: with two alternatives one step down for a correct response, one up for "cannot tell", three up for an
+// incorrect one. With three alternatives a guess is correct in a third of the trials: (−3 + 9 + 9)/3 = 5.
+TEST(UnforcedWeightedUpDown, MovesUpByTheMeanStepOfAGuessAfterCannotTell) {
+  for (const std::size_t alternatives : {2U, 3U}) {
+    const ProcedureSettings settings = unforced(alternatives);
+    EXPECT_EQ(level_after(settings, LevelOutcome::correct), 37.0);
+    EXPECT_EQ(level_after(settings, LevelOutcome::incorrect), 49.0);
+    EXPECT_EQ(level_after(settings, LevelOutcome::unsure), alternatives == 2 ? 43.0 : 45.0);
+  }
+}
+
+TEST(UnforcedWeightedUpDown, CountsCannotTellAsAMoveUpInReversals) {
+  WeightedUpDown method = unforced(2);
+  method.stop.reversals = 2;
+  std::vector<LevelAnswer> answers{{40.0, LevelOutcome::correct}, {37.0, LevelOutcome::unsure}};
+  EXPECT_EQ(std::get<NextLevel>(next_step(method, answers, Random(1))).level, 40.0);
+  answers.push_back({40.0, LevelOutcome::incorrect});
+  EXPECT_EQ(std::get<NextLevel>(next_step(method, answers, Random(1))).level, 49.0);
+  answers.push_back({49.0, LevelOutcome::correct});
+  EXPECT_EQ(std::get<TrackEnd>(next_step(method, answers, Random(1))), TrackEnd::reversals);
+}
+
+TEST(UnforcedWeightedUpDown, RefusesATargetWithoutAStepAfterCannotTell) {
+  WeightedUpDown method = unforced(2);
+  method.target = 0.5;
+  ASSERT_EQ(problems_of(method).size(), 1U);
+  EXPECT_THAT(problems_of(method).front().message, testing::HasSubstr("is not above 1/2"));
+  method.unforced_alternatives.reset();
+  EXPECT_TRUE(problems_of(method).empty());
+  method = unforced(3);
+  method.steps_down = {1.0};  // 5/3 of it is no level
+  ASSERT_EQ(problems_of(method).size(), 1U);
+  EXPECT_EQ(problems_of(method).front().setting, "target");
+  EXPECT_THAT(problems_of(method).front().message, testing::HasSubstr("a finer grid"));
+}
+
+// ψ = D + (1 − D)/2, where D is the probability of perceiving the difference; half of the observer's guesses are replaced by
+// "cannot tell". The proportion correct in which such a response counts 1/2 is then that of an observer who guesses, and
+// tracks approach its target.
+TEST(UnforcedWeightedUpDown, ApproachesTheTargetOfTheForcedProcedure) {
+  WeightedUpDown method = unforced(2);
+  method.steps_down = {1.0};
+  const OutcomeOfObserver observer = [](double level, Random& random) {
+    const double perceives = 1.0 / (1.0 + std::exp(-(level - 50.0) / 8.0));
+    if (random.uniform() < perceives) return LevelOutcome::correct;
+    if (random.uniform() < 0.5) return LevelOutcome::unsure;
+    return forced_outcome(random.uniform() < 0.5);
+  };
+  const LevelRule rule = level_rule(method);
+  std::vector<double> proportions{};
+  std::vector<double> levels{};
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const std::vector<LevelAnswer> track = simulated_track(rule, observer, Random(seed));
+    const auto late = std::span(track).subspan(100);
+    double hits = 0.0;
+    double level = 0.0;
+    for (const LevelAnswer& answer : late) {
+      hits += answer.outcome == LevelOutcome::correct  ? 1.0
+              : answer.outcome == LevelOutcome::unsure ? 0.5
+                                                       : 0.0;
+      level += answer.level;
+    }
+    proportions.push_back(hits / static_cast<double>(late.size()));
+    levels.push_back(level / static_cast<double>(late.size()));
+  }
+  const MeanOfTracks proportion = mean_of_tracks(proportions);
+  const MeanOfTracks level = mean_of_tracks(levels);
+  EXPECT_NEAR(proportion.mean, 0.75, 4.0 * proportion.error + 0.003);  // the ends of the tracks
+  EXPECT_NEAR(level.mean, 50.0, 4.0 * level.error + 1.0);              // ψ(50) = 75 %
+  EXPECT_LT(level.error, 1.0);
+}
+
+// Among the answers of psi "cannot tell" is neither of the counts of its rule for the end.
+TEST(Psi, TakesCannotTellAsTheMeanOfAGuess) {
+  const LevelGrid grid{.lowest = 1.0, .highest = 20.0, .step = 1.0};
+  const Psi method{
+      .track = {.grid = grid,
+                .prior = {.thresholds = thresholds_within(grid, 0.0)},
+                .stop = {.trials = 20,
+                         .interval = IntervalRule{
+                             .ratio = 1e6, .minimum_trials = 1, .minimum_of_each = 1}}}};
+  std::vector<LevelAnswer> answers{{10.0, LevelOutcome::unsure}, {10.0, LevelOutcome::unsure}};
+  const auto after_unsure = next_step(method, answers, Random(1));
+  ASSERT_TRUE(std::holds_alternative<NextLevel>(after_unsure));
+  // A correct and an incorrect response have the same likelihood as two split ones.
+  Psi without_rule = method;
+  without_rule.track.stop.interval.reset();
+  const std::vector<LevelAnswer> both{{10.0, LevelOutcome::correct},
+                                      {10.0, LevelOutcome::incorrect}};
+  EXPECT_EQ(std::get<NextLevel>(after_unsure),
+            std::get<NextLevel>(next_step(without_rule, both, Random(1))));
+  answers.push_back({10.0, LevelOutcome::correct});
+  EXPECT_TRUE(std::holds_alternative<NextLevel>(next_step(method, answers, Random(1))));
+  answers.push_back({10.0, LevelOutcome::incorrect});
+  EXPECT_EQ(std::get<TrackEnd>(next_step(method, answers, Random(1))), TrackEnd::interval);
+}
+
 // Trials of a track are correlated; tracks are independent, so that their spread gives the standard error.
 TEST(UpDownTracks, VisitLevelsAsOftenAsTheirMarkovChain) {
   for (const Approach& approach : approaches()) {
@@ -408,8 +523,9 @@ TEST(UpDownTracks, VisitLevelsAsOftenAsTheirMarkovChain) {
       levels.push_back(mean_over([](const LevelAnswer& answer) { return answer.level; }));
       squares.push_back(
           mean_over([](const LevelAnswer& answer) { return answer.level * answer.level; }));
-      correct.push_back(
-          mean_over([](const LevelAnswer& answer) { return answer.is_correct ? 1.0 : 0.0; }));
+      correct.push_back(mean_over([](const LevelAnswer& answer) {
+        return answer.outcome == LevelOutcome::correct ? 1.0 : 0.0;
+      }));
     }
     double exact_level = 0.0;
     double exact_square = 0.0;

@@ -56,7 +56,8 @@ PosteriorOutcome posterior_outcome(const PreparedCell& cell, const Random& of_ob
   Eigen::ArrayXd weights = cell.table.uniform();
   for (const LevelAnswer& answer : simulated_track(
            cell.rule, [&f](double level) { return f.value(level); }, of_observer.split("track"))) {
-    cell.table.respond(weights, nearest_index(cell.track.grid, answer.level), answer.is_correct);
+    cell.table.respond(weights, nearest_index(cell.track.grid, answer.level),
+                       answer.outcome == LevelOutcome::correct);
   }
   PosteriorOutcome outcome{.truth = std::exp(truth),
                            .interval = credible_threshold(prior, cell.table.functions(), weights,

@@ -60,7 +60,7 @@ std::vector<PsychometricBlock> counts_of(std::span<const LevelAnswer> answers) {
     PsychometricBlock& block = by_level[answer.level];
     block.x = std::log10(answer.level);
     ++block.trials;
-    if (answer.is_correct) ++block.hits;
+    if (answer.outcome == LevelOutcome::correct) ++block.hits;
   }
   std::vector<PsychometricBlock> blocks{};
   for (const auto& [level, block] : by_level) blocks.push_back(block);
@@ -86,7 +86,8 @@ std::optional<double> reversal_estimate(const UpDownRule& rule,
   StaircaseTrack track{};
   for (const LevelAnswer& answer : answers) {
     track.trials.push_back(
-        {.level = answer.level, .is_reversal = run.respond(answer.is_correct).is_reversal});
+        {.level = answer.level,
+         .is_reversal = run.respond(answer.outcome == LevelOutcome::correct).is_reversal});
   }
   const auto mean = mean_of_reversals(track, {.scale = LevelScale::log10, .discard = kDiscarded});
   return mean ? std::optional(std::log10(mean->mean)) : std::nullopt;
@@ -149,7 +150,7 @@ double posterior_estimate(const PreparedRecovery& prepared, std::span<const Leve
   Eigen::ArrayXd weights = prepared.functions->uniform();
   for (const LevelAnswer& answer : answers) {
     prepared.functions->respond(weights, nearest_index(track.grid, answer.level),
-                                answer.is_correct);
+                                answer.outcome == LevelOutcome::correct);
   }
   return std::log10(credible_threshold(track.prior, prepared.functions->functions(), weights,
                                        {.performance = performance})

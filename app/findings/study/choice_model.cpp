@@ -61,6 +61,7 @@ std::vector<ExploredChoice> explored_choices(const GatheredAnswers& gathered,
   std::vector<ExploredChoice> choices{};
   std::map<std::uint32_t, std::size_t> people{};
   for (const DiscriminationTrial& trial : study.trials) {
+    if (trial.is_unsure) continue;  // no surface was chosen
     const std::size_t comparison = trial.first_surface + (trial.comparison_first ? 0 : 1);
     const std::size_t standard = trial.first_surface + (trial.comparison_first ? 1 : 0);
     const GatheredExploration& explored = gathered.exploration;

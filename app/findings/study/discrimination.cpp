@@ -59,8 +59,8 @@ void test_order(const GatheredAnswers& gathered, const DiscriminationResults& re
   for (const OrderOfPerson& own : results.orders) {
     if (!own.has_both()) continue;
     ++with_both;
-    scores.add(own.person, kFirst, proportion(own.first));
-    scores.add(own.person, kSecond, proportion(own.second));
+    scores.add(own.person, kFirst, own.proportion_of(own.first));
+    scores.add(own.person, kSecond, own.proportion_of(own.second));
   }
   keep_findings(results.order, outcome);
   if (with_both < 2) {
@@ -183,6 +183,22 @@ void remark_on_left_out(const std::vector<DiscriminationStudy>& studies, Analysi
                                 .with(std::to_string(left_out)));
 }
 
+void remark_on_unsure(const DiscriminationResults& results, AnalysisOutcome& outcome) {
+  const auto& trials = results.study.trials;
+  const auto unsure = std::count_if(trials.begin(), trials.end(),
+                                    [](const auto& trial) { return trial.is_unsure; });
+  if (unsure == 0) return;
+  const Phrase remark =
+      phrase("Analysis",
+             "%1 of %2 responses are “cannot tell”. Each counts as the mean of a guess in "
+             "psychometric functions and in the order effect. The logistic mixed model of choices "
+             "does not contain them, and d′ is not computed, because its counts need a choice in "
+             "every trial.")
+          .with(std::to_string(unsure), std::to_string(trials.size()));
+  outcome.remarks.push_back(
+      results.name.empty() ? remark : phrase("Analysis", "%1: %2").with(results.name, remark));
+}
+
 void remark_on_direction(const DiscriminationResults& results, AnalysisOutcome& outcome) {
   if (!results.study.is_direction_uncertain) return;
   const Phrase remark = phrase(
@@ -223,6 +239,8 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
               quantity == "bound.beta" || quantity == "loglik");
     });
     keep_findings(results.means, outcome);
+    keep_findings(results.unsure, outcome);
+    remark_on_unsure(results, outcome);
     if (!results.study.task.design->has_noise()) test_order(gathered, results, tests, outcome);
     test_conditions(gathered, results, tests, outcome);
     if (results.study.task.is_performance) continue;

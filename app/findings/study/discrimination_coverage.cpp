@@ -32,7 +32,8 @@ bool is_of(const SimulatedCoverage& simulated, const std::vector<ProcedureSettin
   return std::all_of(tracks.begin(), tracks.end(), [&](const ProcedureSettings& settings) {
     if (procedure_of(settings).most_trials(settings) != simulated.trials) return false;
     if (const auto* const weighted = std::get_if<WeightedUpDown>(&settings)) {
-      return weighted->target == simulated.target && has_fixed_length(weighted->stop);
+      return weighted->target == simulated.target && has_fixed_length(weighted->stop) &&
+             !weighted->unforced_alternatives;
     }
     const auto* const transformed = std::get_if<TransformedUpDown>(&settings);
     return transformed != nullptr && simulated.target == 0.0 &&

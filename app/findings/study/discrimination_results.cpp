@@ -24,9 +24,7 @@ std::vector<DiscriminationResults::Function> functions_of(
   for (const auto& [of, trials] : groups) {
     DiscriminationData data{.key = both(gathered.people[of.first].label, conditions[of.second])};
     for (const DiscriminationTrial* const trial : trials) {
-      HitCount& count = data.hits[trial->value];
-      ++count.trials;
-      count.hits += study.is_hit(*trial) ? 1 : 0;
+      study.count(*trial, data.hits[trial->value]);
       data.by_procedure = data.by_procedure || trial->by_procedure;
     }
     if (data.by_procedure) data.placed = placed_trials(gathered, study, trials);
@@ -87,9 +85,11 @@ std::vector<OrderOfPerson> orders_of(const DiscriminationStudy& study) {
   for (const DiscriminationTrial& trial : study.trials) {
     OrderOfPerson& own = by_person[trial.person];
     own.person = trial.person;
-    HitCount& count = trial.comparison_first ? own.first : own.second;
+    own.alternatives = study.task.design->alternatives();
+    ChoiceCount& count = trial.comparison_first ? own.first : own.second;
     ++count.trials;
     count.hits += trial.chose_comparison ? 1 : 0;
+    count.unsure += trial.is_unsure ? 1 : 0;
   }
   std::vector<OrderOfPerson> orders{};
   for (const auto& [person, own] : by_person) orders.push_back(own);
@@ -115,6 +115,25 @@ std::vector<Finding> order_findings(const std::vector<OrderOfPerson>& orders,
   return findings;
 }
 
+/// Rates of all functions where there is a response "cannot tell": a participant without one has the rate 0.
+std::vector<Finding> unsure_rates(const DiscriminationResults& results) {
+  if (!results.study.has_unsure()) return {};
+  constexpr double kConfidenceOfRate = 0.95;
+  FindingList list{};
+  for (const auto& function : results.functions) {
+    const ChoiceCount all = sum_of_choices(function.data.hits);
+    const HitCount unsure{.hits = all.unsure, .trials = all.trials};
+    list.number("rate", function.data.key, proportion(unsure),
+                {.n = static_cast<std::size_t>(all.trials),
+                 .method = "proportion of responses \"cannot tell\"; Wilson interval",
+                 .interval = wilson_interval(unsure, kConfidenceOfRate),
+                 .confidence = kConfidenceOfRate});
+  }
+  std::vector<Finding> findings = list.take();
+  for (Finding& finding : findings) finding.analysis = kUnsure;
+  return findings;
+}
+
 }  // namespace
 
 DiscriminationResults::DiscriminationResults(const GatheredAnswers& gathered,
@@ -132,6 +151,7 @@ DiscriminationResults::DiscriminationResults(const GatheredAnswers& gathered,
   means = means_of(*this);
   if (!of.task.design->has_noise()) orders = orders_of(of);
   order = order_findings(orders, name);
+  unsure = unsure_rates(*this);
 }
 
 bool DiscriminationResults::has_participant_in_all_conditions() const {

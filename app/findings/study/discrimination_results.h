@@ -21,18 +21,25 @@ inline constexpr const char* kPsychometric = "psychometric";
 inline constexpr const char* kOrderEffect = "order";
 /// The table of the trials whose level a procedure chose, by track and step; absent without such trials.
 inline constexpr const char* kTracks = "tracks";
+/// The table of the responses "cannot tell", and the analysis of their rates; absent without any.
+inline constexpr const char* kUnsure = "cannot_tell";
 /// The table of the responses in catch trials; absent without any.
 inline constexpr const char* kCatchTrials = "catch_trials";
 
 /// The choices of the comparison by one participant, by the position of the comparison.
 struct OrderOfPerson {
   std::uint32_t person = 0;
-  HitCount first{};   ///< the comparison was presented first
-  HitCount second{};  ///< the standard was
+  ChoiceCount first{};   ///< the comparison was presented first
+  ChoiceCount second{};  ///< the standard was
+  std::size_t alternatives = 2;
 
   bool has_both() const { return first.trials > 0 && second.trials > 0; }
-  /// Proportion of choices of the comparison presented first, minus that of the comparison presented second.
-  double difference() const { return proportion(first) - proportion(second); }
+  double proportion_of(const ChoiceCount& count) const {
+    return split_proportion(count, alternatives);
+  }
+  /// Proportion of choices of the comparison presented first, minus that of the comparison presented second. A response
+  /// "cannot tell" counts as in `split_hits`.
+  double difference() const { return proportion_of(first) - proportion_of(second); }
 };
 
 /// A threshold of a participant: the quantity of its finding, the column of its table, and the quantities of its
@@ -76,6 +83,9 @@ struct DiscriminationResults {
   /// Of the participants with trials; none of a design with options in words.
   std::vector<OrderOfPerson> orders{};
   std::vector<Finding> order{};  ///< analysis `order`: the mean of `OrderOfPerson::difference`
+  /// Analysis `cannot_tell`, of a study with such responses, with the keys of `functions`: `rate`, their proportion of the
+  /// responses to these trials, with Wilson's interval.
+  std::vector<Finding> unsure{};
 
   /// Whether conditions can be compared within participants: at least one has trials in all of them.
   bool has_participant_in_all_conditions() const;

@@ -48,8 +48,10 @@ struct CountsAtLevel {
   DetectionCounts counts{};
 };
 
+/// Responses "cannot tell" are on neither side of a criterion, and without them d′ would be too great.
 bool is_shown(const DiscriminationResults& results) {
-  return results.study.task.is_performance && !results.study.has_levels_of_procedure;
+  return results.study.task.is_performance && !results.study.has_levels_of_procedure &&
+         !results.study.has_unsure();
 }
 
 void add_response(HitCount& count, bool is_yes) {

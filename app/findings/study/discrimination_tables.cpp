@@ -14,6 +14,7 @@
 #include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/discrimination_coverage.h"
 #include "app/findings/study/discrimination_sensitivity.h"
+#include "app/findings/study/unforced_functions.h"
 
 namespace asperity {
 
@@ -79,17 +80,42 @@ void add_mean_rows(const DiscriminationResults& results, Table& table) {
   }
 }
 
+/// A whole number where no response is "cannot tell".
+Cell hits_cell(const DiscriminationTask& task, const ChoiceCount& count) {
+  if (count.unsure == 0) return static_cast<std::int64_t>(count.hits);
+  return split_hits(count, task.design->alternatives());
+}
+
+double share_of(const DiscriminationTask& task, const ChoiceCount& count) {
+  return split_proportion(count, task.design->alternatives());
+}
+
+void add_unsure_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                     Table& table) {
+  const FoundNumbers rates(results.unsure);
+  if (results.unsure.empty()) return;
+  for (const auto& function : results.functions) {
+    const ChoiceCount all = sum_of_choices(function.data.hits);
+    const auto [low, high] = rates.interval("rate", function.data.key);
+    table.rows.push_back(
+        {gathered.people[function.person].label, results.conditions[function.condition],
+         static_cast<std::int64_t>(all.unsure), static_cast<std::int64_t>(all.trials),
+         rates.cell("rate", function.data.key), low, high});
+  }
+}
+
 void add_psychometric_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
                            Table& table) {
   const DiscriminationTask& task = results.study.task;
   for (const auto& function : results.functions) {
     for (const auto& [value, count] : function.data.hits) {
-      table.rows.push_back({gathered.people[function.person].label,
-                            results.conditions[function.condition], task.varied.parameter, value,
-                            task.is_performance ? Cell{value - task.standard()} : Cell{},
-                            static_cast<std::int64_t>(count.trials),
-                            static_cast<std::int64_t>(count.hits), proportion(count),
-                            text_or_none(task.varied.unit)});
+      table.rows.push_back(
+          {gathered.people[function.person].label, results.conditions[function.condition],
+           task.varied.parameter, value,
+           task.is_performance ? Cell{value - task.standard()} : Cell{},
+           static_cast<std::int64_t>(count.trials), hits_cell(task, count), share_of(task, count),
+           text_or_none(task.varied.unit),
+           count.unsure == 0 ? Cell{} : Cell{static_cast<std::int64_t>(count.unsure)}});
     }
   }
 }
@@ -99,14 +125,20 @@ void add_order_rows(const GatheredAnswers& gathered, const DiscriminationResults
   // Over levels that a procedure chose, only the difference of the proportions has a meaning.
   const bool hides_proportions = results.study.has_levels_of_procedure;
   for (const OrderOfPerson& own : results.orders) {
-    const auto share = [&](const HitCount& count) {
-      return hides_proportions || count.trials == 0 ? Cell{} : Cell{proportion(count)};
+    const auto share = [&](const ChoiceCount& count) {
+      return hides_proportions || count.trials == 0 ? Cell{} : Cell{own.proportion_of(count)};
     };
     table.rows.push_back({gathered.people[own.person].label, text_or_none(results.name),
                           static_cast<std::int64_t>(own.first.trials), share(own.first),
                           static_cast<std::int64_t>(own.second.trials), share(own.second),
                           own.has_both() ? Cell{own.difference()} : Cell{}});
   }
+}
+
+/// 1, 0, or the part of a hit of a response "cannot tell".
+Cell hit_cell(const DiscriminationStudy& study, const DiscriminationTrial& trial) {
+  if (!trial.is_unsure) return static_cast<std::int64_t>(study.is_hit(trial) ? 1 : 0);
+  return 1.0 / static_cast<double>(study.task.design->alternatives());
 }
 
 void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
@@ -128,8 +160,7 @@ void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults
         {gathered.people[trial->person].label, results.conditions[trial->condition],
          static_cast<std::int64_t>(trial->session), static_cast<std::int64_t>(trial->block_ordinal),
          static_cast<std::int64_t>(trial->track), static_cast<std::int64_t>(trial->step),
-         trial->value, static_cast<std::int64_t>(study.is_hit(*trial) ? 1 : 0),
-         text_or_none(study.task.varied.unit)});
+         trial->value, hit_cell(study, *trial), text_or_none(study.task.varied.unit)});
   }
 }
 
@@ -156,6 +187,8 @@ struct ShownFunctions {
   bool has_repeated_procedure = false;
   bool has_unfinished_tracks = false;
   bool has_posterior = false;
+  bool has_unsure = false;
+  bool has_resamples = false;  ///< bootstrap intervals of functions with such responses
   bool has_yes_no = false;
   bool has_same_different = false;
 };
@@ -175,9 +208,11 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
       const bool by_procedure = function.data.by_procedure;
       shown.has_performance = shown.has_performance || is_performance;
       shown.has_comparison = shown.has_comparison || !is_performance;
-      shown.has_delta_performance =
-          shown.has_delta_performance || (is_performance && !by_procedure);
-      shown.has_delta_comparison = shown.has_delta_comparison || (!is_performance && !by_procedure);
+      const bool has_delta = !by_procedure && !has_unsure(function.data);
+      shown.has_delta_performance = shown.has_delta_performance || (is_performance && has_delta);
+      shown.has_delta_comparison = shown.has_delta_comparison || (!is_performance && has_delta);
+      shown.has_unsure = shown.has_unsure || has_unsure(function.data);
+      shown.has_resamples = shown.has_resamples || (!by_procedure && has_unsure(function.data));
       shown.has_limited_slopes = shown.has_limited_slopes || (is_performance && by_procedure);
       shown.has_repeated_procedure =
           shown.has_repeated_procedure || thresholds.find("without", function.data.key) != nullptr;
@@ -230,6 +265,18 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
   }
   if (shown.has_delta_comparison) {
     add(phrase("Analysis", "95 % CI: delta method, for the JND on the logarithmic scale."));
+  }
+  if (shown.has_unsure) {
+    add(phrase("Analysis",
+               "Each response “cannot tell” counts as the mean of a guess: 1/m of a hit, with m "
+               "alternatives [Kaernbach 2001]. Split counts are not binomial, so that the goodness "
+               "of fit of these functions is not tested."));
+  }
+  if (shown.has_resamples) {
+    add(phrase("Analysis",
+               "95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of "
+               "each level being resampled %1 times and split again.")
+            .with(std::to_string(kUnforcedResamples)));
   }
   if (shown.has_limited_slopes) {
     add(phrase("Analysis",
@@ -361,7 +408,7 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   NamedTable psychometric{kPsychometric,
                           phrase("Analysis", "Responses by level"),
                           {{"participant", "condition", "parameter", "level", "difference",
-                            "responses", "hits", "share", "unit"},
+                            "responses", "hits", "share", "unit", "unsure"},
                            {}},
                           {}};
   psychometric.note = note_on_hits(all);
@@ -382,6 +429,16 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
                     phrase("Analysis",
                            "Trials whose level was chosen by a procedure from the responses, by "
                            "track and in order of presentation.")};
+  NamedTable unsure{
+      kUnsure,
+      phrase("Analysis", "Responses “cannot tell”"),
+      {{"participant", "condition", "unsure", "of", "share", "share_low", "share_high"}, {}},
+      phrase(
+          "Analysis",
+          "Proportion of the responses “cannot tell” among all responses, with Wilson’s 95 % CI. "
+          "In psychometric functions, in proportions of hits and in the order effect such a "
+          "response counts as the mean of a guess, that is, as 1/m of a choice of each of the m "
+          "alternatives [Kaernbach 2001].")};
   NamedTable catch_trials{
       kCatchTrials,
       phrase("Analysis", "Catch trials"),
@@ -402,6 +459,7 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
     add_threshold_rows(gathered, results, thresholds.table);
     add_psychometric_rows(gathered, results, psychometric.table);
     add_order_rows(gathered, results, order.table);
+    add_unsure_rows(gathered, results, unsure.table);
   }
   drop_empty_columns(thresholds.table, 2);
   drop_empty_columns(psychometric.table, 2);
@@ -410,6 +468,7 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   outcome.tables.push_back(std::move(thresholds));
   outcome.tables.push_back(std::move(psychometric));
   if (!tracks.table.rows.empty()) outcome.tables.push_back(std::move(tracks));
+  if (!unsure.table.rows.empty()) outcome.tables.push_back(std::move(unsure));
   if (!order.table.rows.empty()) outcome.tables.push_back(std::move(order));
   if (!catch_trials.table.rows.empty()) outcome.tables.push_back(std::move(catch_trials));
 }

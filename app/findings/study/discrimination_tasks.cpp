@@ -16,6 +16,8 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kComparisonRole = "comparison";
+double half_unsure(const ChoiceCount& count) { return split_hits(count, 2); }
+
 constexpr double kClearTrend = 1.96;  // two-sided, α = .05
 
 /// The block of a trial, as a word, and its levels by factor: without that of the parameter, and without those that are drawn
@@ -117,6 +119,7 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
          .comparisons = comparisons,
          .is_signal = is_signal,
          .chose_comparison = is_hit_response(task, gathered.word(gathered.reply_of(answer).answer)),
+         .is_unsure = gathered.word(gathered.reply_of(answer).answer) == kCannotTell,
          .comparison_first = gathered.word(surfaces[0].item) == kComparisonRole,
          .block = answer.block,
          .by_procedure = answer.track != 0 &&
@@ -130,9 +133,7 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
   }
   HitsByValue choices{};
   for (const DiscriminationTrial& trial : study.trials) {
-    HitCount& count = choices[trial.value];
-    ++count.trials;
-    count.hits += trial.chose_comparison ? 1 : 0;
+    study.count(trial, choices[trial.value]);  // counts_standard is not set yet
   }
   const double trend = trend_of_choices({&choices, 1});
   study.counts_standard = counts_standard(task, trend);
@@ -143,6 +144,37 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
 
 }  // namespace
 
+double split_hits(const ChoiceCount& count, std::size_t alternatives) {
+  const auto hits = static_cast<double>(count.hits);
+  if (count.unsure == 0) return hits;
+  return hits + static_cast<double>(count.unsure) / static_cast<double>(alternatives);
+}
+
+double split_proportion(const ChoiceCount& count, std::size_t alternatives) {
+  return split_hits(count, alternatives) / static_cast<double>(count.trials);
+}
+
+ChoiceCount sum_of_choices(const std::map<double, ChoiceCount>& by_value) {
+  ChoiceCount sum{};
+  for (const auto& [value, count] : by_value) {
+    sum.hits += count.hits;
+    sum.trials += count.trials;
+    sum.unsure += count.unsure;
+  }
+  return sum;
+}
+
+bool DiscriminationStudy::has_unsure() const {
+  return std::any_of(trials.begin(), trials.end(),
+                     [](const DiscriminationTrial& trial) { return trial.is_unsure; });
+}
+
+void DiscriminationStudy::count(const DiscriminationTrial& trial, ChoiceCount& count) const {
+  ++count.trials;
+  count.hits += is_hit(trial) ? 1 : 0;
+  count.unsure += trial.is_unsure ? 1 : 0;
+}
+
 double trend_of_choices(std::span<const HitsByValue> all) {
   double trials = 0.0;
   double values = 0.0;
@@ -151,7 +183,7 @@ double trend_of_choices(std::span<const HitsByValue> all) {
     for (const auto& [value, count] : each) {
       trials += static_cast<double>(count.trials);
       values += value * static_cast<double>(count.trials);
-      hits += static_cast<double>(count.hits);
+      hits += half_unsure(count);
     }
   }
   double products = 0.0;
@@ -160,7 +192,7 @@ double trend_of_choices(std::span<const HitsByValue> all) {
     for (const auto& [value, count] : each) {
       const double deviation = value - values / trials;
       const auto of_value = static_cast<double>(count.trials);
-      products += deviation * (static_cast<double>(count.hits) - of_value * hits / trials);
+      products += deviation * (half_unsure(count) - of_value * hits / trials);
       squares += of_value * deviation * deviation;
     }
   }

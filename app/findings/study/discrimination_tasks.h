@@ -59,14 +59,31 @@ bool has_levels_of_procedure(const StoredProtocol::Block& block);
 /// The same of any of the gathered blocks.
 bool has_levels_of_procedure(const GatheredAnswers& gathered);
 
+/// Responses to the trials with one value of the parameter. Responses "cannot tell" are trials, but not hits.
+struct ChoiceCount {
+  std::uint64_t hits = 0;
+  std::uint64_t trials = 0;
+  std::uint64_t unsure = 0;  ///< responses "cannot tell"
+};
+
+/// The hits with every response "cannot tell" as the mean of a guess, 1/alternatives of a hit [Kaernbach 2001]: the proportion
+/// that a participant has who guesses instead.
+///
+/// [Kaernbach 2001] Kaernbach: Adaptive threshold estimation with unforced-choice tasks.
+double split_hits(const ChoiceCount& count, std::size_t alternatives);
+/// `split_hits` divided by the trials.
+double split_proportion(const ChoiceCount& count, std::size_t alternatives);
+/// The sum over all values.
+ChoiceCount sum_of_choices(const std::map<double, ChoiceCount>& by_value);
+
 /// Hits of a psychometric function by value of the parameter: correct responses, or choices of the surface whose choices
 /// increase with the value. Of a design with trials without a signal the responses "yes" or "different", those without a
 /// signal at the value of the standard.
-using HitsByValue = std::map<double, HitCount>;
+using HitsByValue = std::map<double, ChoiceCount>;
 
 /// The covariance of hits and values over the trials of all together, divided by its standard deviation under random
 /// assignment of the responses to the trials: approximately standard normal where hits do not depend on the value, negative
-/// where they decrease with it; 0 where all values or all responses are equal.
+/// where they decrease with it; 0 where all values or all responses are equal. A response "cannot tell" counts as half a hit.
 double trend_of_choices(std::span<const HitsByValue> all);
 
 struct DiscriminationTrial {
@@ -78,6 +95,7 @@ struct DiscriminationTrial {
   bool is_signal = true;        ///< always where a surface is chosen
   /// In a design with options in words: the response is "yes" or "different".
   bool chose_comparison = false;
+  bool is_unsure = false;  ///< the response is "cannot tell": neither surface was chosen
   bool comparison_first = false;
   std::uint32_t block = kNoWord;  ///< word of its name
   bool by_procedure = false;      ///< a procedure chose the level from the responses
@@ -108,8 +126,11 @@ struct DiscriminationStudy {
   std::size_t left_out = 0;  ///< responses without a value of the parameter
 
   bool is_hit(const DiscriminationTrial& trial) const {
-    return trial.chose_comparison != counts_standard;
+    return !trial.is_unsure && trial.chose_comparison != counts_standard;
   }
+  /// Whether a response is "cannot tell".
+  bool has_unsure() const;
+  void count(const DiscriminationTrial& trial, ChoiceCount& count) const;
 };
 
 /// A study per task, in the order of the names of the blocks; tasks without a response are absent.

@@ -18,6 +18,7 @@
 #include "app/findings/study/discrimination_posterior.h"
 #include "app/findings/study/missing_threshold.h"
 #include "app/findings/study/study_findings.h"
+#include "app/findings/study/unforced_functions.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {
@@ -118,6 +119,9 @@ class ThresholdList final {
     return {.n = n_, .method = std::move(method), .unit = unit.empty() ? "1" : unit};
   }
 
+  /// With the interval of `bootstrap_unforced`, if there is one.
+  static Basis with_resamples(Basis basis, std::optional<double> low, std::optional<double> high);
+
   const std::string& key() const { return key_; }
   std::vector<Finding> take() { return list_.take(); }
   std::vector<Phrase> take_reasons() { return std::move(reasons_); }
@@ -136,6 +140,15 @@ Basis with_interval(Basis basis, double low, double high) {
   basis.interval = ConfidenceInterval{.low = low, .high = high};
   basis.confidence = kThresholdConfidence;
   return basis;
+}
+
+Basis ThresholdList::with_resamples(Basis basis, std::optional<double> low,
+                                    std::optional<double> high) {
+  basis.method +=
+      "; each response \"cannot tell\" as the mean of a guess; bootstrap percentile "
+      "interval, the three outcomes of each level resampled " +
+      std::to_string(kUnforcedResamples) + " times (seed 1)";
+  return low && high ? with_interval(std::move(basis), *low, *high) : basis;
 }
 
 std::string unit_of_slope(const std::string& unit) { return unit.empty() ? "1" : "1/" + unit; }
@@ -198,6 +211,8 @@ void add_performance(const DiscriminationTask& task, const DiscriminationData& d
       estimate = with_repeated_procedure(estimate, repeated, &ProcedureBootstrap::threshold);
       if (std::string(quantity) == "jnd") list.repetitions(repeated);
     }
+  } else if (has_unsure(data)) {
+    estimate = list.with_resamples(std::move(estimate), threshold->low, threshold->high);
   } else {
     estimate.method += "; delta interval, truncated at 0";
     if (threshold->low && threshold->high) {
@@ -249,6 +264,11 @@ void add_comparison(const DiscriminationTask& task, const DiscriminationData& da
     list.number("pse", *alpha,
                 with_repeated_procedure(list.basis(method, task.varied.unit), repeated,
                                         &ProcedureBootstrap::threshold));
+  } else if (has_unsure(data)) {
+    list.number("pse", *alpha,
+                threshold == nullptr ? list.basis(method, task.varied.unit)
+                                     : list.with_resamples(list.basis(method, task.varied.unit),
+                                                           threshold->low, threshold->high));
   } else {
     Basis estimate = list.basis(method + "; delta interval", task.varied.unit);
     if (threshold != nullptr && threshold->low && threshold->high) {
@@ -268,6 +288,15 @@ void add_comparison(const DiscriminationTask& task, const DiscriminationData& da
     if (estimate.interval) {
       estimate.interval = ConfidenceInterval{.low = kQuartileOfNormal / estimate.interval->high,
                                              .high = kQuartileOfNormal / estimate.interval->low};
+    }
+    return list.difference("jnd", jnd, estimate);
+  }
+  if (has_unsure(data)) {
+    const Finding* const slope = found.find("fit.beta", key);
+    Basis estimate = list.basis("½(x75 − x25) of the " + method, task.varied.unit);
+    if (slope != nullptr && slope->low && slope->high) {
+      estimate = list.with_resamples(std::move(estimate), kQuartileOfNormal / *slope->high,
+                                     kQuartileOfNormal / *slope->low);
     }
     return list.difference("jnd", jnd, estimate);
   }
@@ -329,17 +358,7 @@ void add_limited_function(const DiscriminationTask& task, const DiscriminationDa
   const auto none = [&](const char* word, const char* sentence) {
     list.word("status", data.key, word, sentence, basis);
   };
-  switch (judge(blocks, model).status) {
-    case PsychometricStatus::ok:
-      break;
-    case PsychometricStatus::all_correct:
-      return none("all_correct", "every response is correct: present smaller differences");
-    case PsychometricStatus::all_wrong:
-      return none("all_wrong",
-                  "every response is incorrect: check the question and its correct response");
-    default:
-      return none("one_level", "all trials are at one level: present several");
-  }
+  if (!add_fit_status(blocks, model, data.key, basis, list)) return;
   const PsychometricMaximum maximum = maximise_psychometric(blocks, model);
   if (!maximum.increases) {
     return none("not_increasing",
@@ -360,14 +379,16 @@ void add_limited_function(const DiscriminationTask& task, const DiscriminationDa
              {.n = basis.n, .method = "whether the slope is at one of its limits"});
   list.number("loglik", data.key, maximum.log_likelihood,
               {.n = basis.n, .method = "binomial coefficients included"});
-  list.number("deviance", data.key, maximum.deviance,
-              {.n = basis.n, .method = "against one proportion per level"});
-  list.number("deviance.df", data.key, df,
-              {.n = basis.n, .method = "number of levels minus number of parameters"});
-  list.number(
-      "deviance.p.chisq", data.key,
-      upper_tail(ChiSquaredStatistic{.value = maximum.deviance, .df = df}).value_or(kUndefined),
-      {.n = basis.n, .method = "χ² test of the deviance; indicative only"});
+  if (!has_unsure(data)) {  // split counts are not binomial
+    list.number("deviance", data.key, maximum.deviance,
+                {.n = basis.n, .method = "against one proportion per level"});
+    list.number("deviance.df", data.key, df,
+                {.n = basis.n, .method = "number of levels minus number of parameters"});
+    list.number(
+        "deviance.p.chisq", data.key,
+        upper_tail(ChiSquaredStatistic{.value = maximum.deviance, .df = df}).value_or(kUndefined),
+        {.n = basis.n, .method = "χ² test of the deviance; indicative only"});
+  }
   const double threshold = f.inverse(performance);
   list.number("threshold", data.key, threshold, basis);
   list.number("slope.at.threshold", data.key, f.slope(threshold),
@@ -381,6 +402,8 @@ std::vector<Finding> functions_at(const DiscriminationTask& task,
   for (const DiscriminationData& one : data) {
     if (task.is_performance && one.by_procedure) {
       add_limited_function(task, one, performance, limited);
+    } else if (has_unsure(one)) {
+      add_unforced_function(task, one, performance, limited);
     } else {
       of_family.push_back({.key = one.key, .hits = one.hits});
     }
@@ -409,6 +432,10 @@ std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& tas
     block.x = x;
     block.trials += count.trials;
     block.hits += count.hits;
+    if (count.unsure > 0) {
+      block.guessed_hits +=
+          static_cast<double>(count.unsure) / static_cast<double>(task.design->alternatives());
+    }
   }
   std::vector<PsychometricBlock> blocks{};
   for (const auto& [x, block] : by_x) blocks.push_back(block);

@@ -25,6 +25,8 @@ struct DiscriminationData {
   bool by_procedure = false;
   /// How it placed the trials; without it there are no intervals.
   std::optional<PlacedTrials> placed{};
+  /// Bootstrap intervals are computed, where they take time.
+  bool needs_intervals = true;
 };
 
 /// The proportion correct with d′ = 1 in two-alternative forced choice without bias: Φ(1/√2).
@@ -45,6 +47,7 @@ TidyInput psychometric_input(const DiscriminationTask& task,
 
 /// Where a procedure chose levels, the slope of a Weibull function is limited to `kSlopesOfProcedures`, and the intervals are
 /// those of `procedure_interval`, or of the posterior distribution of psi and QUEST+: the delta method assumes levels that do not depend on the responses.
+/// A response "cannot tell" counts as in `split_hits`; the intervals of other data are then those of `bootstrap_unforced`.
 struct DiscriminationFit {
   /// Analysis `psychometric`: of the family `psyfit`, or with limited slopes and the same names.
   std::vector<Finding> functions{};
@@ -65,7 +68,8 @@ struct DiscriminationFit {
   /// The sentences of `WhyNoThreshold` in `thresholds`, each once, except for those of slopes.
   std::vector<Phrase> reasons{};
 };
-/// The trials by x, ascending: the value, or with correct responses its distance from the standard.
+/// The trials by x, ascending: the value, or with correct responses its distance from the standard. Responses "cannot tell"
+/// are guessed hits.
 std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& task,
                                                    const HitsByValue& hits);
 /// The basis of an estimate that is divided by the standard, above 0; its method is the same.

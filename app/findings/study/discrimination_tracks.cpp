@@ -90,6 +90,15 @@ std::vector<LevelRule> rules_of_tracks(const PlacedTrials& placed) {
   return rules;
 }
 
+/// `hit`: the probability of a hit, with split responses "cannot tell".
+LevelOutcome unforced_outcome(const PlacedTrials& placed, double hit, Random& random) {
+  const auto m = static_cast<double>(placed.alternatives);
+  const double unsure = placed.unsure_share * (1.0 - hit) * m / (m - 1.0);
+  const double drawn = random.uniform();
+  if (drawn < unsure) return LevelOutcome::unsure;
+  return forced_outcome(drawn < hit + unsure * (1.0 - 1.0 / m));
+}
+
 /// `rules`: of the tracks.
 std::vector<PsychometricBlock> run_by_rules(const DiscriminationTask& task,
                                             const PlacedTrials& placed,
@@ -103,6 +112,16 @@ std::vector<PsychometricBlock> run_by_rules(const DiscriminationTask& task,
     ++block.trials;
     block.hits += is_hit ? 1 : 0;
   };
+  const double part_of_hit =
+      placed.alternatives > 0 ? 1.0 / static_cast<double>(placed.alternatives) : 0.0;
+  const auto add_answer = [&](double x, LevelOutcome outcome) {
+    if (outcome == LevelOutcome::unsure) {
+      add(x, false);
+      by_x[x].guessed_hits += part_of_hit;
+    } else {
+      add(x, (outcome == LevelOutcome::correct) != placed.counts_standard);
+    }
+  };
   for (std::size_t i = 0; i < placed.tracks.size(); ++i) {
     const PlacedTrials::Track& track = placed.tracks[i];
     const auto x_of_level = [&](double level) {
@@ -113,14 +132,27 @@ std::vector<PsychometricBlock> run_by_rules(const DiscriminationTask& task,
       return placed.counts_standard ? 1.0 - hit : hit;
     };
     const Random of_track = of_run.split("track").split(static_cast<std::uint64_t>(i));
-    for (const LevelAnswer& answer : simulated_track(rules[i], chance_of_comparison, of_track)) {
-      add(x_of_level(answer.level), answer.is_correct != placed.counts_standard);
-    }
+    const std::vector<LevelAnswer> answers =
+        placed.unsure_share > 0.0
+            ? simulated_track(
+                  rules[i],
+                  [&](double level, Random& random) {
+                    return unforced_outcome(placed, chance_of_comparison(level), random);
+                  },
+                  of_track)
+            : simulated_track(rules[i], chance_of_comparison, of_track);
+    for (const LevelAnswer& answer : answers) add_answer(x_of_level(answer.level), answer.outcome);
   }
   Random fixed = of_run.split("fixed");
   for (const auto& [value, trials] : placed.fixed) {
     const double x = x_of_value(task, value);
-    for (std::uint64_t i = 0; i < trials; ++i) add(x, fixed.uniform() < observer.value(x));
+    for (std::uint64_t i = 0; i < trials; ++i) {
+      if (placed.unsure_share > 0.0) {
+        add_answer(x, unforced_outcome(placed, observer.value(x), fixed));
+      } else {
+        add(x, fixed.uniform() < observer.value(x));
+      }
+    }
   }
   std::vector<PsychometricBlock> blocks{};
   for (const auto& [x, block] : by_x) blocks.push_back(block);
@@ -134,6 +166,13 @@ std::size_t PlacedTrials::unfinished_tracks() const {
       tracks.begin(), tracks.end(), [](const Track& one) { return one.is_unfinished; }));
 }
 
+double unsure_share_of_errors(const ChoiceCount& count, std::size_t alternatives) {
+  if (count.unsure == 0) return 0.0;
+  const double split =
+      static_cast<double>(count.unsure) * (1.0 - 1.0 / static_cast<double>(alternatives));
+  return split / (static_cast<double>(count.trials - count.hits - count.unsure) + split);
+}
+
 PlacedTrials::Track placed_track(std::vector<const DiscriminationTrial*> trials,
                                  std::span<const ProcedureSettings> of_block,
                                  const Dimension& levels) {
@@ -145,8 +184,9 @@ PlacedTrials::Track placed_track(std::vector<const DiscriminationTrial*> trials,
   PlacedTrials::Track track{.settings = of_block[number % of_block.size()], .levels = levels};
   std::vector<LevelAnswer> answers{};
   for (const DiscriminationTrial* const trial : trials) {
-    answers.push_back(
-        {.level = track.levels.level_of(trial->value), .is_correct = trial->chose_comparison});
+    answers.push_back({.level = track.levels.level_of(trial->value),
+                       .outcome = trial->is_unsure ? LevelOutcome::unsure
+                                                   : forced_outcome(trial->chose_comparison)});
   }
   const Random unused(kSeedOfTests);
   const bool has_next =
@@ -164,7 +204,9 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
   PlacedTrials placed{.counts_standard = study.counts_standard && !study.task.asks_for_less};
   using Place = std::tuple<std::uint32_t, int, int, int>;
   std::map<Place, std::vector<const DiscriminationTrial*>> tracks{};
+  ChoiceCount all{};
   for (const DiscriminationTrial* const trial : trials) {
+    study.count(*trial, all);
     if (!trial->by_procedure) {
       ++placed.fixed[trial->value];
       continue;
@@ -182,6 +224,10 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
         placed_track(std::move(of_track), block->second.tracks, *block->second.vary));
   }
   if (placed.tracks.empty()) return std::nullopt;
+  if (all.unsure > 0) {
+    placed.alternatives = study.task.design->alternatives();
+    placed.unsure_share = unsure_share_of_errors(all, placed.alternatives);
+  }
   return placed;
 }
 

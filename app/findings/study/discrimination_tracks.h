@@ -34,7 +34,15 @@ struct PlacedTrials {
   std::map<double, std::uint64_t> fixed{};
   /// The tracks moved down after choices of the comparison, although the hits are choices of the standard.
   bool counts_standard = false;
+  /// Of unforced choices: the number of alternatives, and the proportion of the errors in expectation that are responses
+  /// "cannot tell" (`unsure_share_of_errors`). 0 where there is no such response.
+  std::size_t alternatives = 0;
+  double unsure_share = 0.0;
 };
+
+/// Of incorrect responses and of responses "cannot tell", which are errors by (m − 1)/m with m alternatives: the proportion
+/// of these errors that the latter make up, 0 without any.
+double unsure_share_of_errors(const ChoiceCount& count, std::size_t alternatives);
 
 /// Of the trials of one track of a block, in any order. `of_block`: the settings of all its tracks; `levels`: how it states
 /// their levels.
@@ -49,6 +57,14 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
                                           std::span<const DiscriminationTrial* const> trials);
 
 /// The same trials of an observer with this function, by x as in `psychometric_input`.
+///
+/// The function ψ is that of hits with split responses "cannot tell", and an observer gives one of three responses. With m
+/// alternatives and r = `unsure_share`
+///
+///   P(cannot tell) = r·(1 − ψ)·m/(m − 1),   P(incorrect) = (1 − r)·(1 − ψ),   P(correct) = ψ − P(cannot tell)/m,
+///
+/// so that the expected hits are ψ: where a stimulus is not perceived, a constant proportion of the guesses is replaced by
+/// "cannot tell". r = 1 leaves no guess and r = 0 is the forced choice. P(correct) ≥ 0 because ψ ≥ 1/m.
 std::vector<PsychometricBlock> run_again(const DiscriminationTask& task, const PlacedTrials& placed,
                                          const PsychometricFunction& observer,
                                          const Random& of_run);

@@ -15,6 +15,7 @@
 
 #include "app/findings/study/gathered_exploration.h"
 #include "app/records/presented_matches.h"
+#include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/file/stored_protocol.h"
 #include "results_schema/study.h"
@@ -81,11 +82,11 @@ struct GatheredAnswer {
   std::uint32_t block = 0;     ///< word of its name
   std::uint32_t question = 0;  ///< word of its name
   std::uint32_t factors = 0;   ///< index in `factor_levels`
-  std::uint32_t options = 0;  ///< index in `option_lists`
-  int repetition = 1;         ///< of the block, as planned
-  int session = 1;            ///< ordinal within the participant
-  int block_ordinal = 1;      ///< of the run of the block within the session
-  int trial_of_block = 1;     ///< place in the run of the block, as planned
+  std::uint32_t options = 0;   ///< index in `option_lists`
+  int repetition = 1;          ///< of the block, as planned
+  int session = 1;             ///< ordinal within the participant
+  int block_ordinal = 1;       ///< of the run of the block within the session
+  int trial_of_block = 1;      ///< place in the run of the block, as planned
   /// Where a procedure chose the level: the track within the run of the block, and the place in it, from 1; otherwise 0.
   int track = 0;
   int step = 0;
@@ -185,12 +186,13 @@ struct GatheredAnswers {
   std::vector<std::vector<std::string>> option_lists{};  ///< as shown, each order once
   /// The words of the levels of a trial, by factor: each combination once.
   std::vector<std::map<std::string, std::uint32_t, std::less<>>> factor_levels{};
-  std::vector<GatheredAnswer> answers{};                 ///< by participant and session
+  std::vector<GatheredAnswer> answers{};  ///< by participant and session
   std::vector<FeltSurface> surfaces{};
   GatheredExploration exploration{};
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
-  std::map<std::uint32_t, ItemTextureForce> item_forces{};  ///< by word of the item; none without a force
+  std::map<std::uint32_t, ItemTextureForce>
+      item_forces{};  ///< by word of the item; none without a force
   /// Of the blocks of this kind with `equal_roughness`, in the order of the sessions: those with an attempt that counts.
   std::vector<ParticipantMatch> matches{};
   /// By participant and block. No other number contains these responses.
@@ -227,6 +229,6 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::stop_token& stop);
 
 /// The response of a participant who does not choose, where the protocol allows it.
-inline constexpr std::string_view kCannotTell = "cannot_tell";
+inline constexpr std::string_view kCannotTell = kCannotTellOption;
 
 }  // namespace asperity

@@ -124,6 +124,14 @@ std::string all_steps_text(const Block& block, const UpDownTrack& track) {
          steps_text(block, track.grid.scale, track.steps_up) + '.';
 }
 
+/// " After the response “cannot tell” the level moved up by 8 % of the standard, the mean step of a guess."; nothing where a
+/// choice is forced.
+std::string unsure_steps_text(const Block& block, const UpDownTrack& track) {
+  if (track.steps_unsure.empty()) return {};
+  return " After the response “cannot tell” the level moved up by " +
+         steps_text(block, track.grid.scale, track.steps_unsure) + ", the mean step of a guess.";
+}
+
 /// "after 60 trials", "after 8 reversals, or at the latest after 60 trials"
 std::string end_text(const StopRules& stop) {
   const std::string trials =
@@ -162,7 +170,10 @@ std::string rule_text(const Block& block, const ProcedureSettings& first) {
     text = "A " + std::to_string(transformed->track.rule.down) + "-down/" +
            std::to_string(transformed->track.rule.up) + "-up staircase [Levitt 1971]";
   } else {
-    text = "A weighted up-down staircase [Kaernbach 1991]";
+    const auto* const weighted = std::get_if<WeightedUpDown>(&first);
+    text = weighted != nullptr && weighted->unforced_alternatives
+               ? "An unforced weighted up-down staircase [Kaernbach 2001]"
+               : "A weighted up-down staircase [Kaernbach 1991]";
   }
   if (const std::optional<double> target = procedure_of(first).target(first)) {
     text += " with a target of " + fixed(100.0 * *target, 1) + " % " + downward_responses(block);
@@ -204,6 +215,7 @@ std::string up_down_sentences(const Block& block) {
   text += is_one_start ? starts.front() : listed(starts);
   text += ", and levels remained between " + level_text(block, first->grid.lowest) + " and " +
           level_text(block, levels_of(first->grid).back()) + ". " + all_steps_text(block, *first) +
+          unsure_steps_text(block, *first) +
           (tracks.size() == 1 ? " The staircase ended " : " Each track ended ") +
           end_text(first->stop) + '.';
   return text;

@@ -48,6 +48,9 @@ constexpr std::array kReferences{
     Reference{"Kaernbach 1991", "Kaernbach, 1991",
               "Kaernbach, C. (1991). Simple adaptive testing with the weighted up-down method. "
               "Perception & Psychophysics, 49(3), 227–229."},
+    Reference{"Kaernbach 2001", "Kaernbach, 2001",
+              "Kaernbach, C. (2001). Adaptive threshold estimation with unforced-choice tasks. "
+              "Perception & Psychophysics, 63(8), 1377–1388."},
     Reference{"Kendall 1939", "Kendall & Babington Smith, 1939",
               "Kendall, M. G., & Babington Smith, B. (1939). The problem of m rankings. The Annals "
               "of Mathematical Statistics, 10(3), 275–287."},

@@ -192,6 +192,7 @@ constexpr std::array kHeadings{
     Word{"track", QT_TRANSLATE_NOOP("AnalysisWords", "track")},
     Word{"trials", QT_TRANSLATE_NOOP("AnalysisWords", "trials")},
     Word{"unfinished_tracks", QT_TRANSLATE_NOOP("AnalysisWords", "unfinished tracks")},
+    Word{"unsure", QT_TRANSLATE_NOOP("AnalysisWords", "responses “cannot tell”")},
     Word{"unit", QT_TRANSLATE_NOOP("AnalysisWords", "unit")},
     Word{"value", QT_TRANSLATE_NOOP("AnalysisWords", "value")},
     Word{"value 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "value, 95 % CI")},

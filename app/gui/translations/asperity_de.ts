@@ -2323,6 +2323,26 @@
         <source>The configuration is degenerate: a low stress then shows clusters, and not a number of dimensions.</source>
         <translation>Die Konfiguration ist degeneriert: Ein geringer Stress zeigt dann Cluster und keine Zahl von Dimensionen.</translation>
     </message>
+    <message>
+        <source>%1 of %2 responses are “cannot tell”. Each counts as the mean of a guess in psychometric functions and in the order effect. The logistic mixed model of choices does not contain them, and d′ is not computed, because its counts need a choice in every trial.</source>
+        <translation>%1 von %2 Antworten sind „kann es nicht sagen“. Jede zählt in psychometrischen Funktionen und im Reihenfolgeeffekt als Mittel eines geratenen Ergebnisses. Das logistische gemischte Modell der Wahlen enthält sie nicht, und d′ wird nicht berechnet, weil seine Zählungen in jedem Durchgang eine Wahl brauchen.</translation>
+    </message>
+    <message>
+        <source>Each response “cannot tell” counts as the mean of a guess: 1/m of a hit, with m alternatives [Kaernbach 2001]. Split counts are not binomial, so that the goodness of fit of these functions is not tested.</source>
+        <translation>Jede Antwort „kann es nicht sagen“ zählt als Mittel eines geratenen Ergebnisses: bei m Alternativen als 1/m eines Treffers [Kaernbach 2001]. Aufgeteilte Anzahlen sind nicht binomialverteilt, sodass die Anpassungsgüte dieser Funktionen nicht getestet wird.</translation>
+    </message>
+    <message>
+        <source>95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of each level being resampled %1 times and split again.</source>
+        <translation>95-%-KI bei Antworten „kann es nicht sagen“: Bootstrap-Perzentile, wobei die drei Ergebnisse jeder Stufe %1-mal neu gezogen und wieder aufgeteilt werden.</translation>
+    </message>
+    <message>
+        <source>Responses “cannot tell”</source>
+        <translation>Antworten „kann es nicht sagen“</translation>
+    </message>
+    <message>
+        <source>Proportion of the responses “cannot tell” among all responses, with Wilson’s 95 % CI. In psychometric functions, in proportions of hits and in the order effect such a response counts as the mean of a guess, that is, as 1/m of a choice of each of the m alternatives [Kaernbach 2001].</source>
+        <translation>Anteil der Antworten „kann es nicht sagen“ an allen Antworten, mit dem 95-%-KI nach Wilson. In psychometrischen Funktionen, in Trefferanteilen und im Reihenfolgeeffekt zählt eine solche Antwort als Mittel eines geratenen Ergebnisses, also bei m Alternativen als 1/m einer Wahl jeder Alternative [Kaernbach 2001].</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -3088,6 +3108,10 @@
     <message>
         <source>weight %1</source>
         <translation>Gewicht %1</translation>
+    </message>
+    <message>
+        <source>responses “cannot tell”</source>
+        <translation>Antworten „kann es nicht sagen“</translation>
     </message>
 </context>
 <context>

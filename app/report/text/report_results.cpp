@@ -195,6 +195,7 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"time_s 95 %", "95" + no_break + "% CI (s)"},
       {"weber", "Weber fraction"},
       {"unfinished_tracks", "unfinished tracks"},
+      {"unsure", "responses “cannot tell”"},
       {"without_threshold", "repetitions without threshold"},
       {"zeta", "ζ"}};
   if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;

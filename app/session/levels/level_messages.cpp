@@ -71,7 +71,7 @@ std::string tell_line(const TrackAnswer& answer, const External& settings, TellK
   Json tell{{"track", answer.of.track},
             {"step", answer.of.step},
             {"level", without_rounding(settings, answer.answer.level)},
-            {"correct", answer.answer.is_correct}};
+            {"correct", answer.answer.outcome == LevelOutcome::correct}};
   if (kind == TellKind::replayed) tell["replayed"] = true;
   return line_of({{"tell", std::move(tell)}});
 }

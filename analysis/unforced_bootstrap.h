@@ -1,0 +1,44 @@
+// Bootstrap intervals of psychometric functions of unforced choices.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "analysis/proportion.h"
+#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_precision.h"
+
+namespace asperity {
+
+/// Responses at one level to a choice between alternatives with the option "cannot tell".
+struct UnforcedBlock {
+  double x = 0.0;
+  std::uint64_t hits = 0;
+  std::uint64_t misses = 0;
+  std::uint64_t unsure = 0;  ///< "cannot tell"
+};
+
+/// The block in which each of these responses counts as the mean of a guess, 1/alternatives of a hit.
+PsychometricBlock split_block(const UnforcedBlock& block, std::size_t alternatives);
+
+struct UnforcedBootstrap {
+  std::size_t draws = 0;
+  std::size_t valid = 0;  ///< draws with a threshold
+  /// Percentile intervals over the valid draws; empty for fewer than half of the draws.
+  std::optional<ConfidenceInterval> threshold{};
+  std::optional<ConfidenceInterval> beta{};
+};
+
+/// Draws the three outcomes of each level from their observed proportions, splits those without a choice and fits the
+/// function again. The binomial likelihood of split counts gives intervals that are too wide: a split count varies less than
+/// a guess. The seed is constant (`kSeedOfTests`).
+///
+/// Errors: those of `maximise_psychometric`; std::invalid_argument for 0 alternatives.
+UnforcedBootstrap bootstrap_unforced(std::span<const UnforcedBlock> blocks,
+                                     std::size_t alternatives, const PsychometricQuestion& question,
+                                     std::size_t draws);
+
+}  // namespace asperity

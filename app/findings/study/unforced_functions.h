@@ -1,0 +1,32 @@
+// Psychometric functions of responses that include "cannot tell".
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/psychometric_likelihood.h"
+#include "app/findings/study/discrimination_thresholds.h"
+
+namespace asperity {
+
+/// Resamples of a bootstrap interval.
+inline constexpr std::size_t kUnforcedResamples = 400;
+
+/// Whether a response is "cannot tell".
+bool has_unsure(const DiscriminationData& data);
+
+/// Adds the status of the data under the names of the family `psyfit`, unless it is ok; returns whether a function can be
+/// fitted.
+bool add_fit_status(const std::vector<PsychometricBlock>& blocks, const PsychometricModel& model,
+                    const std::string& key, const Basis& basis, FindingList& list);
+
+/// The function of data whose levels did not depend on the responses, fitted to split counts (`split_hits`) by maximum
+/// likelihood, under the names of the family `psyfit`: `fit.…`, `bound.beta`, `loglik`, `threshold` and
+/// `slope.at.threshold`. `threshold` and `fit.beta` have the intervals of `bootstrap_unforced`, if the data need any. There
+/// are no numbers of the goodness of fit: split counts are not binomial.
+void add_unforced_function(const DiscriminationTask& task, const DiscriminationData& data,
+                           double performance, FindingList& list);
+
+}  // namespace asperity

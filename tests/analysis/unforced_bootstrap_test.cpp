@@ -1,0 +1,73 @@
+// Bootstrap intervals of psychometric functions of unforced choices.
+
+#include "analysis/unforced_bootstrap.h"
+
+#include <stdexcept>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/psychometric_fit.h"
+
+namespace asperity {
+namespace {
+
+const PsychometricQuestion kUnforcedQuestion{
+    .model = {.shape = PsychometricShape::weibull, .gamma = 0.5, .lambda = 0.02},
+    .performance = 0.75};
+
+/// `unsure` of 100 responses at each level, and the misses, with the hits of ψ for α = 10 and β = 2 on the whole.
+std::vector<UnforcedBlock> unforced_levels(bool splits) {
+  std::vector<UnforcedBlock> blocks{};
+  for (const auto& [x, errors] : {std::pair{4.0, 42U}, {7.0, 31U}, {10.0, 20U}, {15.0, 7U}}) {
+    // 2·errors responses "cannot tell" have the same expected hits as this number of errors.
+    blocks.push_back(splits ? UnforcedBlock{x, 100 - 2 * errors, 0, 2 * errors}
+                            : UnforcedBlock{x, 100 - errors, errors, 0});
+  }
+  return blocks;
+}
+
+TEST(SplitBlocks, CountTheMeanOfAGuess) {
+  const PsychometricBlock block = split_block({.x = 2.0, .hits = 3, .misses = 4, .unsure = 5}, 3);
+  EXPECT_EQ(block.trials, 12U);
+  EXPECT_EQ(block.hits, 3U);
+  EXPECT_DOUBLE_EQ(hits_of(block), 3.0 + 5.0 / 3.0);
+  EXPECT_DOUBLE_EQ(hits_of(block) + misses_of(block), 12.0);
+  EXPECT_THROW(split_block({}, 0), std::invalid_argument);
+}
+
+TEST(SplitBlocks, HaveTheFitOfCountsWithTheSameHits) {
+  const auto fit_of = [](bool splits) {
+    std::vector<PsychometricBlock> blocks{};
+    for (const UnforcedBlock& block : unforced_levels(splits)) {
+      blocks.push_back(split_block(block, 2));
+    }
+    return *fit_psychometric(blocks, kUnforcedQuestion);
+  };
+  EXPECT_EQ(fit_of(true).threshold, fit_of(false).threshold);
+  EXPECT_EQ(fit_of(true).function.beta, fit_of(false).function.beta);
+}
+
+TEST(PsychometricBlocks, RefuseMoreGuessedHitsThanTrialsWithoutAHit) {
+  const std::vector<PsychometricBlock> blocks{
+      {.x = 1.0, .trials = 5, .hits = 3, .guessed_hits = 2.5}, {.x = 2.0, .trials = 5, .hits = 3}};
+  EXPECT_THROW(judge(blocks, kUnforcedQuestion.model), std::invalid_argument);
+}
+
+// A guess varies more than its mean: with every error split, the interval is narrower.
+TEST(UnforcedBootstrap, IsNarrowerWhereGuessesAreReplaced) {
+  const UnforcedBootstrap split =
+      bootstrap_unforced(unforced_levels(true), 2, kUnforcedQuestion, 300);
+  const UnforcedBootstrap forced =
+      bootstrap_unforced(unforced_levels(false), 2, kUnforcedQuestion, 300);
+  ASSERT_TRUE(split.threshold && forced.threshold && split.beta && forced.beta);
+  EXPECT_GT(split.valid, 290U);
+  EXPECT_LT(split.threshold->high - split.threshold->low,
+            0.9 * (forced.threshold->high - forced.threshold->low));
+  EXPECT_EQ(bootstrap_unforced(unforced_levels(true), 2, kUnforcedQuestion, 300).threshold->low,
+            split.threshold->low);
+}
+
+}  // namespace
+}  // namespace asperity
