@@ -33,6 +33,15 @@ std::vector<ThresholdOfWide> thresholds_of(const DiscriminationTask& task) {
     if (!task.is_detection()) all.push_back({"_weber", "weber", "Weber fraction", false});
     return all;
   }
+  if (task.design->is_choice_of_three()) {
+    all.push_back(task.is_detection()
+                      ? ThresholdOfWide{"_threshold", "jnd",
+                                        "detection threshold at 66.7 % correct responses"}
+                      : ThresholdOfWide{"_jnd", "jnd",
+                                        "just-noticeable difference at 66.7 % correct responses"});
+    if (!task.is_detection()) all.push_back({"_weber", "weber", "Weber fraction", false});
+    return all;
+  }
   if (task.is_detection()) {
     all.push_back({"_threshold", "jnd", "detection threshold at 75 % correct responses"});
     return all;

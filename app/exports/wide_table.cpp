@@ -158,17 +158,15 @@ bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condi
     }
   }
   if (!value) return false;
-  if (task.design->has_noise()) {
-    const auto& surfaces = at.attempt->presentations;
-    const auto comparisons =
-        std::count_if(surfaces.begin(), surfaces.end(),
-                      [](const PresentationRow& surface) { return surface.role == "comparison"; });
-    if (!task.design->is_signal(static_cast<std::size_t>(comparisons))) value = task.standard();
-  }
+  const auto& surfaces = at.attempt->presentations;
+  const auto comparisons = static_cast<std::size_t>(
+      std::count_if(surfaces.begin(), surfaces.end(),
+                    [](const PresentationRow& surface) { return surface.role == "comparison"; }));
+  if (task.design->has_noise() && !task.design->is_signal(comparisons)) value = task.standard();
   discriminations_[asked_of(at)].add(
       people_.size() - 1, block->second, at.trial->block, others,
       {.value = *value,
-       .chose_comparison = is_hit_response(task, at.response->answer),
+       .chose_comparison = is_hit_response(task, comparisons, at.response->answer),
        .is_unsure = at.response->answer == kCannotTell,
        .by_procedure = at.trial->track && task.has_levels_of_procedure,
        .session = at.session->session,

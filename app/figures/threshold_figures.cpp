@@ -41,7 +41,7 @@ struct DrawnFunctions {
   }
 };
 
-/// The design whose functions are not those of choices; that of choices where the findings state none.
+/// The design of a function; that of two alternatives where the findings state none.
 const DiscriminationDesign& design_of(const FoundNumbers& functions, const std::string& key) {
   const Finding* const stated = functions.find("fit.design", key);
   const DiscriminationDesign* const design =
@@ -130,8 +130,9 @@ TidyInput input_of_functions(DrawnFunctions& drawn, const DrawnUnit& unit) {
                                      {"k", std::move(drawn.hits)}},
       "the responses");
   input.options.set("shape", std::string(drawn.is_performance ? "weibull" : "normal"));
-  input.options.set("gamma", drawn.is_performance ? 0.5 : kSymmetricLapseRate);
-  input.options.set("pt", drawn.is_performance ? kProportionAtThreshold : 0.5);
+  input.options.set("gamma",
+                    drawn.is_performance ? drawn.design->guess_rate() : kSymmetricLapseRate);
+  input.options.set("pt", drawn.is_performance ? proportion_at_threshold(*drawn.design) : 0.5);
   return input;
 }
 
@@ -206,6 +207,18 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
   }
   if (drawn.is_performance) {
     figure.x.name = phrase("Figures", "difference of the %1 from the standard").with(parameter);
+    const std::string at_threshold =
+        number_text(std::round(1000.0 * proportion_at_threshold(*drawn.design)) / 10.0);
+    if (drawn.design->is_choice_of_three()) {
+      figure.name = figure_file_name("psychometric_" + drawn.participant + '_' +
+                                     std::string(drawn.design->id));
+      figure.note =
+          phrase("Figures",
+                 "Filled symbols: proportions correct, larger for more trials. Curves: "
+                 "maximum-likelihood psychometric functions. Open symbols: thresholds, the "
+                 "level of %1 % correct, with %2 % CIs by the delta method.")
+              .with(at_threshold, "95");
+    }
     if (is_repeated) {
       figure.note =
           phrase(
@@ -213,7 +226,7 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
               "Filled symbols: proportions correct, larger for more trials. Curves: "
               "maximum-likelihood psychometric functions. Open symbols: thresholds, the level of "
               "%1 % correct, with 95 % CIs by running the procedure again.")
-              .with(number_text(100.0 * kProportionAtThreshold));
+              .with(at_threshold);
     }
     return figure;
   }

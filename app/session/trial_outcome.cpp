@@ -34,7 +34,10 @@ TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const Atte
   const auto outcome = [&] {
     if (is_missing) return LevelOutcome::incorrect;
     if (response->answer == kCannotTellOption) return LevelOutcome::unsure;
-    return forced_outcome((response->answer == varied->item) != judged->asks_for_less);
+    // Of three surfaces, the varied one is not always the correct response.
+    const bool chose_varied = block.design->is_choice_of_three() ? response->correct.value_or(false)
+                                                                 : response->answer == varied->item;
+    return forced_outcome(chose_varied != judged->asks_for_less);
   };
   return {.answer = TrialOutcome::Answer{.value = value, .outcome = outcome()}};
 }

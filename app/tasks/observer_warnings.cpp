@@ -21,9 +21,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLeastChange = 0.02;  // of the natural logarithm
-constexpr double kAtThreshold =
-    0.75;                    // of the responses: the definition of the just-noticeable difference
-constexpr int kStrokes = 3;  // with other random numbers, as in other presentations
+constexpr int kStrokes = 3;            // with other random numbers, as in other presentations
 
 /// The presentations with the smallest and the largest value of the varied parameter, among which may be the standard, and
 /// the standard.
@@ -73,9 +71,11 @@ Extremes extremes_of(const std::vector<Trial>& trials, const Protocol::Block& bl
 
 /// The proportion of trials in which a threshold of this block must be distinguished from the standard.
 double required_proportion(const Protocol::Block& block) {
-  if (!block.procedure) return kAtThreshold;
+  // The definition of the just-noticeable difference: halfway between guessing and certainty.
+  const double at_threshold = 0.5 * (1.0 + block.design->guess_rate());
+  if (!block.procedure) return at_threshold;
   const ProcedureSettings& track = block.procedure->tracks.front();
-  return std::max(kAtThreshold, procedure_of(track).target(track).value_or(kAtThreshold));
+  return std::max(at_threshold, procedure_of(track).target(track).value_or(at_threshold));
 }
 
 /// A magnitude from its natural logarithm, with three significant digits.
@@ -146,7 +146,7 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
     if (!least || !greatest || !standard) continue;
     const double from_standard =
         std::max(std::abs(*least - *standard), std::abs(*greatest - *standard));
-    const double distinguished = distinguished_proportion(observer, from_standard);
+    const double distinguished = correct_proportion(observer, from_standard, *block.design);
     const double required = required_proportion(block);
     const double change = *greatest - *least;
     const std::string place = pointer_to("/blocks", block.name) + "/vary/parameter";

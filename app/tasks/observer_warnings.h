@@ -16,8 +16,9 @@ namespace asperity {
 ///   - does not change with the varied parameter, so that simulated responses are guesses;
 ///   - changes in the direction opposite to the declared effect, so that they are systematically incorrect; or
 ///   - changes so little that the observer, with its own noise, distinguishes no level from the standard as often as the
-///     threshold requires (distinguished_proportion): in 75 % of trials, or as often as the staircase approaches if that is
-///     more. No threshold can then be estimated from the simulated responses.
+///     threshold requires (correct_proportion): halfway between guessing and certainty, 75 % of trials with two
+///     alternatives, or as often as the staircase approaches if that is more. No threshold can then be estimated from the
+///     simulated responses.
 ///
 /// The magnitude is the mean of three simulated strokes (felt_surface), the same on the standard and on the surfaces with
 /// the smallest and the largest value of the parameter, in one combination of the other factors. A change of less than 2 %

@@ -37,9 +37,8 @@ bool is_varied(const Protocol& protocol, const std::string& factor) {
 }
 
 bool is_derived(const Protocol& protocol, const std::string& factor) {
-  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&factor](const auto& each) {
-    return each.second.derived.contains(factor);
-  });
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                     [&factor](const auto& each) { return each.second.derived.contains(factor); });
 }
 
 const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept {
@@ -50,7 +49,7 @@ const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& bl
 }
 
 std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept {
-  return block.design->has_noise() ? block.design->surfaces() : block.presented.size();
+  return block.design == &two_alternatives() ? block.presented.size() : block.design->surfaces();
 }
 
 bool chooses_levels_from_answers(const Protocol::Block& block) {

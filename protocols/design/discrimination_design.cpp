@@ -15,6 +15,10 @@ constexpr std::array kTrialsOfYesNo{DesignTrial{{kComparison, {}}},
 constexpr std::array kTrialsOfSameDifferent{
     DesignTrial{{kStandard, kComparison}}, DesignTrial{{kStandard, kStandard}, false},
     DesignTrial{{kStandard, kComparison}}, DesignTrial{{kComparison, kComparison}, false}};
+// The surface that is to be chosen is the last one, so that its place is balanced where positions are.
+constexpr std::array kTrialsOfThreeAlternatives{DesignTrial{{kStandard, kStandard, kComparison}}};
+constexpr std::array kTrialsOfOddity{DesignTrial{{kStandard, kStandard, kComparison}},
+                                     DesignTrial{{kComparison, kComparison, kStandard}}};
 
 }  // namespace
 
@@ -36,7 +40,12 @@ bool DiscriminationDesign::is_signal(std::size_t comparisons) const noexcept {
 
 std::string_view DiscriminationDesign::correct_response(std::size_t comparisons) const noexcept {
   if (has_noise()) return is_signal(comparisons) ? yes : no;
-  return kComparison;
+  return asks_for_odd_one && comparisons > 1 ? kStandard : kComparison;
+}
+
+std::string DiscriminationDesign::with_article() const {
+  const bool begins_with_vowel = std::string_view("aeiou").find(name.front()) != std::string::npos;
+  return (begins_with_vowel ? "an " : "a ") + std::string(name);
 }
 
 const DiscriminationDesign& two_alternatives() noexcept {
@@ -61,8 +70,22 @@ const DiscriminationDesign& same_different_task() noexcept {
   return kDesign;
 }
 
+const DiscriminationDesign& three_alternatives() noexcept {
+  static constexpr DiscriminationDesign kDesign{.id = "three_alternatives",
+                                                .name = "three-alternative forced choice",
+                                                .trials = kTrialsOfThreeAlternatives};
+  return kDesign;
+}
+
+const DiscriminationDesign& oddity_task() noexcept {
+  static constexpr DiscriminationDesign kDesign{
+      .id = "oddity", .name = "oddity task", .trials = kTrialsOfOddity, .asks_for_odd_one = true};
+  return kDesign;
+}
+
 std::span<const DiscriminationDesign* const> discrimination_designs() {
-  static const std::array kDesigns{&two_alternatives(), &yes_no_task(), &same_different_task()};
+  static const std::array kDesigns{&two_alternatives(), &three_alternatives(), &oddity_task(),
+                                   &yes_no_task(), &same_different_task()};
   return kDesigns;
 }
 

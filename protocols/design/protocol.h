@@ -295,6 +295,8 @@ struct Protocol {
     std::optional<RatedQuantity>
         rates{};                   ///< of a similarity; dissimilarity where it is not stated
     std::string correct_factor{};  ///< recognition: the factor with the correct picture
+    /// Of a scale in a block of a discrimination: the question whose response it rates the confidence of; empty: none.
+    std::string confidence_of{};
   };
   /// Practice: the block ends when `correct` of the last `of_last` responses were correct, or after `maximum_trials`,
   /// the number of planned trials.

@@ -121,7 +121,8 @@ void Meaning::check_strokes_of_visit(const Block& block, const Exploration& expl
 }
 
 void Meaning::check_side_by_side(const Block& block, const std::string& place) {
-  const std::size_t surfaces = block.presented.size();
+  // A design with one surface in each trial is reported with the kind.
+  const std::size_t surfaces = std::max(block.presented.size(), surfaces_in_trial(block));
   if (surfaces < 2 || surfaces > kMostSideBySide) {
     report(place + "/surfaces", "2 to 4 surfaces can lie side by side, but the block presents " +
                                     std::to_string(surfaces) + "; use another arrangement");

@@ -47,10 +47,13 @@ void read_range(const json& object, const char* key, ValueRange& range) {
   read(*found, "count", range.count);
 }
 
-PosteriorTrack posterior_track_in(const json& object, const Dimension& dimension) {
+PosteriorTrack posterior_track_in(const json& object, const Dimension& dimension,
+                                  const DiscriminationDesign& design) {
   PosteriorTrack track{.grid = dimension.grid.value_or(LevelGrid{}),
                        .origin = dimension.level_of_standard()};
   track.prior.thresholds = thresholds_within(track.grid, track.origin);
+  track.prior.guess_rate = design.guess_rate();
+  track.prior.performance = 0.5 * (1.0 + track.prior.guess_rate);
   read(object, "target", track.prior.performance);
   if (const auto prior = object.find("prior"); prior != object.end()) {
     read_range(*prior, "threshold", track.prior.thresholds);
@@ -110,7 +113,8 @@ StepList steps_of(const json& object, const char* direction) {
   return steps;
 }
 
-ProcedureSettings settings_of(const json& object, const json& track, const Dimension& dimension) {
+ProcedureSettings settings_of(const json& object, const json& track, const Dimension& dimension,
+                              const DiscriminationDesign& design) {
   const LevelGrid grid = dimension.grid.value_or(LevelGrid{});
   double start = 0.0;
   read(object, "start", start);
@@ -135,11 +139,13 @@ ProcedureSettings settings_of(const json& object, const json& track, const Dimen
     return settings;
   }
   if (method == psi().id) {
-    return Psi{.track = posterior_track_in(object, dimension),
+    return Psi{.track = posterior_track_in(object, dimension, design),
                .marginalised = marginalised_in(object)};
   }
   if (method == external().id) return external_in(object, dimension);
-  if (method == quest_plus().id) return QuestPlus{.track = posterior_track_in(object, dimension)};
+  if (method == quest_plus().id) {
+    return QuestPlus{.track = posterior_track_in(object, dimension, design)};
+  }
   ConstantStimuli settings{};
   if (has_levels(dimension)) settings.levels = dimension.levels();
   read(object, "repetitions", settings.repetitions);
@@ -232,14 +238,15 @@ void declare_unforced(std::size_t alternatives, std::vector<ProcedureSettings>& 
   }
 }
 
-Block::LevelProcedure procedure_in(const json& object, const Dimension& dimension) {
+Block::LevelProcedure procedure_in(const json& object, const Dimension& dimension,
+                                   const DiscriminationDesign& design) {
   Block::LevelProcedure procedure{};
   if (const auto tracks = object.find("tracks"); tracks != object.end()) {
     for (const json& track : *tracks) {
-      procedure.tracks.push_back(settings_of(object, track, dimension));
+      procedure.tracks.push_back(settings_of(object, track, dimension, design));
     }
   } else {
-    procedure.tracks.push_back(settings_of(object, json::object(), dimension));
+    procedure.tracks.push_back(settings_of(object, json::object(), dimension, design));
   }
   read_choice(object, "timed_out", procedure.timeouts_are_incorrect,
               {{"same_level", false}, {"incorrect", true}});

@@ -27,8 +27,9 @@ void declare_dimension(Protocol::Block& block, Protocol& protocol,
 /// States in the settings of tracks that choices between so many alternatives are unforced: "cannot tell" is an option.
 void declare_unforced(std::size_t alternatives, std::vector<ProcedureSettings>& tracks);
 
-/// The key "procedure", with the levels of the block's completed dimension.
+/// The key "procedure", with the levels of the block's completed dimension and the guess rate of its design.
 Protocol::Block::LevelProcedure procedure_in(const nlohmann::json& object,
-                                             const Dimension& dimension);
+                                             const Dimension& dimension,
+                                             const DiscriminationDesign& design);
 
 }  // namespace asperity

@@ -141,6 +141,8 @@ class Meaning final : private ProblemSink {
                        const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_same_scale(const Protocol::Block& block,
                         const Protocol::TrialQuestionTemplate& question, const std::string& place);
+  void check_confidence(const Protocol::Block& block,
+                        const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_scale(const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_scale_form(const ScaleForm& scale, const std::string& at);
   void check_rows(const Protocol::Block& block, const std::string& pointer);

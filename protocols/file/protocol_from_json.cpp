@@ -191,6 +191,7 @@ Protocol::TrialQuestionTemplate trial_question_of(const json& object, const Expe
   read(object, "reshuffle_pictures", question.reshuffle_pictures);
   read(object, "allow_cannot_tell", question.allow_cannot_tell);
   read(object, "correct_factor", question.correct_factor);
+  read(object, "confidence_of", question.confidence_of);
   if (object.contains("judgement")) {
     question.judgement.emplace();
     read_choice(object, "judgement", *question.judgement,
@@ -579,7 +580,7 @@ Protocol protocol_from_json(const json& root, const std::vector<ModelDeclaration
     complete_dimension(block, protocol, models);
     const json& object = root.at("blocks").at(name);
     if (const auto found = object.find("procedure"); found != object.end()) {
-      block.procedure = procedure_in(*found, *block.vary);
+      block.procedure = procedure_in(*found, *block.vary, *block.design);
       const auto* const judged = judged_question(block);
       if (judged != nullptr && judged->allow_cannot_tell && block.design->alternatives() > 0) {
         declare_unforced(block.design->alternatives(), block.procedure->tracks);

@@ -45,6 +45,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     check_scale(question, place);
     check_same_form(block, question, place);
     check_same_scale(block, question, place);
+    check_confidence(block, question, place);
     const ExperimentKind* const of_question = kind_of_question(kind, question.form);
     if (of_question == &kind) ++own;
     if (of_question == nullptr) {
@@ -198,6 +199,55 @@ void Meaning::check_same_scale(const Block& block, const TrialQuestionTemplate& 
                  " on another scale, and the responses to both are analysed together; give one of "
                  "the questions another name, or use one scale for both");
     }
+  }
+}
+
+/// An ROC needs categories of confidence, and a response of which one is correct.
+void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& question,
+                               const std::string& place) {
+  if (question.confidence_of.empty()) return;
+  const std::string at = place + "/confidence_of";
+  if (protocol_.format < 2) {
+    report("/format",
+           "the key \"confidence_of\" requires the format \"asperity.protocol/2\"; write that here");
+  }
+  const TrialQuestionTemplate* const judged = judged_question(block);
+  if (judged == nullptr) {
+    report_key(at, "only a scale next to the question of a discrimination rates the confidence of "
+                   "its response; remove this key");
+    return;
+  }
+  if (question.confidence_of != judged->name) {
+    report(at, "this scale can rate the confidence of the response to " +
+                   in_quotes(judged->name) + "; write this name");
+    return;
+  }
+  if (judged->judgement != DiscriminationJudgement::performance) {
+    report_key(at, "with the judgement \"comparison\" no response is correct, so that there is no "
+                   "ROC; remove this key");
+  }
+  if (block.design->is_choice_of_three()) {
+    report_key(at, "the confidence in the response of " + block.design->with_article() +
+                       " gives no ROC, because there are more than two responses; remove this key, "
+                       "and the scale is reported for correct and incorrect responses");
+  }
+  if (chooses_levels_from_answers(block)) {
+    report_key(at, "an ROC needs trials at levels that do not depend on the responses; remove this "
+                   "key, or use \"constant_stimuli\"");
+  }
+  constexpr int kMostCategories = 10;
+  const auto* const scale = std::get_if<ScaleForm>(&question.form);
+  if (scale == nullptr || scale->points < 2 || scale->points > kMostCategories) {
+    report(place, "a rating of confidence needs a \"scale\" with 2 to 10 \"points\", the "
+                  "categories of its ROC; state them");
+  }
+  const auto is_other = [&question](const TrialQuestionTemplate& other) {
+    return &other != &question && other.confidence_of == question.confidence_of;
+  };
+  const auto first = std::find_if(block.questions.begin(), block.questions.end(), is_other);
+  if (first != block.questions.end() && &*first < &question) {
+    report_key(at, "the question " + in_quotes(first->name) +
+                       " rates the same confidence; remove one of the two keys");
   }
 }
 

@@ -145,9 +145,10 @@ void Meaning::check_repetitions_of(const Block& block, const std::vector<BlockRo
   const std::string place = pointer + "/repetitions_of";
   if (block.repetitions_of.empty()) return;
   if (block.vary) {
-    report_key(place,
-               "the levels of vary are presented equally often; remove this key, or list the levels "
-               "as a crossed factor");
+    report_key(
+        place,
+        "the levels of vary are presented equally often; remove this key, or list the levels "
+        "as a crossed factor");
     return;
   }
   if (block.order == Block::Order::shuffle_within_repetition) {
@@ -201,8 +202,7 @@ void Meaning::check_places(const Block& block, const std::vector<BlockRow>& rows
     const std::string at = pointer_to(pointer + "/fixed_positions", i);
     if (static_cast<std::size_t>(position) > trials.size()) {
       report(at + "/position", "the block has " + trials_text(trials.size()) +
-                                   "; state a position from 1 to " +
-                                   std::to_string(trials.size()));
+                                   "; state a position from 1 to " + std::to_string(trials.size()));
     } else if (!positions.insert(position).second) {
       report(at + "/position", "the position " + std::to_string(position) +
                                    " is already fixed by an earlier entry; remove one of them");
@@ -212,20 +212,18 @@ void Meaning::check_places(const Block& block, const std::vector<BlockRow>& rows
           return has_levels(rows[trial.row].factors, own);
         }));
     if (++wanted[text_of_levels(levels)] > available) {
-      report(at + "/levels", available == 0
-                                 ? "no trial has " + text_of_levels(levels) + "; correct the levels"
-                                 : "only " + trials_text(available) + " have " +
-                                       text_of_levels(levels) +
-                                       ", and more positions require them; remove entries, or raise "
-                                       "the repetitions");
+      report(at + "/levels",
+             available == 0 ? "no trial has " + text_of_levels(levels) + "; correct the levels"
+                            : "only " + trials_text(available) + " have " + text_of_levels(levels) +
+                                  ", and more positions require them; remove entries, or raise "
+                                  "the repetitions");
     }
   }
 }
 
 void Meaning::check_order(const Block& block, const std::string& pointer) {
-  for (const auto& [key, factors] :
-       {std::pair("maximum_in_a_row", &block.maximum_in_a_row),
-        std::pair("minimum_distance", &block.minimum_distance)}) {
+  for (const auto& [key, factors] : {std::pair("maximum_in_a_row", &block.maximum_in_a_row),
+                                     std::pair("minimum_distance", &block.minimum_distance)}) {
     for (const auto& [factor, number] : *factors) {
       const std::string at = pointer_to(pointer + "/" + key, factor);
       if (!protocol_.factors.contains(factor)) {
@@ -245,7 +243,8 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   if (!std::all_of(block.crossed.begin(), block.crossed.end(), known)) return;
   if (block.all_pairs && !known(block.all_pairs->factor)) return;
   const std::size_t rows = row_count(protocol_, block);
-  if (rows == 0) return;  // a factor or a dimension without levels, or no combination; reported there
+  if (rows == 0)
+    return;  // a factor or a dimension without levels, or no combination; reported there
   // A procedure determines the number of trials, also one that was refused.
   const bool has_procedure = document_.root().at("blocks").at(block.name).contains("procedure");
   const std::size_t trials = trial_count(protocol_, block);
@@ -285,9 +284,10 @@ std::vector<std::vector<BlockRow>> Meaning::extreme_parts(const Block& block) co
 void Meaning::check_balance(const Block& block, const std::string& pointer) {
   for (const std::vector<BlockRow>& rows : extreme_parts(block)) {
     const std::size_t trials = trials_of(block, rows).size();
-    if (trials % block.presented.size() == 0) continue;
+    const std::size_t surfaces = surfaces_in_trial(block);
+    if (trials % surfaces == 0) continue;
     report(pointer + "/positions",
-           "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
+           "balanced positions need a multiple of " + std::to_string(surfaces) +
                " trials, the number of surfaces, but the block has " + std::to_string(trials) +
                "; change the number of repetitions or of levels, or remove positions");
     return;

@@ -215,7 +215,8 @@ StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
           .points = number_at(scale, "points"),
           .judgement = text_in(asked, "judgement"),
           .asks_for_less = direction.empty() ? std::nullopt : std::optional(direction == "less"),
-          .rates = text_in(asked, "rates")};
+          .rates = text_in(asked, "rates"),
+          .confidence_of = text_in(asked, "confidence_of")};
 }
 
 std::optional<AnswerCondition> stored_condition(const Json& asked) {
@@ -277,8 +278,11 @@ std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& b
     Dimension dimension = dimension_in(member_of(block, "vary"));
     dimension.standard =
         stored_standard(protocol, block, dimension.standard_role, dimension.parameter);
+    const DiscriminationDesign* const design = find_design(text_in(block, "design"));
     std::vector<ProcedureSettings> tracks =
-        procedure_in(member_of(block, "procedure"), dimension).tracks;
+        procedure_in(member_of(block, "procedure"), dimension,
+                     design == nullptr ? two_alternatives() : *design)
+            .tracks;
     if (const std::size_t alternatives = unforced_alternatives(block); alternatives > 0) {
       declare_unforced(alternatives, tracks);
     }

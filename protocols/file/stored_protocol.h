@@ -54,6 +54,8 @@ struct StoredProtocol {
     /// stated.
     std::optional<bool> asks_for_less{};
     std::string rates{};  ///< of a similarity: "dissimilarity", "similarity"; empty: dissimilarity
+    /// The question whose response it rates the confidence of; empty: none.
+    std::string confidence_of{};
   };
   struct Block {
     std::string kind{};  ///< its own, or that of the protocol; empty where neither is stated

@@ -37,13 +37,15 @@ const DiscriminationDesign* design_answered_by(const Protocol::TrialQuestionTemp
 
 std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestionTemplate& question,
                                                    const Trial& trial) {
+  const auto comparisons = static_cast<std::size_t>(std::count_if(
+      trial.presentations.begin(), trial.presentations.end(),
+      [](const PlannedPresentation& planned) { return planned.role == "comparison"; }));
   if (const DiscriminationDesign* const design = design_answered_by(question)) {
-    const auto comparisons = std::count_if(
-        trial.presentations.begin(), trial.presentations.end(),
-        [](const PlannedPresentation& planned) { return planned.role == "comparison"; });
-    return {std::string(design->correct_response(static_cast<std::size_t>(comparisons)))};
+    return {std::string(design->correct_response(comparisons))};
   }
-  if (question.judgement == DiscriminationJudgement::performance) return {"comparison"};
+  if (question.judgement == DiscriminationJudgement::performance) {
+    return {comparisons > 1 ? "standard" : "comparison"};  // the standard is odd among comparisons
+  }
   // The level of a catch trial is so far from the standard that the response is known.
   if (!trial.catch_trial) return {};
   return {trial.catch_trial->is_above_standard != question.asks_for_less ? "comparison"
@@ -95,14 +97,18 @@ bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
 void check_design(const BlockOfKind& checked, ProblemSink& problems) {
   const DiscriminationDesign& design = *checked.block.design;
   const Protocol::TrialQuestionTemplate& question = checked.question;
-  if (!design.has_noise()) {
-    if (question.words.empty()) return;
+  const std::string a_design = design.with_article();
+  if (!design.has_noise() && !question.words.empty()) {
     problems.report_key(checked.at_question + "/options",
-                        "in a two-alternative forced choice the options are the surfaces felt; "
-                        "remove this key, or state another \"design\" of the block");
-    return;
+                        "in " + a_design +
+                            " the options are the surfaces felt; "
+                            "remove this key, or state another \"design\" of the block");
   }
-  const std::string a_design = "a " + std::string(design.name);
+  if (&design != &two_alternatives() && question.judgement == DiscriminationJudgement::comparison) {
+    problems.report(checked.at_question + "/judgement",
+                    "in " + a_design + " one response is correct; set it to \"performance\"");
+  }
+  if (!design.has_noise()) return;
   std::set<std::string_view> options{};
   for (const Protocol::TrialQuestionTemplate::Word& word : question.words) {
     options.insert(word.value);
@@ -111,10 +117,6 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
     problems.report(checked.at_question, a_design + " has the \"options\" " +
                                              in_quotes(design.yes) + " and " +
                                              in_quotes(design.no) + "; list these two values");
-  }
-  if (question.judgement == DiscriminationJudgement::comparison) {
-    problems.report(checked.at_question + "/judgement",
-                    "in " + a_design + " one response is correct; set it to \"performance\"");
   }
   if (checked.block.procedure) {
     problems.report_key(
@@ -272,16 +274,31 @@ VirtualResponse judge_in_words(const Judgement& judgement, const Block& block) {
   return {ChosenOption{static_cast<std::size_t>(chosen - options.begin())}, false};
 }
 
-/// In words (`judge_in_words`), or the surface with the greater magnitude (VirtualObserver::compare), whatever the question
-/// asks for; the other one where the judgement is of performance and the level is below the standard; "cannot tell", where it
-/// is an option, if the magnitudes differ by less than `unsure_within`. A parameter on which the magnitude does not depend
-/// gives responses by chance.
+/// The surface with the greatest or the smallest magnitude of three (VirtualObserver::most_extreme), on the side on which the
+/// levels are, or the one that differs from the others (VirtualObserver::odd_one).
+VirtualResponse judge_three(const Judgement& judgement, const Block& block) {
+  using Extreme = VirtualObserver::Extreme;
+  VirtualObserver& observer = judgement.observer;
+  const std::size_t chosen =
+      block.design->asks_for_odd_one
+          ? observer.odd_one(judgement.felt)
+          : observer.most_extreme(judgement.felt, is_below_standard(*block.vary)
+                                                      ? Extreme::smallest
+                                                      : Extreme::greatest);
+  return {ChosenOption{chosen}, false};
+}
+
+/// In words (`judge_in_words`), of three (`judge_three`), or the surface with the greater magnitude (VirtualObserver::compare),
+/// whatever the question asks for; the other one where the judgement is of performance and the level is below the standard;
+/// "cannot tell", where it is an option, if the magnitudes differ by less than `unsure_within`. A parameter on which the
+/// magnitude does not depend gives responses by chance.
 VirtualResponse judge_discrimination(const Judgement& judgement) {
   const Block& block = judgement.protocol.blocks.at(judgement.trial.block);
   const auto asked =
       std::find_if(block.questions.begin(), block.questions.end(),
                    [&judgement](const auto& each) { return each.name == judgement.question.name; });
   if (block.design->has_noise()) return judge_in_words(judgement, block);
+  if (block.design->is_choice_of_three()) return judge_three(judgement, block);
   const bool chooses_less =
       asked->asks_for_less ||
       (asked->judgement == DiscriminationJudgement::performance && is_below_standard(*block.vary));
@@ -293,6 +310,47 @@ VirtualResponse judge_discrimination(const Judgement& judgement) {
   // "cannot tell" is the last option.
   if (!greater) return {ChosenOption{judgement.question.options.size() - 1}, false};
   return {ChosenOption{chooses_less ? 1 - *greater : *greater}, false};
+}
+
+/// Tests of the declared family that the designs of all main blocks exclude.
+void check_family(const Protocol& protocol, ProblemSink& problems) {
+  struct Needed {
+    std::string_view test{};
+    bool (*is_possible)(const DiscriminationDesign& design) = nullptr;
+    const char* needs = "";
+  };
+  constexpr std::array kNeeded{
+      Needed{"order", [](const DiscriminationDesign& design) { return !design.has_noise(); },
+             "a choice among surfaces"},
+      Needed{"point_of_subjective_equality",
+             [](const DiscriminationDesign& design) { return &design == &two_alternatives(); },
+             "a choice between two surfaces with the judgement \"comparison\""}};
+  std::vector<const DiscriminationDesign*> designs{};
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.phase == Phase::main && block.kind == "discrimination") {
+      designs.push_back(block.design);
+    }
+  }
+  if (designs.empty()) return;
+  for (std::size_t i = 0; i < protocol.analysis.family.size(); ++i) {
+    const std::string& test = protocol.analysis.family[i];
+    const auto needed = std::find_if(kNeeded.begin(), kNeeded.end(),
+                                     [&test](const Needed& each) { return each.test == test; });
+    if (needed == kNeeded.end()) continue;
+    const bool is_of_others =
+        std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&test](const auto& named) {
+          const Block& block = named.second;
+          return block.kind != "discrimination" && find_test(kind_of(block), test) != nullptr;
+        });
+    const bool is_possible = std::any_of(
+        designs.begin(), designs.end(),
+        [&needed](const DiscriminationDesign* design) { return needed->is_possible(*design); });
+    if (is_of_others || is_possible) continue;
+    problems.report("/analysis/family/" + std::to_string(i),
+                    "the test " + in_quotes(test) + " needs " + needed->needs + ", which " +
+                        designs.front()->with_article() +
+                        " does not have; remove it from the family");
+  }
 }
 
 }  // namespace
@@ -308,6 +366,7 @@ const ExperimentKind& discrimination_kind() {
                                     .tests = kDiscriminationTests,
                                     .item_of = item_of_discrimination,
                                     .correct_of = correct_of_discrimination,
+                                    .check = check_family,
                                     .check_block = check_block_of_discrimination,
                                     .judge = judge_discrimination};
   return kKind;

@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/decision_rules.h"
+#include "analysis/forced_choice.h"
 #include "analysis/number_text.h"
 #include "analysis/roughness.h"
 #include "analysis/tail_probabilities.h"
@@ -163,6 +165,21 @@ double distinguished_proportion(const ObserverDeclaration& observer, double diff
   return 0.5 * observer.lapse + (1.0 - observer.lapse) * by_judgement;
 }
 
+double correct_proportion(const ObserverDeclaration& observer, double difference,
+                          const DiscriminationDesign& design) {
+  if (!design.is_choice_of_three()) return distinguished_proportion(observer, difference);
+  const double guess = design.guess_rate();
+  if (observer.deaf || difference == 0.0) return guess;
+  double by_judgement = 1.0;
+  if (observer.feature_noise > 0.0) {
+    const double dprime = difference / observer.feature_noise;
+    by_judgement = design.asks_for_odd_one
+                       ? Oddity{.rule = DecisionRule::differencing}.proportion(dprime)
+                       : ForcedChoice{.alternatives = design.surfaces()}.share(dprime);
+  }
+  return observer.lapse * guess + (1.0 - observer.lapse) * by_judgement;
+}
+
 double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
   using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
   if (declaration_.magnitude_of != MagnitudeOf::held_tool) {
@@ -182,6 +199,30 @@ std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,
   if (std::abs(of_first - of_second) < least_difference) return std::nullopt;
   const std::array<double, 2> magnitudes{of_first, of_second};
   return best_of(magnitudes);
+}
+
+std::size_t VirtualObserver::most_extreme(std::span<const ForceFeatures> felt, Extreme which) {
+  require(!felt.empty(), "felt is empty; a choice needs at least one felt surface");
+  const bool is_reversed = declaration_.magnitude_decreases != (which == Extreme::smallest);
+  std::vector<double> evidences{};
+  for (const ForceFeatures& each : felt) {
+    evidences.push_back((is_reversed ? -1.0 : 1.0) * log_magnitude(each));
+  }
+  evidences.front() += declaration_.position_bias;
+  return lapses() ? guess(felt.size()) : best_of(evidences);
+}
+
+std::size_t VirtualObserver::odd_one(std::span<const ForceFeatures> felt) {
+  require(felt.size() >= 3, "felt has " + std::to_string(felt.size()) +
+                                " surfaces; an odd one needs at least two others");
+  std::vector<double> magnitudes{};
+  for (const ForceFeatures& each : felt) magnitudes.push_back(log_magnitude(each));
+  const double mean = std::accumulate(magnitudes.begin(), magnitudes.end(), 0.0) /
+                      static_cast<double>(magnitudes.size());
+  std::vector<double> distances{};
+  for (const double magnitude : magnitudes) distances.push_back(std::abs(magnitude - mean));
+  distances.front() += declaration_.position_bias;
+  return lapses() ? guess(felt.size()) : best_of(distances);
 }
 
 bool VirtualObserver::exceeds(const ForceFeatures& felt, double log_criterion) {

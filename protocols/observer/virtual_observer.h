@@ -39,6 +39,14 @@ double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::Magnitud
 ///
 /// Without noise P is 1 − λ/2 for every difference above 0. 0.5 for a deaf observer.
 double distinguished_proportion(const ObserverDeclaration& observer, double difference);
+/// The same of the correct choices in a design: of the greatest of three magnitudes by `ForcedChoice`, of the odd one by
+/// `Oddity`, with d′ = difference/σ and a guess rate γ in lapses,
+///
+///   P = λ·γ + (1 − λ)·P(d′)
+///
+/// and `distinguished_proportion` in all other designs.
+double correct_proportion(const ObserverDeclaration& observer, double difference,
+                          const DiscriminationDesign& design);
 
 /// Judges from the ForceFeatures of the felt surfaces and of the expectations only: names and models are unknown to it,
 /// and positions only as the order of presentation.
@@ -79,6 +87,13 @@ class VirtualObserver final {
   /// two differ by less than `least_difference`. `position_bias` is added for the first.
   std::optional<std::size_t> compare(const ForceFeatures& first, const ForceFeatures& second,
                                      double least_difference);
+  /// The surface with the greatest magnitude of several, judged as by `compare`, or with the smallest one: the decision of an
+  /// observer who picks the largest of m impressions (ForcedChoice). `position_bias` is added to the evidence for the first.
+  enum class Extreme { greatest, smallest };
+  std::size_t most_extreme(std::span<const ForceFeatures> felt, Extreme which);
+  /// The surface whose r + ε is farthest from the mean of all: the differencing rule of an oddity task (Oddity).
+  /// `position_bias` is added to the distance of the first.
+  std::size_t odd_one(std::span<const ForceFeatures> felt);
   /// Whether the natural logarithm r + ε of the magnitude is above a criterion.
   bool exceeds(const ForceFeatures& felt, double log_criterion);
   /// Whether the natural logarithms r + ε of two magnitudes differ by `least_difference` or more.

@@ -19,14 +19,15 @@ namespace {
 
 using Block = Protocol::Block;
 
-PsychometricFunction assumed_function(const Dimension& dimension) {
+PsychometricFunction assumed_function(const Block& block) {
+  const Dimension& dimension = *block.vary;
   const std::vector<double> values = dimension.values();
   const double smallest = values.front() - *dimension.standard;
   const double largest = values.back() - *dimension.standard;
   return {.shape = PsychometricShape::weibull,
           .alpha = std::sqrt(smallest * largest),
           .beta = kIncrementSlope,
-          .gamma = 0.5,
+          .gamma = block.design->guess_rate(),
           .lambda = 0.02};
 }
 
@@ -83,7 +84,7 @@ std::optional<double> least_threshold_error(const Block& block) {
   }
   const std::vector<double> values = block.vary->values();
   if (values.empty() || values.front() <= *block.vary->standard) return {};
-  const PsychometricFunction f = assumed_function(*block.vary);
+  const PsychometricFunction f = assumed_function(block);
   double information = 0.0;
   if (block.procedure) {
     information = information_of_tracks(block, f);
@@ -91,7 +92,8 @@ std::optional<double> least_threshold_error(const Block& block) {
     for (const double value : values) {
       information += information_at(f, value - *block.vary->standard);
     }
-    information *= block.repetitions;
+    information *=
+        static_cast<double>(block.repetitions) * static_cast<double>(block.design->trials.size());
   }
   return 1.0 / std::sqrt(information);
 }

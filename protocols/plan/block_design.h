@@ -14,7 +14,7 @@ namespace asperity {
 inline constexpr double kIncrementSlope = 1.3;
 
 /// The smallest standard error of the common logarithm of a threshold that a block allows: 1/√I of the Cramér–Rao bound,
-/// with the slope kIncrementSlope, a guess rate of 0.5 and a lapse rate of 0.02 known.
+/// with the slope kIncrementSlope, the guess rate of the design and a lapse rate of 0.02 known.
 ///
 /// I is the Fisher information about log10 α of a Weibull function of the difference from the standard,
 ///

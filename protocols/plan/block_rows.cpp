@@ -40,8 +40,7 @@ std::optional<double> derived_level(const FactorLevels& row, const std::string& 
   if (arithmetic == nullptr) return {};
   const double value = arithmetic->value([&row](const std::string& name) {
     const auto level = row.find(name);
-    const double* const number =
-        level == row.end() ? nullptr : std::get_if<double>(&level->second);
+    const double* const number = level == row.end() ? nullptr : std::get_if<double>(&level->second);
     return number == nullptr ? std::numeric_limits<double>::quiet_NaN() : *number;
   });
   if (!std::isfinite(value)) return {};
@@ -123,10 +122,12 @@ int repetitions_of(const Protocol::Block& block, const BlockRow& row) {
   return block.repetitions;
 }
 
-/// The types of trials, where there are several; one null type otherwise, and while the standard has no value.
+/// The types of trials; one null type where all listed surfaces are presented, while the standard has no value, and where
+/// the trials of a track have several types.
 std::vector<const DesignTrial*> types_of(const Protocol::Block& block) {
   const std::span<const DesignTrial> trials = block.design->trials;
-  if (trials.size() < 2 || !block.vary || !block.vary->standard) return {nullptr};
+  if (block.design == &two_alternatives() || !block.vary || !block.vary->standard) return {nullptr};
+  if (block.procedure && trials.size() > 1) return {nullptr};
   std::vector<const DesignTrial*> types{};
   for (const DesignTrial& trial : trials) types.push_back(&trial);
   return types;
@@ -212,8 +213,8 @@ std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& b
   for (const FactorLevels& factors : combinations_of(protocol, block)) {
     for (const PlacedPair& pair : pairs) {
       for (const DesignTrial* const type : types_of(block)) {
-        rows.push_back(row_of_type(
-            block, {.factors = factors, .pair = pair.levels, .part = pair.part}, type));
+        rows.push_back(
+            row_of_type(block, {.factors = factors, .pair = pair.levels, .part = pair.part}, type));
       }
     }
   }

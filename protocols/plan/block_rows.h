@@ -21,7 +21,8 @@ struct BlockRow {
   FactorLevels factors{};
   /// With `all_pairs`: the levels of its factor for the first and the second surface; otherwise empty.
   std::vector<Level> pair{};
-  /// Of a design with several types of trials: that of this trial. Null: all listed surfaces are presented.
+  /// Of another design than two alternatives: the type of this trial. Null: all listed surfaces are presented, or the type is
+  /// drawn for every trial of a track (LevelTracks).
   const DesignTrial* type = nullptr;
   /// The part of the pairs that it belongs to, from 0; nothing for a row that belongs to every part.
   std::optional<std::size_t> part{};
@@ -33,8 +34,9 @@ std::size_t round_count(std::size_t levels);
 
 /// The combinations of the crossed factors (the last one fastest), or the listed rows, once; one empty combination if
 /// there are none. Each of them with every level of the dimension, where the block varies a parameter without a
-/// procedure, with every pair, where it has pairs, and as every type of trial of its design. The level of a trial without
-/// the varied surface is the value of the standard. Excluded combinations are absent; each row has its derived levels.
+/// procedure, with every pair, where it has pairs, and as every type of trial of its design, unless a procedure makes the
+/// trials. The level of a trial without the varied surface is the value of the standard. Excluded combinations are absent;
+/// each row has its derived levels.
 std::vector<BlockRow> rows_of(const Protocol& protocol, const Protocol::Block& block);
 
 /// The rows of one part of the pairs (Protocol::Block::AllPairs::parts); all rows where the block has no parts.

@@ -83,12 +83,15 @@ std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow
 
 /// The probability of an answer that leads to a lower level: a logistic function of the place among the levels, from chance
 /// to certainty.
-double example_chance(const Dimension& dimension, double value) {
+double example_chance(const Block& block, double value) {
+  const Dimension& dimension = *block.vary;
   const std::vector<double> values = dimension.values();
   const auto place = std::lower_bound(values.begin(), values.end(), value) - values.begin();
   const double middle = 0.5 * static_cast<double>(values.size() - 1);
   const double from_middle = (static_cast<double>(place) - middle) / std::max(middle, 0.5);
-  const double chance = values.front() < dimension.standard.value_or(values.front()) ? 0.0 : 0.5;
+  const double chance = values.front() < dimension.standard.value_or(values.front())
+                            ? 0.0
+                            : block.design->guess_rate();
   return chance + (1.0 - chance) / (1.0 + std::exp(-5.0 * from_middle));
 }
 
@@ -114,8 +117,8 @@ double expected_trials_of_run(const Protocol& protocol, const Block& block) {
   const Dimension& dimension = *block.vary;
   double of_tracks = 0.0;
   for (const ProcedureSettings& settings : block.procedure->tracks) {
-    of_tracks += rows * expected_trials(settings, [&dimension](double level) {
-                   return example_chance(dimension, dimension.value_of(level));
+    of_tracks += rows * expected_trials(settings, [&](double level) {
+                   return example_chance(block, dimension.value_of(level));
                  });
   }
   const auto& catch_trials = block.procedure->catch_trials;
@@ -432,10 +435,9 @@ Plan example_plan(const Protocol& protocol, const Allocation& allocation) {
       course.advance({});
       continue;
     }
-    const Dimension& dimension = *protocol.blocks.at(trial->block).vary;
-    const double value = std::get<double>(trial->factors.at(dimension.factor));
-    const LevelOutcome outcome =
-        forced_outcome(observer.uniform() < example_chance(dimension, value));
+    const Block& block = protocol.blocks.at(trial->block);
+    const double value = std::get<double>(trial->factors.at(block.vary->factor));
+    const LevelOutcome outcome = forced_outcome(observer.uniform() < example_chance(block, value));
     course.advance({.answer = TrialOutcome::Answer{.value = value, .outcome = outcome}});
   }
   return course.plan();

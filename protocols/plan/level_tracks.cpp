@@ -14,6 +14,23 @@
 
 namespace asperity {
 
+namespace {
+
+/// The type of the `count`-th trial of a stream where a design has several: all of them in every round, in random order.
+/// Otherwise that of the row.
+const DesignTrial* type_of_trial(const Protocol::Block& block, const BlockRow& row,
+                                 std::size_t count, const Random& draws) {
+  const std::span<const DesignTrial> types = block.design->trials;
+  if (types.size() < 2) return row.type;
+  std::vector<std::size_t> order(types.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  Random round = draws.split("types").split(static_cast<std::uint64_t>((count - 1) / types.size()));
+  round.shuffle(std::span(order));
+  return &types[order[(count - 1) % types.size()]];
+}
+
+}  // namespace
+
 LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
     : protocol_(&protocol), run_(std::move(run)), rows_(rows_of(protocol, *run_.block)) {
   std::vector<Track> of_row{};  // the tracks of all rows share their rules
@@ -194,7 +211,8 @@ Trial LevelTracks::next_catch_trial(const TrialMaker& maker) {
 Trial LevelTracks::made(Trial trial, std::size_t row, double level, std::size_t count,
                         const Random& draws, const TrialMaker& maker) {
   const Protocol::Block& block = *run_.block;
-  const BlockRow& with = rows_[row];
+  BlockRow with = rows_[row];
+  with.type = type_of_trial(block, with, count, draws);
   trial.factors = run_.outer;
   trial.factors.insert(with.factors.begin(), with.factors.end());
   trial.factors[block.vary->factor] = block.vary->value_of(level);

@@ -41,6 +41,8 @@ struct LevelRequest {
 /// Tracks are interleaved in rounds: in each round every track that is not finished has one trial, in random order
 /// (`Block::Order::shuffle`). With the order `fixed` a track begins when the one before is finished.
 ///
+/// Of a design with several types of trials, each track has all of them equally often, as far as possible.
+///
 /// With catch trials, one of every `CatchTrials::every` trials of the block is one, at a place that is drawn beforehand.
 /// Their places do not depend on answers, and they do not change the levels of the tracks; answers determine only after
 /// how many trials the block ends.

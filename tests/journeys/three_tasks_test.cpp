@@ -133,6 +133,25 @@ nlohmann::ordered_json same_different() {
   return protocol;
 }
 
+/// Three levels of a choice among three surfaces: of oddity trials with both types of every level.
+nlohmann::ordered_json choice_of_three(const std::string& design) {
+  nlohmann::ordered_json protocol = staircases();
+  protocol["name"] = "choice_of_three";
+  nlohmann::ordered_json& block = protocol["blocks"]["main"];
+  block.erase("procedure");
+  block["design"] = design;
+  block["vary"].erase("levels_percent");
+  block["vary"]["levels_percent"] = {20, 60, 90};
+  return protocol;
+}
+
+/// The interleaved staircases with oddity trials.
+nlohmann::ordered_json tracks_of_oddity() {
+  nlohmann::ordered_json protocol = staircases();
+  protocol["blocks"]["main"]["design"] = "oddity";
+  return protocol;
+}
+
 /// A protocol in a small study.
 class Tasks : public testing::Test {
  protected:
@@ -215,6 +234,21 @@ class Staircases : public Tasks {
 class SameDifferent : public Tasks {
  protected:
   SameDifferent() : Tasks(same_different()) {}
+};
+
+class ThreeAlternatives : public Tasks {
+ protected:
+  ThreeAlternatives() : Tasks(choice_of_three("three_alternatives")) {}
+};
+
+class OddityTask : public Tasks {
+ protected:
+  OddityTask() : Tasks(choice_of_three("oddity")) {}
+};
+
+class TracksOfOddity : public Tasks {
+ protected:
+  TracksOfOddity() : Tasks(tracks_of_oddity()) {}
 };
 
 TEST_F(ThreeTasks, AreSimulatedVerifiedAnalysedExportedAndReported) {
@@ -306,7 +340,8 @@ TEST_F(RatedPairsOfModels, AreCheckedSimulatedVerifiedAnalysedExportedAndReporte
   const std::string text = text_of(report);
   EXPECT_THAT(text, HasSubstr("two surfaces are presented, and their dissimilarity is rated on"));
   EXPECT_THAT(text, HasSubstr("all pairs of the levels of model and identical pairs"));
-  EXPECT_THAT(text, HasSubstr("2 dimensions require at least 9 items, and the number of items is 5"));
+  EXPECT_THAT(text,
+              HasSubstr("2 dimensions require at least 9 items, and the number of items is 5"));
   for (const char* const figure :
        {"Configuration of the items (non-metric MDS)", "Shepard diagram",
         "Stress by the number of dimensions", "Dendrogram of the rated dissimilarities",
@@ -367,6 +402,69 @@ TEST_F(SameDifferent, IsCheckedSimulatedVerifiedAnalysedExportedAndReported) {
 }
 
 TEST_F(SameDifferent, ResumesAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
+
+TEST_F(ThreeAlternatives, IsCheckedSimulatedVerifiedAnalysedExportedAndReported) {
+  const Outcome checked = asperity({"check", file_, "--study", small_.study()});
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out,
+              HasSubstr("block main: three-alternative forced choice, one surface after the "
+                        "other, constant stimuli, 3 levels × 1 presentation"));
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "3", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const Outcome verified = asperity({"verify", small_.study(), "--replay"});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_THAT(asperity({"analyze", small_.study()}).out, HasSubstr("Choices by position"));
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  for (const std::string& answer : tsv(tables.at("responses.tsv")).column("answer")) {
+    EXPECT_THAT(answer, testing::AnyOf("comparison", "standard", "standard_2"));
+  }
+  const std::vector<std::string> items = tsv(tables.at("presentations.tsv")).column("item");
+  for (const char* const item : {"comparison", "standard", "standard_2"}) {
+    EXPECT_EQ(std::count(items.begin(), items.end(), item), 3 * 3) << item;
+  }
+  const fs::path report = small_.place() / "report.html";
+  EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
+  EXPECT_THAT(text_of(report), HasSubstr("three-alternative forced choice. In each trial, three "
+                                         "surfaces are presented one after the other"));
+}
+
+TEST_F(ThreeAlternatives, ResumesAfterAKillAtEveryTrial) { expect_same_answers_after_kills(3); }
+
+TEST_F(OddityTask, IsSimulatedVerifiedAnalysedExportedAndReported) {
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "3", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const Outcome verified = asperity({"verify", small_.study(), "--replay"});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_THAT(asperity({"analyze", small_.study()}).out,
+              HasSubstr("Sensitivity by level, from the proportion correct"));
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  const std::vector<std::string> items = tsv(tables.at("presentations.tsv")).column("item");
+  for (const char* const item : {"standard_2", "comparison_2"}) {
+    EXPECT_EQ(std::count(items.begin(), items.end(), item), 3 * 3) << item;
+  }
+  const fs::path report = small_.place() / "report.html";
+  EXPECT_EQ(asperity({"report", small_.study(), "--out", report}).status, 0);
+  EXPECT_THAT(text_of(report), HasSubstr("oddity task. In each trial, three surfaces"));
+}
+
+TEST_F(OddityTask, ResumesAfterAKillAtEveryTrial) { expect_same_answers_after_kills(6); }
+
+TEST_F(TracksOfOddity, AreSimulatedVerifiedAndAnalysed) {
+  const Outcome simulated = asperity(
+      {"simulate", file_, "--study", small_.study(), "--participants", "2", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const Outcome verified = asperity({"verify", small_.study(), "--replay"});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_EQ(asperity({"analyze", small_.study()}).status, 0);
+  const auto tables = exported(small_.study(), small_.place() / "tables");
+  const std::vector<std::string> items = tsv(tables.at("presentations.tsv")).column("item");
+  EXPECT_EQ(std::count(items.begin(), items.end(), "standard_2"), 2 * 4);
+  EXPECT_EQ(std::count(items.begin(), items.end(), "comparison_2"), 2 * 4);
+}
+
+TEST_F(TracksOfOddity, ResumeAfterAKillAtEveryTrial) { expect_same_answers_after_kills(8); }
 
 }  // namespace
 }  // namespace asperity::test

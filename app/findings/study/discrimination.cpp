@@ -8,6 +8,8 @@
 
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/choice_model.h"
+#include "app/findings/study/choice_sensitivity.h"
+#include "app/findings/study/confidence_roc.h"
 #include "app/findings/study/discrimination_questions.h"
 #include "app/findings/study/discrimination_sensitivity.h"
 #include "app/findings/study/discrimination_tables.h"
@@ -50,6 +52,32 @@ void drop_ties(std::size_t compared, const std::string& about, const FoundNumber
                StudyTests& tests) {
   const double tested = found.value("wilcoxon.n", about).value_or(static_cast<double>(compared));
   tests.drop_ties(compared - std::min(compared, static_cast<std::size_t>(tested)));
+}
+
+/// The counterpart of `test_order` for a choice of three surfaces.
+void test_places(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                 StudyTests& tests, AnalysisOutcome& outcome) {
+  ScoreRows scores(gathered);
+  std::size_t complete = 0;
+  for (const PlacesOfPerson& own : results.places) {
+    if (!own.has_all()) continue;
+    ++complete;
+    for (std::size_t place = 0; place < kPlacesOfChoice; ++place) {
+      scores.add(own.person, kCodesOfPlaces[place], own.proportion_of(place));
+    }
+  }
+  keep_findings(results.order, outcome);
+  if (complete < 2) {
+    tests.add_untested(
+        "order", results.name,
+        gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone : "one_order");
+    return;
+  }
+  const std::string analysis = results.name.empty() ? "order_test" : "order_test:" + results.name;
+  const std::vector<Finding> findings =
+      scores_compared(analysis, std::move(scores), {kCodesOfPlaces.begin(), kCodesOfPlaces.end()});
+  keep_tests(findings, false, outcome);
+  tests.add("order", results.name, FoundNumbers(findings), "friedman.p");
 }
 
 void test_order(const GatheredAnswers& gathered, const DiscriminationResults& results,
@@ -241,7 +269,12 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
     keep_findings(results.means, outcome);
     keep_findings(results.unsure, outcome);
     remark_on_unsure(results, outcome);
-    if (!results.study.task.design->has_noise()) test_order(gathered, results, tests, outcome);
+    const DiscriminationDesign& design = *results.study.task.design;
+    if (design.is_choice_of_three()) {
+      test_places(gathered, results, tests, outcome);
+    } else if (!design.has_noise()) {
+      test_order(gathered, results, tests, outcome);
+    }
     test_conditions(gathered, results, tests, outcome);
     if (results.study.task.is_performance) continue;
     has_comparison = true;
@@ -264,6 +297,8 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
   add_discrimination_tables(gathered, all, outcome);
   add_choice_model(gathered, studies, outcome);
   add_sensitivity(gathered, all, outcome);
+  add_choice_sensitivity(gathered, all, outcome);
+  add_confidence_roc(gathered, all, outcome);
   tests.finish(outcome);
   for (const DiscriminationResults& results : all) ask_discrimination(results, tests, outcome);
 }

@@ -27,7 +27,7 @@ std::span<const SimulatedCoverage> simulated_coverages();
 /// A block whose levels a procedure chose.
 struct BlockWithProcedure {
   const StoredProtocol::Block* block = nullptr;
-  bool is_performance = true;  ///< only such observers were simulated
+  bool is_performance = true;  ///< of two alternatives: only such observers were simulated
 };
 
 /// What a table of these intervals must state: the coverage for the procedures of these blocks if it is outside 93 to 97 %,

@@ -135,11 +135,18 @@ Phrase method_of_thresholds(const DiscriminationResults& results) {
         "are t-based on the logarithmic scale.");
   }
   const Phrase method =
-      phrase("Analysis",
-             "For each participant and condition, a Weibull function of the difference from "
-             "the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a "
-             "lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct "
-             "responses. CIs of geometric means are t-based on the logarithmic scale.");
+      results.study.task.design->is_choice_of_three()
+          ? phrase("Analysis",
+                   "For each participant and condition, a Weibull function of the difference from "
+                   "the standard was fitted by maximum likelihood, with a guess rate of 1/3 and a "
+                   "lapse rate between 0 and 6 %; the threshold is the difference at 66.7 % "
+                   "correct responses. CIs of geometric means are t-based on the logarithmic "
+                   "scale.")
+          : phrase("Analysis",
+                   "For each participant and condition, a Weibull function of the difference from "
+                   "the standard was fitted by maximum likelihood, with a guess rate of 1/2 and a "
+                   "lapse rate between 0 and 6 %; the threshold is the difference at 75 % correct "
+                   "responses. CIs of geometric means are t-based on the logarithmic scale.");
   if (!results.study.has_levels_of_procedure) return method;
   return phrase("Analysis", "%1 %2")
       .with(method, phrase("Analysis",
@@ -323,6 +330,62 @@ void ask_order(const DiscriminationResults& results, const StudyTests& tests,
                mean);
 }
 
+/// "A 36 % (95 % CI [30 %, 42 %]), B …"
+Phrase proportions_by_place(const DiscriminationResults& results, const FoundNumbers& found) {
+  Phrase all{};
+  for (std::size_t place = 0; place < kPlacesOfChoice; ++place) {
+    const Finding* const mean = found.find("place.proportion", key_of_place(results.name, place));
+    if (mean == nullptr || !mean->value) return {};
+    Phrase one =
+        phrase("Analysis", "%1 %2").with(kCodesOfPlaces[place], reading_percent(*mean->value));
+    if (mean->low && mean->high) {
+      one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
+                .with(one, reading_percent(*mean->low), reading_percent(*mean->high));
+    }
+    all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
+  }
+  return all;
+}
+
+void ask_places(const DiscriminationResults& results, const StudyTests& tests,
+                AnalysisOutcome& outcome) {
+  const Phrase question = results.study.task.is_sequential
+                              ? phrase("Analysis", "Does the order of presentation matter?")
+                              : phrase("Analysis", "Does the position of the surfaces matter?");
+  const Phrase method = phrase("Analysis",
+                               "Friedman test of each participant's proportions of choices of the "
+                               "surfaces A, B and C, averaged over the positions of the correct "
+                               "one.");
+  const std::string name = name_of_question(kOrderEffect, results);
+  const FoundNumbers found(results.order);
+  const Phrase proportions = proportions_by_place(results, found);
+  if (proportions.empty()) {
+    add_question(outcome, name.c_str(), question,
+                 phrase("Analysis",
+                        "This cannot be estimated: no participant felt the surface that is to be "
+                        "chosen in every position."),
+                 method, kChoicesByPlace, nullptr);
+    return;
+  }
+  const Phrase estimate = phrase("Analysis", "mean proportions of choices: %1").with(proportions);
+  const Finding* const first = found.find("place.proportion", key_of_place(results.name, 0));
+  const StudyTest* const test = tests.find("order", results.name);
+  if (test == nullptr || !test->p) {
+    add_question(outcome, name.c_str(), question,
+                 phrase("Analysis", "Not tested: %1.").with(estimate), method, kChoicesByPlace,
+                 first);
+    return;
+  }
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(estimate, p_text(*test));
+  };
+  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: %1 (%2).")),
+                        with_numbers(phrase("Analysis", "Not significantly: %1 (%2).")),
+                        with_numbers(phrase("Analysis", "On average, %1 (%2)."))};
+  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kChoicesByPlace,
+               first);
+}
+
 /// "JND 12.3 µm (95 % CI …)" of a mean.
 std::string mean_of_paper(const char* measure, const Finding& mean) {
   return std::string(measure) + ' ' + mean_threshold_text(mean).english();
@@ -480,7 +543,12 @@ void ask_discrimination(const DiscriminationResults& results, const StudyTests& 
   ask_thresholds(results, outcome);
   ask_equality(results, tests, outcome);
   ask_conditions(results, tests, outcome);
-  if (!results.study.task.design->has_noise()) ask_order(results, tests, outcome);
+  const DiscriminationDesign& design = *results.study.task.design;
+  if (design.is_choice_of_three()) {
+    ask_places(results, tests, outcome);
+  } else if (!design.has_noise()) {
+    ask_order(results, tests, outcome);
+  }
 }
 
 EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {

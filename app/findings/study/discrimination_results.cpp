@@ -149,8 +149,9 @@ DiscriminationResults::DiscriminationResults(const GatheredAnswers& gathered,
   for (const Function& function : functions) data.push_back(function.data);
   fit = fit_discrimination(of.task, data);
   means = means_of(*this);
-  if (!of.task.design->has_noise()) orders = orders_of(of);
-  order = order_findings(orders, name);
+  if (of.task.design == &two_alternatives()) orders = orders_of(of);
+  if (of.task.design->is_choice_of_three()) places = places_of(of);
+  order = places.empty() ? order_findings(orders, name) : place_findings(places, name);
   unsure = unsure_rates(*this);
 }
 

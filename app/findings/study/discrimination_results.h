@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/choices_by_place.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_thresholds.h"
 
@@ -19,6 +20,8 @@ inline constexpr const char* kThresholds = "thresholds";
 inline constexpr const char* kMeanThresholds = "mean_thresholds";
 inline constexpr const char* kPsychometric = "psychometric";
 inline constexpr const char* kOrderEffect = "order";
+/// The table of `PlacesOfPerson`; absent without a choice of three surfaces.
+inline constexpr const char* kChoicesByPlace = "choices_by_place";
 /// The table of the trials whose level a procedure chose, by track and step; absent without such trials.
 inline constexpr const char* kTracks = "tracks";
 /// The table of the responses "cannot tell", and the analysis of their rates; absent without any.
@@ -80,9 +83,11 @@ struct DiscriminationResults {
   /// mean.jnd.dprime1, mean.jnd.posterior, mean.weber; and geomean.… of all but the PSE with intervals on the logarithmic
   /// scale, which contain no negative numbers.
   std::vector<Finding> means{};
-  /// Of the participants with trials; none of a design with options in words.
+  /// Of the participants with trials; only of two alternatives.
   std::vector<OrderOfPerson> orders{};
-  std::vector<Finding> order{};  ///< analysis `order`: the mean of `OrderOfPerson::difference`
+  std::vector<PlacesOfPerson> places{};  ///< the same of a choice of three surfaces
+  /// Analysis `order`: the mean of `OrderOfPerson::difference`, or `place_findings`.
+  std::vector<Finding> order{};
   /// Analysis `cannot_tell`, of a study with such responses, with the keys of `functions`: `rate`, their proportion of the
   /// responses to these trials, with Wilson's interval.
   std::vector<Finding> unsure{};

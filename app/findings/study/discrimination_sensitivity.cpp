@@ -51,7 +51,7 @@ struct CountsAtLevel {
 /// Responses "cannot tell" are on neither side of a criterion, and without them d′ would be too great.
 bool is_shown(const DiscriminationResults& results) {
   return results.study.task.is_performance && !results.study.has_levels_of_procedure &&
-         !results.study.has_unsure();
+         !results.study.task.design->is_choice_of_three() && !results.study.has_unsure();
 }
 
 void add_response(HitCount& count, bool is_yes) {

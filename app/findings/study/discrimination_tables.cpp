@@ -11,6 +11,8 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/choice_sensitivity.h"
+#include "app/findings/study/confidence_roc.h"
 #include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/discrimination_coverage.h"
 #include "app/findings/study/discrimination_sensitivity.h"
@@ -141,6 +143,18 @@ Cell hit_cell(const DiscriminationStudy& study, const DiscriminationTrial& trial
   return 1.0 / static_cast<double>(study.task.design->alternatives());
 }
 
+void add_place_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                    Table& table) {
+  for (const PlacesOfPerson& own : results.places) {
+    std::vector<Cell> row{gathered.people[own.person].label, text_or_none(results.name),
+                          static_cast<std::int64_t>(own.responses())};
+    for (std::size_t place = 0; place < kPlacesOfChoice; ++place) {
+      row.push_back(own.has_all() ? Cell{own.proportion_of(place)} : Cell{});
+    }
+    table.rows.push_back(std::move(row));
+  }
+}
+
 void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
                     Table& table) {
   const DiscriminationStudy& study = results.study;
@@ -172,14 +186,17 @@ std::vector<BlockWithProcedure> blocks_with_procedure(
     if (!task || !has_levels_of_procedure(block)) continue;
     const bool is_analysed = std::any_of(
         all.begin(), all.end(), [&task](const auto& each) { return each.study.task == *task; });
-    if (is_analysed) blocks.push_back({.block = &block, .is_performance = task->is_performance});
+    const bool is_simulated = task->is_performance && task->design == &two_alternatives();
+    if (is_analysed) blocks.push_back({.block = &block, .is_performance = is_simulated});
   }
   return blocks;
 }
 
 /// Which functions a table contains, and therefore which methods its note explains.
 struct ShownFunctions {
-  bool has_performance = false;
+  bool has_performance = false;  ///< of two alternatives
+  bool has_three_alternatives = false;
+  bool has_oddity = false;
   bool has_comparison = false;
   bool has_delta_performance = false;
   bool has_delta_comparison = false;
@@ -197,6 +214,7 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
   ShownFunctions shown{};
   for (const DiscriminationResults& results : all) {
     const bool is_performance = results.study.task.is_performance;
+    const DiscriminationDesign& design = *results.study.task.design;
     const FoundNumbers thresholds(results.fit.thresholds);
     if (const auto detection = detection_task(*results.study.task.design)) {
       shown.has_yes_no = shown.has_yes_no || *detection == DetectionTask::yes_no;
@@ -206,7 +224,11 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
     }
     for (const auto& function : results.functions) {
       const bool by_procedure = function.data.by_procedure;
-      shown.has_performance = shown.has_performance || is_performance;
+      const bool is_of_three = design.is_choice_of_three();
+      shown.has_performance = shown.has_performance || (is_performance && !is_of_three);
+      shown.has_three_alternatives =
+          shown.has_three_alternatives || (is_of_three && !design.asks_for_odd_one);
+      shown.has_oddity = shown.has_oddity || design.asks_for_odd_one;
       shown.has_comparison = shown.has_comparison || !is_performance;
       const bool has_delta = !by_procedure && !has_unsure(function.data);
       shown.has_delta_performance = shown.has_delta_performance || (is_performance && has_delta);
@@ -238,6 +260,20 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
                "Performance: a Weibull function of the difference from the standard, fitted by "
                "maximum likelihood with a guess rate of 1/2 and a lapse rate between 0 and 6 %. "
                "JND: the difference at 75 % correct responses; JND at d′ = 1: at 76 %."));
+  }
+  if (shown.has_three_alternatives) {
+    add(phrase("Analysis",
+               "Three alternatives: a Weibull function of the difference from the standard, fitted "
+               "by maximum likelihood with a guess rate of 1/3 and a lapse rate between 0 and 6 %. "
+               "JND: the difference at 66.7 % correct responses; JND at d′ = 1: at 63.4 % "
+               "[Hacker 1979]."));
+  }
+  if (shown.has_oddity) {
+    add(phrase("Analysis",
+               "Oddity: a Weibull function of the difference from the standard, fitted by maximum "
+               "likelihood with a guess rate of 1/3 and a lapse rate between 0 and 6 %. JND: the "
+               "difference at 66.7 % correct responses; JND at d′ = 1: at 41.8 %, by the "
+               "differencing rule [Frijters 1979]."));
   }
   if (shown.has_yes_no) {
     add(phrase("Analysis",
@@ -303,9 +339,8 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
   }
   if (shown.has_posterior) {
     add(phrase("Analysis",
-               "Posterior JND: mean of the posterior distribution of the difference at 75 % "
-               "correct responses on the logarithmic scale, with the prior of the procedure, and "
-               "its 95 % credible interval (CrI)."));
+               "Posterior JND: mean of the posterior distribution of the JND on the logarithmic "
+               "scale, with the prior of the procedure, and its 95 % credible interval (CrI)."));
   }
   add(phrase("Analysis",
              "Weber fraction: JND divided by the standard. Thresholds outside the presented levels "
@@ -421,6 +456,13 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
       phrase("Analysis",
              "Proportions of choices of the comparison as surface A and as surface B, and "
              "their difference (A − B). In a sequence A is presented first.")};
+  NamedTable places{
+      kChoicesByPlace,
+      phrase("Analysis", "Choices by position"),
+      {{"participant", "task", "responses", "chosen_a", "chosen_b", "chosen_c"}, {}},
+      phrase("Analysis",
+             "Proportions of choices of each of the three surfaces, averaged over the positions of "
+             "the correct one; 1/3 without a preference. In a sequence A is presented first.")};
   NamedTable tracks{kTracks,
                     phrase("Analysis", "Trials of each track"),
                     {{"participant", "condition", "session", "block_ordinal", "track", "step",
@@ -460,16 +502,19 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
     add_psychometric_rows(gathered, results, psychometric.table);
     add_order_rows(gathered, results, order.table);
     add_unsure_rows(gathered, results, unsure.table);
+    add_place_rows(gathered, results, places.table);
   }
   drop_empty_columns(thresholds.table, 2);
   drop_empty_columns(psychometric.table, 2);
   drop_empty_columns(order.table, 1);
+  drop_empty_columns(places.table, 1);
   if (!means.table.rows.empty()) outcome.tables.push_back(std::move(means));
   outcome.tables.push_back(std::move(thresholds));
   outcome.tables.push_back(std::move(psychometric));
   if (!tracks.table.rows.empty()) outcome.tables.push_back(std::move(tracks));
   if (!unsure.table.rows.empty()) outcome.tables.push_back(std::move(unsure));
   if (!order.table.rows.empty()) outcome.tables.push_back(std::move(order));
+  if (!places.table.rows.empty()) outcome.tables.push_back(std::move(places));
   if (!catch_trials.table.rows.empty()) outcome.tables.push_back(std::move(catch_trials));
 }
 
@@ -490,8 +535,9 @@ void write_of_repetitions(Table& table) {
 }  // namespace
 
 Table with_quantities(const NamedTable& table) {
-  static const std::set<std::string> kTables{kThresholds, kMeanThresholds, kPsychometric, kTracks,
-                                             kSensitivity};
+  static const std::set<std::string> kTables{kThresholds,   kMeanThresholds, kPsychometric,
+                                             kTracks,       kSensitivity,    kSensitivityOfChoices,
+                                             kConfidenceRoc};
   const std::optional<std::size_t> unit = column_of(table.table, "unit");
   if (!kTables.contains(table.name) || !unit) return table.table;
   static const std::set<std::string> kQuantities{"pse",           "jnd",       "jnd_dprime1",

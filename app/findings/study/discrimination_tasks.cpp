@@ -112,15 +112,25 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
         }));
     const bool is_signal = !task.design->has_noise() || task.design->is_signal(comparisons);
     const double level = *number_in(gathered.word(gathered.level(answer, task.varied.factor)));
+    const auto place_of = [&](const std::string& item) {
+      const auto found = std::find_if(
+          surfaces.begin(), surfaces.end(),
+          [&](const FeltSurface& surface) { return gathered.word(surface.item) == item; });
+      return found == surfaces.end() ? 0U : static_cast<std::size_t>(found - surfaces.begin());
+    };
     study.trials.push_back(
         {.person = answer.person,
          .condition = static_cast<std::size_t>(place - study.conditions.begin()),
          .value = is_signal ? level : task.standard(),
          .comparisons = comparisons,
          .is_signal = is_signal,
-         .chose_comparison = is_hit_response(task, gathered.word(gathered.reply_of(answer).answer)),
+         .chose_comparison =
+             is_hit_response(task, comparisons, gathered.word(gathered.reply_of(answer).answer)),
          .is_unsure = gathered.word(gathered.reply_of(answer).answer) == kCannotTell,
          .comparison_first = gathered.word(surfaces[0].item) == kComparisonRole,
+         .correct_place = place_of(std::string(task.design->correct_response(comparisons))),
+         .chosen_place = place_of(gathered.word(gathered.reply_of(answer).answer)),
+         .confidence = answer.confidence,
          .block = answer.block,
          .by_procedure = answer.track != 0 &&
                          has_levels_of_procedure(gathered.blocks.at(gathered.word(answer.block))),
@@ -232,8 +242,10 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
   return task;
 }
 
-bool is_hit_response(const DiscriminationTask& task, const std::string& answer) {
-  return answer == (task.design->has_noise() ? task.design->yes : kComparisonRole);
+bool is_hit_response(const DiscriminationTask& task, std::size_t comparisons,
+                     const std::string& answer) {
+  return answer ==
+         (task.design->has_noise() ? task.design->yes : task.design->correct_response(comparisons));
 }
 
 bool counts_standard(const DiscriminationTask& task, double trend) {

@@ -46,8 +46,10 @@ struct DiscriminationTask {
 std::optional<DiscriminationTask> discrimination_task(const std::string& block_name,
                                                       const StoredProtocol::Block& block);
 
-/// Whether a response counts as a hit of a function of the comparison.
-bool is_hit_response(const DiscriminationTask& task, const std::string& answer);
+/// Whether a response counts as a hit of a function of the comparison: the choice of the comparison, the correct choice of
+/// three surfaces, or "yes" or "different". `comparisons`: surfaces of the trial that are comparisons.
+bool is_hit_response(const DiscriminationTask& task, std::size_t comparisons,
+                     const std::string& answer);
 
 /// Whether the psychometric function is that of the choices of the standard: the question asks for less of the parameter, or,
 /// where the protocol does not state it, the choices of the comparison decrease with the parameter (`trend_of_choices`).
@@ -93,11 +95,15 @@ struct DiscriminationTrial {
   double value = 0.0;
   std::size_t comparisons = 1;  ///< surfaces that are comparisons
   bool is_signal = true;        ///< always where a surface is chosen
-  /// In a design with options in words: the response is "yes" or "different".
+  /// Whether the response is a hit (`is_hit_response`).
   bool chose_comparison = false;
   bool is_unsure = false;  ///< the response is "cannot tell": neither surface was chosen
   bool comparison_first = false;
-  std::uint32_t block = kNoWord;  ///< word of its name
+  /// Of a choice of three surfaces: the places of the correct and of the chosen one, from 0.
+  std::size_t correct_place = 0;
+  std::size_t chosen_place = 0;
+  std::optional<double> confidence{};  ///< of the response, where it was rated
+  std::uint32_t block = kNoWord;       ///< word of its name
   bool by_procedure = false;      ///< a procedure chose the level from the responses
   /// As in GatheredAnswer. The numbers of tracks are unique within a run of a block, so that session, block ordinal and
   /// track identify a track of a participant.

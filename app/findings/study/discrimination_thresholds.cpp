@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/decision_rules.h"
+#include "analysis/forced_choice.h"
 #include "analysis/number_text.h"
 #include "analysis/psychometric_fit.h"
 #include "analysis/psychometric_function.h"
@@ -222,14 +224,14 @@ void add_performance(const DiscriminationTask& task, const DiscriminationData& d
   list.difference(quantity, *threshold->value, estimate);
 }
 
-/// The posterior distribution of the difference at 75 % correct, where psi or QUEST+ placed the trials.
+/// The posterior distribution of the difference at the threshold, where psi or QUEST+ placed the trials.
 void add_posterior(const DiscriminationTask& task, const DiscriminationData& data,
                    ThresholdList& list) {
   if (!task.is_performance || !data.placed) return;
   const std::optional<ThresholdPrior> prior = common_prior(*data.placed);
   if (!prior) return;
-  const CredibleThreshold threshold =
-      posterior_threshold(*prior, psychometric_blocks(task, data.hits), kProportionAtThreshold);
+  const CredibleThreshold threshold = posterior_threshold(
+      *prior, psychometric_blocks(task, data.hits), proportion_at_threshold(*task.design));
   if (threshold.at_ends > kMostAtEndsOfPrior) {
     return list.none("jnd.posterior", threshold_at_end_of_prior());
   }
@@ -346,7 +348,7 @@ std::vector<Finding> family_functions(const DiscriminationTask& task,
 void add_limited_function(const DiscriminationTask& task, const DiscriminationData& data,
                           double performance, FindingList& list) {
   const PsychometricModel model{.shape = PsychometricShape::weibull,
-                                .gamma = 0.5,
+                                .gamma = task.design->guess_rate(),
                                 .lambda = std::nullopt,
                                 .greatest_lambda = kGreatestLapseRate,
                                 .slope = kSlopesOfProcedures};
@@ -421,7 +423,31 @@ std::vector<Finding> functions_at(const DiscriminationTask& task,
   return findings;
 }
 
+/// Figures draw the function of a design by its id.
+void add_design(const DiscriminationTask& task, std::span<const DiscriminationData> data,
+                std::vector<Finding>& functions) {
+  FindingList list{};
+  for (const DiscriminationData& one : data) {
+    list.word("fit.design", one.key, std::string(task.design->id), "ok",
+              {.n = trials_in(one.hits), .method = "the design of the task", .unit = "1"});
+  }
+  for (Finding& finding : list.take()) {
+    finding.analysis = kFunctions;
+    functions.push_back(std::move(finding));
+  }
+}
+
 }  // namespace
+
+double proportion_at_threshold(const DiscriminationDesign& design) {
+  return 0.5 * (1.0 + design.guess_rate());
+}
+
+double proportion_at_unit_sensitivity(const DiscriminationDesign& design) {
+  if (!design.is_choice_of_three()) return kProportionAtUnitSensitivity;
+  return design.asks_for_odd_one ? Oddity{.rule = DecisionRule::differencing}.proportion(1.0)
+                                 : ForcedChoice{.alternatives = design.surfaces()}.share(1.0);
+}
 
 std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& task,
                                                    const HitsByValue& hits) {
@@ -476,7 +502,7 @@ TidyInput psychometric_input(const DiscriminationTask& task,
   input.options.set("pt", proportion_of_hits);
   if (task.is_performance) {
     input.options.set("shape", std::string("weibull"));
-    input.options.set("gamma", 0.5);
+    input.options.set("gamma", task.design->guess_rate());
     input.options.set("lambda", std::string("free"));
     input.options.set("lambda_max", kGreatestLapseRate);
   } else {
@@ -492,10 +518,12 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
   DiscriminationFit fit{};
   if (data.empty()) return fit;
   if (task.design->has_noise()) return fit_detections(task, data);
-  fit.functions = functions_at(task, data, task.is_performance ? kProportionAtThreshold : 0.5);
+  const double at_threshold = proportion_at_threshold(*task.design);
+  const double at_unit = proportion_at_unit_sensitivity(*task.design);
+  fit.functions = functions_at(task, data, task.is_performance ? at_threshold : 0.5);
   const std::vector<Finding> at_unit_sensitivity =
-      task.is_performance ? functions_at(task, data, kProportionAtUnitSensitivity)
-                          : std::vector<Finding>{};
+      task.is_performance ? functions_at(task, data, at_unit) : std::vector<Finding>{};
+  if (task.design->is_choice_of_three()) add_design(task, data, fit.functions);
   const FoundNumbers found(fit.functions);
   const FoundNumbers found_at_unit(at_unit_sensitivity);
   ThresholdList list(task);
@@ -505,8 +533,8 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
                 list.basis("value of the parameter in the standard", task.varied.unit));
     list.unfinished(one.placed);
     if (task.is_performance) {
-      add_performance(task, one, "jnd", kProportionAtThreshold, found, list);
-      add_performance(task, one, "jnd.dprime1", kProportionAtUnitSensitivity, found_at_unit, list);
+      add_performance(task, one, "jnd", at_threshold, found, list);
+      add_performance(task, one, "jnd.dprime1", at_unit, found_at_unit, list);
       add_posterior(task, one, list);
     } else {
       add_comparison(task, one, found, list);

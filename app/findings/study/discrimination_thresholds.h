@@ -32,6 +32,12 @@ struct DiscriminationData {
 /// The proportion correct with d′ = 1 in two-alternative forced choice without bias: Φ(1/√2).
 inline constexpr double kProportionAtUnitSensitivity = 0.7602499389065233;
 inline constexpr double kProportionAtThreshold = 0.75;
+/// The proportion correct at the threshold of a design in which a surface is chosen, with guess rate γ: halfway between
+/// guessing and certainty, (1 + γ)/2.
+double proportion_at_threshold(const DiscriminationDesign& design);
+/// The same with d′ = 1 and without bias: of three alternatives by `ForcedChoice`, of an oddity task by the differencing rule
+/// (`Oddity`).
+double proportion_at_unit_sensitivity(const DiscriminationDesign& design);
 /// The lapse rate of each of the two responses where no response is correct.
 inline constexpr double kSymmetricLapseRate = 0.02;
 /// The greatest lapse rate that is fitted where responses are correct or incorrect.
@@ -39,7 +45,7 @@ inline constexpr double kGreatestLapseRate = 0.06;
 
 /// The table and the options of the family `psyfit` for the threshold at this proportion of hits.
 ///
-/// performance: a Weibull function of the absolute difference x from the standard, γ = 1/2, λ fitted between 0 and
+/// performance: a Weibull function of the absolute difference x from the standard, γ of the design, λ fitted between 0 and
 /// `kGreatestLapseRate`. comparison: a cumulative normal function of the value x of the parameter, γ = λ =
 /// `kSymmetricLapseRate`.
 TidyInput psychometric_input(const DiscriminationTask& task,
@@ -49,15 +55,16 @@ TidyInput psychometric_input(const DiscriminationTask& task,
 /// those of `procedure_interval`, or of the posterior distribution of psi and QUEST+: the delta method assumes levels that do not depend on the responses.
 /// A response "cannot tell" counts as in `split_hits`; the intervals of other data are then those of `bootstrap_unforced`.
 struct DiscriminationFit {
-  /// Analysis `psychometric`: of the family `psyfit`, or with limited slopes and the same names.
+  /// Analysis `psychometric`: of the family `psyfit`, or with limited slopes and the same names. Of a choice of three
+  /// surfaces also fit.design, the id of the design.
   std::vector<Finding> functions{};
   /// By key, analysis `thresholds`, in the unit of the parameter unless stated otherwise:
   ///   pse          of a comparison: the value at which both responses are equally frequent, without lapses
-  ///   jnd          performance: the difference from the standard at 75 % correct responses; comparison: ½(x75 − x25),
-  ///                without lapses
+  ///   jnd          performance: the difference from the standard at `proportion_at_threshold` correct responses, 75 % with
+  ///                two alternatives; comparison: ½(x75 − x25), without lapses
   ///   jnd.dprime1  performance: the difference from the standard at d′ = 1
-  ///   jnd.posterior  performance, if psi or QUEST+ chose the levels: the posterior mean of the difference at 75 % correct
-  ///                responses, with a credible interval; a status where the prior determines it
+  ///   jnd.posterior  performance, if psi or QUEST+ chose the levels: the posterior mean of the same difference, with a
+  ///                credible interval; a status where the prior determines it
   ///   weber        jnd divided by the standard, without a unit; not for a standard of 0
   ///   slope        dψ/dx at the threshold; a status as well where the fitted slope is at its bound
   ///   standard     the value of the parameter in the standard

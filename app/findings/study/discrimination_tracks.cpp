@@ -62,7 +62,7 @@ CurveFamily family_of(const DiscriminationTask& task, const std::set<double>& le
     constexpr double kBeyond = 3.0;
     const double lowest = levels.upper_bound(0.0) == levels.end() ? 0.0 : *levels.upper_bound(0.0);
     return {.shape = PsychometricShape::weibull,
-            .gamma = 0.5,
+            .gamma = task.design->guess_rate(),
             .lambda = {.low = 0.0, .high = kGreatestLapseRate},
             .performance = proportion_of_hits,
             .thresholds = {.low = lowest / kBeyond, .high = *levels.rbegin() * kBeyond},

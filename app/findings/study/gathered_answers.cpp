@@ -61,6 +61,8 @@ struct QuestionsOfKind {
   std::optional<std::set<std::string, std::less<>>> others{};
   /// The blocks of other kinds in which its questions accompany another one.
   std::set<std::string, std::less<>> accompanied{};
+  /// By block of this kind, the scale that rates the confidence of the response to its question.
+  std::map<std::string, std::string, std::less<>> confidences{};
 
   bool has_block(const std::string& block) const {
     return by_block.contains(block) || (others && !others->contains(block));
@@ -103,6 +105,9 @@ std::map<std::string, QuestionsOfKind> questions_by_kind(const StoredProtocol& p
       const std::string kind = kind_of_stored(kind_of_protocol, block, question);
       if (kind != kind_of_stored_block(kind_of_protocol, block)) {
         kinds[kind].accompanied.insert(name);
+      }
+      if (!question.confidence_of.empty()) {
+        kinds[kind_of_stored_block(kind_of_protocol, block)].confidences[name] = question.name;
       }
       auto& names = kinds[kind].by_block[name];
       if (block.questions.size() == 1) continue;
@@ -360,6 +365,18 @@ class Gathering {
     return response;
   }
 
+  /// Nothing in a block without a rating of confidence.
+  static std::optional<double> confidence_in(const Session& session,
+                                             const SessionAnswers::Attempt& attempt,
+                                             const std::string& block) {
+    const auto scale = session.questions.confidences.find(block);
+    if (scale == session.questions.confidences.end()) return std::nullopt;
+    for (const SessionAnswers::Reply& reply : session.answers.replies_of(attempt)) {
+      if (session.answers.words[reply.question] == scale->second) return reply.number;
+    }
+    return std::nullopt;
+  }
+
   struct PlannedTrial {
     const SessionAnswers::Trial& trial;
     int place = 1;  ///< in the run of its block
@@ -377,6 +394,7 @@ class Gathering {
     gathered.exploration.add(session.answers.explorations_of(attempt));
     const std::uint32_t levels = factors(session, planned.factors_json);
     const auto accompanied = accompanied_response(session, attempt, block);
+    const auto confidence = confidence_in(session, attempt, block);
     for (const RepliesToQuestion& to : by_question) {
       const std::optional<double>& time_s = to.replies.back().from_cue_s;
       gathered.answers.push_back({.person = person,
@@ -394,6 +412,7 @@ class Gathering {
                                   .session_is_unfinished = session.is_unfinished,
                                   .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
                                   .accompanied = accompanied,
+                                  .confidence = confidence,
                                   .surface_count = static_cast<std::uint16_t>(surfaces.size()),
                                   .reply_count = static_cast<std::uint16_t>(to.replies.size()),
                                   .first_surface = first_surface,

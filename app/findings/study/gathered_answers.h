@@ -99,6 +99,8 @@ struct GatheredAnswer {
   std::optional<double> response_time_s{};
   /// Where the question accompanies one of another kind in its block.
   std::optional<AccompaniedResponse> accompanied{};
+  /// The rating of the confidence of this response, in the same attempt.
+  std::optional<double> confidence{};
   std::uint16_t surface_count = 0;
   std::uint16_t reply_count = 0;
   std::size_t first_surface = 0;

@@ -1960,10 +1960,6 @@
         <translation>Bei einem adaptiven Verfahren ist das 95-%-KI ein Likelihood-Quotienten-Intervall, dessen kritischer Wert durch Wiederholung des Verfahrens mit simulierten Beobachtern bestimmt wird (%1 Wiederholungen; die ohne Schwelle sind in der Tabelle gezählt).</translation>
     </message>
     <message>
-        <source>Posterior JND: mean of the posterior distribution of the difference at 75 % correct responses on the logarithmic scale, with the prior of the procedure, and its 95 % credible interval (CrI).</source>
-        <translation>A-posteriori-JND: Mittel der A-posteriori-Verteilung der Differenz bei 75 % richtigen Antworten auf der logarithmischen Skala, mit der A-priori-Verteilung des Verfahrens, und ihr 95-%-Glaubwürdigkeitsintervall.</translation>
-    </message>
-    <message>
         <source>Reasons for missing numbers: %1.</source>
         <translation>Gründe für fehlende Zahlen: %1.</translation>
     </message>
@@ -2342,6 +2338,94 @@
     <message>
         <source>Proportion of the responses “cannot tell” among all responses, with Wilson’s 95 % CI. In psychometric functions, in proportions of hits and in the order effect such a response counts as the mean of a guess, that is, as 1/m of a choice of each of the m alternatives [Kaernbach 2001].</source>
         <translation>Anteil der Antworten „kann es nicht sagen“ an allen Antworten, mit dem 95-%-KI nach Wilson. In psychometrischen Funktionen, in Trefferanteilen und im Reihenfolgeeffekt zählt eine solche Antwort als Mittel eines geratenen Ergebnisses, also bei m Alternativen als 1/m einer Wahl jeder Alternative [Kaernbach 2001].</translation>
+    </message>
+    <message>
+        <source>Three alternatives: d′ of an unbiased choice of the greatest of three impressions [Hacker 1979].</source>
+        <translation>Drei Alternativen: d′ einer Wahl des größten von drei Eindrücken ohne Antwortneigung [Hacker 1979].</translation>
+    </message>
+    <message>
+        <source>Oddity: d′ by the differencing rule [Frijters 1979], and d′ by the rule of independent observations [Versfeld 1996]; 0 for proportions up to 1/3.</source>
+        <translation>Oddity: d′ nach der Differenzregel [Frijters 1979] und d′ nach der Regel unabhängiger Beobachtungen [Versfeld 1996]; 0 bei Anteilen bis 1/3.</translation>
+    </message>
+    <message>
+        <source>95 % CI of d′: Wilson limits of the proportion correct. d′ is missing where every response or no response is correct.</source>
+        <translation>95-%-KI von d′: Wilson-Grenzen des Anteils richtiger Antworten. d′ fehlt, wo jede oder keine Antwort richtig ist.</translation>
+    </message>
+    <message>
+        <source>Sensitivity by level, from the proportion correct</source>
+        <translation>Sensitivität nach Stufe, aus dem Anteil richtiger Antworten</translation>
+    </message>
+    <message>
+        <source>For each participant and condition, a Weibull function of the difference from the standard was fitted by maximum likelihood, with a guess rate of 1/3 and a lapse rate between 0 and 6 %; the threshold is the difference at 66.7 % correct responses. CIs of geometric means are t-based on the logarithmic scale.</source>
+        <translation>Für jede Versuchsperson und Bedingung wurde eine Weibull-Funktion der Differenz zum Standardreiz nach der Maximum-Likelihood-Methode angepasst, mit einer Ratewahrscheinlichkeit von 1/3 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %; die Schwelle ist die Differenz bei 66,7 % richtigen Antworten. Die KIs der geometrischen Mittel beruhen auf der t-Verteilung auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Friedman test of each participant&apos;s proportions of choices of the surfaces A, B and C, averaged over the positions of the correct one.</source>
+        <translation>Friedman-Test der Anteile, mit denen jede Versuchsperson die Oberflächen A, B und C wählte, gemittelt über die Positionen der richtigen.</translation>
+    </message>
+    <message>
+        <source>This cannot be estimated: no participant felt the surface that is to be chosen in every position.</source>
+        <translation>Das kann nicht geschätzt werden: Keine Versuchsperson fühlte die zu wählende Oberfläche an jeder Position.</translation>
+    </message>
+    <message>
+        <source>mean proportions of choices: %1</source>
+        <translation>mittlere Anteile der Wahlen: %1</translation>
+    </message>
+    <message>
+        <source>Three alternatives: a Weibull function of the difference from the standard, fitted by maximum likelihood with a guess rate of 1/3 and a lapse rate between 0 and 6 %. JND: the difference at 66.7 % correct responses; JND at d′ = 1: at 63.4 % [Hacker 1979].</source>
+        <translation>Drei Alternativen: Weibull-Funktion der Differenz zum Standardreiz, angepasst nach der Maximum-Likelihood-Methode, mit einer Ratewahrscheinlichkeit von 1/3 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %. JND: Differenz bei 66,7 % richtigen Antworten; JND bei d′ = 1: bei 63,4 % [Hacker 1979].</translation>
+    </message>
+    <message>
+        <source>Oddity: a Weibull function of the difference from the standard, fitted by maximum likelihood with a guess rate of 1/3 and a lapse rate between 0 and 6 %. JND: the difference at 66.7 % correct responses; JND at d′ = 1: at 41.8 %, by the differencing rule [Frijters 1979].</source>
+        <translation>Oddity: Weibull-Funktion der Differenz zum Standardreiz, angepasst nach der Maximum-Likelihood-Methode, mit einer Ratewahrscheinlichkeit von 1/3 und einer Fehlerrate (lapse rate) zwischen 0 und 6 %. JND: Differenz bei 66,7 % richtigen Antworten; JND bei d′ = 1: bei 41,8 %, nach der Differenzregel [Frijters 1979].</translation>
+    </message>
+    <message>
+        <source>Posterior JND: mean of the posterior distribution of the JND on the logarithmic scale, with the prior of the procedure, and its 95 % credible interval (CrI).</source>
+        <translation>A-posteriori-JND: Mittel der A-posteriori-Verteilung der JND auf der logarithmischen Skala, mit der A-priori-Verteilung des Verfahrens, und ihr 95-%-Glaubwürdigkeitsintervall.</translation>
+    </message>
+    <message>
+        <source>Choices by position</source>
+        <translation>Wahlen nach Position</translation>
+    </message>
+    <message>
+        <source>Proportions of choices of each of the three surfaces, averaged over the positions of the correct one; 1/3 without a preference. In a sequence A is presented first.</source>
+        <translation>Anteile der Wahlen jeder der drei Oberflächen, gemittelt über die Positionen der richtigen; 1/3 ohne Bevorzugung. In einer Folge wird A zuerst dargeboten.</translation>
+    </message>
+    <message>
+        <source>%1: A_z = %2</source>
+        <translation>%1: A_z = %2</translation>
+    </message>
+    <message>
+        <source>%1, d_a = %2, SD ratio %3</source>
+        <translation>%1, d_a = %2, Verhältnis der SD %3</translation>
+    </message>
+    <message>
+        <source>%1, test of equal variances χ²(1) = %2, %3</source>
+        <translation>%1, Test gleicher Varianzen χ²(1) = %2, %3</translation>
+    </message>
+    <message>
+        <source>How large is the area under the ROC of the confidence ratings?</source>
+        <translation>Wie groß ist die Fläche unter der ROC der Sicherheitsurteile?</translation>
+    </message>
+    <message>
+        <source>It could not be estimated: signal and noise trials share too few categories of response and confidence.</source>
+        <translation>Sie konnte nicht geschätzt werden: Durchgänge mit und ohne Signal haben zu wenige Kategorien von Antwort und Sicherheit gemeinsam.</translation>
+    </message>
+    <message>
+        <source>By the %1 of the comparison, over all participants: %2.</source>
+        <translation>Nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2.</translation>
+    </message>
+    <message>
+        <source>Normal model with unequal variances of the categories of response and confidence, by maximum likelihood over the responses of all participants; CIs by expanded percentiles of a bootstrap over participants, with six participants or more; likelihood-ratio test of equal variances [Dorfman 1969].</source>
+        <translation>Normalverteilungsmodell mit ungleichen Varianzen der Kategorien von Antwort und Sicherheit, nach der Maximum-Likelihood-Methode über die Antworten aller Versuchspersonen; KIs aus erweiterten Perzentilen eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen; Likelihood-Quotienten-Test gleicher Varianzen [Dorfman 1969].</translation>
+    </message>
+    <message>
+        <source>ROC of the confidence ratings</source>
+        <translation>ROC der Sicherheitsurteile</translation>
+    </message>
+    <message>
+        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988]. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances. With two alternatives the comparison as surface A is the signal, and d′ = d_a/√2. The rows of all participants assume equal criteria of the participants.</source>
+        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: mit Trapezen, 95-%-KI [DeLong 1988]. A_z, d_a und die SD des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test gleicher Varianzen. Bei zwei Alternativen ist der Vergleichsreiz als Oberfläche A das Signal, und d′ = d_a/√2. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien der Versuchspersonen voraus.</translation>
     </message>
 </context>
 <context>
@@ -3112,6 +3196,38 @@
     <message>
         <source>responses “cannot tell”</source>
         <translation>Antworten „kann es nicht sagen“</translation>
+    </message>
+    <message>
+        <source>A chosen</source>
+        <translation>A gewählt</translation>
+    </message>
+    <message>
+        <source>B chosen</source>
+        <translation>B gewählt</translation>
+    </message>
+    <message>
+        <source>C chosen</source>
+        <translation>C gewählt</translation>
+    </message>
+    <message>
+        <source>A_z</source>
+        <translation>A_z</translation>
+    </message>
+    <message>
+        <source>χ²(1)</source>
+        <translation>χ²(1)</translation>
+    </message>
+    <message>
+        <source>d_a</source>
+        <translation>d_a</translation>
+    </message>
+    <message>
+        <source>area under the ROC</source>
+        <translation>Fläche unter der ROC</translation>
+    </message>
+    <message>
+        <source>SD of signal/noise</source>
+        <translation>SD von Signal/Rauschen</translation>
     </message>
 </context>
 <context>

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_questions.h"
+#include "app/findings/study/discrimination_thresholds.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/study/level_words.h"
 #include "app/findings/study/task_words.h"
@@ -24,6 +27,9 @@ namespace {
 using Block = Protocol::Block;
 
 constexpr std::array kDiscriminationClaims{
+    TestClaim{"order", "friedman",
+              "The proportions of choices of the three positions were significantly different", "",
+              "The proportions of choices of the three positions were not significantly different"},
     TestClaim{"order", "",
               "The comparison was chosen significantly more often as surface A than as surface B",
               "The comparison was chosen significantly less often as surface A than as surface B",
@@ -56,8 +62,8 @@ std::string apart_from_catch_trials(const Block& block) {
   return catch_level_text(block).empty() ? "" : ", apart from catch trials";
 }
 
-/// The placement of two surfaces, after "are presented" or "were presented".
-std::string placement_of_pair(const Arrangement& arrangement) {
+/// The placement of several surfaces, after "are presented" or "were presented".
+std::string placement_of(const Arrangement& arrangement) {
   switch (arrangement.surfaces) {
     case Arrangement::Surfaces::sequential:
       return "one after the other";
@@ -76,7 +82,7 @@ std::string task_in_words(const Block& block) {
                    "yes/no task. In each trial, one surface is presented, the standard or a "
                    "comparison equally often, and the response is “yes” or “no”")
              : "same–different task. In each trial, two surfaces are presented " +
-                   placement_of_pair(block.arrangement) +
+                   placement_of(block.arrangement) +
                    ", a standard and a comparison in either order, or two equal surfaces (two "
                    "standards or two comparisons), equally often, and the response is “same” or "
                    "“different”";
@@ -87,10 +93,32 @@ std::string paper_task_in_words(const Block& block) {
              ? std::string(
                    ", the standard or a comparison equally often, and the response was “yes” "
                    "or “no” (yes/no task).")
-             : " " + placement_of_pair(block.arrangement) +
+             : " " + placement_of(block.arrangement) +
                    ", a standard and a comparison in either order, or two equal surfaces (two "
                    "standards or two comparisons), equally often, and the response was “same” or "
                    "“different” (same–different task).";
+}
+
+/// The surfaces of a choice of three, and what is to be chosen.
+std::string three_surfaces(const Block& block, const char* verb) {
+  const std::string chosen =
+      std::string(" and the odd one, at any position, ") + verb + " to be chosen";
+  return block.design->asks_for_odd_one
+             ? ", equally often two standards and a comparison or two comparisons and a standard," +
+                   chosen
+             : std::string(", two standards and a comparison, at any position, and one of them ") +
+                   verb + " to be chosen";
+}
+
+std::string task_of_three(const Block& block) {
+  return std::string(block.design->name) + ". In each trial, three surfaces are presented " +
+         placement_of(block.arrangement) + three_surfaces(block, "is");
+}
+
+std::string paper_task_of_three(const Block& block) {
+  return ' ' + placement_of(block.arrangement) + three_surfaces(block, "was") +
+         (block.design->asks_for_odd_one ? " (oddity task)."
+                                         : " (three-alternative forced choice, 3AFC).");
 }
 
 std::string task_of_arrangement(const Arrangement& arrangement) {
@@ -126,8 +154,9 @@ std::string paper_task_of_arrangement(const Arrangement& arrangement) {
 
 std::string task_of_block(const Block& block) {
   const auto* const asked = judged_question(block);
-  std::string text =
-      block.design->has_noise() ? task_in_words(block) : task_of_arrangement(block.arrangement);
+  std::string text = block.design->has_noise()            ? task_in_words(block)
+                     : block.design->is_choice_of_three() ? task_of_three(block)
+                                                          : task_of_arrangement(block.arrangement);
   if (asked != nullptr) text += ": " + quoted(asked->prompt);
   if (asked == nullptr || !asked->prompt.ends_with('?')) text += '.';
   text += " The " + words_of_parameter(block.vary->parameter) + " of the standard is " +
@@ -144,6 +173,7 @@ std::string task_of_block(const Block& block) {
     return text + "“" + std::string(block.design->yes) + "” is the correct response " +
            (block.design->surfaces() == 1 ? "to the comparison." : "to different surfaces.");
   }
+  if (block.design->asks_for_odd_one) return text + "The odd surface is the correct response.";
   return text + (is_performance(block)
                      ? "The comparison is the correct response (judgement of performance)."
                      : "No response is correct or incorrect" + apart_from_catch_trials(block) +
@@ -166,8 +196,9 @@ std::string task_of_discrimination(const Protocol& protocol) {
 std::string paper_task_of_discrimination(const Protocol& protocol) {
   const std::vector<const Block*> blocks = discrimination_blocks(protocol);
   const auto paper_task = [](const Block& block) {
-    return block.design->has_noise() ? paper_task_in_words(block)
-                                     : paper_task_of_arrangement(block.arrangement);
+    return block.design->has_noise()            ? paper_task_in_words(block)
+           : block.design->is_choice_of_three() ? paper_task_of_three(block)
+                                                : paper_task_of_arrangement(block.arrangement);
   };
   std::string text = blocks.empty() ? paper_task_of_arrangement({}) : paper_task(*blocks.front());
   for (const Block* const block : blocks) {
@@ -188,6 +219,8 @@ std::string paper_task_of_discrimination(const Protocol& protocol) {
              ? "“" + std::string(block->design->yes) + "” was the correct response " +
                    (block->design->surfaces() == 1 ? "to the comparison. "
                                                    : "to different surfaces. ")
+         : block->design->asks_for_odd_one
+             ? std::string("The choice of the odd surface was correct. ")
          : is_performance(*block)
              ? std::string("The choice of the comparison was correct. ")
              : "No response was correct or incorrect" + apart_from_catch_trials(*block) + ". ") +
@@ -265,6 +298,11 @@ std::string fit_in_words(const Block& block) {
                    "criterion.";
 }
 
+/// "50 %", "33.3 %"
+std::string per_cent_of(double proportion) {
+  return number_text(std::round(1000.0 * proportion) / 10.0) + " %";
+}
+
 std::string fit_of_block(const Block& block) {
   if (block.design->has_noise()) return fit_in_words(block);
   if (!is_performance(block)) {
@@ -275,13 +313,15 @@ std::string fit_of_block(const Block& block) {
            "values at 25 % and 75 %.";
   }
   const std::string fit =
-      "For each participant and condition, a Weibull function of the difference from the standard "
-      "was fitted to the correct responses by maximum likelihood, with the guess rate fixed at "
-      "50 % and a lapse rate between 0 and 6 %. The ";
+      std::string(
+          "For each participant and condition, a Weibull function of the difference from "
+          "the standard ") +
+      "was fitted to the correct responses by maximum likelihood, with the guess rate fixed at " +
+      per_cent_of(block.design->guess_rate()) + " and a lapse rate between 0 and 6 %. The ";
   return fit +
          (*block.vary->standard == 0.0 ? "detection threshold is the value"
                                        : "just-noticeable difference (JND) is the difference") +
-         " at 75 % correct responses.";
+         " at " + per_cent_of(proportion_at_threshold(*block.design)) + " correct responses.";
 }
 
 std::string paper_fit_of_discrimination(const Protocol& protocol) {

@@ -1,0 +1,96 @@
+// Scales that rate the confidence of the response of a discrimination: what is read, stored and refused.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_problems.h"
+#include "protocols/file/stored_protocol.h"
+#include "tests/protocols/example.h"
+
+namespace asperity {
+namespace {
+
+using ConfidenceJson = nlohmann::json;
+using ::testing::HasSubstr;
+
+ConfidenceJson& rated_block(ConfidenceJson& protocol) { return protocol["blocks"]["comparisons"]; }
+
+/// amplitude_jnd with constant stimuli, and a scale for the confidence of its response.
+ConfidenceJson with_confidence(const std::string& design) {
+  ConfidenceJson file{};
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name == "amplitude_jnd") file = ConfidenceJson::parse(each.text);
+  }
+  ConfidenceJson& block = rated_block(file);
+  block["design"] = design;
+  block.erase("procedure");
+  block["vary"]["levels_percent"] = {5, 10, 20, 30, 50};
+  block["repetitions"] = 6;
+  block["positions"] = "balanced";
+  block["questions"] = {block["question"],
+                        {{"name", "sure"},
+                         {"prompt", "How sure?"},
+                         {"confidence_of", block["question"]["name"]},
+                         {"scale", {{"minimum", 1}, {"maximum", 4}, {"points", 4}}}}};
+  block.erase("question");
+  return file;
+}
+
+TEST(ConfidenceOfAResponse, IsReadAndStored) {
+  const ConfidenceJson file = with_confidence("two_alternatives");
+  const ProtocolReading reading =
+      read_protocol_with_problems(file.dump(1), "file.json", test::example_models());
+  ASSERT_TRUE(reading.protocol) << reading.problems.front().message;
+  const Protocol& protocol = *reading.protocol;
+  const auto& questions = protocol.blocks.at("comparisons").questions;
+  EXPECT_EQ(questions.at(1).confidence_of, questions.at(0).name);
+  EXPECT_EQ(stored_protocol(file.dump()).blocks.at("comparisons").questions.at(1).confidence_of,
+            questions.at(0).name);
+}
+
+TEST(ConfidenceOfAResponse, IsRefusedWhereItGivesNoRoc) {
+  const std::string scale = "/blocks/comparisons/questions/1";
+  struct FaultOfConfidence {
+    const char* design = "two_alternatives";
+    std::string pointer{};
+    const char* message = "";
+    std::function<void(ConfidenceJson& block)> change{};
+  };
+  const std::vector<FaultOfConfidence> faults{
+      {"oddity", scale + "/confidence_of", "gives no ROC", [](ConfidenceJson&) {}},
+      {"two_alternatives", scale + "/confidence_of", "write this name",
+       [](ConfidenceJson& block) { block["questions"][1]["confidence_of"] = "other"; }},
+      {"two_alternatives", scale, "with 2 to 10 \"points\"",
+       [](ConfidenceJson& block) { block["questions"][1]["scale"].erase("points"); }},
+      {"two_alternatives", scale + "/confidence_of", "no response is correct",
+       [](ConfidenceJson& block) {
+         block["questions"][0]["judgement"] = "comparison";
+         block["vary"]["levels_percent"] = {-10, 10};
+       }},
+      {"two_alternatives", "/blocks/comparisons/questions/2/confidence_of",
+       "rates the same confidence", [](ConfidenceJson& block) {
+         ConfidenceJson second = block["questions"][1];
+         second["name"] = "surer";
+         block["questions"].push_back(second);
+       }}};
+  for (const FaultOfConfidence& fault : faults) {
+    SCOPED_TRACE(fault.message);
+    ConfidenceJson file = with_confidence(fault.design);
+    fault.change(rated_block(file));
+    std::string messages{};
+    for (const Diagnostic& problem :
+         read_protocol_with_problems(file.dump(1), "file.json", test::example_models()).problems) {
+      if (problem.pointer == fault.pointer) messages += problem.message + '\n';
+    }
+    EXPECT_THAT(messages, HasSubstr(fault.message));
+  }
+}
+
+}  // namespace
+}  // namespace asperity
