@@ -63,6 +63,10 @@ enum class CurveNames { of_probes, alone };
 /// where it is unknown.
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names);
 
+/// Estimates by stimulus: over the predictor on logarithmic axes with the power functions, a series per condition, or
+/// without a predictor in rows. `predictor`: its name and unit.
+Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predictor);
+
 /// Geometric means of response times by condition, with single participants behind them.
 Figure response_times_figure(const FoundNumbers& found);
 /// Medians of contact times by condition with their quartiles, from the findings of the exploration.

@@ -160,6 +160,8 @@ void name_questions(const AnalysisOutcome& outcome, std::vector<Figure>& figures
       {"right", {"shares_by_texture_forest"}},
       {"confusions", {"confusions"}},
       {"spacing", {"roughness"}},
+      {"exponent", {"stimulus_estimates"}},
+      {"stimuli", {"stimulus_estimates"}},
       {"threshold", {"thresholds"}},
       {"point_of_subjective_equality", {"points_of_subjective_equality"}},
       {"sexes", {"group_means", "group_difference"}}};
@@ -208,6 +210,12 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
   if (!roughness.empty()) {
     figures.push_back(roughness_figure(FoundNumbers(roughness), "m", CurveNames::alone));
     figures.back().table = kRoughness;
+  }
+  const std::vector<Finding> by_stimulus = part_of(outcome.findings, kStimulusEstimates);
+  if (!by_stimulus.empty()) {
+    figures.push_back(
+        stimulus_estimates_figure(FoundNumbers(by_stimulus), outcome.name_of_predictor));
+    figures.back().table = kStimulusEstimates;
   }
   const std::vector<Finding> similarity = part_of(outcome.findings, "similarity");
   if (!similarity.empty()) {

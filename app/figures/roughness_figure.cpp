@@ -42,11 +42,22 @@ bool has_any_interval(const std::vector<FigureSeries>& series) {
   });
 }
 
+/// Whether the intervals are those of normalised estimates; otherwise they are between participants.
+bool has_within_intervals(const FoundNumbers& found) {
+  return !found.all("geomean.ci.lower.morey").empty();
+}
+
 /// Explains only the marks that are drawn.
-Phrase roughness_note(const std::vector<FigureSeries>& means,
-                      const std::vector<FigureSeries>& peaks, const std::string& percent) {
+Phrase roughness_note(const FoundNumbers& found, const std::vector<FigureSeries>& means,
+                      const std::vector<FigureSeries>& peaks) {
+  const std::string percent = percent_of(found.all("geomean"));
   Phrase note =
-      has_any_interval(means)
+      has_any_interval(means) && !has_within_intervals(found)
+          ? phrase("Figures",
+                   "Filled symbols: geometric means of the estimates with t-based %1 % CIs over "
+                   "the participants.")
+                .with(percent)
+      : has_any_interval(means)
           ? phrase("Figures",
                    "Filled symbols: geometric means of normalised estimates with "
                    "within-participant %1 % CIs (Cousineau and Morey), which serve to compare "
@@ -148,7 +159,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     }
     peaks.push_back({.style = static_cast<int>(i), .hollow = true, .points = {mark}});
   }
-  figure.note = roughness_note(figure.series, peaks, percent_of(found.all("geomean")));
+  figure.note = roughness_note(found, figure.series, peaks);
   figure.series.insert(figure.series.end(), peaks.begin(), peaks.end());
   if (probes.size() == 1) figure.series.front().name = {};
   figure.x = {.name = unit.empty() ? phrase("Figures", "spacing, in the unit of the table")

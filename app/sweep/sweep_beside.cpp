@@ -440,10 +440,10 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
 
 SweepBeside sweep_beside(const SweepOrder& order, const Protocol& protocol,
                          const std::filesystem::path& study) {
-  if (!protocol.estimation) {
+  if (!protocol.estimation || protocol.estimation->spacing.empty()) {
     refuse_beside(protocol,
                   "does not request estimates by spacing; name a protocol with the key "
-                  "\"estimation\", or leave out --beside");
+                  "\"estimation\" and its \"spacing\", or leave out --beside");
   }
   SweepBeside beside{.conditions = conditions_of_levels(order, protocol)};
   compare_models(order, protocol, beside.remarks);

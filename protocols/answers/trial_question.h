@@ -10,16 +10,17 @@
 
 #include "protocols/answers/assignment_form.h"
 #include "protocols/answers/choice_form.h"
+#include "protocols/answers/line_form.h"
 #include "protocols/answers/number_form.h"
 #include "protocols/answers/scale_form.h"
 
 namespace asperity {
 
 /// How a question is answered. A form is a type with its parameters, in a file with its answer.
-using AnswerForm = std::variant<ChoiceForm, AssignmentForm, NumberForm, ScaleForm>;
+using AnswerForm = std::variant<ChoiceForm, AssignmentForm, NumberForm, ScaleForm, LineForm>;
 
 /// What was answered: the alternative that belongs to the question's form.
-using Answer = std::variant<ChosenOption, AssignedOptions, GivenNumber, ScalePoint>;
+using Answer = std::variant<ChosenOption, AssignedOptions, GivenNumber, ScalePoint, DrawnLength>;
 
 /// One option of a question, in the order in which it is shown.
 struct Option {
@@ -53,7 +54,7 @@ struct AnsweredItem {
   std::optional<bool> correct{};
 };
 
-/// "choice", "assignment", "number", "scale": as it is stored in the plan of a session.
+/// "choice", "assignment", "number", "scale", "line": as it is stored in the plan of a session.
 std::string_view name_of(const AnswerForm& form);
 
 /// Whether a participant chooses from TrialQuestion::options.

@@ -177,6 +177,11 @@ Protocol::TrialQuestionTemplate trial_question_of(const json& object, const Expe
   if (const auto found = object.find("scale"); found != object.end()) {
     question.form = scale_of(*found);
   }
+  if (const auto found = object.find("line"); found != object.end()) {
+    LineForm line{};
+    read(*found, "longest", line.longest);
+    question.form = line;
+  }
   if (const auto found = object.find("options"); found != object.end()) {
     for (const json& option : *found) {
       question.words.push_back({option.at("value"), option.at("text")});

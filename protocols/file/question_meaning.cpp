@@ -49,8 +49,10 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     const ExperimentKind* const of_question = kind_of_question(kind, question.form);
     if (of_question == &kind) ++own;
     if (of_question == nullptr) {
-      report(place + "/scale", "a " + std::string(kind.name) + " needs " + needed_question(kind) +
-                                   "; remove this key");
+      const bool is_line = std::holds_alternative<LineForm>(question.form);
+      report(
+          place + (is_line ? "/line" : "/scale"),
+          "a " + std::string(kind.name) + " needs " + needed_question(kind) + "; remove this key");
     } else if (!question.words.empty() && !of_question->takes_words) {
       report_key(place + "/options", "the options of a " + std::string(of_question->name) +
                                          " are not words; remove this key");
@@ -252,6 +254,11 @@ void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& 
 }
 
 void Meaning::check_scale(const TrialQuestionTemplate& question, const std::string& place) {
+  const nlohmann::json& stated = document_.root().at(nlohmann::json::json_pointer(place));
+  if (stated.contains("line") && stated.contains("scale")) {
+    report_key(place + "/line",
+               "a question is answered by a line or on a scale; keep one of the two keys");
+  }
   const auto* const scale = std::get_if<ScaleForm>(&question.form);
   if (scale == nullptr) return;
   const auto remove = [&](const char* key, const std::string& why) {

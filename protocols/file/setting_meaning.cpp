@@ -71,6 +71,20 @@ void Meaning::check_keys_of_format_2() {
     const auto* const screen = std::get_if<Protocol::Screen>(&step);
     if (screen != nullptr && screen->condition) refuse("if");
   }
+  if (const auto estimation = document_.root().find("estimation");
+      estimation != document_.root().end()) {
+    for (const char* const key : {"factor", "modulus", "normalisation"}) {
+      if (estimation->contains(key)) refuse(key);
+    }
+  }
+  for (const auto& [name, block] : protocol_.blocks) {
+    const bool has_line = std::any_of(
+        block.questions.begin(), block.questions.end(),
+        [](const auto& question) { return std::holds_alternative<LineForm>(question.form); });
+    if (!has_line) continue;
+    refuse("line");
+    break;
+  }
   for (const auto& [name, question] : protocol_.questions) {
     if (question.condition) refuse("if");
     if (!question.unit.empty()) refuse("unit");

@@ -323,6 +323,33 @@ AnalysisDeclaration analysis_declared_in(const Json& protocol) {
   return declared;
 }
 
+namespace {
+
+/// The keys of stimuli that are not compared by a spacing.
+void read_estimated_items(const Json& protocol, const Json& estimation,
+                          EstimationDeclaration& declared) {
+  declared.items = text_in(estimation, "factor");
+  declared.predictor = text_in(estimation, "predictor");
+  declared.predictor_unit = text_in(estimation, "unit");
+  if (declared.predictor_unit.empty() && declared.predictor == kLevelPredictor) {
+    declared.predictor_unit =
+        text_in(member_of(member_of(protocol, "factors"), declared.items), "unit");
+  }
+  for (const auto& [level, number] : levels_in(protocol, declared.items)) {
+    declared.item_levels.push_back(level);
+    if (declared.predictor == kLevelPredictor && number) {
+      declared.predictor_values.emplace(level, *number);
+    }
+  }
+  const Json& values = member_of(estimation, "values");
+  if (declared.predictor != kValuePredictor || !values.is_object()) return;
+  for (const auto& [level, value] : values.items()) {
+    if (value.is_number()) declared.predictor_values.emplace(level, value.get<double>());
+  }
+}
+
+}  // namespace
+
 std::optional<EstimationDeclaration> estimation_declared_in(const Json& protocol) {
   const Json& estimation = member_of(protocol, "estimation");
   if (!estimation.is_object()) return {};
@@ -336,6 +363,22 @@ std::optional<EstimationDeclaration> estimation_declared_in(const Json& protocol
     const std::optional<double> spacing_m =
         number ? number : number_at(member_of(textures, level), "spacing_m");
     if (spacing_m) declared.spacing_m.emplace(level, *spacing_m);
+  }
+  read_estimated_items(protocol, estimation, declared);
+  const Json& modulus = member_of(estimation, "modulus");
+  const Json& standard = member_of(modulus, "standard");
+  const std::optional<double> value = number_at(modulus, "value");
+  if (value && (standard.is_number() || standard.is_string())) {
+    declared.modulus = {.standard = standard.is_number() ? number_text(standard.get<double>())
+                                                         : standard.get<std::string>(),
+                        .value = *value};
+  }
+  const std::string normalisation = text_in(estimation, "normalisation");
+  for (const auto& [name, meaning] :
+       {std::pair{"geometric_mean", EstimateNormalisation::geometric_mean},
+        std::pair{"standard", EstimateNormalisation::standard},
+        std::pair{"none", EstimateNormalisation::none}}) {
+    if (normalisation == name) declared.stated_normalisation = meaning;
   }
   return declared;
 }

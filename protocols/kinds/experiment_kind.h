@@ -75,6 +75,7 @@ struct ExperimentKind {
   /// Of the surfaces of a trial; the first one where a protocol states none.
   std::span<const std::string_view> roles{};
   AnswerForm form{};        ///< how its question is answered
+  bool takes_lines = false;  ///< or by the length of a line (LineForm)
   /// A trial may have several questions of this kind, also next to the question of another kind.
   bool asks_several = false;
   bool takes_words = false;  ///< its options can be words
@@ -89,7 +90,9 @@ struct ExperimentKind {
   std::span<const KindTest> tests{};  ///< the first is the family where a protocol declares none
   std::span<const KindKey> keys{};
 
-  /// What a surface counts as in the responses, unless the protocol names it.
+  /// The factor whose level a surface counts as in the responses, unless the protocol names the surface; empty: item_of.
+  std::string (*item_factor)(const Protocol& protocol) = nullptr;
+  /// What a surface counts as otherwise.
   std::string (*item_of)(const PlannedPresentation& surface) = nullptr;
   /// The correct responses to the trial, one per item of the answer.
   std::vector<std::string> (*correct_of)(const Protocol::TrialQuestionTemplate& question,

@@ -48,6 +48,7 @@ const ExperimentKind& kind_of(const Protocol::Block& block) { return kind_named(
 const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
                                        const AnswerForm& form) noexcept {
   if (of_block.form.index() == form.index()) return &of_block;
+  if (of_block.takes_lines && std::holds_alternative<LineForm>(form)) return &of_block;
   for (const ExperimentKind* const kind : experiment_kinds()) {
     if (kind->asks_several && kind->form.index() == form.index()) return kind;
   }

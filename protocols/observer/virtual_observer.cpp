@@ -27,11 +27,25 @@ double evidence(const ForceFeatures& felt, const ForceFeatures& expected) {
   return -0.5 * squared_distance(felt, expected);
 }
 
+/// To so many significant digits.
+double rounded_estimate(double exact, int digits) {
+  // Both operands are whole numbers, which yields 0.3 and not 0.30000000000000004.
+  const int shift = digits - 1 - static_cast<int>(std::floor(std::log10(exact)));
+  const double scale = std::pow(10.0, std::abs(shift));
+  return shift >= 0 ? std::round(exact * scale) / scale : std::round(exact / scale) * scale;
+}
+
 void require(bool holds, std::string_view what) {
   if (!holds) throw std::invalid_argument(std::string(what));
 }
 
 }  // namespace
+
+LineHabit line_habit_of(Random person) {
+  constexpr double kSmallest = 0.5;
+  constexpr double kRange = 1.0;
+  return {.modulus = kSmallest + kRange * person.uniform()};
+}
 
 NumberHabit number_habit_of(Random person) {
   constexpr double kSmallest = 10.0;
@@ -237,15 +251,27 @@ bool VirtualObserver::differ(const ForceFeatures& first, const ForceFeatures& se
   return lapses() ? guess(2) == 0 : std::abs(of_first - of_second) >= least_difference;
 }
 
-double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {
-  const double judged = log_magnitude(felt);
+double VirtualObserver::relative_estimate(double judged) {
   const double guessed = random_.normal();
-  const double logarithm = lapses() ? guessed : declaration_.exponent * judged;
-  const double exact = habit.modulus * std::exp(logarithm);
-  // Both operands are whole numbers, which yields 0.3 and not 0.30000000000000004.
-  const int shift = habit.digits - 1 - static_cast<int>(std::floor(std::log10(exact)));
-  const double scale = std::pow(10.0, std::abs(shift));
-  return shift >= 0 ? std::round(exact * scale) / scale : std::round(exact / scale) * scale;
+  return std::exp(lapses() ? guessed : declaration_.exponent * judged);
+}
+
+double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {
+  return rounded_estimate(habit.modulus * relative_estimate(log_magnitude(felt)), habit.digits);
+}
+
+double VirtualObserver::estimate(const ForceFeatures& felt, const ForceFeatures& standard,
+                                 const NumberHabit& habit) {
+  const double of_standard = log_magnitude(standard);
+  return rounded_estimate(habit.modulus * relative_estimate(log_magnitude(felt) - of_standard),
+                          habit.digits);
+}
+
+int VirtualObserver::draw_line(const ForceFeatures& felt, const LineHabit& habit, int steps) {
+  require(steps > 0, "steps is 0; a line needs at least one step");
+  const double proportion = habit.modulus * relative_estimate(log_magnitude(felt));
+  // Limited first: the estimate may exceed the range of whole numbers.
+  return std::max(1, static_cast<int>(std::lround(std::min(proportion, 1.0) * steps)));
 }
 
 std::size_t VirtualObserver::guess(std::size_t options) {

@@ -24,6 +24,14 @@ struct NumberHabit {
   double modulus = 10.0;  ///< the estimate for a force of the mean normal force, or for 1 m/s²
   int digits = 2;         ///< significant digits
 };
+/// A participant's use of lines (LineForm) in magnitude estimation.
+struct LineHabit {
+  /// The line for a force of the mean normal force, or for 1 m/s², over the longest one.
+  double modulus = 1.0;
+};
+/// A random habit, from participants who use half of the longest line to those who would exceed it.
+LineHabit line_habit_of(Random person);
+
 /// A random habit, from participants who use a scale up to ten to those who use one up to a thousand.
 NumberHabit number_habit_of(Random person);
 
@@ -64,7 +72,9 @@ double correct_proportion(const ObserverDeclaration& observer, double difference
 /// force (ForceFeatures::roughness of the lateral force, ::size of the normal one), or of √(a² + a₀²/2) over 1 m/s², a
 /// being the acceleration of a held tool (ForceFeatures::shaking_m_per_s2) and a₀ its detection threshold as an
 /// amplitude (kHeldTool). A ratio to the normal force cannot show the effect of pressing harder; an acceleration can.
-/// In a lapse, and if deaf, the estimate is m times the exponential of a normal number.
+/// In a lapse, and if deaf, the estimate is m times the exponential of a normal number. Where a standard with the number m
+/// was felt before, r + ε of the standard is subtracted, and m is that number. A drawn line has the length of the estimate,
+/// rounded to its steps and limited to the longest line.
 ///
 /// Expectations may be limited to the band that a photograph preserves, by declaration
 /// (ObserverDeclaration::gaussian_wavelength_m); the observer has no other information on the origin of a texture.
@@ -103,6 +113,11 @@ class VirtualObserver final {
   std::optional<double> difference(const ForceFeatures& first, const ForceFeatures& second);
   /// A magnitude estimate, greater than 0, for the felt surface.
   double estimate(const ForceFeatures& felt, const NumberHabit& habit);
+  /// An estimate relative to a standard, which was felt before and has the number `habit.modulus`.
+  double estimate(const ForceFeatures& felt, const ForceFeatures& standard,
+                  const NumberHabit& habit);
+  /// The step, from 1 to `steps`, of the line that is drawn for the felt surface.
+  int draw_line(const ForceFeatures& felt, const LineHabit& habit, int steps);
   /// A guess among `options`, for questions without an expectation.
   std::size_t guess(std::size_t options);
   /// The response time, in seconds from the question.
@@ -110,6 +125,8 @@ class VirtualObserver final {
 
  private:
   bool lapses();
+  /// e to the power of the exponent times `judged`, without the modulus; a guess in a lapse.
+  double relative_estimate(double judged);
   ForceFeatures perceived(const ForceFeatures& felt);
   /// r + ε
   double log_magnitude(const ForceFeatures& felt);

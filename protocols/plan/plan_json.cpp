@@ -183,6 +183,9 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
 /// Nothing for a form without parameters: plans are compared with those that older programs stored. Labels are
 /// texts, and a plan is the same in all languages.
 void add_parameters(JsonLine& line, const AnswerForm& form) {
+  if (const auto* const line_form = std::get_if<LineForm>(&form)) {
+    line.field("longest", line_form->longest);
+  }
   const auto* const scale = std::get_if<ScaleForm>(&form);
   if (scale == nullptr) return;
   line.field("minimum", scale->minimum);

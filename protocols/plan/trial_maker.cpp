@@ -43,6 +43,20 @@ std::optional<BodyDescription> planned_body(const Protocol& protocol, const std:
   return body;
 }
 
+/// What a surface counts as where the protocol does not name it.
+std::string counted_item_of(const Protocol& protocol, const Block& block,
+                            const Protocol::Presented& presented, const FactorLevels& factors,
+                            const PlannedPresentation& planned) {
+  const ExperimentKind& kind = kind_of(block);
+  // A standard is not one of the items.
+  const bool is_item = kind.item_factor != nullptr && presented.role == kind.roles.front();
+  const std::string factor = is_item ? kind.item_factor(protocol) : std::string();
+  if (presented.with.contains(factor) || factors.contains(factor)) {
+    return text_of(presented_level(factors, presented.with, factor));
+  }
+  return kind.item_of(planned);
+}
+
 PlannedPresentation presentation_of(const Protocol& protocol, const Block& block,
                                     const Protocol::Presented& presented,
                                     const FactorLevels& factors) {
@@ -90,7 +104,9 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Block& block
   planned.has_own_material = source.stiffness_N_per_m || source.friction;
   planned.stimulus.patch = protocol.patch;
   planned.equal_force = source.equal_force;
-  planned.item = presented.item.empty() ? kind_of(block).item_of(planned) : presented.item;
+  planned.item = presented.item.empty()
+                     ? counted_item_of(protocol, block, presented, factors, planned)
+                     : presented.item;
   return planned;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -100,7 +101,10 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
     }
     columns.push_back(std::move(made));
   }
-  if (!vocabulary.estimations.empty()) add(texture_spacing(vocabulary));
+  const bool has_spacings =
+      std::any_of(vocabulary.estimations.begin(), vocabulary.estimations.end(),
+                  [](const auto& estimation) { return !estimation.second.spacing.empty(); });
+  if (has_spacings) add(texture_spacing(vocabulary));
   return columns;
 }
 

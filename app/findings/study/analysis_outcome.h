@@ -19,6 +19,8 @@ inline constexpr const char* kConfusion = "confusion";
 
 /// The findings and the table of estimates by spacing and condition.
 inline constexpr const char* kRoughness = "roughness";
+/// The same by stimulus, where stimuli are not compared by their spacings.
+inline constexpr const char* kStimulusEstimates = "stimulus_estimates";
 /// The table of each participant's estimates in every cell: participant, condition, spacing,
 /// responses, raw and normalised.
 inline constexpr const char* kEstimatesOfPersons = "estimates";
@@ -112,6 +114,7 @@ struct AnalysisOutcome {
       /// Of that table, where the comparison of women and men is omitted.
       note_of_tests_without_sexes{};
   std::vector<Phrase> remarks{};  ///< sentences that qualify the results
+  Phrase name_of_predictor{};     ///< of magnitude estimates by stimulus, with its unit; empty: none
 };
 
 }  // namespace asperity

@@ -63,12 +63,14 @@ EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
 }
 
 EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
-  const std::vector<const Finding*> means = estimates_among(outcome, kRoughness, "exponent.mean");
+  std::vector<const Finding*> means = estimates_among(outcome, kRoughness, "exponent.mean");
+  const bool is_of_spacings = !means.empty();
+  if (!is_of_spacings) means = estimates_among(outcome, kStimulusEstimates, "exponent.mean");
   if (means.empty()) return {};
   constexpr int kDecimals = 2;
   return {.text = (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
-                  " of log estimate on log spacing (exponent of a power function) " +
-                  (means.size() == 1 ? "was " : "were ") +
+                  " of log estimate on " + (is_of_spacings ? "log spacing" : "log predictor") +
+                  " (exponent of a power function) " + (means.size() == 1 ? "was " : "were ") +
                   all_estimates(means, "all",
                                 [](double value) { return reading_signed(value, kDecimals); }) +
                   '.'};

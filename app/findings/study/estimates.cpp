@@ -17,9 +17,10 @@ namespace {
 // The condition of all estimates where a protocol has none.
 constexpr const char* kOneCondition = "all";
 
-/// The names of two of the columns: that of the conditions and that of the values.
+/// The names of the columns of the conditions, of the spacings or stimuli, and of the values.
 struct EstimateColumns {
   const char* condition = "";
+  const char* spacing = "";
   const char* value = "";
 };
 
@@ -37,9 +38,53 @@ TidyTable estimates_table(const GatheredAnswers& gathered, const std::vector<Est
   }
   return {std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
                                          {names.condition, std::move(conditions).take()},
-                                         {"spacing", std::move(spacings).take()},
+                                         {names.spacing, std::move(spacings).take()},
                                          {names.value, std::move(values)}},
           "the estimates"};
+}
+
+/// The spacing in metres, or the level of the factor that names the stimuli.
+std::optional<std::string> stimulus_of(const GatheredAnswers& gathered,
+                                       const GatheredAnswer& answer) {
+  if (!gathered.estimation.items.empty()) {
+    const std::string& item = gathered.word(gathered.level(answer, gathered.estimation.items));
+    return item.empty() ? std::nullopt : std::optional(item);
+  }
+  const std::optional<double> spacing_m = gathered.spacing_m(answer);
+  if (!spacing_m || *spacing_m <= 0.0) return {};
+  return number_text(*spacing_m);
+}
+
+/// Sets the options of the family `magnitude`.
+void set_normalisation(const EstimationDeclaration& estimation,
+                       const std::vector<Estimated>& estimates, TidyInput& input) {
+  input.options.set("zero_rule", std::string("exclude"));
+  switch (estimation.normalisation()) {
+    case EstimateNormalisation::geometric_mean:
+      input.options.set("normalisation", std::string("geomean"));
+      return;
+    case EstimateNormalisation::none:
+      input.options.set("normalisation", std::string("none"));
+      return;
+    case EstimateNormalisation::standard:
+      break;
+  }
+  const std::string& level = estimation.modulus->standard;
+  const auto spacing_m = estimation.spacing_m.find(level);
+  const std::string standard =
+      spacing_m == estimation.spacing_m.end() ? level : number_text(spacing_m->second);
+  const bool is_estimated =
+      std::any_of(estimates.begin(), estimates.end(),
+                  [&standard](const Estimated& one) { return one.spacing == standard; });
+  // Responses to the standard may be missing; then there is nothing to divide by.
+  input.options.set("normalisation", std::string(is_estimated ? "standard" : "none"));
+  if (!is_estimated) return;
+  input.options.set("modulus", estimation.modulus->value);
+  if (estimation.items.empty()) {
+    input.options.set("standard_spacing", *number_in(standard));
+  } else {
+    input.options.set("standard_item", standard);
+  }
 }
 
 }  // namespace
@@ -47,24 +92,27 @@ TidyTable estimates_table(const GatheredAnswers& gathered, const std::vector<Est
 std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Estimated> estimates{};
   for (const GatheredAnswer& answer : gathered.answers) {
-    const std::optional<double> spacing_m = gathered.spacing_m(answer);
+    const std::optional<std::string> stimulus = stimulus_of(gathered, answer);
     const std::optional<double> estimate =
         number_in(gathered.word(gathered.reply_of(answer).answer));
-    if (!spacing_m || !estimate || *spacing_m <= 0.0 || *estimate <= 0.0) continue;
+    if (!stimulus || !estimate || *estimate <= 0.0) continue;
     const std::string& condition =
         gathered.word(gathered.level(answer, gathered.estimation.condition));
     estimates.push_back({.person = answer.person,
                          .condition = condition.empty() ? kOneCondition : condition,
-                         .spacing = number_text(*spacing_m),
+                         .spacing = *stimulus,
                          .repetition = answer.repetition,
                          .estimate = *estimate});
   }
   const std::size_t left_out = gathered.answers.size() - estimates.size();
   if (left_out > 0) {
-    outcome.remarks.push_back(phrase("Analysis",
-                                     "Responses left out because they are not numbers above 0, or "
-                                     "because the protocol does not state their spacing: %1.")
-                                  .with(std::to_string(left_out)));
+    outcome.remarks.push_back(
+        (gathered.estimation.items.empty()
+             ? phrase("Analysis",
+                      "Responses left out because they are not numbers above 0, or "
+                      "because the protocol does not state their spacing: %1.")
+             : phrase("Analysis", "Responses left out because they are not numbers above 0: %1."))
+            .with(std::to_string(left_out)));
   }
   if (gathered.count.anchors > 0) {
     outcome.remarks.push_back(
@@ -101,22 +149,67 @@ std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
 
 TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates) {
   TidyInput input{};
-  input.tables.push_back(estimates_table(gathered, estimates, {"probe", "estimate"},
+  input.tables.push_back(estimates_table(gathered, estimates, {"probe", "spacing", "estimate"},
                                          [](double estimate) { return estimate; }));
-  input.options.set("zero_rule", std::string("exclude"));
-  input.options.set("normalisation", std::string("geomean"));
+  set_normalisation(gathered.estimation, estimates, input);
   return input;
+}
+
+TidyInput items_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
+                      const std::map<std::string, double>& predictor) {
+  LabelRows subjects{};
+  LabelRows conditions{};
+  LabelRows items{};
+  NumberColumn values{};
+  NumberColumn predictors{};
+  for (const Estimated& one : estimates) {
+    subjects.add(gathered.people[one.person].label);
+    conditions.add(one.condition);
+    items.add(one.spacing);
+    values.push_back(one.estimate);
+    if (!predictor.empty()) predictors.push_back(predictor.at(one.spacing));
+  }
+  std::vector<TidyTable::Column> columns{{"subject", std::move(subjects).take()},
+                                         {"probe", std::move(conditions).take()},
+                                         {"item", std::move(items).take()},
+                                         {"estimate", std::move(values)}};
+  if (!predictor.empty()) columns.push_back({"spacing", std::move(predictors)});
+  TidyInput input{};
+  input.tables.emplace_back(std::move(columns), "the estimates");
+  set_normalisation(gathered.estimation, estimates, input);
+  return input;
+}
+
+Phrase normalisation_note(const EstimationDeclaration& estimation) {
+  switch (estimation.normalisation()) {
+    case EstimateNormalisation::geometric_mean:
+      return phrase("Analysis",
+                    "Free modulus: each participant's scale is removed (the mean of the logarithms "
+                    "of all cells is subtracted, and the grand mean added).");
+    case EstimateNormalisation::standard:
+      return phrase("Analysis",
+                    "Standard with modulus %1 (%2): each participant's estimates are divided by "
+                    "the geometric mean of that participant's estimates of the standard, and "
+                    "multiplied by the modulus.")
+          .with(number_text(estimation.modulus->value), estimation.modulus->standard);
+    case EstimateNormalisation::none:
+      break;
+  }
+  return phrase("Analysis",
+                "Standard with modulus %1 (%2): the estimates are not normalised, because the "
+                "standard determines the modulus of all participants.")
+      .with(number_text(estimation.modulus->value), estimation.modulus->standard);
 }
 
 TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::vector<std::string>& conditions,
-                      const std::vector<std::string>& spacings) {
+                      const std::vector<std::string>& spacings, const std::string& factor) {
   TidyInput input{};
-  input.tables.push_back(estimates_table(gathered, estimates, {"condition", "y"},
+  input.tables.push_back(estimates_table(gathered, estimates, {"condition", factor.c_str(), "y"},
                                          [](double estimate) { return std::log10(estimate); }));
   std::vector<std::pair<std::string, std::vector<std::string>>> within{};
   if (conditions.size() > 1) within.emplace_back("condition", conditions);
-  within.emplace_back("spacing", spacings);
+  within.emplace_back(factor, spacings);
   input.options.set("within", within);
   return input;
 }

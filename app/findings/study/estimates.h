@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,12 @@ namespace asperity {
 struct Estimated {
   std::uint32_t person = 0;
   std::string condition{};  ///< "all" if the protocol has none
-  std::string spacing{};    ///< metres
+  std::string spacing{};    ///< metres; of stimuli without spacings the name of the stimulus
   int repetition = 1;
   double estimate = 0.0;
 };
 
-/// The numbers above 0 whose spacing is known; remarks on the number of others and of anchors.
+/// The numbers above 0 whose spacing or stimulus is known; remarks on the number of others and of anchors.
 std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 /// The levels of a factor in ascending numerical order, followed by levels that are not numbers.
@@ -32,12 +33,18 @@ std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
 std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
                                        const std::vector<std::string>& declared);
 
-/// For the family `magnitude`.
+/// For the family `magnitude`, with the normalisation that the protocol states.
 TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates);
+/// The same by stimulus. `predictor`: of every stimulus; empty: none.
+TidyInput items_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
+                      const std::map<std::string, double>& predictor);
+/// What was removed from the estimates, as a sentence for the note of a table.
+Phrase normalisation_note(const EstimationDeclaration& estimation);
 /// For the family `rmanova`: raw logarithms, because a participant's scale is a constant and part of no effect.
 TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::vector<std::string>& conditions,
-                      const std::vector<std::string>& spacings);
+                      const std::vector<std::string>& spacings,
+                      const std::string& factor = "spacing");
 
 /// "CONDITION|SPACING", the key of a cell in findings.
 std::string cell_key(const std::string& condition, const std::string& spacing);

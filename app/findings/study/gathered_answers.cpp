@@ -227,6 +227,13 @@ class Gathering {
       gathered.estimation.condition = estimation->condition;
       gathered.estimation.spacing_m.insert(estimation->spacing_m.begin(),
                                            estimation->spacing_m.end());
+      gathered.estimation.items = estimation->items;
+      gathered.estimation.item_levels = estimation->item_levels;
+      gathered.estimation.predictor = estimation->predictor;
+      gathered.estimation.predictor_unit = estimation->predictor_unit;
+      gathered.estimation.predictor_values = estimation->predictor_values;
+      gathered.estimation.modulus = estimation->modulus;
+      gathered.estimation.stated_normalisation = estimation->stated_normalisation;
       std::vector<std::string>& conditions = gathered.estimation.conditions;
       for (const std::string& condition : estimation->conditions) {
         if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {

@@ -201,7 +201,7 @@ struct GatheredAnswers {
   std::vector<CatchResponses> catch_responses{};
 
   /// Whether responses are numbers that are analysed as the protocol's key `estimation` specifies.
-  bool has_estimates() const noexcept { return !estimation.spacing.empty(); }
+  bool has_estimates() const noexcept { return !estimation.factor().empty(); }
   /// By position.
   std::span<const FeltSurface> surfaces_of(const GatheredAnswer& answer) const {
     return std::span(surfaces).subspan(answer.first_surface, answer.surface_count);

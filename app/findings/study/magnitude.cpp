@@ -16,6 +16,7 @@
 #include "app/findings/study/magnitude_effects.h"
 #include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/roughness_peaks.h"
+#include "app/findings/study/stimulus_estimates.h"
 #include "app/findings/study/study_findings.h"
 
 namespace asperity {
@@ -49,7 +50,16 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
              "Geometric means of the estimates. normalised: each participant's scale removed (the "
              "mean of the logarithms of all cells). raw: not normalised. left out: number of "
              "participants without an estimate in some cell; only raw includes them.")};
-  if (gathered.people.size() > 1) {
+  const bool is_within =
+      gathered.estimation.normalisation() == EstimateNormalisation::geometric_mean;
+  if (!is_within) {
+    curves.note =
+        phrase("Analysis",
+               "Geometric means of the estimates. %1 raw: not normalised. left out: number of "
+               "participants without an estimate in some cell; only raw includes them.")
+            .with(normalisation_note(gathered.estimation));
+  }
+  if (gathered.people.size() > 1 && is_within) {
     curves.note =
         phrase(
             "Analysis",
@@ -95,6 +105,10 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
 }  // namespace
 
 void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  if (!gathered.estimation.items.empty()) {
+    analyze_stimulus_estimates(gathered, outcome);
+    return;
+  }
   std::vector<Estimated> estimates = estimates_in(gathered, outcome);
   if (estimates.empty()) return;
   const std::vector<std::string> conditions =
@@ -142,14 +156,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
                                   .with(std::to_string(least), std::to_string(greatest)));
   }
   StudyTests tests(gathered);
-  for (const auto& [name, effect] : kEffects) {
-    if (conditions.size() < 2 && std::string_view(name) != "spacing") continue;
-    if (found_anova.find("status") != nullptr) {
-      tests.add(name, "", found_anova, "status");
-    } else {
-      tests.add(name, "", found_anova, p_of(found_anova, effect), effect);
-    }
-  }
+  add_effect_tests(found_anova, conditions.size(), kEffects, tests);
   for (const Finding* ratio : found.all("peakratio.p")) {
     const std::size_t bar = ratio->key.find('|');
     const bool has_both = has_interior_maximum(found, ratio->key.substr(0, bar)) &&

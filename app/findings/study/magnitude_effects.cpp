@@ -2,6 +2,7 @@
 
 #include "app/findings/study/magnitude_effects.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -89,7 +90,7 @@ const char* p_of(const FoundNumbers& found, const std::string& effect) {
   return found.find("p.GG", effect) != nullptr ? "p.GG" : "p";
 }
 
-void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
+void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome, const EffectNames& effects) {
   NamedTable table{
       kAnova,
       phrase("Analysis", "Repeated-measures ANOVA of the log estimates"),
@@ -97,7 +98,7 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
       phrase("Analysis",
              "Each participant has a value in every cell; repetitions are averaged. p: "
              "Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.")};
-  for (const auto& [name, effect] : kEffects) {
+  for (const auto& [name, effect] : effects) {
     const Finding* p = found.find(p_of(found, effect), effect);
     if (p == nullptr) continue;
     for (const char* quantity : {"p", "p.GG", "p.HF"}) {
@@ -112,13 +113,28 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
   if (!table.table.rows.empty()) outcome.tables.push_back(std::move(table));
 }
 
+void add_effect_tests(const FoundNumbers& found, std::size_t conditions, const EffectNames& effects,
+                      StudyTests& tests) {
+  for (const auto& [name, effect] : effects) {
+    const bool is_of_condition = std::string_view(effect).starts_with("condition");
+    if (conditions < 2 && is_of_condition) continue;
+    if (found.find("status") != nullptr) {
+      tests.add(name, "", found, "status");
+    } else {
+      tests.add(name, "", found, p_of(found, effect), effect);
+    }
+  }
+}
+
 void ask_effect(const EffectQuestion& asked, const FoundNumbers& found, const StudyTests& tests,
                 AnalysisOutcome& outcome) {
-  const auto& [name, question, table, levels] = asked;
+  const auto& [name, question, table, levels, effects] = asked;
   const StudyTests::Test* test = tests.find(name);
   if (test == nullptr || !test->p) return;
-  const std::string effect =
-      std::string_view(name) == "interaction" ? "condition:spacing" : std::string(name);
+  const auto named = std::find_if(effects.begin(), effects.end(), [&](const auto& one) {
+    return std::string_view(one.first) == asked.name;
+  });
+  const std::string effect = named->second;
   Phrase numbers = effect_in_numbers(effect, found, *test);
   if (numbers.empty()) return;
   const Phrase roughest = roughest_of(name, levels, test->shows(), found);

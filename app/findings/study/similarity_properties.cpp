@@ -1,6 +1,7 @@
 #include "app/findings/study/similarity_properties.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -89,6 +90,22 @@ TidyTable properties_of_items(const GatheredAnswers& gathered,
   add_texture_forces(gathered, items, rows);
   add_levels(items, rows);
   return std::move(rows).table();
+}
+
+std::map<std::string, double> property_of_items(const GatheredAnswers& gathered,
+                                                const std::vector<std::string>& items,
+                                                const std::string& property) {
+  const TidyTable table = properties_of_items(gathered, items);
+  std::map<std::string, double> values{};
+  if (table.rows() == 0) return values;
+  const LabelColumn names = table.all_labels("item");
+  const LabelColumn properties = table.all_labels("property");
+  const std::vector<double> numbers = table.all_numbers("value");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (properties.names[properties.codes[row]] != property) continue;
+    values.emplace(names.names[names.codes[row]], numbers[row]);
+  }
+  return values;
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,10 @@ namespace asperity {
 /// the others.
 TidyTable properties_of_items(const GatheredAnswers& gathered,
                               const std::vector<std::string>& items);
+
+/// One of these properties, by item; an item for which it was not measured is absent.
+std::map<std::string, double> property_of_items(const GatheredAnswers& gathered,
+                                                const std::vector<std::string>& items,
+                                                const std::string& property);
 
 }  // namespace asperity

@@ -45,6 +45,8 @@ struct StudyAnalysis {
   std::string (*fit_for_paper)(const Protocol& protocol) = nullptr;
   /// How responses were transformed before the analysis, as a sentence of a text for a paper; or empty.
   std::string_view transformation{};
+  /// The same where it depends on the protocol; null where it does not.
+  std::string (*transformation_of)(const Protocol& protocol) = nullptr;
 
   /// Tables, findings and questions of the responses of one group.
   void (*analyze)(const GatheredAnswers& gathered, AnalysisOutcome& outcome) = nullptr;

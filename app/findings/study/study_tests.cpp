@@ -58,6 +58,7 @@ std::string reason_for(const std::string& name) {
   using WhyNot = std::pair<std::string_view, std::string_view>;
   constexpr std::array kReasons{WhyNot{"accompanying_scales", "no_correct_responses"},
                                 WhyNot{"condition", "one_condition"},
+                                WhyNot{"exponent", "no_predictor"},
                                 WhyNot{"groups", "one_group"},
                                 WhyNot{"identical", "no_identical_pairs"},
                                 WhyNot{"information", "pictures_differ"},
@@ -68,6 +69,7 @@ std::string reason_for(const std::string& name) {
                                 WhyNot{"properties", "no_properties"},
                                 WhyNot{"right", "pictures_differ"},
                                 WhyNot{"sexes", "one_sex"},
+                                WhyNot{"stimuli_by_condition", "one_condition"},
                                 WhyNot{"target_pairs", "target_not_offered"},
                                 WhyNot{"textures", "no_target_or_one_texture"}};
   const auto* known = std::find_if(kReasons.begin(), kReasons.end(),
@@ -221,7 +223,11 @@ StudyTests::StudyTests(const GatheredAnswers& gathered)
   is_declared_ = !family_.empty();
   is_of_other_kinds_ = family_.empty() && !gathered.declared.family.empty();
   if (family_.empty() && kind != nullptr && !gathered.only_accompanies) {
-    family_.emplace_back(kind->tests.front().name);
+    // Estimates of stimuli that have no spacings are compared by stimulus, or with a predictor.
+    const EstimationDeclaration& estimation = gathered.estimation;
+    family_.emplace_back(estimation.items.empty()       ? kind->tests.front().name
+                         : estimation.predictor.empty() ? "stimuli"
+                                                        : "exponent");
   }
   for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
 }

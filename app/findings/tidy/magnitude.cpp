@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -26,7 +28,13 @@ namespace {
 struct Estimates {
   std::vector<std::string> participants{};  ///< in the order of their first positive estimate
   std::vector<std::string> probes{};
-  std::vector<double> spacings{};  ///< ascending
+  /// A stimulus whose estimates are compared: an item, or all rows with one spacing.
+  struct Stimulus {
+    std::string name{};               ///< in the keys of findings
+    std::optional<double> spacing{};  ///< its value of the predictor; nothing where there is none
+  };
+  std::vector<Stimulus>
+      stimuli{};  ///< in ascending order of the predictor, or otherwise of their first row
   std::vector<MagnitudeEstimate> positive{};
   std::size_t missing = 0;
   std::size_t zeros = 0;
@@ -39,9 +47,9 @@ ZeroRule zero_rule_of(const std::string& name) {
                            "\"; it must be exclude or halfmin");
 }
 
-std::string spacings_text(const std::vector<double>& numbers) {
+std::string names_text(const std::vector<Estimates::Stimulus>& stimuli) {
   std::string text{};
-  for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);
+  for (const Estimates::Stimulus& one : stimuli) text += (text.empty() ? "" : ", ") + one.name;
   return text;
 }
 
@@ -55,15 +63,75 @@ std::string probe_name(std::string_view text) {
   }
 }
 
-Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
-  const LabelColumn subjects = table.all_labels("subject");
-  const LabelColumn probes = table.all_labels("probe");
-  const std::vector<double> spacings = table.all_numbers("spacing");
-  const std::vector<std::optional<double>> values = table.numbers("estimate");
-  Estimates read{};
+/// The stimuli of a table, and that of each row.
+struct StimulusRows {
+  std::vector<Estimates::Stimulus> stimuli{};
+  std::vector<std::size_t> of_row{};
+};
+
+void refuse_spacing(const TidyTable& table, std::size_t row, double spacing) {
+  if (spacing > 0.0) return;
+  table.refuse(row, "spacing",
+               "spacing is " + number_text(spacing) +
+                   "; it must be above 0, because its logarithm is the abscissa");
+}
+
+StimulusRows stimuli_by_spacing(const std::vector<double>& spacings) {
   std::vector<double> levels = spacings;
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  StimulusRows rows{};
+  for (const double level : levels) rows.stimuli.push_back({number_text(level), level});
+  for (const double spacing : spacings) {
+    const auto level = std::lower_bound(levels.begin(), levels.end(), spacing);
+    rows.of_row.push_back(static_cast<std::size_t>(level - levels.begin()));
+  }
+  return rows;
+}
+
+/// By the column `item`, with the predictor in the column `spacing`, if there is one.
+StimulusRows stimuli_by_item(const TidyTable& table) {
+  const LabelColumn items = table.all_labels("item");
+  StimulusRows rows{};
+  for (const std::string& name : items.names) rows.stimuli.push_back({name, std::nullopt});
+  rows.of_row.assign(items.codes.begin(), items.codes.end());
+  if (!table.has("spacing")) return rows;
+  const std::vector<double> spacings = table.all_numbers("spacing");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    refuse_spacing(table, row, spacings[row]);
+    Estimates::Stimulus& stimulus = rows.stimuli[rows.of_row[row]];
+    if (stimulus.spacing && *stimulus.spacing != spacings[row]) {
+      table.refuse(row, "spacing",
+                   "spacing is " + number_text(spacings[row]) + ", and in an earlier row of " +
+                       stimulus.name + " it is " + number_text(*stimulus.spacing) +
+                       "; an item has one value of the predictor");
+    }
+    stimulus.spacing = spacings[row];
+  }
+  std::vector<std::size_t> order(rows.stimuli.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&rows](std::size_t a, std::size_t b) {
+    return rows.stimuli[a].spacing < rows.stimuli[b].spacing;
+  });
+  std::vector<std::size_t> place_of(order.size());
+  StimulusRows sorted{};
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    place_of[order[place]] = place;
+    sorted.stimuli.push_back(rows.stimuli[order[place]]);
+  }
+  for (const std::size_t stimulus : rows.of_row) sorted.of_row.push_back(place_of[stimulus]);
+  return sorted;
+}
+
+Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
+  const LabelColumn subjects = table.all_labels("subject");
+  const LabelColumn probes = table.all_labels("probe");
+  const bool has_items = table.has("item");
+  const std::vector<double> spacings =
+      has_items ? std::vector<double>{} : table.all_numbers("spacing");
+  const std::vector<std::optional<double>> values = table.numbers("estimate");
+  Estimates read{};
+  const StimulusRows stimuli = has_items ? stimuli_by_item(table) : stimuli_by_spacing(spacings);
   std::vector<MagnitudeEstimate> answered{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (!values[row]) {
@@ -74,16 +142,11 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
       table.refuse(row, "estimate",
                    "estimate is " + number_text(*values[row]) + "; it must be at least 0");
     }
-    if (!(spacings[row] > 0.0)) {
-      table.refuse(row, "spacing",
-                   "spacing is " + number_text(spacings[row]) +
-                       "; it must be above 0, because its logarithm is the abscissa");
-    }
+    if (!has_items) refuse_spacing(table, row, spacings[row]);
     read.zeros += *values[row] == 0.0 ? 1 : 0;
-    const auto level = std::lower_bound(levels.begin(), levels.end(), spacings[row]);
     answered.push_back({.participant = subjects.codes[row],
                         .condition = probes.codes[row],
-                        .level = static_cast<std::size_t>(level - levels.begin()),
+                        .level = stimuli.of_row[row],
                         .estimate = *values[row]});
   }
   if (rule == ZeroRule::half_of_least) {
@@ -110,8 +173,8 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
   std::map<std::size_t, std::size_t> level_places{};
   for (const MagnitudeEstimate& one : read.positive) level_places.emplace(one.level, 0);
   for (auto& [level, place] : level_places) {
-    place = read.spacings.size();
-    read.spacings.push_back(levels[level]);
+    place = read.stimuli.size();
+    read.stimuli.push_back(stimuli.stimuli[level]);
   }
   for (MagnitudeEstimate& one : read.positive) {
     const auto participant = participant_places.emplace(one.participant, read.participants.size());
@@ -144,7 +207,7 @@ std::vector<std::vector<std::size_t>> resampled_people(const TidyTable& table,
   return rows;
 }
 
-enum class Normalisation { grand_mean, standard };
+enum class Normalisation { grand_mean, standard, none };
 
 class MagnitudeList final {
  public:
@@ -155,7 +218,7 @@ class MagnitudeList final {
     const MagnitudeCells cells =
         magnitude_cells(read_.positive, {.participants = read_.participants.size(),
                                          .conditions = read_.probes.size(),
-                                         .levels = read_.spacings.size()});
+                                         .levels = read_.stimuli.size()});
     participants(cells);
     if (cells.complete.empty()) {
       list_.word(
@@ -215,7 +278,7 @@ class MagnitudeList final {
 
   void replicates(const MagnitudeCells& cells) {
     const std::size_t probes = read_.probes.size();
-    const std::size_t spacings = read_.spacings.size();
+    const std::size_t spacings = read_.stimuli.size();
     std::vector<std::size_t> estimates(read_.participants.size() * probes * spacings);
     for (const MagnitudeEstimate& one : read_.positive) {
       ++estimates[(one.participant * probes + one.condition) * spacings + one.level];
@@ -241,31 +304,42 @@ class MagnitudeList final {
       normalisation_ = Normalisation::grand_mean;
       return normalised_to_grand_mean(cells);
     }
+    if (name == "none") {
+      normalisation_ = Normalisation::none;
+      return cells.log10;
+    }
     if (name != "standard") {
       throw std::runtime_error("the option \"normalisation\" is \"" + name +
-                               "\"; it must be geomean or standard");
+                               "\"; it must be geomean, standard or none");
     }
     normalisation_ = Normalisation::standard;
-    const double standard = input_.options.number("standard_spacing");
-    const auto found = std::find(read_.spacings.begin(), read_.spacings.end(), standard);
-    if (found == read_.spacings.end()) {
-      throw std::runtime_error(
-          "the option \"standard_spacing\" is " + number_text(standard) +
-          "; it must be one of the spacings of the table: " + spacings_text(read_.spacings));
-    }
     return normalised_to_standard(
-        cells, {.level = static_cast<std::size_t>(found - read_.spacings.begin()),
-                .modulus = input_.options.number("modulus")});
+        cells, {.level = level_of_standard(), .modulus = input_.options.number("modulus")});
+  }
+
+  std::size_t level_of_standard() const {
+    const bool is_item = input_.table().has("item");
+    const std::string option = is_item ? "standard_item" : "standard_spacing";
+    const std::string standard =
+        is_item ? input_.options.text(option) : number_text(input_.options.number(option));
+    const auto found = std::find_if(read_.stimuli.begin(), read_.stimuli.end(),
+                                    [&](const auto& one) { return one.name == standard; });
+    if (found == read_.stimuli.end()) {
+      throw std::runtime_error("the option \"" + option + "\" is " + standard +
+                               "; it must be one of the " + (is_item ? "items" : "spacings") +
+                               " of the table: " + names_text(read_.stimuli));
+    }
+    return static_cast<std::size_t>(found - read_.stimuli.begin());
   }
 
   std::string cell_key(std::size_t probe, std::size_t spacing) const {
-    return read_.probes[probe] + '|' + number_text(read_.spacings[spacing]);
+    return read_.probes[probe] + '|' + read_.stimuli[spacing].name;
   }
 
   void means(const std::vector<Eigen::MatrixXd>& normalised) {
     for (std::size_t i = 0; i < n_; ++i) {
       for (std::size_t probe = 0; probe < normalised.size(); ++probe) {
-        for (std::size_t level = 0; level < read_.spacings.size(); ++level) {
+        for (std::size_t level = 0; level < read_.stimuli.size(); ++level) {
           number("norm.estimate", names_[i] + '|' + cell_key(probe, level),
                  std::pow(10.0, normalised[probe](static_cast<Eigen::Index>(i),
                                                   static_cast<Eigen::Index>(level))),
@@ -273,11 +347,11 @@ class MagnitudeList final {
         }
       }
     }
-    const auto cells = static_cast<double>(normalised.size() * read_.spacings.size());
+    const auto cells = static_cast<double>(normalised.size() * read_.stimuli.size());
     const double morey = std::sqrt(cells / (cells - 1.0));
     for (std::size_t probe = 0; probe < normalised.size(); ++probe) {
       const CellMeans cell = cell_means(normalised[probe], confidence_);
-      for (std::size_t level = 0; level < read_.spacings.size(); ++level) {
+      for (std::size_t level = 0; level < read_.stimuli.size(); ++level) {
         const auto column = static_cast<Eigen::Index>(level);
         const std::string key = cell_key(probe, level);
         const double mean = cell.mean(column);
@@ -293,8 +367,9 @@ class MagnitudeList final {
         Basis shown =
             basis(is_within ? "geometric mean of normalised estimates; within-participant "
                               "interval on the log scale (Cousineau and Morey)"
-                            : "geometric mean of normalised estimates; t interval on the "
-                              "log scale");
+                  : normalisation_ == Normalisation::none
+                      ? "geometric mean of estimates; t interval on the log scale"
+                      : "geometric mean of normalised estimates; t interval on the log scale");
         if (has_spread) {
           shown.interval = is_within ? wider : ends;
           shown.confidence = confidence_;
@@ -321,14 +396,24 @@ class MagnitudeList final {
   }
 
   void curves(const std::vector<Eigen::MatrixXd>& normalised) {
-    if (read_.spacings.size() < 3) {
+    std::set<double> different{};
+    for (const Estimates::Stimulus& stimulus : read_.stimuli) {
+      if (!stimulus.spacing) return;
+      different.insert(*stimulus.spacing);
+    }
+    if (input_.table().has("item")) {
+      for (const Estimates::Stimulus& stimulus : read_.stimuli) {
+        number("predictor", stimulus.name, *stimulus.spacing, "value of the predictor");
+      }
+    }
+    if (different.size() < 3) {
       list_.word("status", "", "too_few_spacings",
                  "a curve needs at least three spacings: present more spacings", basis("spacings"));
       return;
     }
-    Eigen::VectorXd x(static_cast<Eigen::Index>(read_.spacings.size()));
+    Eigen::VectorXd x(static_cast<Eigen::Index>(read_.stimuli.size()));
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      x(i) = std::log10(read_.spacings[static_cast<std::size_t>(i)]);
+      x(i) = std::log10(*read_.stimuli[static_cast<std::size_t>(i)].spacing);
     }
     const std::vector<std::vector<std::size_t>> resamples =
         input_.tables.size() > 1 ? resampled_people(input_.table(1), n_)
@@ -367,6 +452,9 @@ class MagnitudeList final {
       number("exponent.ci.lower", probe, test->interval.low, "t interval");
       number("exponent.ci.upper", probe, test->interval.high, "t interval");
       number("exponent.t", probe, test->t, "exponent against 0, t over participants");
+      if (input_.table().has("item")) {
+        number("exponent.df", probe, static_cast<double>(n_) - 1.0, "degrees of freedom of t");
+      }
       number("exponent.p", probe, test->p,
              "exponent against 0, two-sided t test over participants");
     } else {

@@ -68,11 +68,13 @@ constexpr std::array kFamilies{
     TidyFamily{
         "magnitude",
         "subject,probe,spacing,estimate and optionally rep: one estimate per row, empty where "
-        "there is none; the estimates of a cell are averaged as logarithms; and b,s1,s2,...: "
+        "there is none; the estimates of a cell are averaged as logarithms; with a column item, "
+        "estimates are compared by item, and spacing is its predictor or absent; and b,s1,s2,...: "
         "resampled participants",
-        "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
-        "standard_spacing; modulus; conf",
-        magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf", 2},
+        "zero_rule: exclude, halfmin; normalisation: geomean, standard, none; "
+        "standard_spacing or standard_item; modulus; conf",
+        magnitude_findings, "zero_rule,normalisation,standard_spacing,standard_item,modulus,conf",
+        2},
     TidyFamily{
         "matching",
         "subject,trial,stimulus,response and optionally group: one row per "

@@ -41,7 +41,7 @@ bool same_question(const Scene& one, const Scene& other) {
 }
 
 bool same_answer(const Scene& one, const Scene& other) {
-  return one.scales == other.scales &&
+  return one.scales == other.scales && one.line_step == other.line_step &&
          std::equal(one.choices.begin(), one.choices.end(), other.choices.begin(),
                     other.choices.end(), [](const Scene::Choice& left, const Scene::Choice& right) {
                       return left.chosen == right.chosen && left.assigned_to == right.assigned_to;

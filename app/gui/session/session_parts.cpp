@@ -1,6 +1,8 @@
 #include "app/gui/session/session_parts.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
@@ -25,8 +27,8 @@ SessionParts::SessionParts(const Widgets& widgets, QWidget* parent)
   grid_->setHorizontalSpacing(kMargin);
   grid_->setVerticalSpacing(kGrid);
   make_switches();
-  for (QWidget* part :
-       {widgets_.plan, widgets_.plots, widgets_.sight, widgets_.answers, widgets_.notes}) {
+  for (QWidget* part : {widgets_.plan, widgets_.tracks, widgets_.plots, widgets_.sight,
+                        widgets_.answers, widgets_.notes}) {
     // Behind the switches also for Tab, whose order follows that in which widgets come into a window.
     part->setParent(nullptr);
     part->setParent(this);
@@ -40,8 +42,9 @@ void SessionParts::make_switches() {
   auto* row = new QHBoxLayout(switches_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kGrid);
-  const std::array words{tr("Plan"), tr("Force and path"), tr("Responses, notes"), tr("Mirror")};
-  const std::array names{"show_plan", "show_plots", "show_notes", "show_sight"};
+  const std::array words{tr("Plan"), tr("Force and path"), tr("Tracks"), tr("Responses, notes"),
+                         tr("Mirror")};
+  const std::array names{"show_plan", "show_plots", "show_tracks", "show_notes", "show_sight"};
   for (std::size_t i = 0; i < kParts.size(); ++i) {
     QPushButton* button = make_button(words[i], ButtonRole::selector, switches_);
     button->setObjectName(names[i]);
@@ -58,14 +61,15 @@ void SessionParts::set_form(SessionForm form) {
   if (form == form_) return;
   form_ = form;
   while (QLayoutItem* item = grid_->takeAt(0)) delete item;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 4; ++i) {
     grid_->setColumnStretch(i, 0);
     grid_->setRowStretch(i, 0);
   }
-  const auto& [plan, plots, sight, answers, notes] = widgets_;
+  const auto& [plan, plots, tracks, sight, answers, notes] = widgets_;
   switch (form) {
     case SessionForm::wide:
-      grid_->addWidget(plan, 0, 0, 3, 1);
+      grid_->addWidget(plan, 0, 0, has_tracks_ ? 2 : 3, 1);
+      if (has_tracks_) grid_->addWidget(tracks, 2, 0);
       grid_->addWidget(plots, 0, 1, 3, 1);
       grid_->addWidget(sight, 0, 2);
       grid_->addWidget(answers, 1, 2);
@@ -80,17 +84,20 @@ void SessionParts::set_form(SessionForm form) {
       grid_->addWidget(plan, 0, 0);
       grid_->addWidget(answers, 1, 0);
       grid_->addWidget(notes, 2, 0);
-      grid_->addWidget(plots, 0, 1, 3, 1);
+      if (has_tracks_) grid_->addWidget(tracks, 3, 0);
+      grid_->addWidget(plots, 0, 1, has_tracks_ ? 4 : 3, 1);
       grid_->setColumnStretch(0, 44);
       grid_->setColumnStretch(1, 56);
       grid_->setRowStretch(0, 3);
       grid_->setRowStretch(2, 2);
+      if (has_tracks_) grid_->setRowStretch(3, 2);
       break;
     case SessionForm::narrow:
       grid_->addWidget(switches_, 0, 0);
       // In one cell: one of them is shown.
       grid_->addWidget(plan, 1, 0, 2, 1);
       grid_->addWidget(plots, 1, 0, 2, 1);
+      grid_->addWidget(tracks, 1, 0, 2, 1);
       grid_->addWidget(sight, 1, 0, 2, 1);
       grid_->addWidget(answers, 1, 0);
       grid_->addWidget(notes, 2, 0);
@@ -99,6 +106,14 @@ void SessionParts::set_form(SessionForm form) {
       break;
   }
   show_parts();
+}
+
+void SessionParts::set_has_tracks(bool has_tracks) {
+  if (has_tracks == has_tracks_) return;
+  has_tracks_ = has_tracks;
+  if (!has_tracks && part_ == Part::tracks) part_ = Part::plan;
+  const std::optional<SessionForm> form = std::exchange(form_, std::nullopt);
+  if (form) set_form(*form);
 }
 
 void SessionParts::show_part(Part part) {
@@ -118,6 +133,8 @@ void SessionParts::show_parts() {
         return lowest(*widgets_.plan) <= room;
       case Part::plots:
         return lowest(*widgets_.plots) <= room;
+      case Part::tracks:
+        return lowest(*widgets_.tracks) <= room;
       case Part::notes:
         return lowest(*widgets_.answers) + kGrid + lowest(*widgets_.notes) <= room;
       case Part::sight:
@@ -127,10 +144,14 @@ void SessionParts::show_parts() {
   };
   const bool has_room = fits(part_);
   switches_->setVisible(one && height() >= of_switches);
-  for (std::size_t i = 0; i < kParts.size(); ++i) switch_of_[i]->setChecked(kParts[i] == part_);
+  for (std::size_t i = 0; i < kParts.size(); ++i) {
+    switch_of_[i]->setChecked(kParts[i] == part_);
+    if (kParts[i] == Part::tracks) switch_of_[i]->setVisible(has_tracks_);
+  }
   const auto shows = [&](Part part) { return has_room && (!one || part == part_); };
   widgets_.plan->setVisible(shows(Part::plan));
   widgets_.plots->setVisible(shows(Part::plots));
+  widgets_.tracks->setVisible(has_tracks_ && shows(Part::tracks));
   widgets_.sight->setVisible(shows(Part::sight) && form_ != SessionForm::medium);
   widgets_.answers->setVisible(shows(Part::notes));
   widgets_.notes->setVisible(shows(Part::notes));

@@ -22,19 +22,22 @@ namespace asperity {
 class SessionParts final : public QWidget {
   Q_OBJECT
  public:
-  enum class Part { plan, plots, notes, sight };
+  enum class Part { plan, plots, tracks, notes, sight };
 
   /// Takes these as children.
   struct Widgets {
     QWidget* plan = nullptr;
     QWidget* plots = nullptr;
-    QWidget* sight = nullptr;  ///< what the participant sees
+    QWidget* tracks = nullptr;  ///< below the plan; only in sessions with tracks
+    QWidget* sight = nullptr;   ///< what the participant sees
     QWidget* answers = nullptr;
     QWidget* notes = nullptr;
   };
   SessionParts(const Widgets& widgets, QWidget* parent = nullptr);
 
   void set_form(SessionForm form);
+  /// Whether the session has tracks; they have no place in other sessions.
+  void set_has_tracks(bool has_tracks);
   /// Where one is shown at a time, this one.
   void show_part(Part part);
 
@@ -42,7 +45,8 @@ class SessionParts final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  static constexpr std::array kParts{Part::plan, Part::plots, Part::notes, Part::sight};
+  static constexpr std::array kParts{Part::plan, Part::plots, Part::tracks, Part::notes,
+                                     Part::sight};
 
   void make_switches();
   void show_parts();
@@ -50,6 +54,7 @@ class SessionParts final : public QWidget {
   Widgets widgets_{};
   std::optional<SessionForm> form_{};
   Part part_ = Part::plan;
+  bool has_tracks_ = false;
   QGridLayout* grid_ = nullptr;
   QWidget* switches_ = nullptr;
   std::array<QPushButton*, kParts.size()> switch_of_{};

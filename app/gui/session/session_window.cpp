@@ -25,6 +25,7 @@
 #include "app/gui/session/session_parts.h"
 #include "app/gui/session/session_questions.h"
 #include "app/gui/session/session_troubles.h"
+#include "app/gui/session/track_panel.h"
 #include "app/gui/session/window_place.h"
 #include "app/words/offered_reasons.h"
 
@@ -124,12 +125,17 @@ void SessionWindow::connect_parts() {
 void SessionWindow::make_middle() {
   plan_ = new PlanTable(pages_);
   plots_ = new LivePlots(pages_);
+  tracks_ = new TrackPanel(pages_);
   answers_ = new AnswersPanel(pages_);
   notes_ = new NotesPanel(pages_);
   mirror_ = new MirrorFrame(pages_);
-  parts_ = new SessionParts(
-      {.plan = plan_, .plots = plots_, .sight = mirror_, .answers = answers_, .notes = notes_},
-      pages_);
+  parts_ = new SessionParts({.plan = plan_,
+                             .plots = plots_,
+                             .tracks = tracks_,
+                             .sight = mirror_,
+                             .answers = answers_,
+                             .notes = notes_},
+                            pages_);
   pages_->addWidget(parts_);
 }
 
@@ -267,6 +273,7 @@ void SessionWindow::write_blindness() {
                            .unblinded_at = unblinded_at_});
   plan_->set_blind(blind_);
   plots_->set_blind(blind_);
+  tracks_->set_blind(blind_);
   troubles_->set_blind(blind_);
   write_answers();
 }

@@ -36,6 +36,7 @@ class SessionHeader;
 class SessionParts;
 class SessionQuestions;
 class SessionTroubles;
+class TrackPanel;
 class WindowPlace;
 
 /// Shows what the monitor says, sixty times a second, and passes on what the experimenter asks for.
@@ -151,6 +152,9 @@ class SessionWindow final : public QWidget {
   QElapsedTimer since_health_{};
   TimeLeft time_left_{};
   int explored_trial_ = -1;
+  /// From which the tracks were computed.
+  std::shared_ptr<const std::vector<AttemptSummary>> tracked_attempts_{};
+  int tracked_block_ = 0;
 
   WindowPlace* place_ = nullptr;
   ModeBand* band_ = nullptr;
@@ -163,6 +167,7 @@ class SessionWindow final : public QWidget {
   PlanTable* plan_ = nullptr;
   LivePlots* plots_ = nullptr;
   MirrorFrame* mirror_ = nullptr;
+  TrackPanel* tracks_ = nullptr;
   AnswersPanel* answers_ = nullptr;
   NotesPanel* notes_ = nullptr;
   EndSummary* summary_ = nullptr;

@@ -11,9 +11,11 @@
 #include "app/gui/session/session_clock.h"
 #include "app/gui/session/session_controls.h"
 #include "app/gui/session/session_header.h"
+#include "app/gui/session/session_parts.h"
 #include "app/gui/session/session_text.h"
 #include "app/gui/session/session_troubles.h"
 #include "app/gui/session/session_window.h"
+#include "app/gui/session/track_panel.h"
 #include "app/gui/session/trial_under_way.h"
 #include "app/session/rig/clock.h"
 
@@ -69,6 +71,7 @@ void SessionWindow::take_facts(std::shared_ptr<const SessionFacts> facts) {
   plan_->set_facts(facts_);
   notes_->show_earlier(facts_->earlier_notes);
   plots_->set_patch(facts_->protocol->patch);
+  parts_->set_has_tracks(has_running_tracks(*facts_->protocol));
   explored_trial_ = -1;
   write_blindness();
 }
@@ -159,7 +162,17 @@ void SessionWindow::write_controls() {
   header_->set_running(state.running);
 }
 
-void SessionWindow::write_answers() { answers_->show_answers(*shown_.attempts, plan_->model()); }
+void SessionWindow::write_answers() {
+  answers_->show_answers(*shown_.attempts, plan_->model());
+  if (facts_ == nullptr || facts_->protocol == nullptr || facts_->plan == nullptr) return;
+  // Computed anew only after an attempt or a further trial: a posterior takes some milliseconds.
+  if (tracked_attempts_ == shown_.attempts && tracked_block_ == shown_.block) return;
+  if (shown_.block == 0) return;  // between blocks the last one stays
+  tracked_attempts_ = shown_.attempts;
+  tracked_block_ = shown_.block;
+  tracks_->show_tracks(
+      running_tracks(*facts_->protocol, *facts_->plan, *shown_.attempts, shown_.block));
+}
 
 void SessionWindow::write_health() { health_->show_health(shown_, facts_.get()); }
 

@@ -2427,6 +2427,70 @@
         <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988]. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances. With two alternatives the comparison as surface A is the signal, and d′ = d_a/√2. The rows of all participants assume equal criteria of the participants.</source>
         <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: mit Trapezen, 95-%-KI [DeLong 1988]. A_z, d_a und die SD des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test gleicher Varianzen. Bei zwei Alternativen ist der Vergleichsreiz als Oberfläche A das Signal, und d′ = d_a/√2. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien der Versuchspersonen voraus.</translation>
     </message>
+    <message>
+        <source>Responses left out because they are not numbers above 0: %1.</source>
+        <translation>Ausgelassene Antworten, die keine Zahlen über 0 sind: %1.</translation>
+    </message>
+    <message>
+        <source>Free modulus: each participant&apos;s scale is removed (the mean of the logarithms of all cells is subtracted, and the grand mean added).</source>
+        <translation>Freier Modulus: Die eigene Skala jeder Versuchsperson ist entfernt (der Mittelwert der Logarithmen aller Zellen wird abgezogen und der Gesamtmittelwert addiert).</translation>
+    </message>
+    <message>
+        <source>Standard with modulus %1 (%2): each participant&apos;s estimates are divided by the geometric mean of that participant&apos;s estimates of the standard, and multiplied by the modulus.</source>
+        <translation>Standard mit Modulus %1 (%2): Die Schätzungen jeder Versuchsperson sind durch das geometrische Mittel ihrer Schätzungen des Standards geteilt und mit dem Modulus multipliziert.</translation>
+    </message>
+    <message>
+        <source>Standard with modulus %1 (%2): the estimates are not normalised, because the standard determines the modulus of all participants.</source>
+        <translation>Standard mit Modulus %1 (%2): Die Schätzungen sind nicht normiert, weil der Standard den Modulus aller Versuchspersonen festlegt.</translation>
+    </message>
+    <message>
+        <source>Geometric means of the estimates. %1 raw: not normalised. left out: number of participants without an estimate in some cell; only raw includes them.</source>
+        <translation>Geometrische Mittel der Schätzungen. %1 roh: nicht normiert. weggelassen: Anzahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur „roh“ enthält sie.</translation>
+    </message>
+    <message>
+        <source>There is no exponent, because the predictor is unknown or not above 0 for these stimuli: %1.</source>
+        <translation>Es gibt keinen Exponenten, weil der Prädiktor für diese Reize unbekannt oder nicht größer als 0 ist: %1.</translation>
+    </message>
+    <message>
+        <source>Estimates by stimulus and condition</source>
+        <translation>Schätzungen nach Reiz und Bedingung</translation>
+    </message>
+    <message>
+        <source>Exponents of the power functions</source>
+        <translation>Exponenten der Potenzfunktionen</translation>
+    </message>
+    <message>
+        <source>Slopes of log estimate on the logarithm of the predictor (%1), by least squares per participant: mean over the participants with its t-based 95 % CI, and p of the t test against 0, uncorrected. R²: fit of the line to the means of the stimuli.</source>
+        <translation>Steigungen der logarithmierten Schätzung über dem Logarithmus des Prädiktors (%1), nach kleinsten Quadraten je Versuchsperson: Mittelwert über die Versuchspersonen mit seinem 95-%-KI nach t und p des t-Tests gegen 0, unkorrigiert. R²: Anpassung der Geraden an die Mittelwerte der Reize.</translation>
+    </message>
+    <message>
+        <source>exponent %1</source>
+        <translation>Exponent %1</translation>
+    </message>
+    <message>
+        <source>How do the estimates grow with the predictor (%1)?</source>
+        <translation>Wie wachsen die Schätzungen mit dem Prädiktor (%1)?</translation>
+    </message>
+    <message>
+        <source>Power function: %1.</source>
+        <translation>Potenzfunktion: %1.</translation>
+    </message>
+    <message>
+        <source>The exponent is the slope of log estimate on the logarithm of the predictor, by least squares per participant; mean and t-based CI over the participants.</source>
+        <translation>Der Exponent ist die Steigung der logarithmierten Schätzung über dem Logarithmus des Prädiktors, nach kleinsten Quadraten je Versuchsperson; Mittelwert und KI nach t über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Do the estimates depend on the stimulus?</source>
+        <translation>Hängen die Schätzungen vom Reiz ab?</translation>
+    </message>
+    <message>
+        <source>Do the estimates depend on the condition?</source>
+        <translation>Hängen die Schätzungen von der Bedingung ab?</translation>
+    </message>
+    <message>
+        <source>Does the effect of the stimulus depend on the condition?</source>
+        <translation>Hängt die Wirkung des Reizes von der Bedingung ab?</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -3229,6 +3293,18 @@
         <source>SD of signal/noise</source>
         <translation>SD von Signal/Rauschen</translation>
     </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>exponent, 95 % CI</source>
+        <translation>Exponent, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>predictor</source>
+        <translation>Prädiktor</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -4026,6 +4102,22 @@
     <message>
         <source>there is no configuration, or no property was measured for every item</source>
         <translation>es gibt keine Konfiguration, oder keine Eigenschaft wurde für jedes Item gemessen</translation>
+    </message>
+    <message>
+        <source>exponent of the power function</source>
+        <translation>Exponent der Potenzfunktion</translation>
+    </message>
+    <message>
+        <source>stimulus</source>
+        <translation>Reiz</translation>
+    </message>
+    <message>
+        <source>stimulus by condition</source>
+        <translation>Reiz nach Bedingung</translation>
+    </message>
+    <message>
+        <source>there are fewer than three values of the predictor, or the predictor was not measured for every stimulus</source>
+        <translation>es gibt weniger als drei Werte des Prädiktors, oder er wurde nicht für jeden Reiz gemessen</translation>
     </message>
 </context>
 <context>
@@ -5366,6 +5458,30 @@
         <source>A dendrogram requires ratings of every pair; collect responses first.</source>
         <translation>Ein Dendrogramm erfordert Urteile über jedes Paar; zuerst Antworten erheben.</translation>
     </message>
+    <message>
+        <source>Filled symbols: geometric means of the estimates with t-based %1 % CIs over the participants.</source>
+        <translation>Gefüllte Zeichen: geometrische Mittel der Schätzungen mit %1-%-KI nach t über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>%1 Lines: power functions with the mean exponent.</source>
+        <translation>%1 Linien: Potenzfunktionen mit dem mittleren Exponenten.</translation>
+    </message>
+    <message>
+        <source>Magnitude estimates by stimulus</source>
+        <translation>Größenschätzungen nach Reiz</translation>
+    </message>
+    <message>
+        <source>There are no means, because no participant has an estimate in every cell; add the missing estimates.</source>
+        <translation>Es gibt keine Mittelwerte, weil keine Versuchsperson in jeder Zelle eine Schätzung hat; ergänzen Sie die fehlenden Schätzungen.</translation>
+    </message>
+    <message>
+        <source>normalised estimate</source>
+        <translation>normierte Schätzung</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzung</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>
@@ -5980,6 +6096,10 @@
         <source>Choose all that apply.</source>
         <translation>Wählen Sie alles aus, was zutrifft.</translation>
     </message>
+    <message>
+        <source>Press where the line is to end, or use the keys ← and →.</source>
+        <translation>Drücken Sie dort, wo die Linie enden soll, oder benutzen Sie die Tasten ← und →.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantWords</name>
@@ -6138,6 +6258,10 @@
     <message>
         <source>Please choose one or more of the answers.</source>
         <translation>Bitte wählen Sie eine oder mehrere der Antworten.</translation>
+    </message>
+    <message>
+        <source>Please draw a line first.</source>
+        <translation>Bitte zeichnen Sie zuerst eine Linie.</translation>
     </message>
 </context>
 <context>
@@ -7685,6 +7809,10 @@
     <message>
         <source>permutation test of the stress</source>
         <translation>Permutationstest des Stress</translation>
+    </message>
+    <message>
+        <source>t test of the exponent against 0, two-sided</source>
+        <translation>zweiseitiger t-Test des Exponenten gegen 0</translation>
     </message>
 </context>
 <context>
@@ -11543,6 +11671,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Mirror</source>
         <translation>Spiegel</translation>
     </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Folgen (Tracks)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionQuestions</name>
@@ -13213,6 +13345,41 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as in asperity sweep.</source>
         <translation>Vorhergesagte Beschleunigung eines in der Hand gehaltenen Werkzeugs von 50 g, auf das die Kraft der letzten Sekunde dieses Strichs wirkt; berechnet wie mit asperity sweep.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TrackPanel</name>
+    <message>
+        <source>Tracks are hidden while you are blind to the conditions.</source>
+        <translation>Folgen (Tracks) sind verborgen, solange Sie für die Bedingungen verblindet sind.</translation>
+    </message>
+    <message>
+        <source>No response of a track yet</source>
+        <translation>Noch keine Antwort einer Folge (Track)</translation>
+    </message>
+    <message>
+        <source>This block has no tracks.</source>
+        <translation>Dieser Block hat keine Folgen (Tracks).</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>Folge %1</translation>
+    </message>
+    <message>
+        <source>%1: no estimate yet</source>
+        <translation>%1: noch keine Schätzung</translation>
+    </message>
+    <message>
+        <source>%1: posterior median %2, 95 % interval %3 to %4</source>
+        <translation>%1: Median der A-posteriori-Verteilung %2, 95-%-Intervall %3 bis %4</translation>
+    </message>
+    <message>
+        <source>trial of the track, 1 to %1</source>
+        <translation>Durchgang der Folge, 1 bis %1</translation>
+    </message>
+    <message>
+        <source>%1: mean of the reversals %2 (n = %3)</source>
+        <translation>%1: Mittelwert der Umkehrpunkte %2 (n = %3)</translation>
     </message>
 </context>
 </TS>

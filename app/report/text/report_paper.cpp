@@ -157,7 +157,11 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
     sentences.emplace_back("The significance level was .05.");
   }
-  if (analysis != nullptr) sentences.emplace_back(analysis->transformation);
+  if (analysis != nullptr) {
+    const bool is_stated = analysis->transformation_of != nullptr && facts.file.protocol;
+    sentences.push_back(is_stated ? analysis->transformation_of(*facts.file.protocol)
+                                  : std::string(analysis->transformation));
+  }
   if (estimate_sentence(outcome).has_mean_interval ||
       is_any([](const TestSentence& each) { return each.has_mean_interval; })) {
     sentences.emplace_back(

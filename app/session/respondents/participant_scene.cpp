@@ -149,6 +149,8 @@ Phrase phrase_of(const Saying& saying) {
       return phrase("ParticipantWords", "Please choose one or more of the answers.");
     case Saying::What::estimate_needed:
       return phrase("ParticipantWords", "Please enter a number above 0, such as 7 or 0.5.");
+    case Saying::What::line_needed:
+      return phrase("ParticipantWords", "Please draw a line first.");
     case Saying::What::estimate_unclear:
       return phrase("ParticipantWords",
                     "%1 is ambiguous. Please write thousands without a point or a comma, and "

@@ -49,6 +49,7 @@ struct Saying {
     option_needed,      ///< refused: one of the options
     options_needed,     ///< refused: one or more of the options
     estimate_needed,    ///< refused: a number above 0
+    line_needed,        ///< refused: no line is drawn yet
     estimate_unclear,   ///< refused: `code` can be read with thousands or with decimals
     practice_resumes,   ///< practice trials are made again before the session resumes
     session_resumes,    ///< the session resumes where it was interrupted, after a confirmation
@@ -148,6 +149,7 @@ struct ParticipantScene {
   std::vector<Choice> choices{};
   std::vector<Scale> scales{};
   AnswerForm form{};  ///< of the question
+  std::optional<int> line_step{};  ///< of a line: as DrawnLength::step; nothing: no line yet
   /// Of an assignment: the surface (index in `surfaces`) that receives the next picture.
   std::optional<std::size_t> assigning{};
   bool can_confirm = false;                       ///< the answer is complete

@@ -120,6 +120,7 @@ void expect_letters(const Item& item, const Pane& pane, const std::string& name)
       return;
     case Item::Kind::chip:
     case Item::Kind::scale:
+    case Item::Kind::line:
     case Item::Kind::pad:
     case Item::Kind::number:
     case Item::Kind::standard:

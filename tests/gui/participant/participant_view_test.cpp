@@ -155,6 +155,41 @@ TEST(ParticipantView, MovesTheMarkOfAScaleByArrows) {
   EXPECT_EQ(seat.last().number, 6);
 }
 
+TEST(ParticipantView, DrawsALineThatIsAProportionOfTheScreen) {
+  Seat seat{};
+  seat.show(scenes::drawn_line());
+  const std::vector<Item> items = seat.view.items();
+  const auto line = std::find_if(items.begin(), items.end(),
+                                 [](const Item& item) { return item.kind == Item::Kind::line; });
+  ASSERT_NE(line, items.end());
+  EXPECT_EQ(line->line_step, 350);
+  const double longest = line->rect.width() - 2.0 * line->side;
+  EXPECT_NEAR(longest, 0.8 * seat.view.width(), 1e-6);
+  EXPECT_TRUE(line->text.isEmpty()) << "no number is shown";
+  const QPoint quarter(static_cast<int>(line->rect.left() + line->side + 0.25 * longest),
+                       line->rect.center().toPoint().y());
+  QTest::mousePress(&seat.view, Qt::LeftButton, {}, quarter);
+  EXPECT_EQ(seat.last().kind, Kind::mark);
+  EXPECT_EQ(seat.last().number, 1);
+  EXPECT_NEAR(seat.last().position, 0.25, 0.002);
+  const QPoint before(static_cast<int>(line->rect.left()), quarter.y());
+  QTest::mouseMove(&seat.view, before);
+  EXPECT_DOUBLE_EQ(seat.last().position, 1.0 / LineForm::kSteps) << "no line without a length";
+  QTest::mouseRelease(&seat.view, Qt::LeftButton, {}, before);
+}
+
+TEST(ParticipantView, ExtendsALineByArrowsAndConfirmsItByReturn) {
+  Seat seat{};
+  seat.show(scenes::drawn_line());
+  seat.key(Qt::Key_Right);
+  EXPECT_EQ(seat.last().kind, Kind::step);
+  EXPECT_EQ(seat.last().number, 1);
+  seat.key(Qt::Key_Left);
+  EXPECT_EQ(seat.last().number, -1);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
+}
+
 TEST(ParticipantView, ListsTheLabelledPointsOfAScale) {
   Seat seat{};
   seat.show(scenes::scale_with_labels());

@@ -141,6 +141,19 @@ ParticipantScene scale_line() {
   return scene;
 }
 
+ParticipantScene drawn_line() {
+  ParticipantScene scene =
+      in_block(ParticipantScene::Kind::question,
+               "How rough did this surface feel? Draw a line that is as long as it felt rough.");
+  scene.form = LineForm{};
+  scene.surfaces = surfaces(1);
+  scene.can_switch = true;
+  scene.can_confirm = true;
+  scene.line_step = 350;
+  scene.response_open = true;
+  return scene;
+}
+
 ParticipantScene scale_with_labels() {
   ParticipantScene scene = scales(1);
   scene.text = "The surface felt like wood.";
@@ -305,6 +318,7 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   scenes.emplace_back("pair", compared);
   scenes.emplace_back("magnitude", magnitude());
   scenes.emplace_back("scale-line", scale_line());
+  scenes.emplace_back("drawn-line", drawn_line());
   scenes.emplace_back("scale-labels", scale_with_labels());
   scenes.emplace_back("scales", scales(5));
   ParticipantScene doubted = magnitude();

@@ -29,6 +29,8 @@ ParticipantScene magnitude();
 ParticipantScene scales(int count);
 /// A visual analogue scale with a mark.
 ParticipantScene scale_line();
+/// A line in place of a number, as it is drawn.
+ParticipantScene drawn_line();
 /// A scale with a label for every point.
 ParticipantScene scale_with_labels();
 ParticipantScene form_choice();

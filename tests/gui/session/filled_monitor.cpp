@@ -8,6 +8,7 @@
 
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "tests/gui/support/widgets.h"
@@ -97,6 +98,39 @@ void FilledMonitor::answer_up_to(int done) {
     s.last_done = done;
     s.block = plan->trials[static_cast<std::size_t>(over ? done - 1 : done)].block_ordinal;
     s.rows_stored = attempts;
+  });
+}
+
+void FilledMonitor::answer_tracks(int answers) {
+  Course course(*protocol, {.seed = 20260318, .counterbalance_row = 0});
+  for (int i = 0; i < answers && course.awaited() != nullptr; ++i) {
+    const Trial& trial = *course.awaited();
+    const Protocol::Block& block = protocol->blocks.at(trial.block);
+    const bool counts_down = i % 3 != 2;
+    AttemptSummary attempt{};
+    attempt.trial = trial.ordinal;
+    attempt.attempt = 1;
+    if (!trial.questions.front().correct.empty()) attempt.correct = counts_down;
+    for (const PlannedPresentation& surface : trial.presentations) {
+      if ((surface.role == block.vary->role) == counts_down) attempt.answers = {surface.code};
+    }
+    monitor.add_attempt(attempt);
+    if (trial.catch_trial) {
+      course.advance({});
+      continue;
+    }
+    const double value = std::get<double>(trial.factors.at(block.vary->factor));
+    course.advance({TrialOutcome::Answer{.value = value, .counts_down = counts_down}});
+  }
+  SessionFacts facts = *monitor.facts();
+  plan = std::make_shared<const Plan>(course.plan());
+  facts.plan = plan;
+  monitor.set_facts(facts);
+  monitor.update([this](SessionSnapshot& s) {
+    s.trial = plan->trials.back().ordinal;
+    s.attempt = 1;
+    s.block = plan->trials.back().block_ordinal;
+    s.trials_done = s.trial - 1;
   });
 }
 

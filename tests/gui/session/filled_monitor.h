@@ -24,6 +24,9 @@ class FilledMonitor final {
 
   /// Trials 1 to `done` are answered, some after a second attempt; the next one is under way.
   void answer_up_to(int done);
+  /// Of a protocol with a procedure: so many trials of its tracks are answered, two of three correctly or by the choice of
+  /// the varied surface.
+  void answer_tracks(int answers);
   void set_phase(SessionPhase phase);
   /// A question is open, and keys of any window answer it.
   void open_response(bool open);

@@ -92,6 +92,16 @@ TEST(SessionPictures, APilotIsPausedWithNamesShown) {
   look_at(*window, "session-pilot");
 }
 
+TEST(SessionPictures, AStaircaseRuns) {
+  FilledMonitor session("amplitude_jnd", SessionMode::pilot);
+  session.answer_tracks(30);
+  session.set_phase(SessionPhase::contact);
+  session.stroke(12.0);
+  const auto window = session.window();
+  window->findChild<QPushButton*>("unblind")->click();
+  look_at(*window, "session-staircase");
+}
+
 TEST(SessionPictures, TheEmergencyStopIsPressed) {
   FilledMonitor session{};
   session.answer_up_to(16);

@@ -28,6 +28,7 @@
 #include "app/gui/session/fitted_label.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/plan_table.h"
+#include "app/gui/session/track_panel.h"
 #include "tests/gui/session/clipped.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/widgets.h"
@@ -328,6 +329,54 @@ TEST(SessionWindow, UnblindsForAReasonThatIsStoredAndStaysMarked) {
   EXPECT_TRUE(window->is_blind());
   EXPECT_TRUE(child<QLabel>(*window, "blindness").text().contains("UNBLINDED at"));
   EXPECT_EQ(kinds(session.requests.take_remarks()), std::vector<std::string>{"blinded_again"});
+}
+
+TEST(SessionWindow, ShowsTheRunningTracksUnlessBlind) {
+  FilledMonitor session("amplitude_jnd", SessionMode::pilot);
+  session.answer_tracks(20);
+  const auto window = session.window();
+  const auto& panel = child<TrackPanel>(*window, "track_panel");
+  EXPECT_TRUE(panel.isVisibleTo(window.get()));
+  EXPECT_TRUE(panel.lines().isEmpty()) << "blind";
+  EXPECT_EQ(panel.marks(), 0);
+  EXPECT_TRUE(panel.accessibleName().contains("hidden"));
+  child<QPushButton>(*window, "unblind").click();
+  ASSERT_FALSE(panel.lines().isEmpty());
+  EXPECT_TRUE(panel.lines().front().startsWith("Track 1: mean of the reversals "))
+      << panel.lines().front().toStdString();
+  const int marks = panel.marks();
+  EXPECT_GT(marks, 15);  // some of the twenty are catch trials
+  session.answer_tracks(21);
+  window->refresh();
+  EXPECT_GE(panel.marks(), marks);
+  child<QPushButton>(*window, "unblind").click();
+  EXPECT_EQ(panel.marks(), 0) << "blind again";
+}
+
+TEST(SessionWindow, ShowsThePosteriorOfATrack) {
+  FilledMonitor session("amplitude_jnd_psi", SessionMode::pilot);
+  session.answer_tracks(12);
+  const auto window = session.window();
+  child<QPushButton>(*window, "unblind").click();
+  const QStringList lines = child<TrackPanel>(*window, "track_panel").lines();
+  ASSERT_FALSE(lines.isEmpty());
+  EXPECT_TRUE(lines.front().contains("posterior median")) << lines.front().toStdString();
+  EXPECT_TRUE(lines.front().contains("95 % interval"));
+}
+
+TEST(SessionWindow, ShowsTheTracksOfAMatchingOfRoughness) {
+  FilledMonitor session("realism_of_models", SessionMode::pilot);
+  session.answer_tracks(16);
+  const auto window = session.window();
+  child<QPushButton>(*window, "unblind").click();
+  EXPECT_GT(child<TrackPanel>(*window, "track_panel").lines().size(), 1);
+}
+
+TEST(SessionWindow, HasNoPlaceForTracksInOtherSessions) {
+  FilledMonitor session{};
+  session.answer_up_to(3);
+  const auto window = session.window();
+  EXPECT_FALSE(child<TrackPanel>(*window, "track_panel").isVisibleTo(window.get()));
 }
 
 TEST(SessionWindow, ShowsTheNamesOfAPilotAtOnce) {

@@ -1,6 +1,11 @@
 #include "app/findings/study/kinds/magnitude_analysis.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <variant>
+
+#include "analysis/number_text.h"
 
 namespace asperity {
 
@@ -21,16 +26,97 @@ constexpr std::array kMagnitudeClaims{
               "The roughness estimates did not differ significantly between the conditions"},
     TestClaim{"peaks", "", "The peak of %1 was at a significantly larger spacing than that of %2",
               "The peak of %1 was at a significantly smaller spacing than that of %2",
-              "The spacings of the peaks of %1 and %2 were not significantly different"}};
+              "The spacings of the peaks of %1 and %2 were not significantly different"},
+    TestClaim{"stimuli", "", "The estimates differed significantly between the stimuli", "",
+              "The estimates did not differ significantly between the stimuli"},
+    TestClaim{"exponent", "", "The exponent for %1 was significantly above 0",
+              "The exponent for %1 was significantly below 0",
+              "The exponent for %1 was not significantly different from 0"},
+    TestClaim{"stimuli_by_condition", "",
+              "The effect of the stimulus on the estimates differed significantly between the "
+              "conditions",
+              "",
+              "The effect of the stimulus on the estimates did not differ significantly between "
+              "the conditions"}};
 
-std::string task_of_magnitude(const Protocol&) {
-  return "Task: in each trial, one surface is presented, and a number is to be assigned to its "
-         "roughness (absolute magnitude estimation with free modulus).";
+/// Whether a main block of magnitude estimation is answered by lines.
+bool is_answered_by_lines(const Protocol& protocol) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [](const auto& named) {
+    const Protocol::Block& block = named.second;
+    return block.kind == "magnitude" && block.phase == Phase::main &&
+           std::any_of(block.questions.begin(), block.questions.end(), [](const auto& question) {
+             return std::holds_alternative<LineForm>(question.form);
+           });
+  });
 }
 
-std::string paper_task_of_magnitude(const Protocol&) {
-  return ", and a number above 0 was to be assigned to its roughness (absolute magnitude "
-         "estimation with free modulus).";
+const EstimationModulus* modulus_of(const Protocol& protocol) {
+  return protocol.estimation && protocol.estimation->modulus ? &*protocol.estimation->modulus
+                                                             : nullptr;
+}
+
+bool has_spacings(const Protocol& protocol) {
+  return !protocol.estimation || protocol.estimation->items.empty();
+}
+
+std::string task_of_magnitude(const Protocol& protocol) {
+  const std::string to_what = has_spacings(protocol) ? "its roughness" : "it";
+  if (const EstimationModulus* const modulus = modulus_of(protocol)) {
+    return "Task: in each trial, a standard with the number " + number_text(modulus->value) +
+           " is presented and then another surface, and a number is to be assigned to " +
+           (has_spacings(protocol) ? "the roughness of the latter" : "the latter") +
+           " (magnitude estimation, standard with modulus " + number_text(modulus->value) + ").";
+  }
+  if (is_answered_by_lines(protocol)) {
+    return "Task: in each trial, one surface is presented, and a line is to be drawn whose length "
+           "matches " +
+           to_what + " (cross-modality matching to line length).";
+  }
+  return "Task: in each trial, one surface is presented, and a number is to be assigned to " +
+         to_what + " (absolute magnitude estimation with free modulus).";
+}
+
+std::string paper_task_of_magnitude(const Protocol& protocol) {
+  const std::string to_what = has_spacings(protocol) ? "its roughness" : "it";
+  if (const EstimationModulus* const modulus = modulus_of(protocol)) {
+    return ", the first of which was a standard with the number " + number_text(modulus->value) +
+           ", and a number above 0 was to be assigned to " +
+           (has_spacings(protocol) ? "the roughness of the second" : "the second") +
+           " (magnitude estimation, standard with modulus " + number_text(modulus->value) + ").";
+  }
+  if (is_answered_by_lines(protocol)) {
+    return ", and a line was to be drawn whose length matched " + to_what +
+           " (cross-modality matching to line length).";
+  }
+  return ", and a number above 0 was to be assigned to " + to_what +
+         " (absolute magnitude estimation with free modulus).";
+}
+
+std::string transformation_of_magnitude(const Protocol& protocol) {
+  const EstimateNormalisation normalisation = protocol.estimation
+                                                  ? protocol.estimation->normalisation()
+                                                  : EstimateNormalisation::geometric_mean;
+  const std::string logarithms = is_answered_by_lines(protocol)
+                                     ? "Lengths of lines were analysed as logarithms"
+                                     : "Estimates were analysed as logarithms";
+  const std::string number =
+      modulus_of(protocol) == nullptr ? std::string() : number_text(modulus_of(protocol)->value);
+  switch (normalisation) {
+    case EstimateNormalisation::geometric_mean:
+      return logarithms +
+             ". For means, curves and exponents each participant's estimates were normalised by "
+             "the geometric mean of that participant's cells.";
+    case EstimateNormalisation::standard:
+      return logarithms +
+             ". For means, curves and exponents each participant's estimates were divided by the "
+             "geometric mean of that participant's estimates of the standard and multiplied by its "
+             "modulus, " +
+             number + ".";
+    case EstimateNormalisation::none:
+      break;
+  }
+  return logarithms + ". They were not normalised, because the standard determined the modulus, " +
+         number + ", for all participants.";
 }
 
 }  // namespace
@@ -46,6 +132,7 @@ const StudyAnalysis& magnitude_analysis() {
           "Estimates were analysed as logarithms. For means, curves and exponents each "
           "participant's estimates were normalised by the geometric mean of that participant's "
           "cells.",
+      .transformation_of = transformation_of_magnitude,
       .analyze = analyze_magnitude,
       .estimates = exponents_sentence};
   return kAnalysis;

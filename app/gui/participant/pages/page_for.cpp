@@ -6,6 +6,7 @@
 #include "app/gui/participant/pages/choice_page.h"
 #include "app/gui/participant/pages/feel_page.h"
 #include "app/gui/participant/pages/form_page.h"
+#include "app/gui/participant/pages/line_page.h"
 #include "app/gui/participant/pages/number_page.h"
 #include "app/gui/participant/pages/scale_form_page.h"
 #include "app/gui/participant/pages/scale_page.h"
@@ -18,6 +19,7 @@ namespace {
 const ParticipantPage& page_of_form(const ChoiceForm&) { return choice_page(); }
 const ParticipantPage& page_of_form(const AssignmentForm&) { return assignment_page(); }
 const ParticipantPage& page_of_form(const NumberForm&) { return number_page(); }
+const ParticipantPage& page_of_form(const LineForm&) { return line_page(); }
 const ParticipantPage& page_of_form(const ScaleForm&) { return scale_page(); }
 
 }  // namespace

@@ -169,6 +169,7 @@ void ParticipantBrush::draw(const Item& item) {
     case Item::Kind::guide:  // a widget
     case Item::Kind::chip:   // drawn by the pages that have them
     case Item::Kind::scale:
+    case Item::Kind::line:
       break;
     case Item::Kind::cue:
       box(item.rect, 8.0 * unit, colors_.cue_ground, colors_.cue_line, 2.0 * unit);

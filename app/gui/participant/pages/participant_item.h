@@ -57,6 +57,7 @@ struct ParticipantItem {
     chip,       ///< a surface
     control,    ///< goes on, feels again, confirms
     scale,      ///< a line with a mark; its ends are `side` inside of `rect`
+    line,       ///< where a line is drawn; the ends of the longest one are `side` inside of `rect`
     pad,        ///< a key of the number pad
     number,     ///< what was typed
     field,      ///< where text is typed
@@ -84,6 +85,7 @@ struct ParticipantItem {
   QString given_to{};  ///< of a picture: the surface's letter
   QString given{};     ///< of a chip: the picture's key
   std::optional<ParticipantScene::Scale> scale{};
+  std::optional<int> line_step{};  ///< of a line, as ParticipantScene::line_step
   std::optional<ParticipantAction> action{};
 };
 

@@ -1,5 +1,6 @@
 #include "app/session/respondents/dialogues/answer_dialogue.h"
 
+#include "app/session/respondents/dialogues/line_dialogue.h"
 #include "app/session/respondents/dialogues/number_dialogue.h"
 #include "app/session/respondents/dialogues/option_dialogues.h"
 #include "app/session/respondents/dialogues/scale_dialogue.h"
@@ -18,6 +19,9 @@ std::unique_ptr<AnswerDialogue> dialogue_of(const AssignmentForm&, const Trial& 
 }
 std::unique_ptr<AnswerDialogue> dialogue_of(const NumberForm&, const Trial&, const TrialQuestion&) {
   return std::make_unique<NumberDialogue>();
+}
+std::unique_ptr<AnswerDialogue> dialogue_of(const LineForm&, const Trial&, const TrialQuestion&) {
+  return std::make_unique<LineDialogue>();
 }
 std::unique_ptr<AnswerDialogue> dialogue_of(const ScaleForm& form, const Trial&,
                                             const TrialQuestion&) {

@@ -2,6 +2,7 @@
 
 #include "app/session/respondents/sheets/assignment_sheet.h"
 #include "app/session/respondents/sheets/choice_sheet.h"
+#include "app/session/respondents/sheets/line_sheet.h"
 #include "app/session/respondents/sheets/number_sheet.h"
 #include "app/session/respondents/sheets/scale_sheet.h"
 
@@ -20,6 +21,10 @@ std::unique_ptr<AnswerSheet> sheet_of(const AssignmentForm&, const Trial& trial,
 std::unique_ptr<AnswerSheet> sheet_of(const NumberForm&, const Trial& trial,
                                       std::span<const TrialQuestion>) {
   return std::make_unique<NumberSheet>(trial);
+}
+std::unique_ptr<AnswerSheet> sheet_of(const LineForm&, const Trial& trial,
+                                      std::span<const TrialQuestion>) {
+  return std::make_unique<LineSheet>(trial);
 }
 std::unique_ptr<AnswerSheet> sheet_of(const ScaleForm&, const Trial& trial,
                                       std::span<const TrialQuestion> page) {

@@ -1,0 +1,325 @@
+#include "app/findings/study/stimulus_estimates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/answer_columns.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/estimates.h"
+#include "app/findings/study/magnitude_effects.h"
+#include "app/findings/study/repetition_reliability.h"
+#include "app/findings/study/similarity_properties.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/study/study_tests.h"
+#include "app/findings/study/test_sentences.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kExponents = "exponents";
+constexpr const char* kOnlyCondition = "all";
+
+/// The stimuli in the protocol's order; levels that it does not list come last, in the order of levels_of.
+std::vector<std::string> stimuli_in(const std::vector<Estimated>& estimates,
+                                    const std::vector<std::string>& declared) {
+  std::vector<std::string> stimuli = levels_of(estimates, &Estimated::spacing);
+  std::stable_sort(stimuli.begin(), stimuli.end(),
+                   [&declared](const std::string& one, const std::string& other) {
+                     return std::find(declared.begin(), declared.end(), one) <
+                            std::find(declared.begin(), declared.end(), other);
+                   });
+  return stimuli;
+}
+
+std::map<std::string, double> stated_predictor(const GatheredAnswers& gathered,
+                                               const std::vector<std::string>& stimuli) {
+  const EstimationDeclaration& estimation = gathered.estimation;
+  std::map<std::string, double> values{};
+  for (const std::string& stimulus : stimuli) {
+    const auto declared = estimation.predictor_values.find(stimulus);
+    const bool is_declared = declared != estimation.predictor_values.end();
+    // The levels of a varied parameter are stated by its blocks.
+    const std::optional<double> value = is_declared ? std::optional(declared->second)
+                                        : estimation.predictor == kLevelPredictor
+                                            ? number_in(stimulus)
+                                            : std::nullopt;
+    if (value) values.emplace(stimulus, *value);
+  }
+  return values;
+}
+
+/// The predictor of every stimulus; empty, with a remark, where it is not above 0 for all of them.
+std::map<std::string, double> predictor_of(const GatheredAnswers& gathered,
+                                           const std::vector<std::string>& stimuli,
+                                           AnalysisOutcome& outcome) {
+  const std::string& name = gathered.estimation.predictor;
+  if (name.empty()) return {};
+  const bool is_stated = name == kLevelPredictor || name == kValuePredictor;
+  std::map<std::string, double> values =
+      is_stated ? stated_predictor(gathered, stimuli) : property_of_items(gathered, stimuli, name);
+  std::string missing{};
+  for (const std::string& stimulus : stimuli) {
+    const auto value = values.find(stimulus);
+    if (value != values.end() && value->second > 0.0) continue;
+    missing += (missing.empty() ? "" : ", ") + stimulus;
+  }
+  if (missing.empty()) return values;
+  outcome.remarks.push_back(phrase("Analysis",
+                                   "There is no exponent, because the predictor is unknown or not "
+                                   "above 0 for these stimuli: %1.")
+                                .with(missing));
+  return {};
+}
+
+/// "height_scale (m)", "RMS of the texture force, N"
+Phrase predictor_name(const EstimationDeclaration& estimation) {
+  const bool is_stated =
+      estimation.predictor == kLevelPredictor || estimation.predictor == kValuePredictor;
+  if (!is_stated) return words_of_cell("property", estimation.predictor);
+  if (estimation.predictor_unit.empty()) return estimation.items;
+  return estimation.items + " (" + estimation.predictor_unit + ')';
+}
+
+using Cells = std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
+
+double mean_logarithm(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+/// What the tables are made from.
+struct Compared {
+  const GatheredAnswers& gathered;
+  const std::vector<Estimated>& estimates;
+  const std::vector<std::string>& conditions;
+  const std::vector<std::string>& stimuli;
+  const std::map<std::string, double>& predictor;
+};
+
+Phrase note_on_means(const Compared& compared) {
+  const Phrase note =
+      phrase("Analysis",
+             "Geometric means of the estimates. %1 raw: not normalised. left out: number of "
+             "participants without an estimate in some cell; only raw includes them.")
+          .with(normalisation_note(compared.gathered.estimation));
+  const bool is_within =
+      compared.gathered.estimation.normalisation() == EstimateNormalisation::geometric_mean;
+  if (compared.gathered.people.size() < 2 || !is_within) return note;
+  return phrase(
+             "Analysis",
+             "%1 The CI of the normalised mean is a within-participant CI (Cousineau and Morey): "
+             "it "
+             "serves to compare cells and does not include the differences between participants.")
+      .with(note);
+}
+
+void add_means(const Compared& compared, const FoundNumbers& found, AnalysisOutcome& outcome) {
+  Cells cells{};
+  for (const Estimated& one : compared.estimates) {
+    cells[{one.person, one.condition, one.spacing}].push_back(std::log10(one.estimate));
+  }
+  NamedTable means{kStimulusEstimates,
+                   phrase("Analysis", "Estimates by stimulus and condition"),
+                   {{"condition", "stimulus", "predictor", "persons", "left_out", "normalised",
+                     "normalised_low", "normalised_high", "raw"},
+                    {}},
+                   note_on_means(compared)};
+  NamedTable persons{
+      kEstimatesOfPersons,
+      phrase("Analysis", "Estimates of each participant"),
+      {{"person", "condition", "stimulus", "answers", "raw", "normalised"}, {}},
+      phrase("Analysis",
+             "Geometric means over repetitions. The estimates of participants with an empty cell "
+             "are not normalised and are left out of curves and tests.")};
+  const std::vector<AnsweringPerson>& people = compared.gathered.people;
+  for (const std::string& condition : compared.conditions) {
+    for (const std::string& stimulus : compared.stimuli) {
+      std::vector<double> raw{};
+      const std::string key = cell_key(condition, stimulus);
+      for (std::uint32_t person = 0; person < people.size(); ++person) {
+        const auto cell = cells.find({person, condition, stimulus});
+        if (cell == cells.end()) continue;
+        raw.push_back(mean_logarithm(cell->second));
+        persons.table.rows.push_back(
+            {people[person].label, condition, stimulus,
+             static_cast<std::int64_t>(cell->second.size()), std::pow(10.0, raw.back()),
+             found.cell("norm.estimate", people[person].label + '|' + key)});
+      }
+      if (raw.empty()) continue;
+      const auto [low, high] = found.interval("geomean", key);
+      const Finding* mean = found.find("geomean", key);
+      const std::size_t counted = mean == nullptr || !mean->value ? 0 : mean->n;
+      const auto value = compared.predictor.find(stimulus);
+      means.table.rows.push_back(
+          {condition, stimulus, value == compared.predictor.end() ? Cell{} : Cell{value->second},
+           static_cast<std::int64_t>(raw.size()),
+           static_cast<std::int64_t>(raw.size() - std::min(counted, raw.size())),
+           found.cell("geomean", key), low, high, std::pow(10.0, mean_logarithm(raw))});
+    }
+  }
+  outcome.tables.push_back(std::move(means));
+  outcome.tables.push_back(std::move(persons));
+}
+
+void add_exponents(const Compared& compared, const FoundNumbers& found, AnalysisOutcome& outcome) {
+  NamedTable exponents{
+      kExponents,
+      phrase("Analysis", "Exponents of the power functions"),
+      {{"condition", "exponent", "exponent_low", "exponent_high", "p", "r_squared"}, {}},
+      phrase("Analysis",
+             "Slopes of log estimate on the logarithm of the predictor (%1), by least squares per "
+             "participant: mean over the participants with its t-based 95 % CI, and p of the t "
+             "test against 0, uncorrected. R²: fit of the line to the means of the stimuli.")
+          .with(predictor_name(compared.gathered.estimation))};
+  for (const std::string& condition : compared.conditions) {
+    if (found.find("exponent.mean", condition) == nullptr) continue;
+    if (const Finding* p = found.find("exponent.p", condition)) {
+      outcome.tests_in_tables.insert(name_of(*p));
+    }
+    const auto [low, high] = found.interval("exponent.mean", condition);
+    exponents.table.rows.push_back({condition, found.cell("exponent.mean", condition), low, high,
+                                    found.cell("exponent.p", condition),
+                                    found.cell("pooled.linear.r2", condition)});
+  }
+  if (!exponents.table.rows.empty()) outcome.tables.push_back(std::move(exponents));
+}
+
+/// One test per condition; named by the predictor where there is only one.
+std::string about_condition(const Compared& compared, const std::string& condition) {
+  if (condition != kOnlyCondition) return condition;
+  const EstimationDeclaration& estimation = compared.gathered.estimation;
+  const bool is_stated =
+      estimation.predictor == kLevelPredictor || estimation.predictor == kValuePredictor;
+  return is_stated ? estimation.items : estimation.predictor;
+}
+
+void add_exponent_tests(const Compared& compared, const FoundNumbers& found, StudyTests& tests) {
+  if (compared.predictor.empty()) return;
+  for (const std::string& condition : compared.conditions) {
+    const std::string about = about_condition(compared, condition);
+    if (found.find("exponent.p", condition) != nullptr) {
+      tests.add("exponent", about, found, "exponent.p", condition);
+    } else if (found.find("exponent.t", condition) != nullptr) {
+      tests.add("exponent", about, found, "exponent.t", condition);
+    } else {
+      tests.add("exponent", about, found, "status");
+    }
+  }
+}
+
+void ask_exponents(const Compared& compared, const FoundNumbers& found, const StudyTests& tests,
+                   AnalysisOutcome& outcome) {
+  constexpr int kDecimals = 2;
+  Phrase answer{};
+  const Finding* first = nullptr;
+  for (const std::string& condition : compared.conditions) {
+    const Finding* mean = found.find("exponent.mean", condition);
+    if (mean == nullptr || !mean->value) continue;
+    if (first == nullptr) first = mean;
+    Phrase one = phrase("Analysis", "exponent %1").with(reading_signed(*mean->value, kDecimals));
+    if (mean->low && mean->high) {
+      one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
+                .with(one, reading_signed(*mean->low, kDecimals),
+                      reading_signed(*mean->high, kDecimals));
+    }
+    const StudyTests::Test* test = tests.find("exponent", about_condition(compared, condition));
+    if (test != nullptr && test->p && test->statistic) {
+      one = phrase("Analysis", "%1, %2, %3")
+                .with(one, statistic_text("t", test->degrees, *test->statistic), p_text(*test));
+    }
+    if (condition != kOnlyCondition) one = phrase("Analysis", "%1: %2").with(condition, one);
+    answer = answer.empty() ? one : phrase("Analysis", "%1; %2").with(answer, one);
+  }
+  if (answer.empty()) return;
+  add_question(outcome, "exponent",
+               phrase("Analysis", "How do the estimates grow with the predictor (%1)?")
+                   .with(predictor_name(compared.gathered.estimation)),
+               phrase("Analysis", "Power function: %1.").with(answer),
+               phrase("Analysis",
+                      "The exponent is the slope of log estimate on the logarithm of the "
+                      "predictor, by least squares per participant; mean and t-based CI over the "
+                      "participants."),
+               kExponents, first);
+}
+
+}  // namespace
+
+void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  std::vector<Estimated> estimates = estimates_in(gathered, outcome);
+  if (estimates.empty()) return;
+  const std::vector<std::string> conditions =
+      conditions_of(estimates, gathered.estimation.conditions);
+  const std::vector<std::string> stimuli = stimuli_in(estimates, gathered.estimation.item_levels);
+  const std::map<std::string, double> predictor = predictor_of(gathered, stimuli, outcome);
+  // Findings, tables and figures have one order, independent of that of the sessions.
+  std::stable_sort(estimates.begin(), estimates.end(), [&](const Estimated& a, const Estimated& b) {
+    const auto place = [](const std::vector<std::string>& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) - names.begin();
+    };
+    return std::pair(place(conditions, a.condition), place(stimuli, a.spacing)) <
+           std::pair(place(conditions, b.condition), place(stimuli, b.spacing));
+  });
+  const Compared compared{gathered, estimates, conditions, stimuli, predictor};
+  const std::vector<Finding> means =
+      analysis_of(kStimulusEstimates, "magnitude", items_table(gathered, estimates, predictor));
+  const FoundNumbers found(means);
+  add_means(compared, found, outcome);
+  add_exponents(compared, found, outcome);
+  if (!predictor.empty()) outcome.name_of_predictor = predictor_name(gathered.estimation);
+  StudyTests tests(gathered);
+  std::vector<Finding> anova{};
+  if (stimuli.size() > 1) {
+    anova = analysis_of(kAnova, "rmanova",
+                        anova_table(gathered, estimates, conditions, stimuli, "stimulus"));
+  }
+  const FoundNumbers found_anova(anova);
+  if (!anova.empty()) {
+    add_anova(found_anova, outcome, kEffectsOfStimuli);
+    add_effect_tests(found_anova, conditions.size(), kEffectsOfStimuli, tests);
+  }
+  add_exponent_tests(compared, found, tests);
+  tests.finish(outcome);
+  ask_exponents(compared, found, tests, outcome);
+  ask_effect({"stimuli",
+              phrase("Analysis", "Do the estimates depend on the stimulus?"),
+              kStimulusEstimates,
+              {},
+              kEffectsOfStimuli},
+             found_anova, tests, outcome);
+  ask_effect({"condition",
+              phrase("Analysis", "Do the estimates depend on the condition?"),
+              kAnova,
+              {},
+              kEffectsOfStimuli},
+             found_anova, tests, outcome);
+  ask_effect({"stimuli_by_condition",
+              phrase("Analysis", "Does the effect of the stimulus depend on the condition?"),
+              kAnova,
+              {},
+              kEffectsOfStimuli},
+             found_anova, tests, outcome);
+  std::vector<RepeatedEstimate> repeated{};
+  for (const Estimated& one : estimates) {
+    repeated.push_back({.person = one.person,
+                        .surface = cell_key(one.condition, one.spacing),
+                        .repetition = one.repetition,
+                        .value = std::log10(one.estimate)});
+  }
+  ask_reliability_of_estimates(gathered, repeated, outcome);
+  keep_findings(means, outcome);
+  keep_findings(anova, outcome);
+}
+
+}  // namespace asperity

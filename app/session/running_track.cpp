@@ -1,0 +1,192 @@
+#include "app/session/running_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "analysis/level_scale.h"
+#include "analysis/threshold_prior.h"
+#include "analysis/up_down.h"
+#include "protocols/design/block_factors.h"
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kCredibility = 0.95;
+
+std::string unit_of_levels(const Dimension& dimension) {
+  switch (dimension.measure) {
+    case LevelMeasure::value:
+    case LevelMeasure::difference:
+      return dimension.unit;
+    case LevelMeasure::percent:
+      return "%";
+    case LevelMeasure::decibels:
+      return "dB";
+    case LevelMeasure::ratio:
+      break;
+  }
+  return {};
+}
+
+/// The rule and the grid of an up-down method.
+std::optional<UpDownTrack> up_down_of(const ProcedureSettings& settings) {
+  if (const auto* const transformed = std::get_if<TransformedUpDown>(&settings)) {
+    return transformed->track;
+  }
+  const auto* const weighted = std::get_if<WeightedUpDown>(&settings);
+  return weighted == nullptr ? std::nullopt : track_of(*weighted);
+}
+
+/// The last attempt at each trial that counts.
+std::map<int, const AttemptSummary*> counted_attempts(std::span<const AttemptSummary> attempts) {
+  std::map<int, const AttemptSummary*> counted{};
+  for (const AttemptSummary& attempt : attempts) {
+    if (attempt.purpose == AttemptPurpose::trial && attempt.valid) {
+      counted[attempt.trial] = &attempt;
+    }
+  }
+  return counted;
+}
+
+/// Whether the answer leads to a lower level; nothing where there is no answer.
+std::optional<bool> counts_down(const Protocol::Block& block, const Trial& trial,
+                                const AttemptSummary& attempt) {
+  if (attempt.outcome == AttemptOutcome::timed_out) {
+    return block.procedure->timeouts_are_incorrect ? std::optional(false) : std::nullopt;
+  }
+  if (attempt.outcome != AttemptOutcome::answered) return {};
+  if (attempt.correct) return attempt.correct;
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+  if (judged == nullptr) return {};
+  // Answers follow each other in the order of the questions, each with its items.
+  std::size_t place = 0;
+  for (const TrialQuestion& question : trial.questions) {
+    if (question.name == judged->name) break;
+    place += static_cast<std::size_t>(
+        items_of(question.form, static_cast<int>(trial.presentations.size())));
+  }
+  if (place >= attempt.answers.size()) return {};
+  for (const PlannedPresentation& surface : trial.presentations) {
+    if (surface.code != attempt.answers[place]) continue;
+    return (surface.role == block.vary->role) != judged->asks_for_less;
+  }
+  return {};
+}
+
+std::string other_levels(const Trial& trial, const std::string& varied) {
+  std::string text{};
+  for (const auto& [factor, level] : trial.factors) {
+    if (factor != varied) text += (text.empty() ? "" : ", ") + text_of(level);
+  }
+  return text;
+}
+
+void estimate_by_reversals(const UpDownTrack& settings, RunningTrack& track) {
+  UpDownRun run(settings.rule);
+  double sum = 0.0;
+  for (const RunningTrial& trial : track.trials) {
+    if (!run.respond(trial.counts_down).is_reversal) continue;
+    sum += place_on(settings.grid.scale, trial.level);
+    ++track.reversals;
+  }
+  if (track.reversals == 0) return;
+  track.estimate = {.level =
+                        level_at(settings.grid.scale, sum / static_cast<double>(track.reversals))};
+}
+
+void estimate_by_posterior(const PosteriorTrack& settings, RunningTrack& track) {
+  std::vector<PsychometricBlock> blocks{};
+  double sum = 0.0;
+  for (const RunningTrial& trial : track.trials) {
+    sum += trial.level - settings.origin;
+    blocks.push_back({.x = std::abs(trial.level - settings.origin),
+                      .trials = 1,
+                      .hits = trial.counts_down ? std::uint64_t{1} : std::uint64_t{0}});
+  }
+  const std::vector<PsychometricFunction> functions = functions_of(settings.prior, {});
+  const Eigen::ArrayXd weights = posterior_of(functions, blocks);
+  const auto threshold = [&](double confidence) {
+    return credible_threshold(
+        settings.prior, functions, weights,
+        {.performance = settings.prior.performance, .confidence = confidence});
+  };
+  // The interval of no width about the median.
+  constexpr double kNone = 1e-9;
+  const double side = sum < 0.0 ? -1.0 : 1.0;
+  const ConfidenceInterval interval = threshold(kCredibility).interval;
+  track.estimate = {.level = settings.origin + side * threshold(kNone).interval.low,
+                    .low = settings.origin + side * (side < 0.0 ? interval.high : interval.low),
+                    .high = settings.origin + side * (side < 0.0 ? interval.low : interval.high)};
+}
+
+void estimate(const ProcedureSettings& settings, RunningTrack& track) {
+  if (track.trials.empty()) return;
+  if (const std::optional<UpDownTrack> up_down = up_down_of(settings)) {
+    estimate_by_reversals(*up_down, track);
+  } else if (const PosteriorTrack* const posterior = posterior_track_of(settings)) {
+    estimate_by_posterior(*posterior, track);
+  }
+}
+
+bool has_tracks(const Protocol::Block& block) noexcept {
+  return block.procedure && block.vary && !block.procedure->tracks.empty();
+}
+
+}  // namespace
+
+bool has_running_tracks(const Protocol& protocol) noexcept {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                     [](const auto& named) { return has_tracks(named.second); });
+}
+
+std::optional<RunningTracks> running_tracks(const Protocol& protocol, const Plan& plan,
+                                            std::span<const AttemptSummary> attempts,
+                                            int block_ordinal) {
+  const std::map<int, const AttemptSummary*> counted = counted_attempts(attempts);
+  std::optional<RunningTracks> running{};
+  std::map<int, RunningTrack> tracks{};
+  const Protocol::Block* block = nullptr;
+  for (const Trial& trial : plan.trials) {
+    if (trial.block_ordinal != block_ordinal || !trial.track) continue;
+    const auto named = protocol.blocks.find(trial.block);
+    if (named == protocol.blocks.end() || !has_tracks(named->second)) return {};
+    block = &named->second;
+    const Dimension& dimension = *block->vary;
+    if (!running) {
+      const auto* const judged = judged_question(*block);
+      running = RunningTracks{
+          .quantity = dimension.parameter,
+          .unit = unit_of_levels(dimension),
+          .has_correct_responses =
+              judged != nullptr && judged->judgement == DiscriminationJudgement::performance};
+    }
+    const auto attempt = counted.find(trial.ordinal);
+    if (attempt == counted.end()) continue;
+    const std::optional<bool> down = counts_down(*block, trial, *attempt->second);
+    const auto level = trial.factors.find(dimension.factor);
+    const auto* const value =
+        level == trial.factors.end() ? nullptr : std::get_if<double>(&level->second);
+    if (!down || value == nullptr) continue;
+    RunningTrack& track = tracks[trial.track->track];
+    track.track = trial.track->track;
+    track.condition = other_levels(trial, dimension.factor);
+    track.trials.push_back(
+        {.step = trial.track->step, .level = dimension.level_of(*value), .counts_down = *down});
+  }
+  if (!running) return {};
+  // Every combination of the other factors has every track of the procedure, in this order.
+  const std::vector<ProcedureSettings>& settings = block->procedure->tracks;
+  for (auto& [number, track] : tracks) {
+    estimate(settings[static_cast<std::size_t>(number - 1) % settings.size()], track);
+    running->tracks.push_back(std::move(track));
+  }
+  return running;
+}
+
+}  // namespace asperity

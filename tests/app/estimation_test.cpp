@@ -1,0 +1,317 @@
+// Magnitude estimates of any stimuli, with free modulus and with a standard: from rows of a study to exponents.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/study/study_tests.h"
+#include "app/findings/tidy/tidy_families.h"
+#include "protocols/observer/virtual_observer.h"
+#include "tests/app/made_up_study.h"
+#include "tests/app/scripted_session.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// A stimulus with its predictor.
+struct Planted {
+  const char* name = "";
+  double predictor = 0.0;
+};
+constexpr std::array kPlanted{Planted{"brick", 2.0}, Planted{"cork", 4.0}, Planted{"felt", 8.0},
+                              Planted{"oak", 16.0}};
+constexpr std::array kExponents{0.4, 0.5, 0.6};  // of the participants; the mean is 0.5
+
+std::string protocol_with(const std::string& estimation, const std::string& analysis = "{}") {
+  return R"({"kind": "magnitude", "estimation": )" + estimation +
+         R"(, "factors": {"surface": {"levels": ["oak", "felt", "cork", "brick"]}},
+            "blocks": {"only": {"question": {"name": "size", "prompt": "How strong?"}}},
+            "analysis": )" +
+         analysis + "}";
+}
+
+MadeUpTrial estimate_of(const Planted& stimulus, double number, bool with_standard) {
+  MadeUpTrial trial{};
+  if (with_standard) trial.surfaces.push_back(surface_of("brick", "height_map", "brick"));
+  trial.surfaces.push_back(surface_of(stimulus.name, "height_map", stimulus.name));
+  trial.surfaces.back().achieved_texture_force_N = 0.01 * stimulus.predictor;
+  trial.factors_json = R"({"surface": ")" + std::string(stimulus.name) + "\"}";
+  trial.answers = {std::to_string(number)};
+  trial.number = number;
+  return trial;
+}
+
+/// Estimates c·P^n, with the exponents n and the scales c of three participants.
+AnalysisOutcome outcome_of(const std::string& source, const std::array<double, 3>& scales,
+                           bool with_standard = false) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("estimated", "magnitude", source);
+  for (std::size_t person = 0; person < kExponents.size(); ++person) {
+    std::vector<MadeUpTrial> trials{};
+    for (int repetition = 1; repetition <= 2; ++repetition) {
+      for (const Planted& stimulus : kPlanted) {
+        trials.push_back(estimate_of(
+            stimulus, scales[person] * std::pow(stimulus.predictor / 2.0, kExponents[person]),
+            with_standard));
+        trials.back().repetition = repetition;
+      }
+    }
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "F");
+    made.add_session(label, protocol, trials);
+  }
+  return analyze_study(made.study()).front();
+}
+
+constexpr std::array kFreeScales{3.0, 40.0, 500.0};
+constexpr std::array kSameScale{10.0, 10.0, 10.0};
+
+const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name == name) return table;
+  }
+  throw std::runtime_error("no table " + name);
+}
+
+bool has_table(const AnalysisOutcome& outcome, const std::string& name) {
+  return std::any_of(outcome.tables.begin(), outcome.tables.end(),
+                     [&name](const NamedTable& table) { return table.name == name; });
+}
+
+double exponent_of(const AnalysisOutcome& outcome) {
+  return FoundNumbers(outcome.findings).value("exponent.mean", "all").value();
+}
+
+const AnsweredQuestion& question_of(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const AnsweredQuestion& question : outcome.questions) {
+    if (question.name == name) return question;
+  }
+  throw std::runtime_error("no question " + name);
+}
+
+const char* const kByValues = R"({"factor": "surface", "predictor": "values",
+    "values": {"brick": 2, "cork": 4, "felt": 8, "oak": 16}, "unit": "µm"})";
+
+// The exponents are planted: the mean of 0.4, 0.5 and 0.6 is 0.5, their standard error 0.1/√3, and t(2) = 8.66.
+TEST(StimulusEstimates, FindTheExponentOverStatedValues) {
+  const AnalysisOutcome outcome = outcome_of(protocol_with(kByValues), kFreeScales);
+  const FoundNumbers found(outcome.findings);
+  EXPECT_NEAR(exponent_of(outcome), 0.5, 1e-5);
+  EXPECT_NEAR(found.value("exponent.t", "all").value(), 0.5 / (0.1 / std::sqrt(3.0)), 1e-3);
+  EXPECT_EQ(found.value("exponent.df", "all"), 2.0);
+  EXPECT_THAT(question_of(outcome, "exponent").answer.english(),
+              HasSubstr("exponent 0.50 (95 % CI [0.25, 0.75]), t(2) = 8.66"));
+  EXPECT_THAT(question_of(outcome, "exponent").question.english(), HasSubstr("surface (µm)"));
+  const NamedTable& tests = table_of(outcome, StudyTests::kTable);
+  EXPECT_EQ(tests.table.rows.at(0).at(0), Cell{std::string("stimuli")});
+  EXPECT_EQ(tests.table.rows.at(1).at(0), Cell{std::string("exponent")});
+}
+
+TEST(StimulusEstimates, TakeAMeasuredPropertyAsPredictor) {
+  const AnalysisOutcome outcome = outcome_of(
+      protocol_with(R"({"factor": "surface", "predictor": "texture_force_N"})"), kFreeScales);
+  EXPECT_NEAR(exponent_of(outcome), 0.5, 1e-5);
+  EXPECT_NEAR(FoundNumbers(outcome.findings).value("predictor", "oak").value(), 0.16, 1e-12);
+  EXPECT_THAT(outcome.name_of_predictor.english(), HasSubstr("texture force"));
+}
+
+TEST(StimulusEstimates, StateThatAPropertyWasNotMeasured) {
+  const AnalysisOutcome outcome = outcome_of(
+      protocol_with(R"({"factor": "surface", "predictor": "speed_m_per_s"})"), kFreeScales);
+  EXPECT_FALSE(has_table(outcome, "exponents"));
+  std::string remarks{};
+  for (const Phrase& remark : outcome.remarks) remarks += remark.english();
+  EXPECT_THAT(remarks,
+              HasSubstr("unknown or not above 0 for these stimuli: oak, felt, cork, brick"));
+}
+
+TEST(StimulusEstimates, HaveMeansByStimulusWithoutAPredictor) {
+  const AnalysisOutcome outcome =
+      outcome_of(protocol_with(R"({"factor": "surface"})"), kFreeScales);
+  EXPECT_FALSE(has_table(outcome, "exponents"));
+  const NamedTable& means = table_of(outcome, kStimulusEstimates);
+  ASSERT_EQ(means.table.rows.size(), 4U);
+  EXPECT_EQ(means.table.rows.front().at(1), Cell{std::string("oak")});  // the protocol's order
+  // The geometric mean of 3·8^0.4, 40·8^0.5 and 500·8^0.6.
+  EXPECT_NEAR(std::get<double>(means.table.rows.front().at(8)),
+              std::cbrt(3.0 * 40.0 * 500.0) * std::sqrt(8.0), 1e-3);
+  EXPECT_THAT(question_of(outcome, "stimuli").answer.english(), HasSubstr("F("));
+}
+
+TEST(StimulusEstimates, AreNotNormalisedWithAStandard) {
+  const std::string modulus =
+      R"({"factor": "surface", "modulus": {"standard": "brick", "value": 10}})";
+  const AnalysisOutcome outcome = outcome_of(protocol_with(modulus), kSameScale, true);
+  const FoundNumbers found(outcome.findings);
+  EXPECT_NEAR(found.value("norm.estimate", "p0|all|oak").value(), 10.0 * std::pow(8.0, 0.4), 1e-4);
+  EXPECT_NEAR(found.value("geomean", "all|brick").value(), 10.0, 1e-9);
+  EXPECT_THAT(table_of(outcome, kStimulusEstimates).note.english(),
+              HasSubstr("Standard with modulus 10 (brick): the estimates are not normalised"));
+}
+
+// Every participant's estimate of the standard becomes 10, whatever number was given for it.
+TEST(StimulusEstimates, AreDividedByTheStandardOnRequest) {
+  const std::string modulus = R"({"factor": "surface", "normalisation": "standard",
+      "modulus": {"standard": "brick", "value": 10}})";
+  const AnalysisOutcome outcome = outcome_of(protocol_with(modulus), {8.0, 10.0, 14.0}, true);
+  const FoundNumbers found(outcome.findings);
+  for (const char* const person : {"p0", "p1", "p2"}) {
+    EXPECT_NEAR(found.value("norm.estimate", std::string(person) + "|all|brick").value(), 10.0,
+                1e-5);
+  }
+  EXPECT_NEAR(found.value("geomean", "all|oak").value(), 10.0 * std::sqrt(8.0), 1e-4);
+  EXPECT_THAT(table_of(outcome, kStimulusEstimates).note.english(),
+              HasSubstr("divided by the geometric mean of that participant's estimates of the "
+                        "standard, and multiplied by the modulus"));
+}
+
+// The same numbers by item and by spacing.
+TEST(MagnitudeFamily, HasTheSameCurvesByItemAndBySpacing) {
+  const char* const rows =
+      "subject,probe,item,spacing,estimate\n"
+      "a,1,x,0.5,2\na,1,y,1,5\na,1,z,2,9\nb,1,x,0.5,20\nb,1,y,1,35\nb,1,z,2,70\n";
+  const char* const without_items =
+      "subject,probe,spacing,estimate\n"
+      "a,1,0.5,2\na,1,1,5\na,1,2,9\nb,1,0.5,20\nb,1,1,35\nb,1,2,70\n";
+  const auto findings = [](const char* text, const char* normalisation) {
+    TidyInput input{};
+    input.tables.emplace_back(text, "estimates.csv");
+    input.options.set("zero_rule", std::string("exclude"));
+    input.options.set("normalisation", std::string(normalisation));
+    return analysis_of("m", "magnitude", std::move(input));
+  };
+  for (const char* const normalisation : {"geomean", "none"}) {
+    const std::vector<Finding> by_item = findings(rows, normalisation);
+    const std::vector<Finding> by_spacing = findings(without_items, normalisation);
+    const FoundNumbers items(by_item);
+    const FoundNumbers spacings(by_spacing);
+    EXPECT_EQ(items.value("exponent.mean", "1"), spacings.value("exponent.mean", "1"));
+    EXPECT_EQ(items.value("geomean", "1|y"), spacings.value("geomean", "1|1"));
+    EXPECT_EQ(items.value("norm.estimate", "b|1|z"), spacings.value("norm.estimate", "b|1|2"));
+  }
+  const std::vector<Finding> raw = findings(rows, "none");
+  EXPECT_NEAR(FoundNumbers(raw).value("norm.estimate", "b|1|z").value(), 70.0, 1e-9);
+}
+
+/// Three amplitudes, each estimated once after the standard of 0.2 mm with the number 10, or by a line.
+std::string amplitudes(const std::string& estimation, const std::string& presented,
+                       const std::string& question) {
+  return R"({
+    "format": "asperity.protocol/2", "kind": "magnitude", "design": "improved", "name": "amplitudes",
+    "version": "1.0.0", "title": "Amplitudes",
+    "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+    "factors": {"amplitude": {"levels": [0.0001, 0.0002, 0.0004], "unit": "m"}},
+    "stimuli": {"wave": {"model": "sinusoid", "parameters": {"amplitude_m": {"factor": "amplitude"}}}},
+    "explorations": {"short": {"minimum_contact_s": 0.1, "maximum_contact_s": 2}},
+    "estimation": {"factor": "amplitude", "predictor": "level")" +
+         estimation + R"(},
+    "blocks": {"main": {"crossed": ["amplitude"], "order": "fixed", "presented": [)" +
+         presented + R"({"role": "target", "stimulus": "wave"}],
+      "exploration": "short", "pause_before_trial_s": 0, "pause_between_surfaces_s": 0,
+      "question": {)" +
+         question + R"("name": "size", "prompt": "How strong?"}}},
+    "flow": [{"run": "main"}]})";
+}
+
+class EstimationSession : public SessionTest {
+ protected:
+  SessionEnd run_trials(int trials) {
+    int made = 0;
+    conductor_ = std::make_unique<Conductor>(
+        *study_, protocol_, *builder_, *rig_, person_,
+        ConductorSettings{.record = true,
+                          .done =
+                              [this, &made, trials](const AttemptDone&) {
+                                if (++made == trials)
+                                  conductor_->requests().stop_after(StopAfter::trial);
+                              },
+                          .links = links_});
+    return conductor_->run(session_);
+  }
+
+  static double amplitude_of(const Trial& trial) {
+    return std::get<double>(trial.factors.at("amplitude"));
+  }
+};
+
+TEST_F(EstimationSession, PresentsTheStandardInEveryTrialAlsoAfterAnInterruption) {
+  begin(amplitudes(R"(, "modulus": {"standard": 0.0002, "value": 10})",
+                   R"({"role": "standard", "stimulus": "wave", "with": {"amplitude": 0.0002}}, )",
+                   ""));
+  person_.at_question = [](int, const Trial& trial) {
+    return Reply{.what = only_answer(GivenNumber{10.0 * std::sqrt(amplitude_of(trial) / 0.0002)})};
+  };
+  EXPECT_EQ(run_trials(1).state, SessionState::stopped);
+  const std::vector<std::string> plan = stored_plan();
+  make_rig({});
+  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  EXPECT_EQ(stored_plan(), plan);
+  ASSERT_EQ(attempts().size(), 3U);
+  for (const AttemptRow& attempt : attempts()) {
+    ASSERT_EQ(attempt.presentations.size(), 2U);
+    EXPECT_EQ(attempt.presentations[0].role, "standard");
+    EXPECT_EQ(attempt.presentations[0].item, "standard");
+  }
+  start("p2", 8);
+  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  const AnalysisOutcome outcome = analyze_study(*study_).front();
+  EXPECT_NEAR(exponent_of(outcome), 0.5, 1e-9);
+  EXPECT_NEAR(FoundNumbers(outcome.findings).value("geomean", "all|0.0002").value(), 10.0, 1e-9);
+}
+
+TEST_F(EstimationSession, StoresTheLengthsOfLines) {
+  begin(amplitudes("", "", R"("line": {"longest": 0.8}, )"));
+  const auto draws = [](double per_m) {
+    return [per_m](int, const Trial& trial) {
+      return Reply{.what = only_answer(
+                       DrawnLength{static_cast<int>(std::lround(per_m * amplitude_of(trial)))})};
+    };
+  };
+  person_.at_question = draws(1e6);
+  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  std::vector<double> lengths{};
+  for (const AttemptRow& attempt : attempts()) {
+    lengths.push_back(attempt.responses.front().answer_number.value());
+  }
+  EXPECT_THAT(lengths, ElementsAre(0.08, 0.16, 0.32));
+  start("p2", 8);
+  person_.at_question = draws(2e6);
+  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  EXPECT_NEAR(exponent_of(analyze_study(*study_).front()), 1.0, 1e-9);
+}
+
+// The texture force of a wave is proportional to its amplitude, and lines have the length of its square root. The strokes
+// differ from trial to trial.
+TEST_F(EstimationSession, RecoversTheExponentOfAVirtualParticipantWithoutNoise) {
+  begin(amplitudes("", "", R"("line": {}, )"));
+  const ObserverDeclaration exact{.feature_noise = 0.0,
+                                  .lapse = 0.0,
+                                  .magnitude_of = ObserverDeclaration::MagnitudeOf::normal_force,
+                                  .exponent = 0.5};
+  VirtualObserver observer(exact, Random(1));
+  person_.at_question = [&](int, const Trial&) {
+    return Reply{.what = only_answer(DrawnLength{observer.draw_line(
+                     person_.last_felt.front(), {.modulus = 0.5}, LineForm::kSteps)})};
+  };
+  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  start("p2", 8);
+  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  EXPECT_NEAR(exponent_of(analyze_study(*study_).front()), 0.5, 0.05);
+}
+
+}  // namespace
+}  // namespace asperity
