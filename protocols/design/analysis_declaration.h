@@ -22,6 +22,15 @@ struct ConstructDeclaration {
   bool operator==(const ConstructDeclaration&) const = default;
 };
 
+/// Excludes participants by their errors in catch trials, all types and blocks together: those with more errors than
+/// stated, or with a greater proportion of errors. One of them is stated.
+struct CatchExclusion {
+  std::optional<int> more_errors_than{};
+  std::optional<double> error_rate_above{};
+
+  bool operator==(const CatchExclusion&) const = default;
+};
+
 /// The key `analysis`. The p values of the family are Holm-corrected together. This keeps the probability of any false
 /// positive among them at the set level only if the family was chosen before the data.
 struct AnalysisDeclaration {
@@ -31,6 +40,8 @@ struct AnalysisDeclaration {
   /// Of a matching or a recognition: differences of proportions correct from −margin to +margin count as equivalence.
   std::optional<double> equivalence_margin{};
   std::map<std::string, ConstructDeclaration, std::less<>> constructs{};  ///< of a rating, by name
+  /// Of a discrimination with catch trials: the results are reported with and without these participants.
+  std::optional<CatchExclusion> exclude{};
   bool operator==(const AnalysisDeclaration&) const = default;
 };
 

@@ -61,11 +61,19 @@ enum class RatedQuantity { dissimilarity, similarity };
 
 enum class Phase { familiarisation, practice, main };
 
+/// What a catch trial presents, and therefore which response in it is an error.
+enum class CatchType {
+  easy,  ///< the comparison at an easy level: every response but the correct one is a lapse of attention
+  no_signal,  ///< two standards, where the comparison has to be found: every response but "cannot tell" is a false alarm
+  identical_pair,  ///< two standards, where no response is correct: every response but "cannot tell" is an error
+};
+
 /// The text in a protocol file and in the store.
 const char* text_of(ProtocolDesign design) noexcept;
 const char* text_of(Vision vision) noexcept;
 const char* text_of(VisualTexture texture) noexcept;
 const char* text_of(Phase phase) noexcept;
+const char* text_of(CatchType type) noexcept;
 
 /// A range and a target value; each of them is optional.
 struct Band {
@@ -325,10 +333,12 @@ struct Protocol {
       std::vector<ProcedureSettings> tracks{};
       /// A missed deadline counts as an incorrect response; otherwise the level is presented again in another trial.
       bool timeouts_are_incorrect = false;
-      /// Trials of an easy level at random places among the others: one in every `every` trials of the block. They belong
-      /// to no track and no threshold is estimated from them; errors in them are lapses of attention.
+      /// Trials with a known response at random places among the others: one in every `every` trials of the block. They
+      /// belong to no track and no threshold is estimated from them.
       struct CatchTrials {
-        double level = 0.0;  ///< as `vary` states levels; it need not be one of them
+        CatchType type = CatchType::easy;
+        /// Of the type easy, as `vary` states levels; it need not be one of them. Of the others that of the standard.
+        double level = 0.0;
         int every = 0;  ///< at least 2
       };
       std::optional<CatchTrials> catch_trials{};

@@ -40,9 +40,10 @@ struct TrackStep {
   bool operator==(const TrackStep&) const = default;
 };
 
-/// Of a catch trial: an easy level at a random place among the trials of a procedure.
+/// Of a catch trial at a random place among the trials of a procedure.
 struct CatchTrial {
-  bool is_above_standard = true;
+  CatchType type = CatchType::easy;
+  bool is_above_standard = true;  ///< of the type easy
 
   bool operator==(const CatchTrial&) const = default;
 };

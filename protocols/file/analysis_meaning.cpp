@@ -49,7 +49,7 @@ void Meaning::check_analysis() {
   if (found == root.end()) return;
   // Other keys are comments of the author; one that is similar to a known key is a spelling mistake.
   const std::vector<std::string> known{"target", "family", "equivalence_margin",
-                                       "constructs"};
+                                       "constructs", "exclude"};
   for (const auto& [key, value] : found->items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string guess = did_you_mean(key, known);
@@ -73,6 +73,16 @@ void Meaning::check_analysis() {
                                      " cannot be chosen in a main block" +
                                      (names.empty() ? "" : "; use " + one_of(names)));
     }
+  }
+  const bool has_catch_trials =
+      std::any_of(protocol_.blocks.begin(), protocol_.blocks.end(), [](const auto& each) {
+        const auto& procedure = each.second.procedure;
+        return each.second.phase == Phase::main && procedure && procedure->catch_trials;
+      });
+  if (declared.exclude && !has_catch_trials) {
+    report("/analysis/exclude",
+           "no main block has catch trials, by whose errors participants are excluded; add "
+           "\"catch_trials\" to the procedure of a discrimination, or remove this key");
   }
   if (declared.equivalence_margin && !has_kind(&ExperimentKind::has_correct_responses)) {
     report(

@@ -67,9 +67,6 @@ class AnalysisWarnings final {
     const auto all_are = [this](auto&& trait) {
       return std::all_of(discriminations_.begin(), discriminations_.end(), trait);
     };
-    if (test == "order" && all_are([](const Block* block) { return block->design->has_noise(); })) {
-      return "the responses are words, and no surface is chosen";
-    }
     if (test == "point_of_subjective_equality" && all_are(has_correct_responses)) {
       return "it requires the judgement \"comparison\"";
     }
@@ -112,7 +109,7 @@ class AnalysisWarnings final {
     const ProcedureSettings& first = block.procedure->tracks.front();
     if (!problems_of(first).empty()) return;
     const std::optional<double> target = procedure_of(first).target(first);
-    const double chance = 1.0 / static_cast<double>(block.design->surfaces());
+    const double chance = block.design->guess_rate();
     if (!target || *target > chance + 0.01) return;
     const auto percent = [](double share) {
       return digits(std::round(1000.0 * share) / 10.0) + " %";

@@ -252,6 +252,13 @@ Block::LevelProcedure procedure_in(const json& object, const Dimension& dimensio
               {{"same_level", false}, {"incorrect", true}});
   if (const auto found = object.find("catch_trials"); found != object.end()) {
     procedure.catch_trials.emplace();
+    read_choice(*found, "type", procedure.catch_trials->type,
+                {{"easy", CatchType::easy},
+                 {"no_signal", CatchType::no_signal},
+                 {"identical_pair", CatchType::identical_pair}});
+    if (procedure.catch_trials->type != CatchType::easy && dimension.standard) {
+      procedure.catch_trials->level = dimension.level_of_standard();
+    }
     read(*found, "level", procedure.catch_trials->level);
     read(*found, "every", procedure.catch_trials->every);
   }

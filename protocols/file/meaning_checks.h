@@ -119,6 +119,7 @@ class Meaning final : private ProblemSink {
                                 const std::string& pointer);
   void check_unforced(const Protocol::Block& block, const std::string& method,
                       const std::string& pointer);
+  void check_pairs_of_standards(const Protocol::Block& block, const std::string& place);
   void check_catch_trials(const Protocol::Block& block, const std::string& pointer);
   void check_track_starts(const Protocol::Block& block, const std::string& pointer);
   void check_arrangement(const Protocol::Block& block, const std::string& pointer);

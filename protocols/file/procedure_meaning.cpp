@@ -233,12 +233,45 @@ void Meaning::check_unforced(const Block& block, const std::string& method,
   }
 }
 
+/// With two standards no choice is correct: the only correct response is "cannot tell".
+void Meaning::check_pairs_of_standards(const Block& block, const std::string& place) {
+  const CatchType type = block.procedure->catch_trials->type;
+  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+  if (document_.root().contains(nlohmann::json::json_pointer(place + "/level"))) {
+    report_key(place + "/level", "a catch trial of the type " + in_quotes(text_of(type)) +
+                                     " presents the standard twice; remove this key");
+  }
+  const CatchType of_judgement = judged->judgement == DiscriminationJudgement::performance
+                                     ? CatchType::no_signal
+                                     : CatchType::identical_pair;
+  if (type != of_judgement) {
+    report(place + "/type",
+           type == CatchType::no_signal
+               ? "with the judgement \"comparison\" there is no signal to be found; set it to "
+                 "\"identical_pair\""
+               : "with the judgement \"performance\" the comparison has to be found, and a trial "
+                 "without it has no signal; set it to \"no_signal\"");
+    return;
+  }
+  if (judged->allow_cannot_tell) return;
+  report(place + "/type",
+         "of two standards neither is the correct response, so that errors need the response "
+         "\"cannot tell\"; add \"allow_cannot_tell\": true to the question, or use the type "
+         "\"easy\"");
+}
+
 /// Errors in catch trials are lapses only if their level is easy and the correct response is known.
 void Meaning::check_catch_trials(const Block& block, const std::string& pointer) {
   const auto& catch_trials = block.procedure->catch_trials;
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
   if (!catch_trials || !block.vary->standard || judged == nullptr) return;
   const std::string place = pointer + "/procedure/catch_trials";
+  if (catch_trials->type != CatchType::easy) return check_pairs_of_standards(block, place);
+  if (!document_.root().contains(nlohmann::json::json_pointer(place + "/level"))) {
+    report(place, "a catch trial of the type \"easy\" has a level; add \"level\", or state another "
+                  "\"type\"");
+    return;
+  }
   const double standard = *block.vary->standard;
   const std::vector<double> values = block.vary->values();
   const double level = catch_trials->level;

@@ -315,6 +315,14 @@ AnalysisDeclaration analysis_declared_in(const Json& protocol) {
   if (margin.is_number() && margin.get<double>() > 0.0 && margin.get<double>() < 1.0) {
     declared.equivalence_margin = margin.get<double>();
   }
+  const Json& exclude = member_of(analysis, "exclude");
+  const std::optional<double> errors = number_at(exclude, "more_catch_errors_than");
+  const std::optional<double> rate = number_at(exclude, "catch_error_rate_above");
+  if (errors && *errors >= 0.0) {
+    declared.exclude = {.more_errors_than = static_cast<int>(*errors)};
+  } else if (rate && *rate >= 0.0) {
+    declared.exclude = {.error_rate_above = rate};
+  }
   for_each_object(member_of(analysis, "constructs"), [&declared](const std::string& name,
                                                                  const Json& construct) {
     declared.constructs[name] = {.scales = texts_in(construct, "scales"),

@@ -43,6 +43,7 @@ std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestion
   if (const DiscriminationDesign* const design = design_answered_by(question)) {
     return {std::string(design->correct_response(comparisons))};
   }
+  if (trial.catch_trial && trial.catch_trial->type != CatchType::easy) return {kCannotTellOption};
   if (question.judgement == DiscriminationJudgement::performance) {
     return {comparisons > 1 ? "standard" : "comparison"};  // the standard is odd among comparisons
   }

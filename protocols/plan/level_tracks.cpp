@@ -29,6 +29,22 @@ const DesignTrial* type_of_trial(const Protocol::Block& block, const BlockRow& r
   return &types[order[(count - 1) % types.size()]];
 }
 
+/// The surfaces with the standard in place of the varied one, which counts as another item in the responses.
+std::vector<Protocol::Presented> standards_in_place_of(const Dimension& vary,
+                                                       std::vector<Protocol::Presented> surfaces) {
+  const auto standard =
+      std::find_if(surfaces.begin(), surfaces.end(),
+                   [&vary](const auto& each) { return each.role == vary.standard_role; });
+  if (standard == surfaces.end()) return surfaces;
+  const Protocol::Presented second = *standard;
+  for (Protocol::Presented& surface : surfaces) {
+    if (surface.role != vary.role) continue;
+    surface = second;
+    surface.item = vary.standard_role + "_2";
+  }
+  return surfaces;
+}
+
 }  // namespace
 
 LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
@@ -193,7 +209,9 @@ std::vector<AnsweredTrack> LevelTracks::answered() const {
 Trial LevelTracks::next_catch_trial(const TrialMaker& maker) {
   awaited_.reset();
   const Dimension& dimension = *run_.block->vary;
-  const double level = run_.block->procedure->catch_trials->level;
+  const Protocol::Block::LevelProcedure::CatchTrials& catch_trials =
+      *run_.block->procedure->catch_trials;
+  const double level = catch_trials.level;
   const Random draws = run_.random.split("catch trials");
   std::vector<std::size_t> rows(rows_.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -204,7 +222,8 @@ Trial LevelTracks::next_catch_trial(const TrialMaker& maker) {
   Trial trial{};
   trial.repetition = 0;
   trial.catch_trial =
-      CatchTrial{.is_above_standard = dimension.value_of(level) > dimension.standard.value_or(0.0)};
+      CatchTrial{.type = catch_trials.type,
+                 .is_above_standard = dimension.value_of(level) > dimension.standard.value_or(0.0)};
   return made(std::move(trial), row, level, catch_trials_, draws, maker);
 }
 
@@ -221,7 +240,10 @@ Trial LevelTracks::made(Trial trial, std::size_t row, double level, std::size_t 
                                            draws.split("drawn").split(factor))
                                 .back();
   }
-  const std::vector<Protocol::Presented> listed = surfaces_of(block, with);
+  const bool is_pair_of_standards = trial.catch_trial && trial.catch_trial->type != CatchType::easy;
+  const std::vector<Protocol::Presented> listed =
+      is_pair_of_standards ? standards_in_place_of(*block.vary, surfaces_of(block, with))
+                           : surfaces_of(block, with);
   std::vector<Protocol::Presented> surfaces{};
   const auto positions =
       positions_of(block.positions, listed.size(), count, draws.split("positions"));

@@ -45,7 +45,8 @@ struct LevelRequest {
 ///
 /// With catch trials, one of every `CatchTrials::every` trials of the block is one, at a place that is drawn beforehand.
 /// Their places do not depend on answers, and they do not change the levels of the tracks; answers determine only after
-/// how many trials the block ends.
+/// how many trials the block ends. A catch trial presents the easy level, or the standard twice (CatchType); its surfaces are
+/// then the items "standard" and "standard_2".
 ///
 /// The levels of the procedure `external` are supplied one by one: `request` returns what has to be supplied before
 /// `next`. A track is asked for a level when its turn comes, not before, so that the level can depend on every answer.

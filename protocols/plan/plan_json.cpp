@@ -253,7 +253,12 @@ std::string json_of(const Trial& trial) {
     line.field("track", trial.track->track);
     line.field("step", trial.track->step);
   }
-  if (trial.catch_trial) line.field("catch", true);
+  if (trial.catch_trial) {
+    const CatchType type = trial.catch_trial->type;
+    line.key("catch");
+    // Plans of older programs have only easy ones.
+    type == CatchType::easy ? line.add(true) : line.add(text_of(type));
+  }
   line.key("factors");
   line.levels(trial.factors);
   line.key("presentations");

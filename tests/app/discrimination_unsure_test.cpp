@@ -10,6 +10,7 @@
 
 #include "analysis/unforced_bootstrap.h"
 #include "app/findings/found_numbers.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_tracks.h"
@@ -37,15 +38,15 @@ std::vector<MadeUpTrial> unforced_trials(double replaced, int per_level, std::ui
   Random random(seed);
   for (const double value_m : kAbove_m) {
     for (int i = 0; i < per_level; ++i) {
-      const double perceives = 1.0 - std::exp(-std::pow((value_m - kStandard_m) / 10e-6, 2.0));
+      const double perceived = 1.0 - std::exp(-std::pow((value_m - kStandard_m) / 10e-6, 2.0));
+      const bool perceives = random.uniform() < perceived;
+      const bool guesses_well = random.uniform() < 0.5;
       const bool first = i % 2 == 0;
-      MadeUpTrial trial =
-          discriminated({.value_m = value_m,
-                         .chose_comparison = random.uniform() < perceives || random.uniform() < 0.5,
-                         .comparison_first = first});
-      if (random.uniform() > perceives && random.uniform() < replaced) {
-        trial = unsure_at(value_m, first);
-      }
+      MadeUpTrial trial = !perceives && random.uniform() < replaced
+                              ? unsure_at(value_m, first)
+                              : discriminated({.value_m = value_m,
+                                               .chose_comparison = perceives || guesses_well,
+                                               .comparison_first = first});
       trial.options = {"standard", "comparison", "cannot_tell"};
       trials.push_back(std::move(trial));
     }
@@ -92,7 +93,8 @@ TEST(DiscriminationWithCannotTell, CountsHalfAHitPerResponseWithTwoAlternatives)
   EXPECT_EQ(rates.rows[0][*column_of(rates, "unsure")], Cell(std::int64_t{2}));
   EXPECT_EQ(rates.rows[0][*column_of(rates, "of")], Cell(std::int64_t{16}));
   EXPECT_EQ(rates.rows[0][*column_of(rates, "share")], Cell(0.125));
-  const FoundNumbers found(part_of(outcome, "cannot_tell"));
+  const std::vector<Finding> findings = part_of(outcome, "cannot_tell");
+  const FoundNumbers found(findings);
   EXPECT_EQ(found.value("rate", "p1|all"), 0.125);
   ASSERT_FALSE(outcome.remarks.empty());
   EXPECT_THAT(outcome.remarks.back().english(), HasSubstr("2 of 16 responses are “cannot tell”"));
@@ -119,7 +121,8 @@ TEST(DiscriminationWithCannotTell, EstimatesTheThresholdOfAParticipantWhoGuesses
   for (const double replaced : {0.5, 1.0}) {
     SCOPED_TRACE(replaced);
     const AnalysisOutcome outcome = outcome_of_unforced({unforced_trials(replaced, 400, 7)});
-    const FoundNumbers found(part_of(outcome, "thresholds"));
+    const std::vector<Finding> findings = part_of(outcome, "thresholds");
+    const FoundNumbers found(findings);
     const Finding* const jnd = found.find("jnd", "p1|all");
     ASSERT_NE(jnd, nullptr);
     ASSERT_TRUE(jnd->value && jnd->low && jnd->high) << jnd->status;
@@ -170,7 +173,8 @@ TEST(DiscriminationWithCannotTell, EstimatesThePointOfSubjectiveEqualityOfACompa
     }
   }
   const AnalysisOutcome outcome = outcome_of_unforced({trials}, "comparison");
-  const FoundNumbers found(part_of(outcome, "thresholds"));
+  const std::vector<Finding> findings = part_of(outcome, "thresholds");
+  const FoundNumbers found(findings);
   const Finding* const pse = found.find("pse", "p1|all");
   const Finding* const jnd = found.find("jnd", "p1|all");
   ASSERT_TRUE(pse != nullptr && pse->value && pse->low && pse->high);
@@ -228,7 +232,8 @@ TEST(DiscriminationWithCannotTell, EstimatesThresholdsOfTheUnforcedWeightedUpDow
   made.add_person("p1", "");
   made.add_session("p1", id, trials);
   const AnalysisOutcome outcome = outcome_of_discrimination(made);
-  const FoundNumbers found(part_of(outcome, "thresholds"));
+  const std::vector<Finding> findings = part_of(outcome, "thresholds");
+  const FoundNumbers found(findings);
   const Finding* const jnd = found.find("jnd", "p1|all");
   ASSERT_TRUE(jnd != nullptr && jnd->value) << (jnd == nullptr ? "none" : jnd->status);
   EXPECT_NEAR(*jnd->value, 8.326e-6, 3e-6);

@@ -437,6 +437,112 @@ TEST(CatchTrials, OfAComparisonAreAsFarAsTheFarthestLevel) {
   EXPECT_TRUE(problems_with(file).empty());
 }
 
+/// Catch trials with two standards, in weighted tracks with the option "cannot tell".
+json with_pairs_of_standards(const char* type) {
+  json file = staircases();
+  json& block = file["blocks"]["tracks"];
+  block["question"]["allow_cannot_tell"] = true;
+  block["procedure"] = {{"method", "weighted_up_down"},
+                        {"start", 50},
+                        {"steps", {10}},
+                        {"stop", {{"trials", 6}}},
+                        {"catch_trials", {{"type", type}, {"every", 4}}}};
+  return file;
+}
+
+TEST(CatchTrials, WithoutASignalPresentTheStandardTwice) {
+  const Protocol protocol = protocol_of(with_pairs_of_standards("no_signal"));
+  const Course course = answered_with_catch_trials(protocol, 6);
+  std::size_t caught = 0;
+  for (const Trial& trial : course.plan().trials) {
+    if (!trial.catch_trial) {
+      EXPECT_EQ(json_of(trial).find("\"catch\""), std::string::npos);
+      continue;
+    }
+    ++caught;
+    EXPECT_EQ(trial.catch_trial->type, CatchType::no_signal);
+    EXPECT_NE(json_of(trial).find(R"("catch":"no_signal")"), std::string::npos);
+    EXPECT_EQ(gain_of(trial), 1.0) << "of the standard";
+    std::set<std::string> items{};
+    ASSERT_EQ(trial.presentations.size(), 2U);
+    for (const PlannedPresentation& planned : trial.presentations) {
+      EXPECT_EQ(planned.role, "standard");
+      EXPECT_EQ(std::get<double>(planned.stimulus.parameters.at("texture_gain")), 1.0);
+      items.insert(planned.item);
+    }
+    EXPECT_EQ(items, (std::set<std::string>{"standard", "standard_2"}));
+    EXPECT_THAT(trial.questions.front().correct, ElementsAre("cannot_tell"));
+  }
+  EXPECT_GE(caught, 6U);
+}
+
+TEST(CatchTrials, OfTheTypeEasyAreThoseWithoutAType) {
+  const json without = with_catch_trials(4);
+  json with = without;
+  with["blocks"]["tracks"]["procedure"]["catch_trials"]["type"] = "easy";
+  const auto plan_with = [](const json& file) {
+    const Protocol protocol = protocol_of(file);
+    std::vector<std::string> plan{};
+    for (const Trial& trial : answered_with_catch_trials(protocol, 2).plan().trials) {
+      plan.push_back(json_of(trial));
+    }
+    return plan;
+  };
+  EXPECT_EQ(plan_with(with), plan_with(without));
+  with["blocks"]["tracks"]["procedure"]["catch_trials"].erase("level");
+  EXPECT_THAT(problems_with(with), ElementsAre(HasSubstr("add \"level\"")));
+}
+
+TEST(CatchTrials, WithTwoStandardsAreRefusedWhereNoResponseIsCorrect) {
+  json file = with_pairs_of_standards("no_signal");
+  file["blocks"]["tracks"]["question"].erase("allow_cannot_tell");
+  EXPECT_THAT(problems_with(file),
+              ElementsAre(HasSubstr("/catch_trials/type: of two standards neither is the correct")));
+  EXPECT_THAT(problems_with(with_pairs_of_standards("identical_pair")),
+              ElementsAre(HasSubstr("set it to \"no_signal\"")));
+  file = with_pairs_of_standards("no_signal");
+  file["blocks"]["tracks"]["procedure"]["catch_trials"]["level"] = 200;
+  EXPECT_THAT(problems_with(file), ElementsAre(HasSubstr("presents the standard twice; remove")));
+}
+
+TEST(CatchTrials, OfAComparisonWithConstantStimuliCanBeIdenticalPairs) {
+  json file = with_pairs_of_standards("identical_pair");
+  json& block = file["blocks"]["tracks"];
+  block["question"]["judgement"] = "comparison";
+  block["vary"]["levels_percent"] = {-40, -20, 0, 20, 40};
+  block["procedure"] = {{"method", "constant_stimuli"},
+                        {"repetitions", 3},
+                        {"catch_trials", {{"type", "identical_pair"}, {"every", 4}}}};
+  const Protocol protocol = protocol_of(file);
+  std::size_t caught = 0;
+  Course course(protocol, {.seed = 1});
+  while (const Trial* const trial = course.awaited()) {
+    if (trial->catch_trial) {
+      ++caught;
+      EXPECT_THAT(trial->questions.front().correct, ElementsAre("cannot_tell"));
+    }
+    const double gain = gain_of(*trial);
+    course.advance({.answer = TrialOutcome::Answer{gain, LevelOutcome::unsure}});
+  }
+  EXPECT_GE(caught, 8U);
+  block["procedure"]["catch_trials"]["type"] = "no_signal";
+  EXPECT_THAT(problems_with(file), ElementsAre(HasSubstr("set it to \"identical_pair\"")));
+}
+
+TEST(CatchTrials, AreNeededToExcludeParticipantsByTheirErrors) {
+  json file = with_catch_trials(4);
+  file["analysis"]["exclude"] = {{"more_catch_errors_than", 2}};
+  const Protocol protocol = protocol_of(file);
+  ASSERT_TRUE(protocol.analysis.exclude);
+  EXPECT_EQ(protocol.analysis.exclude->more_errors_than, 2);
+  file["blocks"]["tracks"]["procedure"].erase("catch_trials");
+  EXPECT_THAT(problems_with(file),
+              ElementsAre(HasSubstr("/analysis/exclude: no main block has catch trials")));
+  file = with_catch_trials(4);
+  file["analysis"]["exclude"] = {{"more_catch_errors_than", 2}, {"catch_error_rate_above", 0.2}};
+  EXPECT_FALSE(problems_with(file).empty());
+}
+
 TEST(ExpectedTrials, AreExactWhereTracksEndByTheirNumberOfTrials) {
   json file = staircases();
   const Protocol fixed = protocol_of(file);

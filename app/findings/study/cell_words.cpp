@@ -305,7 +305,10 @@ const CellWords& words_in_any_column() {
   static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
                                 {"Inf", phrase("CellWords", "∞")},
                                 {"Other or not told", phrase("CellWords", "Other or not reported")},
-                                {"cannot_tell", phrase("CellWords", "cannot tell")}};
+                                {"cannot_tell", phrase("CellWords", "cannot tell")},
+                                {"easy", phrase("CellWords", "easy")},
+                                {"identical_pair", phrase("CellWords", "identical pair")},
+                                {"no_signal", phrase("CellWords", "no signal")}};
   return kWords;
 }
 

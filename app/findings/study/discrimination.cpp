@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/choice_model.h"
 #include "app/findings/study/choice_sensitivity.h"
 #include "app/findings/study/confidence_roc.h"
@@ -238,9 +239,7 @@ void remark_on_direction(const DiscriminationResults& results, AnalysisOutcome& 
       results.name.empty() ? remark : phrase("Analysis", "%1: %2").with(results.name, remark));
 }
 
-}  // namespace
-
-void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<DiscriminationStudy> studies = discrimination_studies(gathered);
   remark_on_left_out(studies, outcome);
   if (studies.empty()) {
@@ -301,6 +300,12 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
   add_confidence_roc(gathered, all, outcome);
   tests.finish(outcome);
   for (const DiscriminationResults& results : all) ask_discrimination(results, tests, outcome);
+}
+
+}  // namespace
+
+void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  analyze_with_exclusions(gathered, outcome, analyze_responses);
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
+#include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/choice_sensitivity.h"
 #include "app/findings/study/confidence_roc.h"
@@ -416,6 +417,34 @@ Phrase note_on_hits(const std::vector<DiscriminationResults>& all) {
   return note;
 }
 
+Phrase note_on_catch_trials(const GatheredAnswers& gathered) {
+  const auto has = [&gathered](CatchType type) {
+    return std::any_of(gathered.catch_responses.begin(), gathered.catch_responses.end(),
+                       [type](const CatchResponses& each) { return each.type == type; });
+  };
+  Phrase note{};
+  const auto add = [&note](const Phrase& sentence) {
+    note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  if (has(CatchType::easy)) {
+    add(phrase("Analysis",
+               "Trials with an easy level at random places among the others. Errors and missed "
+               "deadlines indicate lapses of attention. No threshold is estimated from these "
+               "trials."));
+  }
+  if (has(CatchType::no_signal)) {
+    add(phrase("Analysis",
+               "No signal: the standard was presented twice, and “cannot tell” is correct. Every "
+               "choice is a false alarm."));
+  }
+  if (has(CatchType::identical_pair)) {
+    add(phrase("Analysis",
+               "Identical pair: the standard was presented twice, and “cannot tell” is correct. "
+               "Every choice is an error."));
+  }
+  return note;
+}
+
 }  // namespace
 
 void add_discrimination_tables(const GatheredAnswers& gathered,
@@ -484,14 +513,16 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   NamedTable catch_trials{
       kCatchTrials,
       phrase("Analysis", "Catch trials"),
-      {{"participant", "block", "right", "of", "share"}, {}},
-      phrase("Analysis",
-             "Trials with an easy level at random places among the others. Errors and missed "
-             "deadlines indicate lapses of attention. No threshold is estimated from these "
-             "trials.")};
+      {{"participant", "block", "type", "right", "of", "share"}, {}},
+      note_on_catch_trials(gathered)};
+  const bool has_types = std::any_of(
+      gathered.catch_responses.begin(), gathered.catch_responses.end(),
+      [](const CatchResponses& each) { return each.type != CatchType::easy; });
   for (const CatchResponses& each : gathered.catch_responses) {
     catch_trials.table.rows.push_back(
-        {each.participant, each.block, static_cast<std::int64_t>(each.correct),
+        {each.participant, each.block,
+         has_types ? Cell{std::string(text_of(each.type))} : Cell{},
+         static_cast<std::int64_t>(each.correct),
          static_cast<std::int64_t>(each.trials),
          static_cast<double>(each.correct) / static_cast<double>(each.trials)});
   }
@@ -504,6 +535,7 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
     add_unsure_rows(gathered, results, unsure.table);
     add_place_rows(gathered, results, places.table);
   }
+  drop_empty_columns(catch_trials.table, 2);
   drop_empty_columns(thresholds.table, 2);
   drop_empty_columns(psychometric.table, 2);
   drop_empty_columns(order.table, 1);
@@ -539,7 +571,7 @@ Table with_quantities(const NamedTable& table) {
                                              kTracks,       kSensitivity,    kSensitivityOfChoices,
                                              kConfidenceRoc};
   const std::optional<std::size_t> unit = column_of(table.table, "unit");
-  if (!kTables.contains(table.name) || !unit) return table.table;
+  if (!kTables.contains(name_without_ending(table.name)) || !unit) return table.table;
   static const std::set<std::string> kQuantities{"pse",           "jnd",       "jnd_dprime1",
                                                  "jnd_posterior", "mean",      "geometric_mean",
                                                  "level",         "difference"};

@@ -166,7 +166,9 @@ class Gathering {
           break;
         case AnalysisUse::catch_trial:
           if (attempt.valid && !attempt.excluded) {
-            add_catch_response(session.participant, answers.words[trial->second->block],
+            add_catch_response({.participant = session.participant,
+                                .block = answers.words[trial->second->block],
+                                .type = type_of_catch_trial(reading, *trial->second, attempt)},
                                answers.replies_of(attempt));
           }
           break;
@@ -430,16 +432,30 @@ class Gathering {
     }
   }
 
-  /// Correct where there is a response, and none is incorrect.
-  void add_catch_response(const std::string& participant, const std::string& block,
-                          std::span<const SessionAnswers::Reply> replies) {
+  /// Of the surfaces that the attempt presented: without a comparison, it is not an easy one.
+  CatchType type_of_catch_trial(const Session& session, const SessionAnswers::Trial& trial,
+                                const SessionAnswers::Attempt& attempt) const {
+    const auto surfaces = session.answers.surfaces_of(attempt);
+    const bool has_comparison =
+        std::any_of(surfaces.begin(), surfaces.end(), [&session](const auto& surface) {
+          return session.answers.words[surface.item].starts_with("comparison");
+        });
+    if (surfaces.empty() || has_comparison) return CatchType::easy;
+    const auto block = gathered.blocks.find(session.answers.words[trial.block]);
+    const bool is_performance =
+        block != gathered.blocks.end() &&
+        std::any_of(block->second.questions.begin(), block->second.questions.end(),
+                    [](const auto& question) { return question.judgement == "performance"; });
+    return is_performance ? CatchType::no_signal : CatchType::identical_pair;
+  }
+
+  /// `of`: without counts. Correct where there is a response, and none is incorrect.
+  void add_catch_response(CatchResponses of, std::span<const SessionAnswers::Reply> replies) {
     auto& all = gathered.catch_responses;
     auto known = std::find_if(all.begin(), all.end(), [&](const CatchResponses& each) {
-      return each.participant == participant && each.block == block;
+      return each.participant == of.participant && each.block == of.block && each.type == of.type;
     });
-    if (known == all.end()) {
-      known = all.insert(known, {.participant = participant, .block = block});
-    }
+    if (known == all.end()) known = all.insert(known, std::move(of));
     ++known->trials;
     const bool is_correct =
         !replies.empty() && std::all_of(replies.begin(), replies.end(), [](const auto& reply) {

@@ -17,6 +17,7 @@
 #include "app/records/presented_matches.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
+#include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "results_schema/study.h"
 
@@ -136,6 +137,8 @@ std::string fate_of(AnalysisUse use, AttemptOutcome outcome);
 struct CatchResponses {
   std::string participant{};
   std::string block{};
+  /// By the surfaces that were felt and the judgement of the block.
+  CatchType type = CatchType::easy;
   std::size_t trials = 0;
   std::size_t correct = 0;
 };
@@ -197,7 +200,7 @@ struct GatheredAnswers {
       item_forces{};  ///< by word of the item; none without a force
   /// Of the blocks of this kind with `equal_roughness`, in the order of the sessions: those with an attempt that counts.
   std::vector<ParticipantMatch> matches{};
-  /// By participant and block. No other number contains these responses.
+  /// By participant, block and type. No other number contains these responses.
   std::vector<CatchResponses> catch_responses{};
 
   /// Whether responses are numbers that are analysed as the protocol's key `estimation` specifies.

@@ -2491,6 +2491,46 @@
         <source>Does the effect of the stimulus depend on the condition?</source>
         <translation>Hängt die Wirkung des Reizes von der Bedingung ab?</translation>
     </message>
+    <message>
+        <source>more than 1 error</source>
+        <translation>mehr als 1 Fehler</translation>
+    </message>
+    <message>
+        <source>more than %1 errors</source>
+        <translation>mehr als %1 Fehler</translation>
+    </message>
+    <message>
+        <source>errors in more than %1 of the catch trials</source>
+        <translation>Fehler in mehr als %1 der Kontrolldurchgänge</translation>
+    </message>
+    <message>
+        <source>%1, with the excluded participants</source>
+        <translation>%1, mit den ausgeschlossenen Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Exclusions by errors in catch trials</source>
+        <translation>Ausschlüsse wegen Fehlern in Kontrolldurchgängen</translation>
+    </message>
+    <message>
+        <source>Rule that the protocol declares: participants with %1 are excluded, all types of catch trials and all blocks together. Their stored responses are unchanged.</source>
+        <translation>Im Protokoll erklärte Regel: Versuchspersonen werden ausgeschlossen bei: %1 (alle Arten von Kontrolldurchgängen und alle Blöcke zusammen). Ihre gespeicherten Antworten bleiben unverändert.</translation>
+    </message>
+    <message>
+        <source>The declared rule (%1) excludes all participants, so that the results are those of the excluded participants.</source>
+        <translation>Die erklärte Regel (%1) schließt alle Versuchspersonen aus, sodass die Ergebnisse die der ausgeschlossenen Versuchspersonen sind.</translation>
+    </message>
+    <message>
+        <source>Participants whom the declared rule (%3) excludes: %1 of %2 (%4). Results are those without these participants; tables with the excluded participants follow. Tables of response times, learning and exploration contain all participants.</source>
+        <translation>Versuchspersonen, die die erklärte Regel (%3) ausschließt: %1 von %2 (%4). Die Ergebnisse sind die ohne diese Versuchspersonen; Tabellen mit den ausgeschlossenen Versuchspersonen folgen. Tabellen der Antwortzeiten, des Lernens und der Exploration enthalten alle Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>No signal: the standard was presented twice, and “cannot tell” is correct. Every choice is a false alarm.</source>
+        <translation>Kein Signal: Der Standard wurde zweimal dargeboten, und „kann es nicht sagen“ ist richtig. Jede Wahl ist ein falscher Alarm.</translation>
+    </message>
+    <message>
+        <source>Identical pair: the standard was presented twice, and “cannot tell” is correct. Every choice is an error.</source>
+        <translation>Gleiches Paar: Der Standard wurde zweimal dargeboten, und „kann es nicht sagen“ ist richtig. Jede Wahl ist ein Fehler.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -3305,6 +3345,18 @@
         <source>predictor</source>
         <translation>Prädiktor</translation>
     </message>
+    <message>
+        <source>errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Art</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -4118,6 +4170,18 @@
     <message>
         <source>there are fewer than three values of the predictor, or the predictor was not measured for every stimulus</source>
         <translation>es gibt weniger als drei Werte des Prädiktors, oder er wurde nicht für jeden Reiz gemessen</translation>
+    </message>
+    <message>
+        <source>easy</source>
+        <translation>leicht</translation>
+    </message>
+    <message>
+        <source>identical pair</source>
+        <translation>gleiches Paar</translation>
+    </message>
+    <message>
+        <source>no signal</source>
+        <translation>kein Signal</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@
 namespace asperity {
 
 /// The question over a field in which the line begins at the left and ends where it is pressed or where arrows move its
-/// end. The field shows neither a number nor the end of the longest line.
+/// end. No number is shown.
 const ParticipantPage& line_page();
 
 }  // namespace asperity

@@ -1,0 +1,45 @@
+// Excludes participants by their errors in catch trials, as the protocol declares it before data collection.
+
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/gathered_answers.h"
+
+namespace asperity {
+
+/// The table of the errors by participant, with the decision; absent without a declared rule.
+inline constexpr const char* kExclusions = "exclusions";
+/// The end of the names of tables, and of the analyses of findings, that contain the excluded participants.
+inline constexpr const char* kWithExcluded = "_with_excluded";
+
+/// The errors of a participant in the catch trials of all types and blocks. A missed deadline is an error.
+struct CatchErrors {
+  std::string participant{};
+  std::size_t errors = 0;
+  std::size_t trials = 0;
+};
+/// By participant with a catch trial, in the order of GatheredAnswers::catch_responses.
+std::vector<CatchErrors> catch_errors(const GatheredAnswers& gathered);
+
+bool is_excluded(const CatchExclusion& rule, const CatchErrors& errors);
+
+/// The responses without those of these participants. Responses in catch trials remain: they are the reason.
+GatheredAnswers without_participants(GatheredAnswers gathered,
+                                     const std::set<std::string>& participants);
+
+/// Runs `analyze` on the responses without the participants whom the declared rule excludes, and a second time on all
+/// responses: the tables of thresholds, their means and the tests of the second run are added with names that end in
+/// `kWithExcluded`, and their findings with such an analysis. Adds the table `kExclusions`. Without a rule, or if it excludes no
+/// participant or all of them, `analyze` runs once on all responses.
+void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& outcome,
+                             void (*analyze)(const GatheredAnswers&, AnalysisOutcome&));
+
+/// The name of a table without `kWithExcluded`.
+std::string name_without_ending(const std::string& table);
+
+}  // namespace asperity

@@ -1,0 +1,156 @@
+// Participants who are excluded by their errors in catch trials, as the protocol declares it.
+
+#include "app/findings/study/catch_exclusions.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/study_analysis.h"
+#include "tests/app/made_up_choices.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+MadeUpTrial caught(bool is_correct) {
+  MadeUpTrial trial = discriminated({.value_m = 100e-6, .chose_comparison = is_correct});
+  trial.repetition = 0;
+  trial.is_catch = true;
+  return trial;
+}
+
+/// Two standards.
+MadeUpTrial caught_without_signal(const std::string& answer) {
+  MadeUpTrial trial = caught(true);
+  trial.surfaces = {surface_of("standard", "sinusoid", ""),
+                    surface_of("standard_2", "sinusoid", "")};
+  trial.options = {"standard", "standard_2", "cannot_tell"};
+  trial.answers = {answer};
+  trial.right = {"cannot_tell"};
+  return trial;
+}
+
+/// Participants p1, p2, … with these numbers of errors in 10 easy catch trials. The last one guesses in all trials.
+AnalysisOutcome outcome_with_errors(const std::vector<int>& errors, const json& rule) {
+  json protocol = discrimination_protocol("performance");
+  if (!rule.is_null()) protocol["analysis"]["exclude"] = rule;
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
+  for (std::size_t person = 0; person < errors.size(); ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    PsychometricFunction function = kPerformer;
+    if (person + 1 == errors.size()) function.alpha = 20e-6;
+    MadeUpObserver observer(function, static_cast<unsigned>(person + 1));
+    std::vector<MadeUpTrial> trials = trials_of(observer.choices(kAbove_m, 40, true));
+    for (int i = 0; i < 10; ++i) trials.push_back(caught(i >= errors[person]));
+    made.add_person(label, "");
+    made.add_session(label, id, trials);
+  }
+  return outcome_of_discrimination(made);
+}
+
+std::size_t rows_of(const AnalysisOutcome& outcome, const std::string& table) {
+  return discrimination_table(outcome, table).table.rows.size();
+}
+
+double mean_threshold(const AnalysisOutcome& outcome, const std::string& analysis) {
+  return FoundNumbers(part_of(outcome, analysis)).value("mean.jnd", "all").value_or(0.0);
+}
+
+TEST(CatchExclusions, AreByTheDeclaredNumberOrProportionOfErrors) {
+  const CatchErrors three_of_ten{.participant = "p", .errors = 3, .trials = 10};
+  EXPECT_FALSE(is_excluded({.more_errors_than = 3}, three_of_ten));
+  EXPECT_TRUE(is_excluded({.more_errors_than = 2}, three_of_ten));
+  EXPECT_FALSE(is_excluded({.error_rate_above = 0.3}, three_of_ten));
+  EXPECT_TRUE(is_excluded({.error_rate_above = 0.25}, three_of_ten));
+}
+
+TEST(CatchExclusions, GiveTheResultsWithAndWithoutALapsingParticipant) {
+  const AnalysisOutcome outcome =
+      outcome_with_errors({0, 1, 2, 5}, {{"more_catch_errors_than", 2}});
+  const AnalysisOutcome of_all = outcome_with_errors({0, 1, 2, 5}, {});
+  EXPECT_EQ(rows_of(outcome, "thresholds"), 3U);
+  EXPECT_EQ(rows_of(outcome, "thresholds_with_excluded"), 4U);
+  EXPECT_EQ(discrimination_table(outcome, "mean_thresholds_with_excluded").table.rows,
+            discrimination_table(of_all, "mean_thresholds").table.rows);
+  EXPECT_EQ(discrimination_table(outcome, "tests_with_excluded").table.rows,
+            discrimination_table(of_all, "tests").table.rows);
+  EXPECT_EQ(mean_threshold(outcome, "mean_thresholds_with_excluded"),
+            mean_threshold(of_all, "mean_thresholds"));
+  EXPECT_LT(mean_threshold(outcome, "mean_thresholds"),
+            0.9 * mean_threshold(of_all, "mean_thresholds"));
+  const Table& exclusions = discrimination_table(outcome, "exclusions").table;
+  ASSERT_EQ(exclusions.rows.size(), 4U);
+  EXPECT_EQ(exclusions.rows[2].back(), Cell(std::string("no")));
+  EXPECT_EQ(exclusions.rows[3].front(), Cell(std::string("p4")));
+  EXPECT_EQ(exclusions.rows[3].back(), Cell(std::string("yes")));
+  EXPECT_EQ(rows_of(outcome, "catch_trials"), 4U) << "they are the reason";
+  bool names_participant = false;
+  for (const Phrase& remark : outcome.remarks) {
+    names_participant = names_participant || remark.english().find(
+                                                 "Participants whom the declared rule (more than 2 "
+                                                 "errors) excludes: 1 of 4 (p4).") == 0;
+  }
+  EXPECT_TRUE(names_participant);
+}
+
+TEST(CatchExclusions, AreThoseOfTheOtherParticipantsAlone) {
+  const AnalysisOutcome outcome =
+      outcome_with_errors({0, 1, 2, 5}, {{"catch_error_rate_above", 0.4}});
+  // The same first three participants: the last one of that study is p4 with another threshold.
+  const AnalysisOutcome longer = outcome_with_errors({0, 1, 2, 0}, {});
+  const Table& own = discrimination_table(outcome, "thresholds").table;
+  const Table& others = discrimination_table(longer, "thresholds").table;
+  const auto jnd = column_of(own, "jnd");
+  ASSERT_TRUE(jnd);
+  for (std::size_t row = 0; row < 3; ++row) EXPECT_EQ(own.rows[row], others.rows[row]);
+}
+
+TEST(CatchExclusions, OfNoParticipantOrOfAllChangeNoResult) {
+  const AnalysisOutcome plain = outcome_with_errors({0, 1}, {});
+  for (const int most : {5, 0}) {
+    const AnalysisOutcome outcome = outcome_with_errors(
+        most == 5 ? std::vector{0, 1} : std::vector{1, 1}, {{"more_catch_errors_than", most}});
+    EXPECT_EQ(discrimination_table(outcome, "thresholds").table.rows,
+              discrimination_table(plain, "thresholds").table.rows);
+    EXPECT_THROW(discrimination_table(outcome, "thresholds_with_excluded"), std::runtime_error);
+    EXPECT_EQ(rows_of(outcome, "exclusions"), 2U);
+  }
+  EXPECT_THROW(discrimination_table(plain, "exclusions"), std::runtime_error);
+}
+
+TEST(CatchTrialsByType, CountAChoiceWithoutASignalAsAnError) {
+  MadeUpStudy made;
+  const std::int64_t id =
+      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+  MadeUpObserver observer(kPerformer, 1);
+  std::vector<MadeUpTrial> trials = trials_of(observer.choices(kAbove_m, 20, true));
+  trials.push_back(caught_without_signal("cannot_tell"));
+  trials.push_back(caught_without_signal("standard_2"));
+  trials.push_back(caught_without_signal("cannot_tell"));
+  trials.push_back(caught(true));
+  made.add_person("p1", "");
+  made.add_session("p1", id, trials);
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const NamedTable& table = discrimination_table(outcome, "catch_trials");
+  const std::vector<std::vector<Cell>> expected{
+      {std::string("p1"), std::string("only"), std::string("no_signal"), std::int64_t{2},
+       std::int64_t{3}, 2.0 / 3.0},
+      {std::string("p1"), std::string("only"), std::string("easy"), std::int64_t{1},
+       std::int64_t{1}, 1.0}};
+  EXPECT_EQ(table.table.rows, expected);
+  EXPECT_THAT(table.note.english(), HasSubstr("Every choice is a false alarm"));
+}
+
+}  // namespace
+}  // namespace asperity
