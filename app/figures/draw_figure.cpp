@@ -16,22 +16,22 @@ namespace asperity {
 
 namespace {
 
-enum class Shape { disc, square, triangle, diamond, lower_triangle, cross };
+enum class MarkShape { disc, square, triangle, diamond, lower_triangle, cross };
 
 /// A colour of Okabe and Ito, a shape and a line style; each of the three is sufficient to
 /// distinguish series.
 struct Style {
   const char* color = "";
-  Shape shape = Shape::disc;
+  MarkShape shape = MarkShape::disc;
   std::array<double, 4> dashes{};  ///< in pen widths; zeros: a solid line
 };
 
-constexpr std::array kStyles{Style{"#0072B2", Shape::disc, {}},
-                             Style{"#E69F00", Shape::square, {5, 2, 5, 2}},
-                             Style{"#009E73", Shape::triangle, {5, 2, 1, 2}},
-                             Style{"#CC79A7", Shape::diamond, {2, 2, 2, 2}},
-                             Style{"#56B4E9", Shape::lower_triangle, {8, 2, 8, 2}},
-                             Style{"#D55E00", Shape::cross, {1, 2, 1, 2}}};
+constexpr std::array kStyles{Style{"#0072B2", MarkShape::disc, {}},
+                             Style{"#E69F00", MarkShape::square, {5, 2, 5, 2}},
+                             Style{"#009E73", MarkShape::triangle, {5, 2, 1, 2}},
+                             Style{"#CC79A7", MarkShape::diamond, {2, 2, 2, 2}},
+                             Style{"#56B4E9", MarkShape::lower_triangle, {8, 2, 8, 2}},
+                             Style{"#D55E00", MarkShape::cross, {1, 2, 1, 2}}};
 
 const Style& style_of(const FigureSeries& series) {
   return kStyles[static_cast<std::size_t>(series.style) % kStyles.size()];
@@ -371,25 +371,25 @@ class FigureDrawing final {
       return QPointF(middle.x() + x * half, middle.y() + y * half);
     };
     switch (style_of(series).shape) {
-      case Shape::disc:
+      case MarkShape::disc:
         painter_.drawEllipse(middle, half, half);
         break;
-      case Shape::square:
+      case MarkShape::square:
         painter_.drawRect(QRectF(corner(-0.9, -0.9), corner(0.9, 0.9)));
         break;
-      case Shape::triangle:
+      case MarkShape::triangle:
         painter_.drawPolygon(
             QPolygonF({corner(0.0, -1.15), corner(1.1, 0.85), corner(-1.1, 0.85)}));
         break;
-      case Shape::diamond:
+      case MarkShape::diamond:
         painter_.drawPolygon(QPolygonF(
             {corner(0.0, -1.25), corner(1.25, 0.0), corner(0.0, 1.25), corner(-1.25, 0.0)}));
         break;
-      case Shape::lower_triangle:
+      case MarkShape::lower_triangle:
         painter_.drawPolygon(
             QPolygonF({corner(0.0, 1.15), corner(1.1, -0.85), corner(-1.1, -0.85)}));
         break;
-      case Shape::cross:
+      case MarkShape::cross:
         painter_.drawLine(corner(-0.9, -0.9), corner(0.9, 0.9));
         painter_.drawLine(corner(-0.9, 0.9), corner(0.9, -0.9));
         break;

@@ -57,7 +57,7 @@ QString words_of(const Phrase& phrase, const FigurePrint& print) {
                                               : phrase.english());
 }
 
-std::string text_of(const QByteArray& bytes) {
+std::string text_of_bytes(const QByteArray& bytes) {
   return std::string(bytes.constData(), static_cast<std::size_t>(bytes.size()));
 }
 
@@ -97,7 +97,7 @@ std::string svg_of(const Figure& figure, const FigurePrint& print) {
   draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
   painter.end();
   name_any_sans(bytes, FigureLayout(figure, sheet.width, sheet.look));
-  return text_of(bytes);
+  return text_of_bytes(bytes);
 }
 
 std::string png_of(const Figure& figure, const FigurePrint& print) {
@@ -117,7 +117,7 @@ std::string png_of(const Figure& figure, const FigurePrint& print) {
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   image.save(&buffer, "PNG");
-  return text_of(bytes);
+  return text_of_bytes(bytes);
 }
 
 std::string pdf_of(const Figure& figure, const FigurePrint& print) {
@@ -135,7 +135,7 @@ std::string pdf_of(const Figure& figure, const FigurePrint& print) {
   draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
   painter.end();
   take_out_the_date(bytes);
-  return text_of(bytes);
+  return text_of_bytes(bytes);
 }
 
 void write_svg(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,

@@ -104,6 +104,15 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
 /// Power by sample size, a curve per plan; plans without a second size a row each.
 Figure power_figure(const TidyInput& input, const FoundNumbers& found);
 
+/// What the note of psychometric functions states.
+struct FunctionsNote {
+  enum class Intervals { delta, resamples, delta_and_resamples, repeated_procedure };
+  std::string percent_correct{};  ///< at the threshold; empty: points of subjective equality
+  std::string confidence = "95";  ///< in percent
+  Intervals intervals = Intervals::delta;
+};
+Phrase note_on_functions(const FunctionsNote& note);
+
 /// Proportions correct by level, the fitted function and its threshold. `unit`: of the levels. `levels`: the range of the
 /// levels that the axis shows; those of the table without it.
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,

@@ -183,15 +183,16 @@ Figure stress_figure(const FoundNumbers& found) {
                                 "the dimensions: %1.")
                              .with(fixed(*chosen, 0))
                        : phrase("Figures", "Kruskal’s stress-1.");
-  struct Level {
+  struct Scaling {
     const char* quantity = "";
     Phrase name{};
   };
   double highest = 0.0;
   std::size_t most = 0;
   int style = 0;
-  for (const Level& level : {Level{"stress.ordinal", phrase("Figures", "non-metric scaling")},
-                             Level{"stress.ratio", phrase("Figures", "metric (ratio) scaling")}}) {
+  for (const Scaling& level :
+       {Scaling{"stress.ordinal", phrase("Figures", "non-metric scaling")},
+        Scaling{"stress.ratio", phrase("Figures", "metric (ratio) scaling")}}) {
     FigureSeries series{.name = level.name, .style = style++};
     series.lines.emplace_back();
     for (const Finding* const one : found.all(level.quantity)) {

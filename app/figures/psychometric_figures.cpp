@@ -36,24 +36,54 @@ std::optional<PsychometricFunction> function_of(const TidyInput& input, const Fo
       .shape = *shape, .alpha = *alpha, .beta = *beta, .gamma = *gamma, .lambda = *lambda};
 }
 
+/// How the intervals of the thresholds were estimated.
+Phrase words_of_intervals(FunctionsNote::Intervals intervals) {
+  switch (intervals) {
+    case FunctionsNote::Intervals::delta:
+      return phrase("Figures", "by the delta method");
+    case FunctionsNote::Intervals::resamples:
+      return phrase("Figures", "by percentiles of a bootstrap of the three outcomes");
+    case FunctionsNote::Intervals::delta_and_resamples:
+      return phrase("Figures",
+                    "by the delta method or, with responses “cannot tell”, by percentiles of a "
+                    "bootstrap of the three outcomes");
+    case FunctionsNote::Intervals::repeated_procedure:
+      break;
+  }
+  return phrase("Figures", "by running the procedure again");
+}
+
 }  // namespace
+
+Phrase note_on_functions(const FunctionsNote& note) {
+  const Phrase intervals = words_of_intervals(note.intervals);
+  if (note.percent_correct.empty()) {
+    return phrase("Figures",
+                  "Filled symbols: proportions of choices, larger for more trials. Curves: "
+                  "maximum-likelihood psychometric functions. Open symbols: points of "
+                  "subjective equality, with %1 % CIs %2.")
+        .with(note.confidence, intervals);
+  }
+  return phrase("Figures",
+                "Filled symbols: proportions correct, larger for more trials. Curves: "
+                "maximum-likelihood psychometric functions. Open symbols: thresholds, the "
+                "level of %1 % correct, with %2 % CIs %3.")
+      .with(note.percent_correct, note.confidence, intervals);
+}
 
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                            const std::string& unit, const std::optional<FigureSpan>& levels) {
   const double performance = input.options.number("pt");
-  Figure figure{
-      .name = "psychometric",
-      .title = phrase("Figures", "Proportion correct by level"),
-      .note = phrase("Figures",
-                     "Filled symbols: proportions correct, larger for more trials. Curves: "
-                     "maximum-likelihood psychometric functions. Open symbols: thresholds, the "
-                     "level of %1 % correct, with %2 % CIs by the delta method.")
-                  .with(number_text(100.0 * performance), percent_of(found.all("threshold")))};
+  Figure figure{.name = "psychometric",
+                .title = phrase("Figures", "Proportion correct by level"),
+                .note = note_on_functions({.percent_correct = number_text(100.0 * performance),
+                                           .confidence = percent_of(found.all("threshold"))})};
   const TidyTable& table = input.table();
   const LabelColumn conditions = table.all_labels("condition");
   const std::vector<double> x = table.all_numbers("x");
   const std::vector<std::uint64_t> trials = table.counts("n");
-  const std::vector<std::uint64_t> hits = table.counts("k");
+  // Not whole where a response "cannot tell" counts as the mean of a guess.
+  const std::vector<double> hits = table.all_numbers("k");
   std::uint64_t most = 0;
   double low = 0.0;
   double high = 0.0;
@@ -87,7 +117,7 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
         FigureSeries{.name = words_of_condition(name), .style = static_cast<int>(i)});
     for (std::size_t row = 0; row < x.size(); ++row) {
       if (conditions.codes[row] != i || trials[row] == 0) continue;
-      const double share = static_cast<double>(hits[row]) / static_cast<double>(trials[row]);
+      const double share = hits[row] / static_cast<double>(trials[row]);
       const double weight = static_cast<double>(trials[row]) / static_cast<double>(most);
       series.points.push_back(
           {.x = x[row], .y = share, .size = std::max(0.5, 1.2 * std::sqrt(weight))});

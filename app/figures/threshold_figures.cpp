@@ -30,6 +30,7 @@ struct DrawnFunctions {
   const DiscriminationDesign* design = &two_alternatives();
   LabelRows conditions{};
   std::set<std::string> names{};
+  std::set<std::string> unsure{};  ///< the conditions with responses "cannot tell"
   NumberColumn levels{};
   NumberColumn trials{};
   NumberColumn hits{};
@@ -78,6 +79,7 @@ std::vector<DrawnFunctions> drawn_functions(const Table& table, const FoundNumbe
     known->levels.push_back(level);
     known->trials.push_back(row.number("responses"));
     known->hits.push_back(row.number("hits"));
+    if (row.number("unsure").value_or(0.0) > 0.0) known->unsure.insert(row.text("condition"));
     known->range.low = std::min(known->range.low, level);
     known->range.high = std::max(known->range.high, level);
   }
@@ -175,6 +177,19 @@ void add_detections(const DrawnFunctions& drawn, const std::vector<std::string>&
                     .with(yes);
 }
 
+/// How the intervals of the drawn thresholds were estimated.
+FunctionsNote::Intervals method_of_intervals(const DrawnFunctions& drawn,
+                                             const FoundNumbers& thresholds) {
+  const bool is_repeated =
+      std::any_of(drawn.names.begin(), drawn.names.end(), [&](const std::string& condition) {
+        return thresholds.find("without", drawn.participant + '|' + condition) != nullptr;
+      });
+  if (is_repeated) return FunctionsNote::Intervals::repeated_procedure;
+  if (drawn.unsure.empty()) return FunctionsNote::Intervals::delta;
+  return drawn.unsure.size() == drawn.names.size() ? FunctionsNote::Intervals::resamples
+                                                   : FunctionsNote::Intervals::delta_and_resamples;
+}
+
 Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
                            const FoundNumbers& thresholds) {
   const DrawnUnit unit =
@@ -187,10 +202,6 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
   Figure figure =
       psychometric_figure(input, FoundNumbers(findings), unit.text,
                           FigureSpan{drawn.range.low / unit.size, drawn.range.high / unit.size});
-  const bool is_repeated =
-      std::any_of(drawn.names.begin(), drawn.names.end(), [&](const std::string& condition) {
-        return thresholds.find("without", drawn.participant + '|' + condition) != nullptr;
-      });
   const std::string parameter = words_of_parameter(drawn.parameter);
   figure.name = figure_file_name("psychometric_" + drawn.participant +
                                  (drawn.is_performance ? "" : "_comparison"));
@@ -207,39 +218,17 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
   }
   if (drawn.is_performance) {
     figure.x.name = phrase("Figures", "difference of the %1 from the standard").with(parameter);
-    const std::string at_threshold =
-        number_text(std::round(1000.0 * proportion_at_threshold(*drawn.design)) / 10.0);
     if (drawn.design->is_choice_of_three()) {
       figure.name = figure_file_name("psychometric_" + drawn.participant + '_' +
                                      std::string(drawn.design->id));
-      figure.note =
-          phrase("Figures",
-                 "Filled symbols: proportions correct, larger for more trials. Curves: "
-                 "maximum-likelihood psychometric functions. Open symbols: thresholds, the "
-                 "level of %1 % correct, with %2 % CIs by the delta method.")
-              .with(at_threshold, "95");
     }
-    if (is_repeated) {
-      figure.note =
-          phrase(
-              "Figures",
-              "Filled symbols: proportions correct, larger for more trials. Curves: "
-              "maximum-likelihood psychometric functions. Open symbols: thresholds, the level of "
-              "%1 % correct, with 95 % CIs by running the procedure again.")
-              .with(at_threshold);
-    }
+    figure.note =
+        note_on_functions({.percent_correct = number_text(
+                               std::round(1000.0 * proportion_at_threshold(*drawn.design)) / 10.0),
+                           .intervals = method_of_intervals(drawn, thresholds)});
     return figure;
   }
-  figure.note = phrase("Figures",
-                       "Filled symbols: proportions of choices, larger for more trials. Curves: "
-                       "maximum-likelihood psychometric functions. Open symbols: points of "
-                       "subjective equality, with 95 % CIs by the delta method.");
-  if (is_repeated) {
-    figure.note = phrase("Figures",
-                         "Filled symbols: proportions of choices, larger for more trials. Curves: "
-                         "maximum-likelihood psychometric functions. Open symbols: points of "
-                         "subjective equality, with 95 % CIs by running the procedure again.");
-  }
+  figure.note = note_on_functions({.intervals = method_of_intervals(drawn, thresholds)});
   figure.x.name = phrase("Figures", "%1 of the comparison").with(parameter);
   figure.y.name = phrase("Figures", "proportion of choices");
   figure.references.clear();

@@ -97,12 +97,8 @@ std::optional<SuppliedStep> Conductor::stated_step() {
 /// Tells the program the outcome of a trial as soon as it is stored.
 void Conductor::tell_program(const Trial& trial, const AttemptRow& attempt) {
   if (!level_program_ || !trial.track || trial.block_ordinal != block_of_program_) return;
-  const TrialOutcome outcome = outcome_of(protocol_, trial, attempt);
-  if (!outcome.answer) return;
-  const Dimension& dimension = *protocol_.blocks.at(trial.block).vary;
-  level_program_->tell({.of = *trial.track,
-                        .answer = {.level = dimension.level_of(outcome.answer->value),
-                                   .outcome = outcome.answer->outcome}});
+  const std::optional<LevelAnswer> answer = level_answer_of(protocol_, trial, attempt);
+  if (answer) level_program_->tell({.of = *trial.track, .answer = *answer});
 }
 
 /// Closes the input of the program and waits until it has ended; one that does not end is ended. It has stated what it

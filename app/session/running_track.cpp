@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
 #include "analysis/level_scale.h"
 #include "analysis/threshold_prior.h"
 #include "analysis/up_down.h"
-#include "protocols/design/block_factors.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {
@@ -54,31 +53,6 @@ std::map<int, const AttemptSummary*> counted_attempts(std::span<const AttemptSum
   return counted;
 }
 
-/// Whether the answer leads to a lower level; nothing where there is no answer.
-std::optional<bool> counts_down(const Protocol::Block& block, const Trial& trial,
-                                const AttemptSummary& attempt) {
-  if (attempt.outcome == AttemptOutcome::timed_out) {
-    return block.procedure->timeouts_are_incorrect ? std::optional(false) : std::nullopt;
-  }
-  if (attempt.outcome != AttemptOutcome::answered) return {};
-  if (attempt.correct) return attempt.correct;
-  const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
-  if (judged == nullptr) return {};
-  // Answers follow each other in the order of the questions, each with its items.
-  std::size_t place = 0;
-  for (const TrialQuestion& question : trial.questions) {
-    if (question.name == judged->name) break;
-    place += static_cast<std::size_t>(
-        items_of(question.form, static_cast<int>(trial.presentations.size())));
-  }
-  if (place >= attempt.answers.size()) return {};
-  for (const PlannedPresentation& surface : trial.presentations) {
-    if (surface.code != attempt.answers[place]) continue;
-    return (surface.role == block.vary->role) != judged->asks_for_less;
-  }
-  return {};
-}
-
 std::string other_levels(const Trial& trial, const std::string& varied) {
   std::string text{};
   for (const auto& [factor, level] : trial.factors) {
@@ -91,7 +65,7 @@ void estimate_by_reversals(const UpDownTrack& settings, RunningTrack& track) {
   UpDownRun run(settings.rule);
   double sum = 0.0;
   for (const RunningTrial& trial : track.trials) {
-    if (!run.respond(trial.counts_down).is_reversal) continue;
+    if (!run.respond(trial.outcome == LevelOutcome::correct).is_reversal) continue;
     sum += place_on(settings.grid.scale, trial.level);
     ++track.reversals;
   }
@@ -101,14 +75,19 @@ void estimate_by_reversals(const UpDownTrack& settings, RunningTrack& track) {
 }
 
 void estimate_by_posterior(const PosteriorTrack& settings, RunningTrack& track) {
-  std::vector<PsychometricBlock> blocks{};
   double sum = 0.0;
+  std::map<double, PsychometricBlock> by_difference{};
   for (const RunningTrial& trial : track.trials) {
     sum += trial.level - settings.origin;
-    blocks.push_back({.x = std::abs(trial.level - settings.origin),
-                      .trials = 1,
-                      .hits = trial.counts_down ? std::uint64_t{1} : std::uint64_t{0}});
+    const double difference = std::abs(trial.level - settings.origin);
+    PsychometricBlock& block = by_difference[difference];
+    block.x = difference;
+    ++block.trials;
+    if (trial.outcome == LevelOutcome::correct) ++block.hits;
+    if (trial.outcome == LevelOutcome::unsure) block.guessed_hits += settings.prior.guess_rate;
   }
+  std::vector<PsychometricBlock> blocks{};
+  for (const auto& [difference, block] : by_difference) blocks.push_back(block);
   const std::vector<PsychometricFunction> functions = functions_of(settings.prior, {});
   const Eigen::ArrayXd weights = posterior_of(functions, blocks);
   const auto threshold = [&](double confidence) {
@@ -130,7 +109,11 @@ void estimate(const ProcedureSettings& settings, RunningTrack& track) {
   if (const std::optional<UpDownTrack> up_down = up_down_of(settings)) {
     estimate_by_reversals(*up_down, track);
   } else if (const PosteriorTrack* const posterior = posterior_track_of(settings)) {
-    estimate_by_posterior(*posterior, track);
+    try {
+      estimate_by_posterior(*posterior, track);
+    } catch (const std::invalid_argument&) {
+      track.estimate.reset();
+    }
   }
 }
 
@@ -159,25 +142,16 @@ std::optional<RunningTracks> running_tracks(const Protocol& protocol, const Plan
     block = &named->second;
     const Dimension& dimension = *block->vary;
     if (!running) {
-      const auto* const judged = judged_question(*block);
-      running = RunningTracks{
-          .quantity = dimension.parameter,
-          .unit = unit_of_levels(dimension),
-          .has_correct_responses =
-              judged != nullptr && judged->judgement == DiscriminationJudgement::performance};
+      running = RunningTracks{.quantity = dimension.parameter, .unit = unit_of_levels(dimension)};
     }
     const auto attempt = counted.find(trial.ordinal);
-    if (attempt == counted.end()) continue;
-    const std::optional<bool> down = counts_down(*block, trial, *attempt->second);
-    const auto level = trial.factors.find(dimension.factor);
-    const auto* const value =
-        level == trial.factors.end() ? nullptr : std::get_if<double>(&level->second);
-    if (!down || value == nullptr) continue;
+    if (attempt == counted.end() || !attempt->second->answer_of_track) continue;
+    const LevelAnswer& answer = *attempt->second->answer_of_track;
     RunningTrack& track = tracks[trial.track->track];
     track.track = trial.track->track;
     track.condition = other_levels(trial, dimension.factor);
     track.trials.push_back(
-        {.step = trial.track->step, .level = dimension.level_of(*value), .counts_down = *down});
+        {.step = trial.track->step, .level = answer.level, .outcome = answer.outcome});
   }
   if (!running) return {};
   // Every combination of the other factors has every track of the procedure, in this order.

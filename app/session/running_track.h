@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/session_monitor.h"
+#include "protocols/procedures/level_answer.h"
 
 namespace asperity {
 
@@ -16,8 +17,7 @@ namespace asperity {
 struct RunningTrial {
   int step = 0;        ///< from 1, within the track
   double level = 0.0;  ///< as the levels are stated (Dimension)
-  /// Whether the answer leads to a lower level: a correct one, or the choice of the varied surface.
-  bool counts_down = false;
+  LevelOutcome outcome = LevelOutcome::incorrect;
 };
 
 /// Where a track is: the mean of its reversals, or the median of its posterior with the 95 % credible interval.
@@ -32,25 +32,25 @@ struct RunningTrack {
   std::string condition{};  ///< the levels of the other factors; names, hidden while blind
   std::vector<RunningTrial> trials{};
   std::size_t reversals = 0;  ///< of an up-down method
-  /// Nothing before the first reversal or answer, and for constant stimuli.
+  /// Nothing before the first reversal or answer, for constant stimuli, and where no function of the prior can give the
+  /// responses.
   std::optional<RunningEstimate> estimate{};
 };
 
 /// The tracks of one run of a block.
 struct RunningTracks {
-  std::string quantity{};  ///< the varied parameter
-  std::string unit{};      ///< of the levels: "m", "dB", "%"; empty for pure numbers
-  /// Answers are correct or incorrect; otherwise one of two surfaces was chosen, and none is correct.
-  bool has_correct_responses = false;
+  std::string quantity{};              ///< the varied parameter
+  std::string unit{};                  ///< of the levels: "m", "dB", "%"; empty for pure numbers
   std::vector<RunningTrack> tracks{};  ///< those with an answer, by number
 };
 
-/// Computed from the stored attempts (AttemptSummary), of which the last valid one of each trial counts, and the levels of
-/// the stored plan. Catch trials belong to no track.
+/// Computed from the answers of the stored attempts (AttemptSummary), of which the last valid one of each trial counts.
+/// Catch trials belong to no track.
 ///
 /// The mean of the reversals is that of their levels, of their logarithms where the grid is not linear [Levitt 1971]. The
-/// posterior is that of the procedure's prior, marginal over slope and lapse rate; its threshold is a difference from the
-/// standard, shown at the side of the levels that were presented.
+/// posterior is that of the procedure's prior, marginal over slope and lapse rate, and an unsure response is a guess, as in
+/// the procedure (`posterior_rule`); its threshold is a difference from the standard, shown at the side of the levels that
+/// were presented.
 ///
 /// Nothing where the run of the block has no procedure.
 std::optional<RunningTracks> running_tracks(const Protocol& protocol, const Plan& plan,

@@ -18,6 +18,7 @@
 #include "app/session/respondents/participant_scene.h"
 #include "app/words/phrase.h"
 #include "protocols/plan/plan.h"
+#include "protocols/procedures/level_answer.h"
 #include "renderers/servo/servo_loop.h"
 #include "results_schema/rows.h"
 
@@ -52,6 +53,8 @@ struct AttemptSummary {
   std::vector<std::string> answers{};  ///< labels as shown ("4", "B"), one per item
   /// Of all items together; absent where there are no correct responses.
   std::optional<bool> correct{};
+  /// What the response means for the track of the trial; absent where it does not count for one.
+  std::optional<LevelAnswer> answer_of_track{};
   std::optional<double> from_cue_s{};  ///< response times
   std::optional<double> from_contact_s{};
   double duration_s = 0.0;

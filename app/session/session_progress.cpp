@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/session/trial_outcome.h"
 #include "app/words/coded_phrases.h"
 
 namespace asperity {
@@ -169,6 +170,9 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
     if (attempt.responses.front().correct) summary.correct = is_right(attempt);
     summary.from_cue_s = attempt.responses.front().from_cue_s;
     summary.from_contact_s = attempt.responses.front().from_contact_s;
+  }
+  if (trial.track && attempt.valid && attempt.purpose == AttemptPurpose::trial) {
+    summary.answer_of_track = level_answer_of(course_.protocol(), trial, attempt);
   }
   summary.duration_s = duration_s(attempt);
   return summary;

@@ -42,6 +42,15 @@ TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const Atte
   return {.answer = TrialOutcome::Answer{.value = value, .outcome = outcome()}};
 }
 
+std::optional<LevelAnswer> level_answer_of(const Protocol& protocol, const Trial& trial,
+                                           const AttemptRow& attempt) {
+  const TrialOutcome outcome = outcome_of(protocol, trial, attempt);
+  if (!outcome.answer) return std::nullopt;
+  const Dimension& dimension = protocol.blocks.at(trial.block).vary.value();
+  return LevelAnswer{.level = dimension.level_of(outcome.answer->value),
+                     .outcome = outcome.answer->outcome};
+}
+
 AttemptNumbers set_aside_in(const std::vector<DecisionRow>& decisions) {
   AttemptNumbers numbers{};
   for (const DecisionRow& decision : decisions) {

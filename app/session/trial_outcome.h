@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/session/levels/supplied_steps.h"
 #include "protocols/design/trial.h"
 #include "protocols/plan/course.h"
+#include "protocols/procedures/level_answer.h"
 #include "results_schema/rows.h"
 
 namespace asperity {
@@ -19,6 +21,9 @@ namespace asperity {
 /// rendered. A skipped trial does not count, and neither does a missed deadline of the judged question,
 /// unless the protocol specifies that it is an incorrect response.
 TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const AttemptRow& attempt);
+/// The same as the answer of a procedure: with the level as the levels are stated (Dimension).
+std::optional<LevelAnswer> level_answer_of(const Protocol& protocol, const Trial& trial,
+                                           const AttemptRow& attempt);
 
 /// Trial and attempt.
 using AttemptNumbers = std::set<std::pair<int, int>>;

@@ -67,6 +67,9 @@ class AnalysisWarnings final {
     const auto all_are = [this](auto&& trait) {
       return std::all_of(discriminations_.begin(), discriminations_.end(), trait);
     };
+    if (test == "order" && all_are([](const Block* block) { return block->design->has_noise(); })) {
+      return "the responses are words, and no surface is chosen";
+    }
     if (test == "point_of_subjective_equality" && all_are(has_correct_responses)) {
       return "it requires the judgement \"comparison\"";
     }

@@ -111,8 +111,8 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
                "\"discrimination\"");
     return;
   }
-  for (const char* const key : {"repetitions", "repetitions_of", "maximum_in_a_row", "minimum_distance",
-                                "fixed_positions", "until"}) {
+  for (const char* const key : {"repetitions", "repetitions_of", "maximum_in_a_row",
+                                "minimum_distance", "fixed_positions", "until"}) {
     if (!object.contains(key)) continue;
     report_key(pointer + "/" + key,
                "the procedure of a block determines its trials; remove this key");
@@ -212,19 +212,20 @@ void Meaning::check_unforced(const Block& block, const std::string& method,
                              const std::string& pointer) {
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
   if (judged == nullptr || !judged->allow_cannot_tell || block.design->has_noise()) return;
+  const bool is_performance = judged->judgement == DiscriminationJudgement::performance;
   const std::string remedy =
-      "; use \"weighted_up_down\", or remove \"allow_cannot_tell\" from the question";
+      "; use " + std::string(is_performance ? "\"weighted_up_down\"" : "\"constant_stimuli\"") +
+      ", or remove \"allow_cannot_tell\" from the question";
   if (method == transformed_up_down().id) {
     report(pointer + "/procedure/method",
            "the method " + in_quotes(method) +
                " counts correct responses in succession, among which the response \"cannot tell\" "
-               "has no place" +
+               "cannot be counted" +
                remedy);
   } else if (method == external().id) {
     report(pointer + "/procedure/method",
            "a program that states levels receives correct and incorrect responses only" + remedy);
-  } else if (method == weighted_up_down().id &&
-             judged->judgement == DiscriminationJudgement::comparison) {
+  } else if (method == weighted_up_down().id && !is_performance) {
     const auto index = static_cast<std::size_t>(judged - block.questions.data());
     report(place_of_question(block, index) + "/judgement",
            "the step after the response \"cannot tell\" is the mean step of a guess, which is "
@@ -244,6 +245,11 @@ void Meaning::check_pairs_of_standards(const Block& block, const std::string& pl
   const CatchType of_judgement = judged->judgement == DiscriminationJudgement::performance
                                      ? CatchType::no_signal
                                      : CatchType::identical_pair;
+  if (block.design->surfaces() != 2) {
+    report(place + "/type", "catch trials of this type present two standards, and those of " +
+                                block.design->with_article() + " three surfaces; use \"easy\"");
+    return;
+  }
   if (type != of_judgement) {
     report(place + "/type",
            type == CatchType::no_signal
@@ -268,8 +274,9 @@ void Meaning::check_catch_trials(const Block& block, const std::string& pointer)
   const std::string place = pointer + "/procedure/catch_trials";
   if (catch_trials->type != CatchType::easy) return check_pairs_of_standards(block, place);
   if (!document_.root().contains(nlohmann::json::json_pointer(place + "/level"))) {
-    report(place, "a catch trial of the type \"easy\" has a level; add \"level\", or state another "
-                  "\"type\"");
+    report(place,
+           "a catch trial of the type \"easy\" has a level; add \"level\", or state another "
+           "\"type\"");
     return;
   }
   const double standard = *block.vary->standard;

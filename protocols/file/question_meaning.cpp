@@ -210,23 +210,33 @@ void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& 
   if (question.confidence_of.empty()) return;
   const std::string at = place + "/confidence_of";
   if (protocol_.format < 2) {
-    report("/format",
-           "the key \"confidence_of\" requires the format \"asperity.protocol/2\"; write that here");
+    report(
+        "/format",
+        "the key \"confidence_of\" requires the format \"asperity.protocol/2\"; write that here");
   }
   const TrialQuestionTemplate* const judged = judged_question(block);
   if (judged == nullptr) {
-    report_key(at, "only a scale next to the question of a discrimination rates the confidence of "
-                   "its response; remove this key");
+    report_key(at,
+               "only a scale next to the question of a discrimination rates the confidence of "
+               "its response; remove this key");
     return;
   }
   if (question.confidence_of != judged->name) {
-    report(at, "this scale can rate the confidence of the response to " +
-                   in_quotes(judged->name) + "; write this name");
+    report(at, "this scale can rate the confidence of the response to " + in_quotes(judged->name) +
+                   "; write this name");
     return;
   }
   if (judged->judgement != DiscriminationJudgement::performance) {
-    report_key(at, "with the judgement \"comparison\" no response is correct, so that there is no "
-                   "ROC; remove this key");
+    report_key(at,
+               "with the judgement \"comparison\" no response is correct, so that there is no "
+               "ROC; remove this key");
+  }
+  if (judged->allow_cannot_tell) {
+    report_key(at,
+               "the lowest category of confidence states already that a participant cannot tell, "
+               "and an ROC needs a choice in every trial; remove this key, or "
+               "\"allow_cannot_tell\" of the question " +
+                   in_quotes(judged->name));
   }
   if (block.design->is_choice_of_three()) {
     report_key(at, "the confidence in the response of " + block.design->with_article() +
@@ -234,14 +244,16 @@ void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& 
                        "and the scale is reported for correct and incorrect responses");
   }
   if (chooses_levels_from_answers(block)) {
-    report_key(at, "an ROC needs trials at levels that do not depend on the responses; remove this "
-                   "key, or use \"constant_stimuli\"");
+    report_key(at,
+               "an ROC needs trials at levels that do not depend on the responses; remove this "
+               "key, or use \"constant_stimuli\"");
   }
   constexpr int kMostCategories = 10;
   const auto* const scale = std::get_if<ScaleForm>(&question.form);
   if (scale == nullptr || scale->points < 2 || scale->points > kMostCategories) {
-    report(place, "a rating of confidence needs a \"scale\" with 2 to 10 \"points\", the "
-                  "categories of its ROC; state them");
+    report(place,
+           "a rating of confidence needs a \"scale\" with 2 to 10 \"points\", the "
+           "categories of its ROC; state them");
   }
   const auto is_other = [&question](const TrialQuestionTemplate& other) {
     return &other != &question && other.confidence_of == question.confidence_of;

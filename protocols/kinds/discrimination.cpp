@@ -245,6 +245,11 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
                         in_quotes(checked.block.design->yes) + " and " +
                         in_quotes(checked.block.design->no) + "; remove this key");
   }
+  if (question.allow_cannot_tell && checked.block.design->is_choice_of_three()) {
+    problems.report(checked.at_question + "/allow_cannot_tell",
+                    "the analysis of " + checked.block.design->with_article() +
+                        " needs a choice in every trial; remove this key");
+  }
   check_design(checked, problems);
   check_judgement(checked, problems);
 }
@@ -313,47 +318,6 @@ VirtualResponse judge_discrimination(const Judgement& judgement) {
   return {ChosenOption{chooses_less ? 1 - *greater : *greater}, false};
 }
 
-/// Tests of the declared family that the designs of all main blocks exclude.
-void check_family(const Protocol& protocol, ProblemSink& problems) {
-  struct Needed {
-    std::string_view test{};
-    bool (*is_possible)(const DiscriminationDesign& design) = nullptr;
-    const char* needs = "";
-  };
-  constexpr std::array kNeeded{
-      Needed{"order", [](const DiscriminationDesign& design) { return !design.has_noise(); },
-             "a choice among surfaces"},
-      Needed{"point_of_subjective_equality",
-             [](const DiscriminationDesign& design) { return &design == &two_alternatives(); },
-             "a choice between two surfaces with the judgement \"comparison\""}};
-  std::vector<const DiscriminationDesign*> designs{};
-  for (const auto& [name, block] : protocol.blocks) {
-    if (block.phase == Phase::main && block.kind == "discrimination") {
-      designs.push_back(block.design);
-    }
-  }
-  if (designs.empty()) return;
-  for (std::size_t i = 0; i < protocol.analysis.family.size(); ++i) {
-    const std::string& test = protocol.analysis.family[i];
-    const auto needed = std::find_if(kNeeded.begin(), kNeeded.end(),
-                                     [&test](const Needed& each) { return each.test == test; });
-    if (needed == kNeeded.end()) continue;
-    const bool is_of_others =
-        std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&test](const auto& named) {
-          const Block& block = named.second;
-          return block.kind != "discrimination" && find_test(kind_of(block), test) != nullptr;
-        });
-    const bool is_possible = std::any_of(
-        designs.begin(), designs.end(),
-        [&needed](const DiscriminationDesign* design) { return needed->is_possible(*design); });
-    if (is_of_others || is_possible) continue;
-    problems.report("/analysis/family/" + std::to_string(i),
-                    "the test " + in_quotes(test) + " needs " + needed->needs + ", which " +
-                        designs.front()->with_article() +
-                        " does not have; remove it from the family");
-  }
-}
-
 }  // namespace
 
 const ExperimentKind& discrimination_kind() {
@@ -367,7 +331,6 @@ const ExperimentKind& discrimination_kind() {
                                     .tests = kDiscriminationTests,
                                     .item_of = item_of_discrimination,
                                     .correct_of = correct_of_discrimination,
-                                    .check = check_family,
                                     .check_block = check_block_of_discrimination,
                                     .judge = judge_discrimination};
   return kKind;

@@ -83,7 +83,7 @@ void check_surfaces_of_magnitude(const BlockOfKind& checked, ProblemSink& proble
   }
   if (!checked.block.anchor.empty()) {
     problems.report(checked.pointer + "/anchor",
-                    "every trial begins with the standard, so that an anchor has no purpose; "
+                    "every trial begins with the standard, so that the anchor is not needed; "
                     "remove this key");
   }
   if (std::holds_alternative<LineForm>(checked.question.form)) {

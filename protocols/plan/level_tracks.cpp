@@ -32,9 +32,9 @@ const DesignTrial* type_of_trial(const Protocol::Block& block, const BlockRow& r
 /// The surfaces with the standard in place of the varied one, which counts as another item in the responses.
 std::vector<Protocol::Presented> standards_in_place_of(const Dimension& vary,
                                                        std::vector<Protocol::Presented> surfaces) {
-  const auto standard =
-      std::find_if(surfaces.begin(), surfaces.end(),
-                   [&vary](const auto& each) { return each.role == vary.standard_role; });
+  const auto standard = std::find_if(surfaces.begin(), surfaces.end(), [&vary](const auto& each) {
+    return each.role == vary.standard_role;
+  });
   if (standard == surfaces.end()) return surfaces;
   const Protocol::Presented second = *standard;
   for (Protocol::Presented& surface : surfaces) {

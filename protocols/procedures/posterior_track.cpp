@@ -132,7 +132,6 @@ class PreparedTrack final {
       respond(weights, answer);
       ++answered.all;
       answered.correct += answer.outcome == LevelOutcome::correct ? 1 : 0;
-      answered.incorrect += answer.outcome == LevelOutcome::incorrect ? 1 : 0;
       // After every answer: an interval that becomes wider again does not continue a finished track.
       if (is_precise(weights, answered)) return TrackEnd::interval;
     }
@@ -144,7 +143,6 @@ class PreparedTrack final {
   struct Answered {
     std::size_t all = 0;
     std::size_t correct = 0;
-    std::size_t incorrect = 0;
   };
 
   void respond(Eigen::ArrayXd& weights, const LevelAnswer& answer) const {
@@ -171,7 +169,8 @@ class PreparedTrack final {
     if (!track_.stop.interval) return false;
     const IntervalRule& rule = *track_.stop.interval;
     if (answered.all < rule.minimum_trials || answered.correct < rule.minimum_of_each ||
-        answered.incorrect < rule.minimum_of_each) {
+        // Of these, responses "cannot tell" may be all.
+        answered.all - answered.correct < rule.minimum_of_each) {
       return false;
     }
     const CredibleThreshold threshold = credible_threshold(

@@ -11,6 +11,7 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
+#include "app/findings/study/discrimination_questions.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/study_analysis.h"
 #include "tests/app/made_up_choices.h"
@@ -150,6 +151,10 @@ TEST(CatchTrialsByType, CountAChoiceWithoutASignalAsAnError) {
        std::int64_t{1}, 1.0}};
   EXPECT_EQ(table.table.rows, expected);
   EXPECT_THAT(table.note.english(), HasSubstr("Every choice is a false alarm"));
+  EXPECT_THAT(thresholds_sentence(outcome).text,
+              HasSubstr("Of 1 response in easy catch trials, 1 was correct. In 3 catch trials "
+                        "without a signal, there was 1 response other than “cannot tell”, "
+                        "including missed deadlines."));
 }
 
 }  // namespace

@@ -177,6 +177,33 @@ TEST(StimulusEstimates, AreDividedByTheStandardOnRequest) {
                         "standard, and multiplied by the modulus"));
 }
 
+TEST(StimulusEstimates, StateThatTheStandardWasNotEstimated) {
+  std::string source = protocol_with(R"({"factor": "surface", "normalisation": "standard",
+      "modulus": {"standard": "slate", "value": 10}})");
+  const std::string last = R"("brick"])";
+  source.replace(source.find(last), last.size(), R"("brick", "slate"])");
+  const AnalysisOutcome outcome = outcome_of(source, kSameScale, true);
+  EXPECT_THAT(table_of(outcome, kStimulusEstimates).note.english(),
+              HasSubstr("the estimates are not normalised, because there is no estimate"));
+  EXPECT_TRUE(std::any_of(outcome.remarks.begin(), outcome.remarks.end(), [](const Phrase& remark) {
+    return remark.english().starts_with("The estimates are not normalised by the standard");
+  }));
+  EXPECT_THAT(outcome.transformation, HasSubstr("They were not normalised"));
+}
+
+TEST(MagnitudeFamily, AsksForValuesOfThePredictorOfItems) {
+  TidyInput input{};
+  input.tables.emplace_back(
+      "subject,probe,item,spacing,estimate\na,1,x,0.5,2\na,1,y,1,5\nb,1,x,0.5,20\nb,1,y,1,35\n",
+      "estimates.csv");
+  input.options.set("zero_rule", std::string("exclude"));
+  input.options.set("normalisation", std::string("none"));
+  const std::vector<Finding> findings = analysis_of("m", "magnitude", std::move(input));
+  const Finding* const status = FoundNumbers(findings).find("status");
+  ASSERT_NE(status, nullptr);
+  EXPECT_THAT(status->status, HasSubstr("three different values of the predictor"));
+}
+
 // The same numbers by item and by spacing.
 TEST(MagnitudeFamily, HasTheSameCurvesByItemAndBySpacing) {
   const char* const rows =

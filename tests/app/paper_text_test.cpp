@@ -479,6 +479,15 @@ TEST(PaperText, StatesTheStepsOfAWeightedStaircase) {
                         "large. The staircase ended after 60 trials."));
 }
 
+TEST(PaperText, StatesThatCatchTrialsPresentedTwoStandards) {
+  const nlohmann::json block{
+      {"procedure", {{"catch_trials", {{"type", "no_signal"}, {"every", 20}}}}},
+      {"question", {{"allow_cannot_tell", true}}}};
+  EXPECT_THAT(methods_of_discrimination("spacing_jnd", {{"blocks", {{"comparisons", block}}}}),
+              HasSubstr("was a catch trial, in which two standards were presented and “cannot "
+                        "tell” was the correct response; no threshold was estimated"));
+}
+
 TEST(PaperText, StatesHowPsiChoseTheLevels) {
   const nlohmann::json psi{
       {"method", "psi"},

@@ -19,7 +19,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-std::string staircase(const std::string& procedure, const std::string& judgement = "performance") {
+std::string staircase(const std::string& procedure) {
   return R"({
     "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "tracked",
     "version": "1.0.0", "title": "Tracks",
@@ -28,16 +28,12 @@ std::string staircase(const std::string& procedure, const std::string& judgement
     "explorations": {"short": {"minimum_contact_s": 0.1, "maximum_contact_s": 2}},
     "blocks": {"main": {
       "vary": {"parameter": "amplitude_m", "of": "comparison", "relative_to": "standard",
-               "levels_percent": )" +
-         std::string(judgement == "performance" ? R"({"lowest": 10, "highest": 90, "step": 10})"
-                                                : R"({"lowest": -50, "highest": 50, "step": 10})") +
-         R"(},
+               "levels_percent": {"lowest": 10, "highest": 90, "step": 10}},
       "procedure": )" +
          procedure + R"(,
       "presented": [{"role": "standard", "stimulus": "wave"}, {"role": "comparison", "stimulus": "wave"}],
       "positions": "balanced", "exploration": "short",
-      "question": {"name": "stronger", "prompt": "Which is stronger?", "judgement": ")" +
-         judgement + R"("}}},
+      "question": {"name": "stronger", "prompt": "Which is stronger?", "judgement": "performance"}}},
     "flow": [{"run": "main"}]})";
 }
 
@@ -51,21 +47,18 @@ class Tracked {
       : protocol_(read_protocol(text, "tracked.json", declarations())),
         course_(protocol_, {.seed = 7, .counterbalance_row = 0}) {}
 
-  /// The answer to the awaited trial: the comparison, or the standard.
-  void answer(bool comparison) {
+  void answer(LevelOutcome outcome) {
     const Trial& trial = *course_.awaited();
+    const Dimension& dimension = *protocol_.blocks.at("main").vary;
+    const double value = std::get<double>(trial.factors.at(dimension.factor));
     AttemptSummary attempt{};
     attempt.trial = trial.ordinal;
     attempt.attempt = 1;
-    const auto& block = protocol_.blocks.at("main");
-    for (const PlannedPresentation& surface : trial.presentations) {
-      if ((surface.role == "comparison") == comparison) attempt.answers = {surface.code};
-    }
-    if (!trial.questions.front().correct.empty()) attempt.correct = comparison;
+    attempt.answer_of_track = LevelAnswer{.level = dimension.level_of(value), .outcome = outcome};
     attempts.push_back(attempt);
-    const double value = std::get<double>(trial.factors.at(block.vary->factor));
-    course_.advance({TrialOutcome::Answer{.value = value, .counts_down = comparison}});
+    course_.advance({.answer = TrialOutcome::Answer{.value = value, .outcome = outcome}});
   }
+  void answer(bool is_correct) { answer(forced_outcome(is_correct)); }
   std::optional<RunningTracks> tracks() const {
     return running_tracks(protocol_, course_.plan(), attempts, 1);
   }
@@ -106,18 +99,9 @@ TEST(RunningTrack, HasTheLevelsAndTheMeanOfTheReversals) {
   EXPECT_EQ(track.reversals, 3U);
   EXPECT_NEAR(track.estimate->level, 100.0 / 3.0, 1e-9);
   EXPECT_EQ(session.tracks()->unit, "%");
-  EXPECT_TRUE(session.tracks()->has_correct_responses);
-  EXPECT_TRUE(track.trials[1].counts_down);
-  EXPECT_FALSE(track.trials[2].counts_down);
-}
-
-TEST(RunningTrack, FollowsChoicesThatAreNeitherCorrectNorIncorrect) {
-  Tracked session(staircase(kOneUpOneDown, "comparison"));
-  for (const bool comparison : {true, false}) session.answer(comparison);
-  const RunningTracks tracks = *session.tracks();
-  EXPECT_FALSE(tracks.has_correct_responses);
-  EXPECT_TRUE(tracks.tracks.at(0).trials.at(0).counts_down);
-  EXPECT_FALSE(tracks.tracks.at(0).trials.at(1).counts_down);
+  EXPECT_EQ(session.tracks()->quantity, "amplitude_m");
+  EXPECT_EQ(track.trials[1].outcome, LevelOutcome::correct);
+  EXPECT_EQ(track.trials[2].outcome, LevelOutcome::incorrect);
 }
 
 TEST(RunningTrack, LeavesOutAttemptsThatDoNotCount) {
@@ -125,9 +109,15 @@ TEST(RunningTrack, LeavesOutAttemptsThatDoNotCount) {
   AttemptSummary invalid{};
   invalid.trial = session.awaited().ordinal;
   invalid.attempt = 1;
+  invalid.answer_of_track = LevelAnswer{.level = 50.0, .outcome = LevelOutcome::incorrect};
   invalid.valid = false;
-  invalid.correct = false;
   session.attempts.push_back(invalid);
+  EXPECT_THAT(session.tracks()->tracks, IsEmpty());
+  AttemptSummary skipped{};
+  skipped.trial = session.awaited().ordinal;
+  skipped.attempt = 2;
+  skipped.outcome = AttemptOutcome::skipped;
+  session.attempts.push_back(skipped);
   EXPECT_THAT(session.tracks()->tracks, IsEmpty());
   session.answer(true);
   EXPECT_THAT(session.tracks()->tracks.at(0).trials, SizeIs(1));
@@ -151,6 +141,22 @@ TEST(RunningTrack, HasThePosteriorMedianWithItsInterval) {
   EXPECT_LT(*late.high / *late.low, width);
   EXPECT_GT(late.level, 25.0);
   EXPECT_LT(late.level, 55.0);
+}
+
+// A guess of two alternatives is half a correct and half an incorrect response.
+TEST(RunningTrack, CountsAnUnsureResponseAsAGuess) {
+  const std::string psi = staircase(R"({"method": "psi", "stop": {"trials": 40}})");
+  const auto estimate_with = [&psi](LevelOutcome first, LevelOutcome second) {
+    Tracked session(psi);
+    session.answer(first);
+    session.answer(second);
+    // At one level, whichever the procedure chose.
+    for (AttemptSummary& attempt : session.attempts) attempt.answer_of_track->level = 50.0;
+    return session.tracks()->tracks.at(0).estimate->level;
+  };
+  const double unsure = estimate_with(LevelOutcome::unsure, LevelOutcome::unsure);
+  EXPECT_NEAR(unsure, estimate_with(LevelOutcome::correct, LevelOutcome::incorrect), 1e-9);
+  EXPECT_LT(unsure, estimate_with(LevelOutcome::incorrect, LevelOutcome::incorrect));
 }
 
 }  // namespace

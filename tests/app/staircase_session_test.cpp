@@ -389,6 +389,9 @@ TEST_F(StaircaseSession, TakesAMissedDeadlineAsTheProtocolSpecifies) {
   EXPECT_EQ(outcome(AttemptOutcome::timed_out, true)->outcome, LevelOutcome::correct);
   EXPECT_FALSE(outcome(AttemptOutcome::skipped, true));
   EXPECT_EQ(outcome(AttemptOutcome::answered, false)->value, 6e-5) << "as delivered";
+  const AttemptRow answered = attempt_at(trial, AttemptOutcome::answered, false);
+  EXPECT_EQ(level_answer_of(protocol_, trial, answered)->level,
+            protocol_.blocks.at("tracks").vary->level_of(6e-5));
   protocol_.blocks.at("tracks").procedure->timeouts_are_incorrect = true;
   ASSERT_TRUE(outcome(AttemptOutcome::timed_out, false));
   EXPECT_EQ(outcome(AttemptOutcome::timed_out, false)->outcome, LevelOutcome::incorrect);

@@ -115,7 +115,7 @@ TEST(TableFindings, TellWhatIsLeftOutOfRatings) {
   EXPECT_THAT(text, testing::ContainsRegex("n\\.incomplete +2\n"));
 }
 
-std::string text_of(const std::string& family, const TidyInput& input) {
+std::string findings_text(const std::string& family, const TidyInput& input) {
   return reading_text_of(
       TableFindings{.kind = family, .findings = tidy_family(family).findings(input)});
 }
@@ -125,10 +125,11 @@ constexpr const char* kTipRows =
     "subject,tip,y\nA,a,1\nA,b,2\nA,c,4\nB,a,3\nB,b,7\nB,c,5\nC,a,2\nC,b,4\nC,c,9\n";
 
 TEST(TableFindings, TellWhichRowsAreAveraged) {
-  const std::string single = text_of("rmanova", input_of(kTipRows, kTips));
+  const std::string single = findings_text("rmanova", input_of(kTipRows, kTips));
   EXPECT_THAT(single, testing::ContainsRegex("key  cells\\.with\\.k\n1    9\n"));
   EXPECT_THAT(single, testing::ContainsRegex("replicates +none\n"));
-  const std::string stray = text_of("rmanova", input_of(kTipRows + std::string("B,c,1\n"), kTips));
+  const std::string stray =
+      findings_text("rmanova", input_of(kTipRows + std::string("B,c,1\n"), kTips));
   EXPECT_THAT(stray, testing::ContainsRegex("key  cells\\.with\\.k\n1    8\n2    1\n"));
   EXPECT_THAT(
       stray,
@@ -141,11 +142,11 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
        {"A,a,2", "A,b,1", "A,c,4", "B,a,4", "B,b,4", "B,c,5", "C,a,1", "C,b,4", "C,c,8"}) {
     twice += std::string(row) + '\n';
   }
-  const std::string equal = text_of("rmanova", input_of(twice, kTips));
+  const std::string equal = findings_text("rmanova", input_of(twice, kTips));
   EXPECT_THAT(equal, testing::ContainsRegex("key  cells\\.with\\.k\n2    9\n"));
   EXPECT_THAT(equal, testing::ContainsRegex("replicates +equal\n"));
   EXPECT_THAT(equal, testing::Not(HasSubstr("! ")));
-  const std::string estimates = text_of(
+  const std::string estimates = findings_text(
       "magnitude",
       input_of("subject,probe,spacing,estimate\nA,p,1,2\nA,p,2,5\nA,p,4,3\nA,p,4,4\nB,p,1,1\n"
                "B,p,2,3\nB,p,4,2\nB,p,4,3\nB,p,1,2\nB,p,2,3\nA,p,1,2\n",
@@ -158,22 +159,22 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
 }
 
 TEST(TableFindings, CountTheChoicesThatCochransTestLeavesOut) {
-  const std::string text =
-      text_of("selection", input_of("subject,sample,choice\nx,1,a\nx,2,b\nx,1,b\ny,1,a\ny,2,a\n",
-                                    R"({"renderers": ["a", "b"], "target": "a"})"));
+  const std::string text = findings_text(
+      "selection", input_of("subject,sample,choice\nx,1,a\nx,2,b\nx,1,b\ny,1,a\ny,2,a\n",
+                            R"({"renderers": ["a", "b"], "target": "a"})"));
   EXPECT_THAT(text, HasSubstr("cochran.repeated"));
 }
 
 // The least possible epsilon is no interval, and an interval has both its ends.
 TEST(TableFindings, CallAnIntervalWhatHasBothEnds) {
-  const std::string anova = text_of("rmanova", input_of(kTipRows, kTips));
+  const std::string anova = findings_text("rmanova", input_of(kTipRows, kTips));
   EXPECT_THAT(anova, HasSubstr("eps.lower"));
   EXPECT_THAT(anova, HasSubstr("p.lower"));
   EXPECT_THAT(anova, testing::Not(HasSubstr("eps interval")));
   EXPECT_THAT(anova, testing::Not(HasSubstr("p interval")));
   EXPECT_THAT(anova, testing::Not(testing::ContainsRegex("\\[[-.0-9e]+( |\n)")));
   EXPECT_THAT(anova, HasSubstr("cell.mean interval"));
-  const std::string estimates = text_of(
+  const std::string estimates = findings_text(
       "magnitude", input_of("subject,probe,spacing,estimate\nA,p,1,2\nA,p,2,5\nB,p,1,1\nB,p,2,4\n",
                             R"({"zero_rule": "exclude", "normalisation": "geomean"})"));
   EXPECT_THAT(estimates, HasSubstr("geomean.ci interval"));
@@ -183,17 +184,17 @@ TEST(TableFindings, CallAnIntervalWhatHasBothEnds) {
 }
 
 TEST(TableFindings, HaveTheIntervalsThatTheirMethodsPromise) {
-  const std::string groups = text_of(
+  const std::string groups = findings_text(
       "group", input_of("subject,group,correct,trials\nA,f,6,10\nB,f,8,10\nC,m,5,10\nD,m,4,10\n",
                         R"({"groups": ["f", "m"]})"));
   EXPECT_THAT(groups, testing::ContainsRegex("f .* 0\\.7 +\\[0\\.0[0-9]+, 0\\.9[0-9]+\\]"));
   EXPECT_THAT(groups,
               testing::ContainsRegex("subj\\.diff interval +\\[−0\\.[0-9]+, 0\\.[0-9]+\\]\n"));
   const std::string ratings =
-      text_of("rating", input_of("subject,item,score\nx,new,3\nx,old,1\ny,new,2\ny,old,2\n",
-                                 R"({"items": ["new", "old"]})"));
+      findings_text("rating", input_of("subject,item,score\nx,new,3\nx,old,1\ny,new,2\ny,old,2\n",
+                                       R"({"items": ["new", "old"]})"));
   EXPECT_THAT(ratings, HasSubstr("mean.score: mean of the participants; t interval"));
-  const std::string pairs = text_of(
+  const std::string pairs = findings_text(
       "paired", input_of("subject,first,second,winner\nx,a,b,a\nx,b,a,b\ny,a,b,a\ny,b,a,a\n",
                          R"({"items": ["a", "b"]})"));
   EXPECT_THAT(pairs, HasSubstr("bt.ability interval"));

@@ -46,10 +46,11 @@ TEST(AnalysisWarnings, AreNoneAboutTheLibrary) {
 
 TEST(AnalysisWarnings, NameTestsThatADesignDoesNotHave) {
   json file = library_file("amplitude_same_different");
-  file["analysis"]["family"] = {"conditions"};
+  file["analysis"]["family"] = {"conditions", "order"};
   EXPECT_THAT(warnings_of(file),
               ElementsAre(AllOf(HasSubstr("/analysis/family/0: the test \"conditions\""),
-                                HasSubstr("one condition"), HasSubstr("; remove it"))));
+                                HasSubstr("one condition"), HasSubstr("; remove it")),
+                          HasSubstr("/analysis/family/1: the test \"order\" is not possible")));
   file = library_file("amplitude_jnd");
   file["analysis"]["family"] = {"order", "point_of_subjective_equality"};
   EXPECT_THAT(warnings_of(file),

@@ -263,9 +263,9 @@ TEST(ChoiceOfThree, RefusesWhatItCannotAsk) {
        [](ThreeJson& p) {
          block_of_three(p)["arrangement"] = {{"surfaces", "side_by_side"}, {"gap_m", 0.045}};
        }},
-      {"three_alternatives", "/analysis/family/0",
-       "which a three-alternative forced choice does not have",
-       [](ThreeJson& p) { p["analysis"]["family"] = {"point_of_subjective_equality"}; }}};
+      {"three_alternatives", "/blocks/comparisons/question/allow_cannot_tell",
+       "the analysis of a three-alternative forced choice needs a choice in every trial",
+       [](ThreeJson& p) { block_of_three(p)["question"]["allow_cannot_tell"] = true; }}};
   for (const FaultOfThree& fault : faults) {
     SCOPED_TRACE(fault.message);
     ThreeJson protocol = constant_of_three(fault.design);

@@ -69,7 +69,7 @@ const char* const kStandardFirst =
 const char* const kModulus =
     R"("factor": "model", "modulus": {"standard": "stochastic", "value": 10})";
 
-std::vector<Diagnostic> problems_of(const EstimatedModels& models) {
+std::vector<Diagnostic> problems_of_models(const EstimatedModels& models) {
   try {
     (void)read_protocol(models.text(), "estimated.json", test::example_models());
   } catch (const ProtocolError& error) {
@@ -78,7 +78,7 @@ std::vector<Diagnostic> problems_of(const EstimatedModels& models) {
   return {};
 }
 
-Protocol read(const EstimatedModels& models) {
+Protocol read_models(const EstimatedModels& models) {
   return read_protocol(models.text(), "estimated.json", test::example_models());
 }
 
@@ -88,7 +88,7 @@ auto has_problem(const std::string& pointer, const std::string& part) {
 }
 
 TEST(Estimation, TakesStimuliThatHaveNoSpacing) {
-  const Protocol protocol = read({});
+  const Protocol protocol = read_models({});
   const std::vector<Trial> trials = possible_trials(protocol);
   std::vector<std::string> items{};
   for (const Trial& trial : trials) {
@@ -101,17 +101,18 @@ TEST(Estimation, TakesStimuliThatHaveNoSpacing) {
 }
 
 TEST(Estimation, HasAFreeModulusUnlessItStatesAStandard) {
-  EXPECT_FALSE(read({}).estimation->modulus);
-  EXPECT_FALSE(read({.estimation = R"("factor": "model", "modulus": "free")"}).estimation->modulus);
-  EXPECT_EQ(read({}).estimation->normalisation(), EstimateNormalisation::geometric_mean);
-  const Protocol with_standard = read({.estimation = kModulus, .presented = kStandardFirst});
+  EXPECT_FALSE(read_models({}).estimation->modulus);
+  EXPECT_FALSE(
+      read_models({.estimation = R"("factor": "model", "modulus": "free")"}).estimation->modulus);
+  EXPECT_EQ(read_models({}).estimation->normalisation(), EstimateNormalisation::geometric_mean);
+  const Protocol with_standard = read_models({.estimation = kModulus, .presented = kStandardFirst});
   EXPECT_EQ(with_standard.estimation->modulus,
             (EstimationModulus{.standard = "stochastic", .value = 10.0}));
   EXPECT_EQ(with_standard.estimation->normalisation(), EstimateNormalisation::none);
 }
 
 TEST(Estimation, PresentsTheStandardFirstInEveryTrial) {
-  const Protocol protocol = read({.estimation = kModulus, .presented = kStandardFirst});
+  const Protocol protocol = read_models({.estimation = kModulus, .presented = kStandardFirst});
   const std::vector<Trial> trials = possible_trials(protocol);
   ASSERT_FALSE(trials.empty());
   for (const Trial& trial : trials) {
@@ -128,14 +129,15 @@ TEST(Estimation, ReadsThePredictorFromLevelsAndFromStatedValues) {
   const std::string numbers = R"("height": {"levels": [0.5, 1, 2], "unit": "mm"})";
   const std::string bound =
       R"("model": "height_map", "texture": "stone", "parameters": {"height_scale": {"factor": "height"}})";
-  const Protocol by_level = read({.estimation = R"("factor": "height", "predictor": "level")",
-                                  .factors = numbers,
-                                  .crossed = "height",
-                                  .stimulus = bound});
+  const Protocol by_level =
+      read_models({.estimation = R"("factor": "height", "predictor": "level")",
+                   .factors = numbers,
+                   .crossed = "height",
+                   .stimulus = bound});
   EXPECT_EQ(by_level.estimation->predictor_values.at("0.5"), 0.5);
   EXPECT_EQ(by_level.estimation->predictor_unit, "mm");
   const Protocol by_value =
-      read({.estimation = R"("factor": "model", "predictor": "values", "unit": "µm",
+      read_models({.estimation = R"("factor": "model", "predictor": "values", "unit": "µm",
          "values": {"sinusoid": 10, "stochastic": 20, "height_map": 40})"});
   EXPECT_EQ(by_value.estimation->predictor_values.at("height_map"), 40.0);
   EXPECT_EQ(by_value.estimation->predictor_unit, "µm");
@@ -148,66 +150,66 @@ TEST(Estimation, TakesAParameterThatItsBlocksVary) {
                                .factors = R"("tool": {"levels": ["one"]})",
                                .crossed = "tool",
                                .stimulus = R"("model": "sinusoid")"};
-  EXPECT_THAT(problems_of(varied), IsEmpty());
+  EXPECT_THAT(problems_of_models(varied), IsEmpty());
 }
 
 TEST(Estimation, RefusesWhatItCannotAnalyse) {
-  EXPECT_THAT(problems_of({.estimation = R"("condition": "model")"}),
+  EXPECT_THAT(problems_of_models({.estimation = R"("condition": "model")"}),
               has_problem("/estimation", "exactly one of \"spacing\""));
-  EXPECT_THAT(problems_of({.estimation = R"("factor": "modell")"}),
+  EXPECT_THAT(problems_of_models({.estimation = R"("factor": "modell")"}),
               has_problem("/estimation/factor", "did you mean \"model\""));
-  EXPECT_THAT(problems_of({.estimation = R"("factor": "model", "predictor": "level")"}),
+  EXPECT_THAT(problems_of_models({.estimation = R"("factor": "model", "predictor": "level")"}),
               has_problem("/factors/model/levels", "is not a number above 0"));
   EXPECT_THAT(
-      problems_of({.estimation = R"("factor": "model", "predictor": "values",
+      problems_of_models({.estimation = R"("factor": "model", "predictor": "values",
                              "values": {"sinusoid": 1, "stochastic": 2, "plain": 0})"}),
       testing::AllOf(has_problem("/estimation/values", "\"height_map\" of the factor has no value"),
                      has_problem("/estimation/values/plain", "is not a level"),
                      has_problem("/estimation/values/plain", "must be above 0")));
-  EXPECT_THAT(problems_of({.analysis = R"({"family": ["spacing"]})"}),
+  EXPECT_THAT(problems_of_models({.analysis = R"({"family": ["spacing"]})"}),
               has_problem("/analysis/family/0", "belongs to an estimation with \"spacing\""));
-  EXPECT_THAT(problems_of({.analysis = R"({"family": ["exponent"]})"}),
+  EXPECT_THAT(problems_of_models({.analysis = R"({"family": ["exponent"]})"}),
               has_problem("/analysis/family/0", "without a predictor there is no exponent"));
-  EXPECT_THAT(problems_of({.format = "1"}), has_problem("/format", "\"factor\""));
+  EXPECT_THAT(problems_of_models({.format = "1"}), has_problem("/format", "\"factor\""));
 }
 
 TEST(Estimation, RefusesAStandardThatIsNotPresentedFirst) {
-  EXPECT_THAT(problems_of({.estimation = kModulus}),
+  EXPECT_THAT(problems_of_models({.estimation = kModulus}),
               has_problem("/blocks/main/presented", "the first one with the role \"standard\""));
-  EXPECT_THAT(problems_of({.presented = kStandardFirst}),
+  EXPECT_THAT(problems_of_models({.presented = kStandardFirst}),
               has_problem("/blocks/main/presented", "exactly one surface per trial"));
-  EXPECT_THAT(problems_of({.estimation = kModulus,
-                           .presented = R"({"role": "standard", "stimulus": "rendered",
+  EXPECT_THAT(problems_of_models({.estimation = kModulus,
+                                  .presented = R"({"role": "standard", "stimulus": "rendered",
                              "with": {"model": "sinusoid"}}, {"role": "target", "stimulus": "rendered"})"}),
               has_problem("/blocks/main/presented/0", "the standard is the level \"stochastic\""));
-  EXPECT_THAT(problems_of({.estimation = kModulus,
-                           .presented = kStandardFirst,
-                           .block = R"("positions": "shuffle", )"}),
+  EXPECT_THAT(problems_of_models({.estimation = kModulus,
+                                  .presented = kStandardFirst,
+                                  .block = R"("positions": "shuffle", )"}),
               has_problem("/blocks/main/positions", "\"as_listed\""));
-  EXPECT_THAT(problems_of({.estimation = kModulus,
-                           .presented = kStandardFirst,
-                           .block = R"("anchor": {"model": "sinusoid"}, )"}),
+  EXPECT_THAT(problems_of_models({.estimation = kModulus,
+                                  .presented = kStandardFirst,
+                                  .block = R"("anchor": {"model": "sinusoid"}, )"}),
               has_problem("/blocks/main/anchor", "every trial begins with the standard"));
   EXPECT_THAT(
-      problems_of(
+      problems_of_models(
           {.estimation = R"("factor": "model", "modulus": {"standard": "plain", "value": 10})",
            .presented = kStandardFirst}),
       has_problem("/estimation/modulus/standard", "is not a level of the factor \"model\""));
-  EXPECT_THAT(problems_of({.estimation = R"("factor": "model", "normalisation": "none")"}),
+  EXPECT_THAT(problems_of_models({.estimation = R"("factor": "model", "normalisation": "none")"}),
               has_problem("/estimation/normalisation", "with free modulus"));
 }
 
 TEST(Estimation, TakesALineInPlaceOfANumber) {
-  const Protocol protocol = read({.question = R"("line": {"longest": 0.6}, )"});
+  const Protocol protocol = read_models({.question = R"("line": {"longest": 0.6}, )"});
   const Trial trial = possible_trials(protocol).front();
   EXPECT_EQ(std::get<LineForm>(trial.questions.front().form).longest, 0.6);
   EXPECT_THAT(json_of(trial), HasSubstr(R"("longest":0.6)"));
   EXPECT_THAT(analysed_kinds_of(protocol), ElementsAre(find_kind("magnitude")));
   EXPECT_THAT(
-      problems_of(
+      problems_of_models(
           {.estimation = kModulus, .presented = kStandardFirst, .question = R"("line": {}, )"}),
       has_problem("/blocks/main/question/line", "set /estimation/modulus to \"free\""));
-  EXPECT_THAT(problems_of({.question = R"("line": {}, "scale": {}, )"}),
+  EXPECT_THAT(problems_of_models({.question = R"("line": {}, "scale": {}, )"}),
               has_problem("/blocks/main/question/line", "keep one of the two keys"));
 }
 

@@ -114,6 +114,8 @@ struct AnalysisOutcome {
       /// Of that table, where the comparison of women and men is omitted.
       note_of_tests_without_sexes{};
   std::vector<Phrase> remarks{};  ///< sentences that qualify the results
+  /// How responses were transformed, where it differs from StudyAnalysis::transformation_of; otherwise empty.
+  std::string transformation{};
   Phrase name_of_predictor{};     ///< of magnitude estimates by stimulus, with its unit; empty: none
 };
 

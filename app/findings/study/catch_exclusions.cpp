@@ -15,10 +15,10 @@ namespace {
 
 Phrase words_of_rule(const CatchExclusion& rule) {
   if (rule.more_errors_than == 1) return phrase("Analysis", "more than 1 error");
-  return rule.more_errors_than
-             ? phrase("Analysis", "more than %1 errors").with(std::to_string(*rule.more_errors_than))
-             : phrase("Analysis", "errors in more than %1 of the catch trials")
-                   .with(reading_percent(rule.error_rate_above.value_or(0.0)));
+  return rule.more_errors_than ? phrase("Analysis", "more than %1 errors")
+                                     .with(std::to_string(*rule.more_errors_than))
+                               : phrase("Analysis", "errors in more than %1 of the catch trials")
+                                     .with(reading_percent(rule.error_rate_above.value_or(0.0)));
 }
 
 bool is_main_result(const std::string& name) {
@@ -50,11 +50,10 @@ void add_exclusions(const CatchExclusion& rule, const std::vector<CatchErrors>& 
                          "are unchanged.")
                       .with(words_of_rule(rule))};
   for (const CatchErrors& each : all) {
-    made.table.rows.push_back(
-        {each.participant, static_cast<std::int64_t>(each.errors),
-         static_cast<std::int64_t>(each.trials),
-         static_cast<double>(each.errors) / static_cast<double>(each.trials),
-         std::string(is_excluded(rule, each) ? "yes" : "no")});
+    made.table.rows.push_back({each.participant, static_cast<std::int64_t>(each.errors),
+                               static_cast<std::int64_t>(each.trials),
+                               static_cast<double>(each.errors) / static_cast<double>(each.trials),
+                               std::string(is_excluded(rule, each) ? "yes" : "no")});
   }
   outcome.tables.push_back(std::move(made));
 }
@@ -140,6 +139,21 @@ void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& o
     add_results_of_all(std::move(of_all), outcome);
   }
   if (!all.empty()) add_exclusions(*rule, all, outcome);
+}
+
+std::string exclusions_sentence(const AnalysisOutcome& outcome) {
+  const auto made = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                 [](const NamedTable& each) { return each.name == kExclusions; });
+  if (made == outcome.tables.end()) return {};
+  const auto excluded = static_cast<std::size_t>(
+      std::count_if(made->table.rows.begin(), made->table.rows.end(),
+                    [](const auto& row) { return row.back() == Cell{std::string("yes")}; }));
+  const std::size_t all = made->table.rows.size();
+  if (excluded == 0 || excluded == all) return {};
+  return " By the rule that the protocol declares for errors in catch trials, " +
+         std::to_string(excluded) + " of " + std::to_string(all) +
+         (excluded == 1 ? " participants was" : " participants were") +
+         " excluded; the results with all participants are reported in separate tables.";
 }
 
 std::string name_without_ending(const std::string& table) {

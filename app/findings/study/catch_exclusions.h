@@ -39,6 +39,10 @@ GatheredAnswers without_participants(GatheredAnswers gathered,
 void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& outcome,
                              void (*analyze)(const GatheredAnswers&, AnalysisOutcome&));
 
+/// " The rule that the protocol declares (more than 2 errors in catch trials) excluded 2 of 12 participants, …", from the table
+/// `kExclusions`; empty without it and without an excluded participant.
+std::string exclusions_sentence(const AnalysisOutcome& outcome);
+
 /// The name of a table without `kWithExcluded`.
 std::string name_without_ending(const std::string& table);
 

@@ -305,8 +305,12 @@ const CellWords& words_in_any_column() {
   static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
                                 {"Inf", phrase("CellWords", "∞")},
                                 {"Other or not told", phrase("CellWords", "Other or not reported")},
-                                {"cannot_tell", phrase("CellWords", "cannot tell")},
-                                {"easy", phrase("CellWords", "easy")},
+                                {"cannot_tell", phrase("CellWords", "cannot tell")}};
+  return kWords;
+}
+
+const CellWords& words_of_catch_types() {
+  static const CellWords kWords{{"easy", phrase("CellWords", "easy")},
                                 {"identical_pair", phrase("CellWords", "identical pair")},
                                 {"no_signal", phrase("CellWords", "no signal")}};
   return kWords;
@@ -391,6 +395,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "by") return cell_word_in(words_of_trial_groups(), text);
   if (column == "level") return cell_word_in(words_of_levels(), text);
   if (column == "status") return cell_word_in(words_of_reasons(), text);
+  if (column == "type") return cell_word_in(words_of_catch_types(), text);
   if (column == "method") return words_of_method(text);
   if (column == "role") {
     return text == "confirmatory" ? phrase("CellWords", "confirmatory")

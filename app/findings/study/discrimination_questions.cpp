@@ -6,16 +6,19 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
+#include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/protocol.h"
 
 namespace asperity {
 
@@ -502,38 +505,93 @@ std::string unfinished_sentence(const std::vector<Finding>& findings) {
   return " Tracks of " + participants + " were unfinished; " + how + '.';
 }
 
-/// " Of 24 responses in catch trials, 23 were correct (75 % to 100 % for single participants)."
+/// The responses in catch trials of one type.
+struct CaughtResponses {
+  double correct = 0.0;
+  double all = 0.0;
+};
+
+std::string text_or_empty(const Cell& cell) {
+  const auto* const text = std::get_if<std::string>(&cell);
+  return text == nullptr ? std::string() : *text;
+}
+
+/// By participant, over the blocks.
+std::map<std::string, CaughtResponses> caught_responses(const Table& table,
+                                                        const std::string& type) {
+  std::map<std::string, CaughtResponses> caught{};
+  const auto participant = column_of(table, "participant");
+  const auto type_of = column_of(table, "type");  // absent where all are easy
+  const auto right = column_of(table, "right");
+  const auto of = column_of(table, "of");
+  if (!participant || !right || !of) return caught;
+  for (const std::vector<Cell>& row : table.rows) {
+    const std::string own =
+        type_of ? text_or_empty(row[*type_of]) : std::string(text_of(CatchType::easy));
+    if (own != type) continue;
+    CaughtResponses& one = caught[text_or_empty(row[*participant])];
+    one.correct += number_of(row[*right]).value_or(0.0);
+    one.all += number_of(row[*of]).value_or(0.0);
+  }
+  return caught;
+}
+
+/// " (75 % to 100 % for single participants)"; empty where they have the same percentage.
+std::string range_over_participants(const std::map<std::string, CaughtResponses>& caught,
+                                    bool of_errors) {
+  double least = 1.0;
+  double most = 0.0;
+  for (const auto& [participant, one] : caught) {
+    const double correct = one.correct / std::max(one.all, 1.0);
+    least = std::min(least, of_errors ? 1.0 - correct : correct);
+    most = std::max(most, of_errors ? 1.0 - correct : correct);
+  }
+  return least >= most ? std::string()
+                       : " (" + reading_percent(least) + " to " + reading_percent(most) +
+                             " for single participants)";
+}
+
+std::string catch_sentence_of(CatchType type, const Table& table) {
+  const std::map<std::string, CaughtResponses> caught = caught_responses(table, text_of(type));
+  CaughtResponses sum{};
+  for (const auto& [participant, one] : caught) {
+    sum.correct += one.correct;
+    sum.all += one.all;
+  }
+  if (sum.all == 0.0) return {};
+  const auto whole = [](double number) { return reading_count(static_cast<std::size_t>(number)); };
+  if (type == CatchType::easy) {
+    const std::string where =
+        column_of(table, "type") ? " in easy catch trials" : " in catch trials";
+    if (sum.correct == sum.all && sum.all > 1.0) {
+      return " All " + whole(sum.all) + " responses" + where + " were correct.";
+    }
+    return " Of " + whole(sum.all) + (sum.all == 1.0 ? " response" : " responses") + where + ", " +
+           whole(sum.correct) + (sum.correct == 1.0 ? " was correct" : " were correct") +
+           range_over_participants(caught, false) + '.';
+  }
+  const std::string trials =
+      " In " + whole(sum.all) + (sum.all == 1.0 ? " catch trial " : " catch trials ") +
+      (type == CatchType::no_signal ? "without a signal, " : "with an identical pair, ");
+  const double others = sum.all - sum.correct;
+  if (others == 0.0) return trials + "every response was “cannot tell”.";
+  return trials + (others == 1.0 ? "there was " : "there were ") + whole(others) +
+         (others == 1.0 ? " response" : " responses") +
+         " other than “cannot tell”, including missed deadlines" +
+         range_over_participants(caught, true) + '.';
+}
+
+/// " Of 24 responses in catch trials, 23 were correct (75 % to 100 % for single participants)."; a sentence per type.
 std::string catch_trials_sentence(const AnalysisOutcome& outcome) {
+  std::string text{};
   for (const NamedTable& table : outcome.tables) {
     if (table.name != kCatchTrials) continue;
-    const auto right = column_of(table.table, "right");
-    const auto of = column_of(table.table, "of");
-    const auto share = column_of(table.table, "share");
-    if (!right || !of || !share || table.table.rows.empty()) return {};
-    double correct = 0.0;
-    double all = 0.0;
-    double least = 1.0;
-    double most = 0.0;
-    for (const std::vector<Cell>& row : table.table.rows) {
-      correct += number_of(row[*right]).value_or(0.0);
-      all += number_of(row[*of]).value_or(0.0);
-      least = std::min(least, number_of(row[*share]).value_or(least));
-      most = std::max(most, number_of(row[*share]).value_or(most));
+    for (const CatchType type :
+         {CatchType::easy, CatchType::no_signal, CatchType::identical_pair}) {
+      text += catch_sentence_of(type, table.table);
     }
-    const auto whole = [](double number) {
-      return reading_count(static_cast<std::size_t>(number));
-    };
-    if (correct == all && all > 1.0) {
-      return " All " + whole(all) + " responses in catch trials were correct.";
-    }
-    return " Of " + whole(all) + (all == 1.0 ? " response" : " responses") + " in catch trials, " +
-           whole(correct) + (correct == 1.0 ? " was correct" : " were correct") +
-           (least == most ? ""
-                          : " (" + reading_percent(least) + " to " + reading_percent(most) +
-                                " for single participants)") +
-           '.';
   }
-  return {};
+  return text;
 }
 
 }  // namespace
@@ -605,7 +663,7 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
           missing_sentences(outcome.findings, "jnd", detections.empty() ? "JND" : "threshold") +
           missing_sentences(thresholds_at_unit_sensitivity(outcome.findings), "jnd.dprime1",
                             detections.empty() ? "JND" : "threshold") +
-          unfinished_sentence(outcome.findings) + catch_trials_sentence(outcome);
+          unfinished_sentence(outcome.findings) + catch_trials_sentence(outcome) + exclusions_sentence(outcome);
   if (text.starts_with(' ')) text.erase(0, 1);
   return {.text = text};
 }

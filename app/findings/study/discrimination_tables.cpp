@@ -510,20 +510,17 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
           "In psychometric functions, in proportions of hits and in the order effect such a "
           "response counts as the mean of a guess, that is, as 1/m of a choice of each of the m "
           "alternatives [Kaernbach 2001].")};
-  NamedTable catch_trials{
-      kCatchTrials,
-      phrase("Analysis", "Catch trials"),
-      {{"participant", "block", "type", "right", "of", "share"}, {}},
-      note_on_catch_trials(gathered)};
-  const bool has_types = std::any_of(
-      gathered.catch_responses.begin(), gathered.catch_responses.end(),
-      [](const CatchResponses& each) { return each.type != CatchType::easy; });
+  NamedTable catch_trials{kCatchTrials,
+                          phrase("Analysis", "Catch trials"),
+                          {{"participant", "block", "type", "right", "of", "share"}, {}},
+                          note_on_catch_trials(gathered)};
+  const bool has_types =
+      std::any_of(gathered.catch_responses.begin(), gathered.catch_responses.end(),
+                  [](const CatchResponses& each) { return each.type != CatchType::easy; });
   for (const CatchResponses& each : gathered.catch_responses) {
     catch_trials.table.rows.push_back(
-        {each.participant, each.block,
-         has_types ? Cell{std::string(text_of(each.type))} : Cell{},
-         static_cast<std::int64_t>(each.correct),
-         static_cast<std::int64_t>(each.trials),
+        {each.participant, each.block, has_types ? Cell{std::string(text_of(each.type))} : Cell{},
+         static_cast<std::int64_t>(each.correct), static_cast<std::int64_t>(each.trials),
          static_cast<double>(each.correct) / static_cast<double>(each.trials)});
   }
   for (const DiscriminationResults& results : all) {

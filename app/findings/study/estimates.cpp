@@ -55,11 +55,25 @@ std::optional<std::string> stimulus_of(const GatheredAnswers& gathered,
   return number_text(*spacing_m);
 }
 
+/// The standard as estimates name their stimulus.
+std::string stimulus_of_standard(const EstimationDeclaration& estimation) {
+  const std::string& level = estimation.modulus->standard;
+  const auto spacing_m = estimation.spacing_m.find(level);
+  return spacing_m == estimation.spacing_m.end() ? level : number_text(spacing_m->second);
+}
+
+/// Whether the protocol states a normalisation by the standard for which there are no estimates.
+bool lacks_standard(const EstimationDeclaration& estimation,
+                    const std::vector<Estimated>& estimates) {
+  return estimation.normalisation() == EstimateNormalisation::standard &&
+         used_normalisation(estimation, estimates) == EstimateNormalisation::none;
+}
+
 /// Sets the options of the family `magnitude`.
 void set_normalisation(const EstimationDeclaration& estimation,
                        const std::vector<Estimated>& estimates, TidyInput& input) {
   input.options.set("zero_rule", std::string("exclude"));
-  switch (estimation.normalisation()) {
+  switch (used_normalisation(estimation, estimates)) {
     case EstimateNormalisation::geometric_mean:
       input.options.set("normalisation", std::string("geomean"));
       return;
@@ -69,16 +83,8 @@ void set_normalisation(const EstimationDeclaration& estimation,
     case EstimateNormalisation::standard:
       break;
   }
-  const std::string& level = estimation.modulus->standard;
-  const auto spacing_m = estimation.spacing_m.find(level);
-  const std::string standard =
-      spacing_m == estimation.spacing_m.end() ? level : number_text(spacing_m->second);
-  const bool is_estimated =
-      std::any_of(estimates.begin(), estimates.end(),
-                  [&standard](const Estimated& one) { return one.spacing == standard; });
-  // Responses to the standard may be missing; then there is nothing to divide by.
-  input.options.set("normalisation", std::string(is_estimated ? "standard" : "none"));
-  if (!is_estimated) return;
+  const std::string standard = stimulus_of_standard(estimation);
+  input.options.set("normalisation", std::string("standard"));
   input.options.set("modulus", estimation.modulus->value);
   if (estimation.items.empty()) {
     input.options.set("standard_spacing", *number_in(standard));
@@ -88,6 +94,19 @@ void set_normalisation(const EstimationDeclaration& estimation,
 }
 
 }  // namespace
+
+EstimateNormalisation used_normalisation(const EstimationDeclaration& estimation,
+                                         const std::vector<Estimated>& estimates) {
+  if (estimation.normalisation() != EstimateNormalisation::standard) {
+    return estimation.normalisation();
+  }
+  const std::string standard = stimulus_of_standard(estimation);
+  const bool is_estimated =
+      std::any_of(estimates.begin(), estimates.end(),
+                  [&standard](const Estimated& one) { return one.spacing == standard; });
+  // Responses to the standard may be missing; then there is nothing to divide by.
+  return is_estimated ? EstimateNormalisation::standard : EstimateNormalisation::none;
+}
 
 std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Estimated> estimates{};
@@ -118,6 +137,16 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
     outcome.remarks.push_back(
         phrase("Analysis", "Estimates of anchors, which are not analysed: %1.")
             .with(std::to_string(gathered.count.anchors)));
+  }
+  if (!estimates.empty() && lacks_standard(gathered.estimation, estimates)) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The estimates are not normalised by the standard (%1), because there is no "
+               "estimate of it.")
+            .with(gathered.estimation.modulus->standard));
+    outcome.transformation =
+        "Estimates were analysed as logarithms. They were not normalised, because no participant "
+        "estimated the standard.";
   }
   return estimates;
 }
@@ -180,7 +209,14 @@ TidyInput items_table(const GatheredAnswers& gathered, const std::vector<Estimat
   return input;
 }
 
-Phrase normalisation_note(const EstimationDeclaration& estimation) {
+Phrase normalisation_note(const EstimationDeclaration& estimation,
+                          const std::vector<Estimated>& estimates) {
+  if (lacks_standard(estimation, estimates)) {
+    return phrase("Analysis",
+                  "Standard with modulus %1 (%2): the estimates are not normalised, because there "
+                  "is no estimate of the standard.")
+        .with(number_text(estimation.modulus->value), estimation.modulus->standard);
+  }
   switch (estimation.normalisation()) {
     case EstimateNormalisation::geometric_mean:
       return phrase("Analysis",

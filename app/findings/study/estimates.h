@@ -23,7 +23,8 @@ struct Estimated {
   double estimate = 0.0;
 };
 
-/// The numbers above 0 whose spacing or stimulus is known; remarks on the number of others and of anchors.
+/// The numbers above 0 whose spacing or stimulus is known; remarks on the number of others and of anchors, and on missing
+/// estimates of the standard.
 std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 /// The levels of a factor in ascending numerical order, followed by levels that are not numbers.
@@ -33,13 +34,17 @@ std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
 std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
                                        const std::vector<std::string>& declared);
 
-/// For the family `magnitude`, with the normalisation that the protocol states.
+/// As the protocol states it; none where it is that of a standard of which there is no estimate.
+EstimateNormalisation used_normalisation(const EstimationDeclaration& estimation,
+                                         const std::vector<Estimated>& estimates);
+/// For the family `magnitude`, with `used_normalisation`.
 TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates);
 /// The same by stimulus. `predictor`: of every stimulus; empty: none.
 TidyInput items_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::map<std::string, double>& predictor);
 /// What was removed from the estimates, as a sentence for the note of a table.
-Phrase normalisation_note(const EstimationDeclaration& estimation);
+Phrase normalisation_note(const EstimationDeclaration& estimation,
+                          const std::vector<Estimated>& estimates);
 /// For the family `rmanova`: raw logarithms, because a participant's scale is a constant and part of no effect.
 TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::vector<std::string>& conditions,

@@ -303,10 +303,13 @@ std::string external_sentences(const Block& block) {
 }
 
 std::string catch_sentences(const Block& block) {
+  if (!has_catch_trials(block)) return {};
   const std::string easy = catch_level_text(block);
-  if (easy.empty()) return {};
   return " One in every " + std::to_string(block.procedure->catch_trials->every) +
-         " trials, at a random place, was a catch trial, in which the comparison " + in_past(easy) +
+         " trials, at a random place, was a catch trial, in which " +
+         (easy.empty() ? std::string("two standards were presented and “cannot tell” was the "
+                                     "correct response")
+                       : "the comparison " + in_past(easy)) +
          "; no threshold was estimated from catch trials.";
 }
 
@@ -328,8 +331,13 @@ std::string levels_text(const Block& block, const std::string& standard) {
   return differing_by(block, values, standard, levels.size() > 1);
 }
 
+bool has_catch_trials(const Block& block) {
+  return block.procedure && block.procedure->catch_trials;
+}
+
 std::string catch_level_text(const Block& block) {
-  if (!block.procedure || !block.procedure->catch_trials) return {};
+  if (!has_catch_trials(block)) return {};
+  if (block.procedure->catch_trials->type != CatchType::easy) return {};
   return differing_by(block, level_text(block, block.procedure->catch_trials->level),
                       "the standard", false);
 }

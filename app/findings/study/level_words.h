@@ -15,7 +15,8 @@ std::string unit_of_varied(const Protocol::Block& block);
 
 /// "differs from it by 5 %, 10 % and 20 %", said of the comparison; the range where there are many. `standard`: "it".
 std::string levels_text(const Protocol::Block& block, const std::string& standard);
-/// "differs from the standard by 150 %"; empty without catch trials.
+bool has_catch_trials(const Protocol::Block& block);
+/// "differs from the standard by 150 %"; empty without easy catch trials: those of the other types present two standards.
 std::string catch_level_text(const Protocol::Block& block);
 /// The same in the past tense, and of levels that a procedure can choose: "could differ from it by 2 % to 100 %".
 std::string in_past(std::string differing);

@@ -57,7 +57,7 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
         phrase("Analysis",
                "Geometric means of the estimates. %1 raw: not normalised. left out: number of "
                "participants without an estimate in some cell; only raw includes them.")
-            .with(normalisation_note(gathered.estimation));
+            .with(normalisation_note(gathered.estimation, estimates));
   }
   if (gathered.people.size() > 1 && is_within) {
     curves.note =

@@ -108,12 +108,12 @@ struct Compared {
   const std::map<std::string, double>& predictor;
 };
 
-Phrase note_on_means(const Compared& compared) {
+Phrase note_on_stimulus_means(const Compared& compared) {
   const Phrase note =
       phrase("Analysis",
              "Geometric means of the estimates. %1 raw: not normalised. left out: number of "
              "participants without an estimate in some cell; only raw includes them.")
-          .with(normalisation_note(compared.gathered.estimation));
+          .with(normalisation_note(compared.gathered.estimation, compared.estimates));
   const bool is_within =
       compared.gathered.estimation.normalisation() == EstimateNormalisation::geometric_mean;
   if (compared.gathered.people.size() < 2 || !is_within) return note;
@@ -125,7 +125,8 @@ Phrase note_on_means(const Compared& compared) {
       .with(note);
 }
 
-void add_means(const Compared& compared, const FoundNumbers& found, AnalysisOutcome& outcome) {
+void add_stimulus_means(const Compared& compared, const FoundNumbers& found,
+                        AnalysisOutcome& outcome) {
   Cells cells{};
   for (const Estimated& one : compared.estimates) {
     cells[{one.person, one.condition, one.spacing}].push_back(std::log10(one.estimate));
@@ -135,7 +136,7 @@ void add_means(const Compared& compared, const FoundNumbers& found, AnalysisOutc
                    {{"condition", "stimulus", "predictor", "persons", "left_out", "normalised",
                      "normalised_low", "normalised_high", "raw"},
                     {}},
-                   note_on_means(compared)};
+                   note_on_stimulus_means(compared)};
   NamedTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
@@ -275,7 +276,7 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
   const std::vector<Finding> means =
       analysis_of(kStimulusEstimates, "magnitude", items_table(gathered, estimates, predictor));
   const FoundNumbers found(means);
-  add_means(compared, found, outcome);
+  add_stimulus_means(compared, found, outcome);
   add_exponents(compared, found, outcome);
   if (!predictor.empty()) outcome.name_of_predictor = predictor_name(gathered.estimation);
   StudyTests tests(gathered);

@@ -401,14 +401,18 @@ class MagnitudeList final {
       if (!stimulus.spacing) return;
       different.insert(*stimulus.spacing);
     }
-    if (input_.table().has("item")) {
+    const bool has_items = input_.table().has("item");
+    if (has_items) {
       for (const Estimates::Stimulus& stimulus : read_.stimuli) {
         number("predictor", stimulus.name, *stimulus.spacing, "value of the predictor");
       }
     }
     if (different.size() < 3) {
       list_.word("status", "", "too_few_spacings",
-                 "a curve needs at least three spacings: present more spacings", basis("spacings"));
+                 has_items ? "an exponent needs at least three different values of the predictor; "
+                             "add stimuli, or state another predictor"
+                           : "a curve needs at least three spacings: present more spacings",
+                 basis(has_items ? "values of the predictor" : "spacings"));
       return;
     }
     Eigen::VectorXd x(static_cast<Eigen::Index>(read_.stimuli.size()));

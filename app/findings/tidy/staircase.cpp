@@ -26,7 +26,7 @@ struct TrackRule {
 };
 
 /// The responses of one track in the order of its trials.
-struct AnsweredTrack {
+struct TrackOfTable {
   std::string name{};
   std::vector<std::uint64_t> trials{};
   std::vector<bool> is_correct{};
@@ -99,7 +99,7 @@ std::vector<std::pair<std::string, TrackRule>> rules_of(const FamilyOptions& opt
 }
 
 /// One per rule, in its order. A row without a response has no trial.
-std::vector<AnsweredTrack> answered_tracks(
+std::vector<TrackOfTable> answered_tracks(
     const TidyTable& table, const std::vector<std::pair<std::string, TrackRule>>& rules) {
   std::vector<std::string> names{};
   for (const auto& [name, rule] : rules) names.push_back(name);
@@ -121,7 +121,7 @@ std::vector<AnsweredTrack> answered_tracks(
     }
     rows[static_cast<std::size_t>(found - names.begin())].push_back(row);
   }
-  std::vector<AnsweredTrack> answered{};
+  std::vector<TrackOfTable> answered{};
   for (std::size_t track = 0; track < rules.size(); ++track) {
     std::vector<std::size_t>& own = rows[track];
     if (own.empty()) {
@@ -139,7 +139,7 @@ std::vector<AnsweredTrack> answered_tracks(
                    "the track " + names[track] + " already has a trial " +
                        std::to_string(trials[*same]) + "; number the trials of a track in order");
     }
-    AnsweredTrack one{.name = names[track]};
+    TrackOfTable one{.name = names[track]};
     for (const std::size_t row : own) {
       if (!responses[row]) continue;
       one.trials.push_back(trials[row]);
@@ -153,7 +153,7 @@ std::vector<AnsweredTrack> answered_tracks(
 /// The numbers of one track.
 class TrackFindings final {
  public:
-  TrackFindings(const TrackRule& rule, const AnsweredTrack& answered, FindingList& findings)
+  TrackFindings(const TrackRule& rule, const TrackOfTable& answered, FindingList& findings)
       : rule_(rule),
         answered_(answered),
         track_(replay_staircase(rule.staircase, answered.is_correct)),
@@ -242,7 +242,7 @@ class TrackFindings final {
   }
 
   const TrackRule& rule_;
-  const AnsweredTrack& answered_;
+  const TrackOfTable& answered_;
   StaircaseTrack track_{};
   FindingList& findings_;
 };
@@ -251,7 +251,7 @@ class TrackFindings final {
 
 std::vector<Finding> staircase_findings(const TidyInput& input) {
   const auto rules = rules_of(input.options);
-  const std::vector<AnsweredTrack> answered = answered_tracks(input.table(), rules);
+  const std::vector<TrackOfTable> answered = answered_tracks(input.table(), rules);
   FindingList findings{};
   for (std::size_t track = 0; track < rules.size(); ++track) {
     TrackFindings(rules[track].second, answered[track], findings).add();

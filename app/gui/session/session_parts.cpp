@@ -42,7 +42,8 @@ void SessionParts::make_switches() {
   auto* row = new QHBoxLayout(switches_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kGrid);
-  const std::array words{tr("Plan"), tr("Force and path"), tr("Tracks"), tr("Responses, notes"),
+  // Five have to stand side by side on half a screen; notes are with the responses.
+  const std::array words{tr("Plan"), tr("Force and path"), tr("Tracks"), tr("Responses"),
                          tr("Mirror")};
   const std::array names{"show_plan", "show_plots", "show_tracks", "show_notes", "show_sight"};
   for (std::size_t i = 0; i < kParts.size(); ++i) {

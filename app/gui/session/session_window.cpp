@@ -276,6 +276,7 @@ void SessionWindow::write_blindness() {
   tracks_->set_blind(blind_);
   troubles_->set_blind(blind_);
   write_answers();
+  write_tracks();
 }
 
 QString SessionWindow::field_lock() const {

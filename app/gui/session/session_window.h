@@ -126,6 +126,7 @@ class SessionWindow final : public QWidget {
   void write_pending();
   void write_controls();
   void write_answers();
+  void write_tracks();
   void write_health();
   void end();
   void write_end();
@@ -155,6 +156,7 @@ class SessionWindow final : public QWidget {
   /// From which the tracks were computed.
   std::shared_ptr<const std::vector<AttemptSummary>> tracked_attempts_{};
   int tracked_block_ = 0;
+  int latest_block_ = 0;  ///< the present one; between blocks the last one
 
   WindowPlace* place_ = nullptr;
   ModeBand* band_ = nullptr;

@@ -40,6 +40,7 @@ void SessionWindow::refresh() {
     if (auto facts = monitor_.facts(); facts != facts_) take_facts(std::move(facts));
     take_snapshot();
   }
+  write_tracks();
   write_moving_texts();
   write_pending();
   write_controls();
@@ -162,16 +163,19 @@ void SessionWindow::write_controls() {
   header_->set_running(state.running);
 }
 
-void SessionWindow::write_answers() {
-  answers_->show_answers(*shown_.attempts, plan_->model());
+void SessionWindow::write_answers() { answers_->show_answers(*shown_.attempts, plan_->model()); }
+
+/// At every frame, because the part can be shown without a change of the snapshot. Computed anew only where it is seen, and
+/// only after an attempt or in a further block: a posterior takes some milliseconds.
+void SessionWindow::write_tracks() {
+  if (shown_.block != 0) latest_block_ = shown_.block;
+  if (blind_ || latest_block_ == 0 || !tracks_->isVisibleTo(this)) return;
   if (facts_ == nullptr || facts_->protocol == nullptr || facts_->plan == nullptr) return;
-  // Computed anew only after an attempt or a further trial: a posterior takes some milliseconds.
-  if (tracked_attempts_ == shown_.attempts && tracked_block_ == shown_.block) return;
-  if (shown_.block == 0) return;  // between blocks the last one stays
+  if (tracked_attempts_ == shown_.attempts && tracked_block_ == latest_block_) return;
   tracked_attempts_ = shown_.attempts;
-  tracked_block_ = shown_.block;
+  tracked_block_ = latest_block_;
   tracks_->show_tracks(
-      running_tracks(*facts_->protocol, *facts_->plan, *shown_.attempts, shown_.block));
+      running_tracks(*facts_->protocol, *facts_->plan, *shown_.attempts, latest_block_));
 }
 
 void SessionWindow::write_health() { health_->show_health(shown_, facts_.get()); }

@@ -9,6 +9,7 @@
 #include <QtGui/QFontMetricsF>
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
+#include <QtWidgets/QToolTip>
 
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -17,8 +18,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostLines = 2;     // of words above the plot; further tracks have marks only
-constexpr double kMark_px = 4.0;  // half the width of a mark
+constexpr int kLeastLines = 2;        // of words above the plot; more where there is room
+constexpr double kMostOfLines = 0.4;  // of the height
+constexpr double kMark_px = 4.0;      // half the width of a mark
+constexpr double kDot_px = 0.7;       // the radius of the dot of an unsure response
 constexpr int kLeastPlot_px = 72;
 
 QString digits_of(double level) { return shown_number(level, 'g', 3); }
@@ -30,7 +33,7 @@ struct Ranges {
   double high = 0.0;
 };
 
-Ranges ranges_of(const RunningTracks& tracks) {
+Ranges axes_of(const RunningTracks& tracks) {
   Ranges ranges{};
   bool is_first = true;
   const auto hold = [&](double level) {
@@ -94,13 +97,24 @@ TrackPanel::TrackPanel(QWidget* parent) : QWidget(parent) {
 
 void TrackPanel::show_tracks(std::optional<RunningTracks> tracks) {
   tracks_ = std::move(tracks);
-  setAccessibleName(shows_tracks() ? lines().join('\n') : instead());
-  update();
+  write_words();
 }
 
 void TrackPanel::set_blind(bool blind) {
+  // A tooltip that is shown does not follow the property.
+  if (blind && !blind_) QToolTip::hideText();
   blind_ = blind;
-  setAccessibleName(shows_tracks() ? lines().join('\n') : instead());
+  write_words();
+}
+
+void TrackPanel::write_words() {
+  const bool shows = shows_tracks();
+  setAccessibleName(shows ? lines().join('\n') : instead());
+  QStringList all = lines();
+  all +=
+      tr("Filled marks lead to a lower level, hollow ones to a higher level; hollow marks with a "
+         "dot: “cannot tell”.");
+  setToolTip(shows ? all.join('\n') : QString());
   update();
 }
 
@@ -112,7 +126,10 @@ QString TrackPanel::instead() const {
 }
 
 QString TrackPanel::line_of(const RunningTrack& track) const {
-  const QString name = tr("Track %1").arg(track.track);
+  const QString name =
+      track.condition.empty()
+          ? tr("Track %1").arg(track.track)
+          : tr("Track %1 (%2)").arg(track.track).arg(QString::fromStdString(track.condition));
   if (!track.estimate) return tr("%1: no estimate yet").arg(name);
   const QString unit =
       tracks_->unit.empty() ? QString() : ' ' + QString::fromStdString(tracks_->unit);
@@ -141,7 +158,7 @@ int TrackPanel::marks() const {
 }
 
 QSize TrackPanel::minimumSizeHint() const {
-  return {1, kMostLines * QFontMetrics(font()).lineSpacing() + kLeastPlot_px};
+  return {1, kLeastLines * QFontMetrics(font()).lineSpacing() + kLeastPlot_px};
 }
 
 void TrackPanel::paintEvent(QPaintEvent*) {
@@ -157,22 +174,35 @@ void TrackPanel::paintEvent(QPaintEvent*) {
   }
   const QStringList words = lines();
   double top = 0.0;
-  for (int i = 0; i < std::min(kMostLines, static_cast<int>(words.size())); ++i) {
+  const int rows = std::max(kLeastLines, static_cast<int>(kMostOfLines * height() / line));
+  const int shown = std::min(rows, static_cast<int>(words.size()));
+  for (int i = 0; i < shown; ++i) {
     painter.setPen(colors.text);
     painter.drawText(QRectF(0.0, top, width(), line), Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(words[i], Qt::ElideRight, width()));
     top += line;
   }
-  const Ranges ranges = ranges_of(*tracks_);
+  const Ranges ranges = axes_of(*tracks_);
   const QString unit =
       tracks_->unit.empty() ? QString() : ' ' + QString::fromStdString(tracks_->unit);
   const QString highest = digits_of(ranges.high) + unit;
   const QString lowest = digits_of(ranges.low) + unit;
   const double left =
-      std::max(metrics.horizontalAdvance(highest), metrics.horizontalAdvance(lowest)) + kGrid;
-  const QRectF plot(left, kMostLines * line + 1.5 * kMark_px, width() - left - 2.0 * kMark_px,
-                    height() - (kMostLines + 1) * line - 3.0 * kMark_px);
+      line + std::max(metrics.horizontalAdvance(highest), metrics.horizontalAdvance(lowest)) +
+      kGrid;
+  const int taken = std::max(kLeastLines, shown);
+  const QRectF plot(left, taken * line + 1.5 * kMark_px, width() - left - 2.0 * kMark_px,
+                    height() - (taken + 1) * line - 3.0 * kMark_px);
   painter.setPen(colors.muted);
+  // The title of the ordinate, upwards, next to the numbers.
+  const double along_ordinate = height() - plot.top();
+  painter.save();
+  painter.translate(0.0, height());
+  painter.rotate(-90.0);
+  painter.drawText(QRectF(0.0, 0.0, along_ordinate, line), Qt::AlignCenter,
+                   metrics.elidedText(QString::fromStdString(tracks_->quantity), Qt::ElideRight,
+                                      along_ordinate));
+  painter.restore();
   painter.drawText(QRectF(0.0, plot.top() - line / 2.0, left - kGrid / 2.0, line),
                    Qt::AlignRight | Qt::AlignVCenter, highest);
   painter.drawText(QRectF(0.0, plot.bottom() - line / 2.0, left - kGrid / 2.0, line),
@@ -209,8 +239,13 @@ void TrackPanel::paintEvent(QPaintEvent*) {
     }
     painter.setPen(QPen(color, 1.5));
     for (const RunningTrial& trial : track.trials) {
-      painter.setBrush(trial.counts_down ? QBrush(color) : QBrush(colors.ground));
-      painter.drawPath(mark_of(track.track, place(trial.step, trial.level)));
+      const QPointF at = place(trial.step, trial.level);
+      const bool is_filled = trial.outcome == LevelOutcome::correct;
+      painter.setBrush(is_filled ? QBrush(color) : QBrush(colors.ground));
+      painter.drawPath(mark_of(track.track, at));
+      if (trial.outcome != LevelOutcome::unsure) continue;
+      painter.setBrush(QBrush(color));
+      painter.drawEllipse(at, kDot_px, kDot_px);
     }
   }
 }

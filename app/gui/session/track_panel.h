@@ -12,10 +12,11 @@
 namespace asperity {
 
 /// Levels by trial of each track of the present block, with the mean of the reversals, or the median of the posterior and
-/// its 95 % credible interval. Filled marks lead to a lower level (correct responses), hollow ones to a higher level.
+/// its 95 % credible interval. Filled marks lead to a lower level (correct responses), hollow ones to a higher level, and
+/// hollow ones with a dot are the response "cannot tell". The tooltip has the lines of all tracks.
 ///
-/// While blind nothing is shown: levels and responses show the condition and whether responses were correct. Its size does
-/// not depend on what it shows.
+/// While blind nothing is shown: levels and responses show the condition and whether responses were correct. Its minimum
+/// size does not depend on what it shows.
 class TrackPanel final : public QWidget {
   Q_OBJECT
  public:
@@ -25,7 +26,8 @@ class TrackPanel final : public QWidget {
   void show_tracks(std::optional<RunningTracks> tracks);
   void set_blind(bool blind);
 
-  /// The lines above the plot, one per track: "Track 1: mean of the reversals 21 % (n = 4)".
+  /// One per track: "Track 1 (coarse): mean of the reversals 21 % (n = 4)". Those for which there is room are above the
+  /// plot.
   QStringList lines() const;
   /// For tests: how many marks are drawn.
   int marks() const;
@@ -37,6 +39,7 @@ class TrackPanel final : public QWidget {
 
  private:
   bool shows_tracks() const;
+  void write_words();
   QString instead() const;
   QString line_of(const RunningTrack& track) const;
 

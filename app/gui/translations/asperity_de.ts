@@ -2437,11 +2437,11 @@
     </message>
     <message>
         <source>Standard with modulus %1 (%2): each participant&apos;s estimates are divided by the geometric mean of that participant&apos;s estimates of the standard, and multiplied by the modulus.</source>
-        <translation>Standard mit Modulus %1 (%2): Die Schätzungen jeder Versuchsperson sind durch das geometrische Mittel ihrer Schätzungen des Standards geteilt und mit dem Modulus multipliziert.</translation>
+        <translation>Standardreiz mit Modulus %1 (%2): Die Schätzungen jeder Versuchsperson sind durch das geometrische Mittel ihrer Schätzungen des Standardreizes geteilt und mit dem Modulus multipliziert.</translation>
     </message>
     <message>
         <source>Standard with modulus %1 (%2): the estimates are not normalised, because the standard determines the modulus of all participants.</source>
-        <translation>Standard mit Modulus %1 (%2): Die Schätzungen sind nicht normiert, weil der Standard den Modulus aller Versuchspersonen festlegt.</translation>
+        <translation>Standardreiz mit Modulus %1 (%2): Die Schätzungen sind nicht normiert, weil der Standardreiz den Modulus aller Versuchspersonen festlegt.</translation>
     </message>
     <message>
         <source>Geometric means of the estimates. %1 raw: not normalised. left out: number of participants without an estimate in some cell; only raw includes them.</source>
@@ -2513,15 +2513,15 @@
     </message>
     <message>
         <source>Rule that the protocol declares: participants with %1 are excluded, all types of catch trials and all blocks together. Their stored responses are unchanged.</source>
-        <translation>Im Protokoll erklärte Regel: Versuchspersonen werden ausgeschlossen bei: %1 (alle Arten von Kontrolldurchgängen und alle Blöcke zusammen). Ihre gespeicherten Antworten bleiben unverändert.</translation>
+        <translation>Im Protokoll festgelegte Regel: Versuchspersonen werden ausgeschlossen bei: %1 (alle Arten von Kontrolldurchgängen und alle Blöcke zusammen). Ihre gespeicherten Antworten bleiben unverändert.</translation>
     </message>
     <message>
         <source>The declared rule (%1) excludes all participants, so that the results are those of the excluded participants.</source>
-        <translation>Die erklärte Regel (%1) schließt alle Versuchspersonen aus, sodass die Ergebnisse die der ausgeschlossenen Versuchspersonen sind.</translation>
+        <translation>Die festgelegte Regel (%1) schließt alle Versuchspersonen aus, sodass die Ergebnisse die der ausgeschlossenen Versuchspersonen sind.</translation>
     </message>
     <message>
         <source>Participants whom the declared rule (%3) excludes: %1 of %2 (%4). Results are those without these participants; tables with the excluded participants follow. Tables of response times, learning and exploration contain all participants.</source>
-        <translation>Versuchspersonen, die die erklärte Regel (%3) ausschließt: %1 von %2 (%4). Die Ergebnisse sind die ohne diese Versuchspersonen; Tabellen mit den ausgeschlossenen Versuchspersonen folgen. Tabellen der Antwortzeiten, des Lernens und der Exploration enthalten alle Versuchspersonen.</translation>
+        <translation>Versuchspersonen, die die festgelegte Regel (%3) ausschließt: %1 von %2 (%4). Die Ergebnisse sind die ohne diese Versuchspersonen; Tabellen mit den ausgeschlossenen Versuchspersonen folgen. Tabellen der Antwortzeiten, des Lernens und der Exploration enthalten alle Versuchspersonen.</translation>
     </message>
     <message>
         <source>No signal: the standard was presented twice, and “cannot tell” is correct. Every choice is a false alarm.</source>
@@ -2530,6 +2530,14 @@
     <message>
         <source>Identical pair: the standard was presented twice, and “cannot tell” is correct. Every choice is an error.</source>
         <translation>Gleiches Paar: Der Standard wurde zweimal dargeboten, und „kann es nicht sagen“ ist richtig. Jede Wahl ist ein Fehler.</translation>
+    </message>
+    <message>
+        <source>The estimates are not normalised by the standard (%1), because there is no estimate of it.</source>
+        <translation>Die Schätzungen sind nicht auf den Standard (%1) normiert, weil es keine Schätzung von ihm gibt.</translation>
+    </message>
+    <message>
+        <source>Standard with modulus %1 (%2): the estimates are not normalised, because there is no estimate of the standard.</source>
+        <translation>Standard mit Modulus %1 (%2): Die Schätzungen sind nicht normiert, weil es keine Schätzung des Standards gibt.</translation>
     </message>
 </context>
 <context>
@@ -5055,10 +5063,6 @@
         <translation>Anteil richtiger Antworten nach Stufe</translation>
     </message>
     <message>
-        <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with %2 % CIs by the delta method.</source>
-        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen (Maximum-Likelihood-Schätzung). Offene Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-KI nach der Delta-Methode.</translation>
-    </message>
-    <message>
         <source>proportion correct (for matching: of items)</source>
         <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen)</translation>
     </message>
@@ -5299,10 +5303,6 @@
         <translation>Differenz zum Standardreiz: %1</translation>
     </message>
     <message>
-        <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: points of subjective equality, with 95 % CIs by the delta method.</source>
-        <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit 95-%-KIs nach der Delta-Methode.</translation>
-    </message>
-    <message>
         <source>%1 of the comparison</source>
         <translation>%1 des Vergleichsreizes</translation>
     </message>
@@ -5369,14 +5369,6 @@
     <message>
         <source>Points are medians over the participants of each participant’s median contact time; error bars show the quartiles.</source>
         <translation>Punkte sind Mediane der medianen Kontaktdauern der Versuchspersonen; Fehlerbalken zeigen die Quartile.</translation>
-    </message>
-    <message>
-        <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with 95 % CIs by running the procedure again.</source>
-        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen (Maximum-Likelihood-Schätzung). Offene Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit 95-%-KI durch Wiederholung des Verfahrens.</translation>
-    </message>
-    <message>
-        <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: points of subjective equality, with 95 % CIs by running the procedure again.</source>
-        <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit 95-%-KIs durch Wiederholung des Verfahrens.</translation>
     </message>
     <message>
         <source>Points are geometric means over the participants whose threshold could be estimated; error bars show their t-based 95 % CIs on the logarithmic scale.</source>
@@ -5545,6 +5537,30 @@
     <message>
         <source>estimate</source>
         <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with %2 % CIs %3.</source>
+        <translation>Gefüllte Symbole: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-KIs %3.</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: points of subjective equality, with %1 % CIs %2.</source>
+        <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit %1-%-KIs %2.</translation>
+    </message>
+    <message>
+        <source>by the delta method</source>
+        <translation>nach der Delta-Methode</translation>
+    </message>
+    <message>
+        <source>by percentiles of a bootstrap of the three outcomes</source>
+        <translation>aus Perzentilen eines Bootstraps der drei Ergebnisse</translation>
+    </message>
+    <message>
+        <source>by the delta method or, with responses “cannot tell”, by percentiles of a bootstrap of the three outcomes</source>
+        <translation>nach der Delta-Methode oder, bei Antworten „kann es nicht sagen“, aus Perzentilen eines Bootstraps der drei Ergebnisse</translation>
+    </message>
+    <message>
+        <source>by running the procedure again</source>
+        <translation>durch Wiederholung des Verfahrens</translation>
     </message>
 </context>
 <context>
@@ -11728,16 +11744,16 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Kraft und Weg</translation>
     </message>
     <message>
-        <source>Responses, notes</source>
-        <translation>Antworten, Notizen</translation>
-    </message>
-    <message>
         <source>Mirror</source>
         <translation>Spiegel</translation>
     </message>
     <message>
         <source>Tracks</source>
         <translation>Folgen (Tracks)</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Antworten</translation>
     </message>
 </context>
 <context>
@@ -13415,7 +13431,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <name>asperity::TrackPanel</name>
     <message>
         <source>Tracks are hidden while you are blind to the conditions.</source>
-        <translation>Folgen (Tracks) sind verborgen, solange Sie für die Bedingungen verblindet sind.</translation>
+        <translation>Folgen (Tracks) sind verborgen, solange Sie gegenüber den Bedingungen verblindet sind.</translation>
     </message>
     <message>
         <source>No response of a track yet</source>
@@ -13428,6 +13444,14 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>Track %1</source>
         <translation>Folge %1</translation>
+    </message>
+    <message>
+        <source>Track %1 (%2)</source>
+        <translation>Folge %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Filled marks lead to a lower level, hollow ones to a higher level; hollow marks with a dot: “cannot tell”.</source>
+        <translation>Gefüllte Zeichen führen zu einer niedrigeren Stufe, leere zu einer höheren; leere mit Punkt: „kann es nicht sagen“.</translation>
     </message>
     <message>
         <source>%1: no estimate yet</source>

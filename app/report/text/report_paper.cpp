@@ -157,7 +157,9 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
     sentences.emplace_back("The significance level was .05.");
   }
-  if (analysis != nullptr) {
+  if (!outcome.transformation.empty()) {
+    sentences.push_back(outcome.transformation);
+  } else if (analysis != nullptr) {
     const bool is_stated = analysis->transformation_of != nullptr && facts.file.protocol;
     sentences.push_back(is_stated ? analysis->transformation_of(*facts.file.protocol)
                                   : std::string(analysis->transformation));

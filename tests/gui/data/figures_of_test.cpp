@@ -130,6 +130,13 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
     mean.confidence = 0.95;
   }
   EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
+            "Filled symbols: geometric means of the estimates with t-based 95 % CIs over the "
+            "participants.");
+  Finding& within = findings.emplace_back();
+  within.quantity = "geomean.ci.lower.morey";
+  within.key = "small|0.001";
+  within.value = 1.0;
+  EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
             "Filled symbols: geometric means of normalised estimates with within-participant 95 % "
             "CIs (Cousineau and Morey), which serve to compare cells and do not include the "
             "differences between participants.");

@@ -30,11 +30,11 @@ const Figure& figure_named(const std::vector<Figure>& figures, const std::string
 }
 
 /// Two participants who choose the comparison as often as stated, of 20 trials at each level of two textures; the second
-/// one without the last levels that are left out.
+/// one without the last levels that are left out. `unsure`: so many last responses at each level are "cannot tell".
 std::vector<Figure> figures_of_discrimination(const std::string& judgement,
                                               const std::vector<double>& values_m,
                                               const std::vector<int>& hits,
-                                              std::size_t left_out_of_second = 0) {
+                                              std::size_t left_out_of_second = 0, int unsure = 0) {
   nlohmann::json protocol = nlohmann::json::parse(R"({"kind": "discrimination",
     "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-05}}},
     "blocks": {"only": {
@@ -57,6 +57,8 @@ std::vector<Figure> figures_of_discrimination(const std::string& judgement,
                             surface_of("comparison", "sinusoid", "")};
           trial.answers = {i < hits[level] ? "comparison" : "standard"};
           trial.options = {"standard", "comparison"};
+          if (unsure > 0) trial.options.emplace_back("cannot_tell");
+          if (i >= 20 - unsure) trial.answers = {"cannot_tell"};
           if (judgement == "performance") trial.right = {"comparison"};
           trials.push_back(trial);
         }
@@ -91,6 +93,23 @@ TEST(ThresholdFigures, DrawTheFunctionsOfEachParticipantInTheirUnit) {
   ASSERT_EQ(thresholds.y.places.size(), 2U);
   EXPECT_EQ(thresholds.y.places.front().english(), "metal");
   EXPECT_NEAR(thresholds.series.back().points.front().x, 10.0, 2.0);
+}
+
+TEST(ThresholdFigures, DrawHitsThatAreNotWholeWithTheirBootstrapIntervals) {
+  const std::vector<Figure> figures = figures_of_discrimination(
+      "performance", {52.5e-6, 55e-6, 60e-6, 65e-6, 75e-6}, {10, 12, 15, 18, 20}, 0, 1);
+  const Figure& figure = figure_named(figures, "psychometric_p1");
+  ASSERT_TRUE(figure.is_drawn());
+  const FigureSeries& metal = figure.series.front();
+  ASSERT_EQ(metal.points.size(), 5U);
+  EXPECT_NEAR(metal.points[2].y, 15.5 / 20.0, 1e-9);
+  EXPECT_NEAR(metal.points[4].y, 19.5 / 20.0, 1e-9);
+  EXPECT_THAT(figure.note.english(),
+              HasSubstr("95 % CIs by percentiles of a bootstrap of the three outcomes."));
+  const std::vector<Figure> choices =
+      figures_of_discrimination("comparison", {35e-6, 45e-6, 55e-6, 65e-6}, {1, 6, 14, 19}, 0, 1);
+  EXPECT_THAT(figure_named(choices, "psychometric_p1_comparison").note.english(),
+              HasSubstr("bootstrap of the three outcomes"));
 }
 
 TEST(ThresholdFigures, HaveTheSameAxisForAllParticipants) {

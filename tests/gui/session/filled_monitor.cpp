@@ -114,13 +114,16 @@ void FilledMonitor::answer_tracks(int answers) {
     for (const PlannedPresentation& surface : trial.presentations) {
       if ((surface.role == block.vary->role) == counts_down) attempt.answers = {surface.code};
     }
-    monitor.add_attempt(attempt);
     if (trial.catch_trial) {
+      monitor.add_attempt(attempt);
       course.advance({});
       continue;
     }
     const double value = std::get<double>(trial.factors.at(block.vary->factor));
-    course.advance({TrialOutcome::Answer{.value = value, .counts_down = counts_down}});
+    const LevelOutcome outcome = forced_outcome(counts_down);
+    attempt.answer_of_track = LevelAnswer{.level = block.vary->level_of(value), .outcome = outcome};
+    monitor.add_attempt(attempt);
+    course.advance({.answer = TrialOutcome::Answer{.value = value, .outcome = outcome}});
   }
   SessionFacts facts = *monitor.facts();
   plan = std::make_shared<const Plan>(course.plan());

@@ -342,8 +342,10 @@ TEST(SessionWindow, ShowsTheRunningTracksUnlessBlind) {
   EXPECT_TRUE(panel.accessibleName().contains("hidden"));
   child<QPushButton>(*window, "unblind").click();
   ASSERT_FALSE(panel.lines().isEmpty());
-  EXPECT_TRUE(panel.lines().front().startsWith("Track 1: mean of the reversals "))
+  EXPECT_TRUE(panel.lines().front().startsWith("Track 1"));
+  EXPECT_TRUE(panel.lines().front().contains(": mean of the reversals "))
       << panel.lines().front().toStdString();
+  EXPECT_TRUE(panel.toolTip().startsWith(panel.lines().join('\n')));
   const int marks = panel.marks();
   EXPECT_GT(marks, 15);  // some of the twenty are catch trials
   session.answer_tracks(21);
@@ -351,6 +353,8 @@ TEST(SessionWindow, ShowsTheRunningTracksUnlessBlind) {
   EXPECT_GE(panel.marks(), marks);
   child<QPushButton>(*window, "unblind").click();
   EXPECT_EQ(panel.marks(), 0) << "blind again";
+  EXPECT_TRUE(panel.toolTip().isEmpty());
+  EXPECT_TRUE(panel.accessibleName().contains("hidden"));
 }
 
 TEST(SessionWindow, ShowsThePosteriorOfATrack) {

@@ -59,7 +59,7 @@ bool is_performance(const Block& block) {
 }
 
 std::string apart_from_catch_trials(const Block& block) {
-  return catch_level_text(block).empty() ? "" : ", apart from catch trials";
+  return has_catch_trials(block) ? ", apart from catch trials" : "";
 }
 
 /// The placement of several surfaces, after "are presented" or "were presented".
@@ -164,8 +164,12 @@ std::string task_of_block(const Block& block) {
           "; that of the comparison " + levels_text(block, "it") + ". ";
   if (block.procedure) {
     text += "Choice of the level: " + procedure_text(block) + ". ";
-    if (const std::string easy = catch_level_text(block); !easy.empty()) {
-      text += "In a catch trial the comparison " + easy +
+    if (has_catch_trials(block)) {
+      const std::string easy = catch_level_text(block);
+      text += "In a catch trial " +
+              (easy.empty() ? std::string("two standards are presented and “cannot tell” is the "
+                                          "correct response")
+                            : "the comparison " + easy) +
               "; no threshold is estimated from these trials. ";
     }
   }
