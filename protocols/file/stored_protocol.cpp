@@ -15,6 +15,7 @@
 #include "analysis/number_text.h"
 #include "protocols/answers/scale_form.h"
 #include "protocols/design/discrimination_design.h"
+#include "protocols/design/protocol.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/protocol_from_json.h"
 #include "protocols/file/question_from_json.h"
@@ -463,6 +464,10 @@ StoredProtocol stored_protocol(const std::string& source) {
     made.has_procedure =
         procedure.is_object() && text_in(procedure, "method") != "constant_stimuli";
     if (made.has_procedure) made.tracks = stored_tracks(root, block);
+    if (const Json& catch_trials = member_of(procedure, "catch_trials"); catch_trials.is_object()) {
+      made.catch_type = text_in(catch_trials, "type");
+      if (made.catch_type.empty()) made.catch_type = text_of(CatchType::easy);
+    }
     if (made.vary) {
       read.factors[made.vary->factor].meaning =
           "Value of the parameter " + made.vary->parameter + " of the " + made.vary->role;

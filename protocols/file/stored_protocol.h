@@ -66,6 +66,7 @@ struct StoredProtocol {
     bool is_sequential = true;         ///< surfaces are presented one after the other
     std::vector<std::string> drawn{};  ///< factors whose level is drawn for every trial
     bool has_procedure = false;  ///< that chose the levels from the responses; not constant stimuli
+    std::string catch_type{};    ///< of its catch trials (CatchType); empty: it has none
     /// The block whose matches determine the amplitudes of its surfaces (`equal_roughness`); empty: none.
     std::string matched_in{};
     /// Of this procedure, for every combination of the other factors; empty where they cannot be used.

@@ -10,6 +10,7 @@
 #include "app/session/trial_outcome.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/sqlite.h"
+#include "tests/app/exported_study.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {
@@ -307,6 +308,30 @@ TEST_F(StaircaseSession, ContinuesWithTheSameCatchTrials) {
   EXPECT_GE(caught, 5);
   EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
             expected.size());
+}
+
+// A catch trial whose protocol states no type is an easy one.
+TEST_F(StaircaseSession, ExportsTheTypeOfItsCatchTrials) {
+  std::string text = kStaircases;
+  const std::string method = R"("method": "transformed_up_down",)";
+  text.replace(text.find(method), method.size(),
+               method + R"( "catch_trials": {"level": 100, "every": 4},)");
+  protocol_ = read_small_protocol(models_, text);
+  start(2);
+  run_trials(1000);
+  const std::filesystem::path to = folder_.path() / "exported";
+  export_study(*study_, models_, to, tables_only());
+  const Table trials = table_in(to, "trials.tsv");
+  int caught = 0;
+  for (std::size_t row = 0; row < trials.rows.size(); ++row) {
+    if (cell_of(trials, row, "catch_trial") != Cell{std::string("1")}) {
+      EXPECT_EQ(cell_of(trials, row, "catch_type"), Cell{std::string("n/a")});
+      continue;
+    }
+    ++caught;
+    EXPECT_EQ(cell_of(trials, row, "catch_type"), Cell{std::string("easy")});
+  }
+  EXPECT_GE(caught, 5);
 }
 
 TEST_F(StaircaseSession, TakesTheFirstAttemptThatCompletedATrial) {

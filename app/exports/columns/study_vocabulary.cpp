@@ -49,6 +49,9 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
   for (const auto& [name, block] : specified.blocks) {
     vocabulary.kinds_of_blocks[{protocol.source_sha256, name}] =
         block.kind.empty() ? protocol.kind : block.kind;
+    if (!block.catch_type.empty()) {
+      vocabulary.catch_types[{protocol.source_sha256, name}] = block.catch_type;
+    }
     if (const auto task = discrimination_task(name, block)) {
       vocabulary.discriminations[{protocol.source_sha256, name}] = {
           .task = *task, .drawn = block.drawn, .tracks = block.tracks, .levels = *block.vary};

@@ -39,9 +39,9 @@ struct StudyVocabulary {
   };
   struct AnswerMeaning {
     std::string prompt{};
-    bool free_text = true;      ///< false if a protocol declares another form
-    bool has_several = false;   ///< a multiple choice: an answer has several options
-    std::string unit{};         ///< of a number
+    bool free_text = true;     ///< false if a protocol declares another form
+    bool has_several = false;  ///< a multiple choice: an answer has several options
+    std::string unit{};        ///< of a number
     /// The condition under which it is asked, as `clause_of` states it; empty: always asked.
     std::string condition{};
     std::string asked_after{};  ///< the question whose answer the condition is about; empty without
@@ -55,6 +55,8 @@ struct StudyVocabulary {
   std::map<std::string, FactorMeaning> factors{};
   /// The kinds of experiment of the blocks, by the SHA-256 of the protocol file and the block.
   std::map<std::pair<std::string, std::string>, std::string> kinds_of_blocks{};
+  /// The types of the catch trials, by the same; of blocks with catch trials only.
+  std::map<std::pair<std::string, std::string>, std::string> catch_types{};
   struct BlockOfDiscrimination {
     DiscriminationTask task{};
     /// Factors whose level is drawn for every trial: they are not conditions.

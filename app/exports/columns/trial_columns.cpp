@@ -35,6 +35,24 @@ ExportColumn texture_spacing(const StudyVocabulary& vocabulary) {
   return made;
 }
 
+ExportColumn catch_type(const StudyVocabulary& vocabulary) {
+  ExportColumn made =
+      column("catch_type", "text", "", "what the catch trial presents",
+             [types = vocabulary.catch_types](const Place& at) -> Cell {
+               if (!at.trial->is_catch) return {};
+               const auto type = types.find({at.protocol->source_sha256, at.trial->block});
+               return type == types.end() ? Cell{} : Cell{type->second};
+             });
+  made = missing("not a catch trial",
+                 with_levels(std::move(made), {"easy", "no_signal", "identical_pair"}));
+  made.level_meanings["easy"].description = "the comparison at an easy level";
+  made.level_meanings["no_signal"].description =
+      "only standards, where the comparison has to be found";
+  made.level_meanings["identical_pair"].description = "only standards, where two are compared";
+  made.source = "protocol";
+  return made;
+}
+
 }  // namespace
 
 Columns trial_columns(const StudyVocabulary& vocabulary) {
@@ -81,9 +99,10 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
                             return integer(*at.trial->step);
                           })));
   add(column("catch_trial", "boolean", "",
-             "1: a trial with an easy level at a random place among those of a procedure; no "
-             "threshold is estimated from it",
+             "1: a catch trial at a random place among those of a procedure; no threshold is "
+             "estimated from it",
              [](const Place& at) { return boolean(at.trial->is_catch); }));
+  if (!vocabulary.catch_types.empty()) add(catch_type(vocabulary));
   for (const auto& [name, factor] : vocabulary.factors) {
     ExportColumn made = missing(
         "the trial does not have this factor",
