@@ -64,8 +64,10 @@ enum class CurveNames { of_probes, alone };
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names);
 
 /// Estimates by stimulus: over the predictor on logarithmic axes with the power functions, a series per condition, or
-/// without a predictor in rows. `predictor`: its name and unit.
-Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predictor);
+/// without a predictor in rows. `predictor`: its name. `unit`: of it, if the name does not state it; lengths are drawn in
+/// millimetres.
+Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predictor,
+                                 const std::string& unit);
 
 /// Geometric means of response times by condition, with single participants behind them.
 Figure response_times_figure(const FoundNumbers& found);

@@ -139,8 +139,8 @@ void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   const NamedTable* const loadings = named("loadings");
   if (loadings == nullptr) return;
   const std::vector<Finding> components = part_of(outcome.findings, "components");
-  const bool has_second = std::any_of(
-      components.begin(), components.end(), [](const Finding& finding) {
+  const bool has_second =
+      std::any_of(components.begin(), components.end(), [](const Finding& finding) {
         return finding.quantity == "loading" && finding.key.ends_with("|C2");
       });
   if (!has_second) return;  // too few items for the loadings of two components
@@ -213,8 +213,8 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
   }
   const std::vector<Finding> by_stimulus = part_of(outcome.findings, kStimulusEstimates);
   if (!by_stimulus.empty()) {
-    figures.push_back(
-        stimulus_estimates_figure(FoundNumbers(by_stimulus), outcome.name_of_predictor));
+    figures.push_back(stimulus_estimates_figure(
+        FoundNumbers(by_stimulus), outcome.name_of_predictor, outcome.unit_of_predictor));
     figures.back().table = kStimulusEstimates;
   }
   const std::vector<Finding> similarity = part_of(outcome.findings, "similarity");

@@ -55,15 +55,15 @@ Phrase note_of(const FoundNumbers& found) {
   return phrase("Figures", "%1 Lines: power functions with the mean exponent.").with(means);
 }
 
-/// The line of a condition over the range of the predictor.
+/// The line of a condition over the range of the predictor, which is drawn `scale` times as large.
 void add_line(const FoundNumbers& found, const std::string& condition, const PositiveRange& x,
-              PositiveRange& y, FigureSeries& series) {
+              double scale, PositiveRange& y, FigureSeries& series) {
   const auto exponent = found.value("exponent.mean", condition);
   const auto intercept = found.value("intercept.mean", condition);
   if (!exponent || !intercept) return;
   std::vector<FigurePlace>& line = series.lines.emplace_back();
   for (const double end : {x.low, x.high}) {
-    const double estimate = std::pow(10.0, *intercept + *exponent * std::log10(end));
+    const double estimate = std::pow(10.0, *intercept + *exponent * std::log10(end / scale));
     line.push_back({.x = end, .y = estimate});
     y.hold(estimate);
   }
@@ -71,7 +71,9 @@ void add_line(const FoundNumbers& found, const std::string& condition, const Pos
 
 }  // namespace
 
-Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predictor) {
+Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predictor,
+                                 const std::string& unit) {
+  const double scale = unit == "m" ? kMillimetresPerMetre : 1.0;
   Figure figure{.name = "stimulus_estimates",
                 .title = phrase("Figures", "Magnitude estimates by stimulus"),
                 .note = note_of(found)};
@@ -91,7 +93,7 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
       estimates.hold(interval->high);
     }
     if (has_predictor) {
-      const double x = found.value("predictor", parts.back()).value_or(0.0);
+      const double x = scale * found.value("predictor", parts.back()).value_or(0.0);
       if (!(x > 0.0)) continue;
       across.hold(x);
       series.points.push_back({.x = x, .y = *mean->value, .y_interval = interval});
@@ -110,7 +112,7 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
     return figure;
   }
   for (std::size_t i = 0; has_predictor && i < conditions.size(); ++i) {
-    add_line(found, conditions[i], across, estimates, figure.series[i]);
+    add_line(found, conditions[i], across, scale, estimates, figure.series[i]);
   }
   if (conditions.size() == 1) figure.series.front().name = {};
   const bool is_within = !found.all("geomean.ci.lower.morey").empty();
@@ -121,6 +123,7 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
       .high = estimates.high * kBeyondMarks};
   if (has_predictor) {
     figure.x = {.name = predictor,
+                .unit = unit == "m" ? "mm" : unit,
                 .scale = AxisScale::log10,
                 .low = across.low / kBeyondMarks,
                 .high = across.high * kBeyondMarks};

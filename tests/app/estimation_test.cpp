@@ -119,6 +119,17 @@ TEST(StimulusEstimates, FindTheExponentOverStatedValues) {
   EXPECT_EQ(tests.table.rows.at(1).at(0), Cell{std::string("exponent")});
 }
 
+// Figures draw lengths in millimetres: the unit is apart from the name.
+TEST(StimulusEstimates, KeepTheUnitOfThePredictorApartFromItsName) {
+  const AnalysisOutcome outcome =
+      outcome_of(protocol_with(R"({"factor": "surface", "predictor": "values", "unit": "m",
+          "values": {"brick": 2e-5, "cork": 4e-5, "felt": 8e-5, "oak": 16e-5}})"),
+                 kFreeScales);
+  EXPECT_THAT(question_of(outcome, "exponent").question.english(), HasSubstr("(surface (m))"));
+  EXPECT_EQ(outcome.name_of_predictor.english(), "surface");
+  EXPECT_EQ(outcome.unit_of_predictor, "m");
+}
+
 TEST(StimulusEstimates, TakeAMeasuredPropertyAsPredictor) {
   const AnalysisOutcome outcome = outcome_of(
       protocol_with(R"({"factor": "surface", "predictor": "texture_force_N"})"), kFreeScales);

@@ -116,7 +116,9 @@ struct AnalysisOutcome {
   std::vector<Phrase> remarks{};  ///< sentences that qualify the results
   /// How responses were transformed, where it differs from StudyAnalysis::transformation_of; otherwise empty.
   std::string transformation{};
-  Phrase name_of_predictor{};     ///< of magnitude estimates by stimulus, with its unit; empty: none
+  Phrase name_of_predictor{};  ///< of magnitude estimates by stimulus; empty: none
+  std::string
+      unit_of_predictor{};  ///< of it, if it is not part of the name; empty for a pure number
 };
 
 }  // namespace asperity

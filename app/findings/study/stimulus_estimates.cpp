@@ -42,6 +42,10 @@ std::vector<std::string> stimuli_in(const std::vector<Estimated>& estimates,
   return stimuli;
 }
 
+bool is_stated_predictor(const EstimationDeclaration& estimation) {
+  return estimation.predictor == kLevelPredictor || estimation.predictor == kValuePredictor;
+}
+
 std::map<std::string, double> stated_predictor(const GatheredAnswers& gathered,
                                                const std::vector<std::string>& stimuli) {
   const EstimationDeclaration& estimation = gathered.estimation;
@@ -65,9 +69,9 @@ std::map<std::string, double> predictor_of(const GatheredAnswers& gathered,
                                            AnalysisOutcome& outcome) {
   const std::string& name = gathered.estimation.predictor;
   if (name.empty()) return {};
-  const bool is_stated = name == kLevelPredictor || name == kValuePredictor;
-  std::map<std::string, double> values =
-      is_stated ? stated_predictor(gathered, stimuli) : property_of_items(gathered, stimuli, name);
+  std::map<std::string, double> values = is_stated_predictor(gathered.estimation)
+                                             ? stated_predictor(gathered, stimuli)
+                                             : property_of_items(gathered, stimuli, name);
   std::string missing{};
   for (const std::string& stimulus : stimuli) {
     const auto value = values.find(stimulus);
@@ -82,13 +86,31 @@ std::map<std::string, double> predictor_of(const GatheredAnswers& gathered,
   return {};
 }
 
-/// "height_scale (m)", "RMS of the texture force, N"
+/// "amplitude" for the levels of a varied parameter `amplitude_m`, "hardness"
+std::string name_of_stated_predictor(const EstimationDeclaration& estimation) {
+  return estimation.predictor == kLevelPredictor ? words_of_parameter(estimation.items)
+                                                 : estimation.items;
+}
+
+/// "amplitude", "RMS of the texture force, N"
 Phrase predictor_name(const EstimationDeclaration& estimation) {
-  const bool is_stated =
-      estimation.predictor == kLevelPredictor || estimation.predictor == kValuePredictor;
-  if (!is_stated) return words_of_cell("property", estimation.predictor);
-  if (estimation.predictor_unit.empty()) return estimation.items;
-  return estimation.items + " (" + estimation.predictor_unit + ')';
+  if (!is_stated_predictor(estimation)) return words_of_cell("property", estimation.predictor);
+  return name_of_stated_predictor(estimation);
+}
+
+/// Of levels and values: the declared unit, or that in which the name of the factor ends. Empty otherwise.
+std::string unit_of_predictor(const EstimationDeclaration& estimation) {
+  if (!is_stated_predictor(estimation)) return {};
+  if (!estimation.predictor_unit.empty()) return estimation.predictor_unit;
+  return estimation.predictor == kLevelPredictor ? unit_of_parameter(estimation.items)
+                                                 : std::string();
+}
+
+/// "amplitude (m)"
+Phrase predictor_with_unit(const EstimationDeclaration& estimation) {
+  const std::string unit = unit_of_predictor(estimation);
+  if (unit.empty()) return predictor_name(estimation);
+  return name_of_stated_predictor(estimation) + " (" + unit + ')';
 }
 
 using Cells = std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
@@ -183,7 +205,7 @@ void add_exponents(const Compared& compared, const FoundNumbers& found, Analysis
              "Slopes of log estimate on the logarithm of the predictor (%1), by least squares per "
              "participant: mean over the participants with its t-based 95 % CI, and p of the t "
              "test against 0, uncorrected. R²: fit of the line to the means of the stimuli.")
-          .with(predictor_name(compared.gathered.estimation))};
+          .with(predictor_with_unit(compared.gathered.estimation))};
   for (const std::string& condition : compared.conditions) {
     if (found.find("exponent.mean", condition) == nullptr) continue;
     if (const Finding* p = found.find("exponent.p", condition)) {
@@ -201,9 +223,7 @@ void add_exponents(const Compared& compared, const FoundNumbers& found, Analysis
 std::string about_condition(const Compared& compared, const std::string& condition) {
   if (condition != kOnlyCondition) return condition;
   const EstimationDeclaration& estimation = compared.gathered.estimation;
-  const bool is_stated =
-      estimation.predictor == kLevelPredictor || estimation.predictor == kValuePredictor;
-  return is_stated ? estimation.items : estimation.predictor;
+  return is_stated_predictor(estimation) ? estimation.items : estimation.predictor;
 }
 
 void add_exponent_tests(const Compared& compared, const FoundNumbers& found, StudyTests& tests) {
@@ -246,7 +266,7 @@ void ask_exponents(const Compared& compared, const FoundNumbers& found, const St
   if (answer.empty()) return;
   add_question(outcome, "exponent",
                phrase("Analysis", "How do the estimates grow with the predictor (%1)?")
-                   .with(predictor_name(compared.gathered.estimation)),
+                   .with(predictor_with_unit(compared.gathered.estimation)),
                phrase("Analysis", "Power function: %1.").with(answer),
                phrase("Analysis",
                       "The exponent is the slope of log estimate on the logarithm of the "
@@ -278,7 +298,10 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
   const FoundNumbers found(means);
   add_stimulus_means(compared, found, outcome);
   add_exponents(compared, found, outcome);
-  if (!predictor.empty()) outcome.name_of_predictor = predictor_name(gathered.estimation);
+  if (!predictor.empty()) {
+    outcome.name_of_predictor = predictor_name(gathered.estimation);
+    outcome.unit_of_predictor = unit_of_predictor(gathered.estimation);
+  }
   StudyTests tests(gathered);
   std::vector<Finding> anova{};
   if (stimuli.size() > 1) {
