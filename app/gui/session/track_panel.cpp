@@ -11,6 +11,7 @@
 #include <QtGui/QPainterPath>
 #include <QtWidgets/QToolTip>
 
+#include "app/findings/study/cell_words.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
 
@@ -200,7 +201,7 @@ void TrackPanel::paintEvent(QPaintEvent*) {
   painter.translate(0.0, height());
   painter.rotate(-90.0);
   painter.drawText(QRectF(0.0, 0.0, along_ordinate, line), Qt::AlignCenter,
-                   metrics.elidedText(QString::fromStdString(tracks_->quantity), Qt::ElideRight,
+                   metrics.elidedText(text(words_of_parameter(tracks_->quantity)), Qt::ElideRight,
                                       along_ordinate));
   painter.restore();
   painter.drawText(QRectF(0.0, plot.top() - line / 2.0, left - kGrid / 2.0, line),
