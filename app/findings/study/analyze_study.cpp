@@ -35,6 +35,14 @@ Phrase attempts_that_were(const std::string& what) {
 
 void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const AnswerCount& count = gathered.count;
+  if (gathered.unread_recordings > 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Recordings that cannot be read, so that the properties of the stimuli lack their "
+               "forces: %1. \"asperity verify\" names the files; restore them from a copy of the "
+               "study.")
+            .with(std::to_string(gathered.unread_recordings)));
+  }
   if (gathered.group == AnswerGroup::virtual_participants) {
     outcome.remarks.push_back(phrase("Analysis",
                                      "These participants are virtual: the results serve to test "

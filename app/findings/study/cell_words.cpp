@@ -8,6 +8,7 @@
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/test_methods.h"
+#include "app/records/felt_octaves.h"
 #include "app/words/text_parts.h"
 #include "results_schema/table.h"
 
@@ -73,6 +74,12 @@ const CellWords& words_of_properties() {
     for (const char* const explored :
          {"force_N", "force_sd_N", "speed_m_per_s", "speed_sd_m_per_s"}) {
       words[explored] = words_of_measures().at(explored);
+    }
+    constexpr std::array kBorders_mm{"10", "5", "2.5", "1.25", "0.625", "0.3125"};
+    for (std::size_t octave = 0; octave < kOctaveProperties.size(); ++octave) {
+      words[kOctaveProperties[octave]] =
+          phrase("CellWords", "force in waves of %1 to %2 mm, RMS relative to the normal force")
+              .with(kBorders_mm[octave + 1], kBorders_mm[octave]);
     }
     return words;
   }();

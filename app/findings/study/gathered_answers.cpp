@@ -204,6 +204,37 @@ class Gathering {
     }
   }
 
+  /// Recordings are large: they are read for a map of items, and for a magnitude over one of these properties.
+  bool needs_felt_octaves() const {
+    return gathered.kind == "similarity" ||
+           std::find(kOctaveProperties.begin(), kOctaveProperties.end(),
+                     gathered.estimation.predictor) != kOctaveProperties.end();
+  }
+
+  /// The recordings of the attempts that count.
+  void add_recordings(const Study& study, const SessionRow& session, const SessionAnswers& answers,
+                      const QuestionsOfKind& questions, const std::stop_token& stop) {
+    std::set<int> asked{};
+    for (const SessionAnswers::Trial& trial : answers.trials) {
+      if (questions.has_block(answers.words[trial.block])) asked.insert(trial.trial);
+    }
+    std::vector<AttemptRow> rows = study.attempts(session.id);
+    // The order of SessionAnswers::attempts.
+    std::sort(rows.begin(), rows.end(), [](const AttemptRow& one, const AttemptRow& other) {
+      return std::pair(one.trial, one.attempt) < std::pair(other.trial, other.attempt);
+    });
+    for (std::size_t i = 0; i < rows.size() && i < answers.attempts.size(); ++i) {
+      if (stop.stop_requested()) return;
+      const SessionAnswers::Attempt& attempt = answers.attempts[i];
+      if (attempt.use != AnalysisUse::counted || !asked.contains(attempt.trial)) continue;
+      try {
+        add_felt_octaves(study, rows[i], gathered.felt_octaves);
+      } catch (const ResultsError&) {
+        ++gathered.unread_recordings;
+      }
+    }
+  }
+
   /// `specified`: the stored protocol of the row.
   void declare(const ProtocolRow& protocol, const StoredProtocol& specified) {
     if (!sources_.insert(protocol.source_sha256).second) return;
@@ -617,6 +648,9 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
       gathering.gathered.group = group;
       gathering.declare(of, found->second.specified);
       gathering.add_session(session, participant, given, questions);
+      if (gathering.needs_felt_octaves()) {
+        gathering.add_recordings(study, session, given, questions, stop);
+      }
       gathering.add_matches(session, matches, questions);
     }
   }

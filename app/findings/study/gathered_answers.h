@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/findings/study/gathered_exploration.h"
+#include "app/records/felt_octaves.h"
 #include "app/records/presented_matches.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
@@ -198,6 +199,9 @@ struct GatheredAnswers {
   std::map<std::string, TextureForces> forces{};  ///< by model
   std::map<std::uint32_t, ItemTextureForce>
       item_forces{};  ///< by word of the item; none without a force
+  /// From the recordings, by item; only for analyses that use them (needs_felt_octaves).
+  std::map<std::string, FeltOctaves> felt_octaves{};
+  std::size_t unread_recordings = 0;  ///< of attempts that count
   /// Of the blocks of this kind with `equal_roughness`, in the order of the sessions: those with an attempt that counts.
   std::vector<ParticipantMatch> matches{};
   /// By participant, block and type. No other number contains these responses.

@@ -71,6 +71,18 @@ void add_texture_forces(const GatheredAnswers& gathered, const std::vector<std::
   }
 }
 
+/// The wavelengths in the forces that were felt, as far as they were recorded.
+void add_felt_octaves(const GatheredAnswers& gathered, const std::vector<std::string>& items,
+                      PropertyRows& rows) {
+  for (std::size_t octave = 0; octave < kFeltOctaves; ++octave) {
+    for (const std::string& item : items) {
+      const auto felt = gathered.felt_octaves.find(item);
+      if (felt == gathered.felt_octaves.end() || felt->second.presentations == 0) continue;
+      rows.add(item, kOctaveProperties[octave], felt->second.mean_ratio(octave));
+    }
+  }
+}
+
 /// The levels, where all items are numbers.
 void add_levels(const std::vector<std::string>& items, PropertyRows& rows) {
   std::vector<double> levels{};
@@ -88,6 +100,7 @@ TidyTable properties_of_items(const GatheredAnswers& gathered,
   PropertyRows rows{};
   add_exploration(gathered, items, rows);
   add_texture_forces(gathered, items, rows);
+  add_felt_octaves(gathered, items, rows);
   add_levels(items, rows);
   return std::move(rows).table();
 }

@@ -36,6 +36,10 @@
         <translation>%1 verschiedene Dateien haben diesen Protokollnamen und diese Version; ihre Antworten werden zusammengefasst. Einem geänderten Protokoll eine neue Version geben.</translation>
     </message>
     <message>
+        <source>Recordings that cannot be read, so that the properties of the stimuli lack their forces: %1. &quot;asperity verify&quot; names the files; restore them from a copy of the study.</source>
+        <translation>Nicht lesbare Aufzeichnungen, deren Kräfte den Eigenschaften der Reize fehlen: %1. „asperity verify“ nennt die Dateien; sie sind aus einer Kopie der Studie wiederherzustellen.</translation>
+    </message>
+    <message>
         <source>Sessions that were not completed: %1 of %2.</source>
         <translation>Nicht abgeschlossene Sitzungen: %1 von %2.</translation>
     </message>
@@ -4118,6 +4122,10 @@
     <message>
         <source>no response is a choice between two surfaces, so that there is no order effect</source>
         <translation>keine Antwort ist die Wahl zwischen zwei Oberflächen, sodass es keinen Reihenfolgeeffekt gibt</translation>
+    </message>
+    <message>
+        <source>force in waves of %1 to %2 mm, RMS relative to the normal force</source>
+        <translation>Kraft in Wellen von %1 bis %2 mm, Effektivwert bezogen auf die Normalkraft</translation>
     </message>
     <message>
         <source>RMS of the texture force, N</source>
