@@ -62,6 +62,11 @@ void add_texture(CLI::App& program, Job& job) {
       ->add_option("--gamma-high", recipe.gamma_high,
                    "Gain of the homomorphic filter for short wavelengths")
       ->capture_default_str();
+  command
+      ->add_option("--spectral-tilt", recipe.spectral_tilt,
+                   "Exponent p, 0 to 1: amplitudes of wavelengths shorter than the cut-off of the "
+                   "low-pass are multiplied by (wavelength/cut-off)^p; 0 is the published method")
+      ->capture_default_str();
   command->add_option("--rms-m", recipe.rms_m, "RMS of the heights")->capture_default_str();
   command->add_option("--sign", options->sign, "1 (the default): bright is high; -1: dark is high")
       ->check(word_among({"1", "-1"}))

@@ -27,10 +27,13 @@ PhotographTextures::Steps PhotographTextures::texture(const TextureRecipe& recip
   const bool evened_holds = logarithm_holds && evened_ != nullptr &&
                             recipe.gamma_low == last_.gamma_low &&
                             recipe.gamma_high == last_.gamma_high;
-  const bool residual_holds =
-      evened_holds && residual_ && gaussian == gaussian_cutoff(last_, *photograph_);
+  const bool residual_holds = evened_holds && residual_ &&
+                              gaussian == gaussian_cutoff(last_, *photograph_) &&
+                              recipe.spectral_tilt == last_.spectral_tilt;
+  const bool low_pass_holds =
+      evened_holds && low_pass_ != nullptr && gaussian == gaussian_cutoff(last_, *photograph_);
   if (!residual_holds) residual_.reset();
-  if (!residual_holds) low_pass_.reset();
+  if (!low_pass_holds) low_pass_.reset();
   if (!evened_holds) evened_.reset();
   if (!logarithm_holds) logarithm_.reset();
   if (!grey_holds) grey_.reset();
@@ -46,8 +49,10 @@ PhotographTextures::Steps PhotographTextures::texture(const TextureRecipe& recip
     evened_ = std::make_shared<const GreyImage>(evened_light(*logarithm_, recipe, threads_));
   }
   if (!residual_) {
-    low_pass_ = std::make_shared<const GreyImage>(low_passed(*evened_, gaussian, threads_));
-    residual_ = residual_of(*evened_, *low_pass_, recipe, name_);
+    if (low_pass_ == nullptr) {
+      low_pass_ = std::make_shared<const GreyImage>(low_passed(*evened_, gaussian, threads_));
+    }
+    residual_ = residual_of(*evened_, *low_pass_, recipe, name_, threads_);
   }
   return {std::make_shared<const HeightField>(heights_of(*residual_, recipe)), grey_, evened_,
           low_pass_};

@@ -15,7 +15,8 @@ PhotographTexture texture_from_photograph(const GreyImage& photograph, const Tex
       evened_light(logarithm_spectrum(grey, homomorphic_cutoff(recipe, grey), usual_threads()),
                    recipe, usual_threads());
   GreyImage low_pass = low_passed(evened, gaussian_cutoff(recipe, grey), usual_threads());
-  HeightField field = heights_of(residual_of(evened, low_pass, recipe, name), recipe);
+  HeightField field =
+      heights_of(residual_of(evened, low_pass, recipe, name, usual_threads()), recipe);
   return {std::move(field), std::move(grey), std::move(evened), std::move(low_pass)};
 }
 
@@ -24,7 +25,7 @@ GreyImage brightness_residual(const GreyImage& photograph, const TextureRecipe& 
   check_recipe(photograph, recipe, name);
   const GreyImage low_pass =
       low_passed(photograph, gaussian_cutoff(recipe, photograph), usual_threads());
-  return residual_of(photograph, low_pass, recipe, name).values;
+  return residual_of(photograph, low_pass, recipe, name, usual_threads()).values;
 }
 
 HeightField without_long_wavelengths(const HeightField& field, double gaussian_wavelength_m) {

@@ -25,10 +25,13 @@ struct PhotographTexture {
 ///
 ///     f = exp(ℱ⁻¹[H_h ℱ ln(b + ε)]) − ε,   H_h(ν) = γ_L + (γ_H − γ_L)(1 − exp(−ν² λ_h²))
 ///     g = ℱ⁻¹[H_g ℱ f],                    H_g(ν) = exp(−½ ν² λ_g²)
-///     d = ±(f − g), mean removed, scaled to an RMS of rms_m
+///     d = ±ℱ⁻¹[H_t ℱ (f − g)],              H_t(ν) = max(1, ν λ_g)⁻ᵖ
+///     mean removed, scaled to an RMS of rms_m
 ///
 /// At the cut-off wavelength λ_g the low-pass keeps e^−½ = 61 % and the heights 39 % of f. Heights keep half
 /// of f at 0.85 λ_g and a tenth at 2.2 λ_g. With γ_L = γ_H = 1 the first line has no effect.
+/// The published method is p = 0 (spectral_tilt). Heights of rough surfaces fall more steeply with wavenumber than their
+/// brightness, whose edges are those of shade and material; p > 0 attenuates short waves accordingly.
 /// The picture is continued by reflection, by three standard deviations of a filter's impulse
 /// response (√2 λ_h/2π and λ_g/2π) on each side, at most by its own size, and further to a size
 /// that transforms quickly.
@@ -47,7 +50,7 @@ struct PhotographTexture {
 PhotographTexture texture_from_photograph(const GreyImage& photograph, const TextureRecipe& recipe,
                                           const std::string& name);
 
-/// b − ℱ⁻¹[H_g ℱ b]: the residual of the brightness without the homomorphic filter. Errors: those of
+/// ℱ⁻¹[H_t (1 − H_g) ℱ b]: the brightness in the same band, without the homomorphic filter. Errors: those of
 /// texture_from_photograph.
 GreyImage brightness_residual(const GreyImage& photograph, const TextureRecipe& recipe,
                               const std::string& name);

@@ -14,6 +14,7 @@ ParameterValues parameter_values(const TextureRecipe& recipe) {
       {"gamma_low", recipe.gamma_low},
       {"gamma_high", recipe.gamma_high},
       {"gaussian_wavelength_m", recipe.gaussian_wavelength_m},
+      {"spectral_tilt", recipe.spectral_tilt},
       {"rms_m", recipe.rms_m},
       {"sign", recipe.sign == HeightSign::bright_is_high ? 1.0 : -1.0},
   };
@@ -52,6 +53,10 @@ std::vector<Parameter> texture_recipe_parameters() {
       number("gaussian_wavelength_m", "m", 0.0002, 0.2, defaults.gaussian_wavelength_m,
              "Wavelengths longer than about this are left out of the heights: they are shape, not "
              "texture"),
+      number("spectral_tilt", "1", 0.0, kLargestTilt, defaults.spectral_tilt,
+             "Exponent p by which wavelengths shorter than the longest one kept are attenuated: "
+             "amplitudes are multiplied by (wavelength/longest)^p. 0: as published; the heights "
+             "of most surfaces have less short-wave detail than their brightness"),
       number("rms_m", "m", 1e-6, 2e-3, defaults.rms_m,
              "Roughness of the relief: the RMS of its heights. A photograph does not show it"),
   };
@@ -71,6 +76,7 @@ TextureRecipe texture_recipe(const ParameterValues& values) {
           .gamma_low = number_of(complete, "gamma_low"),
           .gamma_high = number_of(complete, "gamma_high"),
           .gaussian_wavelength_m = number_of(complete, "gaussian_wavelength_m"),
+          .spectral_tilt = number_of(complete, "spectral_tilt"),
           .rms_m = number_of(complete, "rms_m"),
           .sign = number_of(complete, "sign") > 0.0 ? HeightSign::bright_is_high
                                                     : HeightSign::dark_is_high};

@@ -24,9 +24,12 @@ struct TextureRecipe {
   double gamma_low = 0.5;                   ///< γ_L, the factor of the longest wavelengths
   double gamma_high = 2.0;                  ///< γ_H, the factor of the shortest
   double gaussian_wavelength_m = 0.005;     ///< λ_g
+  double spectral_tilt = 0.0;               ///< p, from 0 (as published) to 1
   double rms_m = 1e-4;                      ///< root mean square of the heights
   HeightSign sign = HeightSign::bright_is_high;
 };
+
+inline constexpr double kLargestTilt = 1.0;
 
 /// The recipe with the names of the command line and of the sidecar of a height field; `sign` is 1 or −1.
 ParameterValues parameter_values(const TextureRecipe& recipe);

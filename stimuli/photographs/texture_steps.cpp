@@ -106,6 +106,11 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
   refuse_unless_positive(recipe.gamma_high, "gamma_high");
   refuse_unless_positive(recipe.gaussian_wavelength_m, "gaussian_wavelength_m");
   refuse_unless_positive(recipe.rms_m, "rms_m");
+  if (!(recipe.spectral_tilt >= 0.0 && recipe.spectral_tilt <= kLargestTilt)) {
+    throw std::invalid_argument("spectral_tilt is " + number_text(recipe.spectral_tilt) +
+                                "; it must be a number from 0 to " + number_text(kLargestTilt) +
+                                '.');
+  }
   if (photograph.rows < kSmallestSide || photograph.columns < kSmallestSide ||
       photograph.values.size() != photograph.rows * photograph.columns) {
     throw std::invalid_argument(
@@ -173,8 +178,13 @@ GreyImage difference(const GreyImage& from, const GreyImage& what) {
 }
 
 Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
-                     const TextureRecipe& recipe, const std::string& name) {
+                     const TextureRecipe& recipe, const std::string& name, int threads) {
   Residual residual{.values = difference(evened, low_pass)};
+  if (recipe.spectral_tilt != 0.0) {
+    residual.values =
+        PictureSpectrum(residual.values, gaussian_cutoff(recipe, evened), threads)
+            .filtered({.constant = 1.0, .gaussian = 0.0, .tilt = recipe.spectral_tilt});
+  }
   cv::Scalar mean;
   cv::Scalar deviation;
   cv::meanStdDev(mat_over(residual.values), mean, deviation);

@@ -34,7 +34,7 @@ GreyImage low_passed(const GreyImage& picture, double gaussian_cutoff, int threa
 
 GreyImage difference(const GreyImage& from, const GreyImage& what);
 
-/// f − g, with its mean and standard deviation.
+/// f − g after the spectral tilt, with its mean and standard deviation.
 struct Residual {
   GreyImage values{};
   double mean = 0.0;
@@ -42,7 +42,7 @@ struct Residual {
 };
 /// Errors: std::invalid_argument if the residual is no more than rounding.
 Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
-                     const TextureRecipe& recipe, const std::string& name);
+                     const TextureRecipe& recipe, const std::string& name, int threads);
 
 /// d
 HeightField heights_of(Residual residual, const TextureRecipe& recipe);

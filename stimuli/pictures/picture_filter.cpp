@@ -29,6 +29,21 @@ std::vector<float> gaussian_factors(std::size_t n, double cutoff_wavelength) {
   return factors;
 }
 
+/// (ν/ν₀)² for ν = 0, 1/n, 2/n … ½.
+std::vector<double> squared_ratios(std::size_t n, double cutoff_wavelength) {
+  std::vector<double> ratios(n / 2 + 1);
+  for (std::size_t k = 0; k < ratios.size(); ++k) {
+    const double ratio = static_cast<double>(k) / static_cast<double>(n) * cutoff_wavelength;
+    ratios[k] = ratio * ratio;
+  }
+  return ratios;
+}
+
+/// max(1, ν/ν₀)⁻ᵖ, from (ν/ν₀)².
+float tilted(double squared_ratio, double tilt) {
+  return squared_ratio > 1.0 ? static_cast<float>(std::pow(squared_ratio, -0.5 * tilt)) : 1.0F;
+}
+
 cv::Mat rows_at(float* values, std::size_t rows, std::size_t length, int type) {
   return cv::Mat(static_cast<int>(rows), static_cast<int>(length), type, values);
 }
@@ -134,6 +149,8 @@ GreyImage PictureSpectrum::filtered(const RadialFilter& filter) const {
   const std::size_t length = across_.size;
   const std::vector<float> across = gaussian_factors(length, cutoff_wavelength_);
   const std::vector<float> down = gaussian_factors(rows, cutoff_wavelength_);
+  const std::vector<double> squares_across = squared_ratios(length, cutoff_wavelength_);
+  const std::vector<double> squares_down = squared_ratios(rows, cutoff_wavelength_);
   const auto constant = static_cast<float>(filter.constant);
   const auto gaussian = static_cast<float>(filter.gaussian);
 
@@ -148,7 +165,11 @@ GreyImage PictureSpectrum::filtered(const RadialFilter& filter) const {
         float* to = together.data() + c * 2 * rows;
         const float here = gaussian * across[k + c];
         for (std::size_t i = 0; i < rows; ++i) {
-          const float factor = constant + here * down[std::min(i, rows - i)];
+          const std::size_t at = std::min(i, rows - i);
+          float factor = constant + here * down[at];
+          if (filter.tilt != 0.0) {
+            factor *= tilted(squares_across[k + c] + squares_down[at], filter.tilt);
+          }
           to[2 * i] = from[2 * i] * factor;
           to[2 * i + 1] = from[2 * i + 1] * factor;
         }

@@ -10,10 +10,11 @@
 
 namespace asperity {
 
-/// A filter H(ν) = a + b·exp(−ν²/(2 ν₀²)), with ν and ν₀ in cycles per pixel.
+/// A filter H(ν) = (a + b·exp(−ν²/(2 ν₀²)))·max(1, ν/ν₀)⁻ᵖ, with ν and ν₀ in cycles per pixel.
 struct RadialFilter {
   double constant = 0.0;  ///< a
   double gaussian = 1.0;  ///< b
+  double tilt = 0.0;      ///< p
 };
 
 /// Stores the spectrum of a picture, continued by reflection as texture_from_photograph.h describes, for one or several

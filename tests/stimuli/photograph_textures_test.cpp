@@ -29,6 +29,7 @@ std::vector<std::function<void(TextureRecipe&)>> changes() {
       [](TextureRecipe& recipe) { recipe.rms_m = 2e-4; },
       [](TextureRecipe& recipe) { recipe.sign = HeightSign::dark_is_high; },
       [](TextureRecipe& recipe) { recipe.gaussian_wavelength_m = 0.007; },
+      [](TextureRecipe& recipe) { recipe.spectral_tilt = 0.5; },
       [](TextureRecipe& recipe) { recipe.gamma_high = 3.0; },
       [](TextureRecipe& recipe) { recipe.gaussian_wavelength_m = 0.0071; },
       [](TextureRecipe& recipe) { recipe.gamma_low = 0.8; },

@@ -92,6 +92,42 @@ TEST(TextureFromPhotograph, RaisesContrastAsTheHomomorphicFormulaSays) {
   }
 }
 
+// Two waves of equal brightness, at λ_g/2 and λ_g/4: 1 − H_g passes both nearly whole (1 − e^−2, 1 − e^−8), and a tilt p
+// makes the ratio of their heights 2ᵖ times as large.
+TEST(TextureFromPhotograph, AttenuatesShortWavesByTheTilt) {
+  TextureRecipe recipe = linear_recipe();
+  const auto height_of = [&recipe](double part) {
+    const GreyImage along_x = waves(part * recipe.gaussian_wavelength_m, 0.10);
+    GreyImage both = waves(0.25 * recipe.gaussian_wavelength_m, 0.10);
+    for (std::size_t i = 0; i < both.values.size(); ++i) {
+      both.values[i] = 0.5F * (both.values[i] + along_x.values[i]);
+    }
+    return both;
+  };
+  const GreyImage two = height_of(0.5);
+  const auto ratio_at = [&](double tilt) {
+    recipe.spectral_tilt = tilt;
+    const HeightField field = texture_from_photograph(two, recipe, "waves").field;
+    const auto part_of = [&](double wavelength_m) {
+      double cosine = 0.0;
+      double sine = 0.0;
+      for (std::size_t j = 0; j < field.grid().columns; ++j) {
+        const double phase = 2.0 * std::numbers::pi * (static_cast<double>(j) + 0.5) *
+                             field.grid().pitch_m / wavelength_m;
+        cosine += static_cast<double>(field.heights_m()[j]) * std::cos(phase);
+        sine += static_cast<double>(field.heights_m()[j]) * std::sin(phase);
+      }
+      return std::hypot(cosine, sine);
+    };
+    return part_of(0.5 * recipe.gaussian_wavelength_m) /
+           part_of(0.25 * recipe.gaussian_wavelength_m);
+  };
+  const double untilted = ratio_at(0.0);
+  EXPECT_NEAR(untilted, (1.0 - std::exp(-2.0)) / (1.0 - std::exp(-8.0)), 2e-3);
+  EXPECT_NEAR(ratio_at(0.5) / untilted, std::sqrt(2.0), 2e-3);
+  EXPECT_NEAR(ratio_at(1.0) / untilted, 2.0, 2e-3);
+}
+
 TEST(TextureFromPhotograph, ScalesToTheAskedRmsWithMeanZeroAndTheWidthsPitch) {
   TextureRecipe recipe;
   recipe.rms_m = 3e-5;
@@ -184,11 +220,14 @@ TEST(TextureFromPhotograph, RefusesAFieldOfTheRecipeByItsName) {
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gamma_low = -1.0; }), HasSubstr("gamma_low"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gamma_high = NAN; }), HasSubstr("gamma_high"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.rms_m = -1e-4; }), HasSubstr("rms_m"));
+  EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.spectral_tilt = 1.5; }),
+              HasSubstr("spectral_tilt is 1.5; it must be a number from 0 to 1"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.homomorphic_wavelength_m = 0.0; }),
               HasSubstr("homomorphic_wavelength_m"));
   // 400 pixels over 0.1 m: two pixels are 0.5 mm.
-  EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gaussian_wavelength_m = 4e-4; }),
-              HasSubstr("wavelengths shorter than two pixels, 5e-04 m. Choose a longer wavelength."));
+  EXPECT_THAT(
+      refusal_with([](TextureRecipe& r) { r.gaussian_wavelength_m = 4e-4; }),
+      HasSubstr("wavelengths shorter than two pixels, 5e-04 m. Choose a longer wavelength."));
 }
 
 // A hand explores at most a metre, and what is wider was meant in another unit.

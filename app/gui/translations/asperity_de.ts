@@ -5625,6 +5625,10 @@
         <translation>Detailverstärkung</translation>
     </message>
     <message>
+        <source>Spectral tilt</source>
+        <translation>Spektrale Neigung</translation>
+    </message>
+    <message>
         <source>Longest wavelength kept</source>
         <translation>Größte Wellenlänge</translation>
     </message>
@@ -11217,6 +11221,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Even out the light</source>
         <translation>Licht ausgleichen</translation>
+    </message>
+    <message>
+        <source>Attenuate short wavelengths</source>
+        <translation>Kurze Wellen abschwächen</translation>
     </message>
     <message>
         <source>Remove long wavelengths</source>

@@ -228,6 +228,7 @@ QString caption_of(const Parameter& parameter) {
       {"gamma_low", FormWords::tr("Lighting gain")},
       {"gamma_high", FormWords::tr("Detail gain")},
       {"gaussian_wavelength_m", FormWords::tr("Longest wavelength kept")},
+      {"spectral_tilt", FormWords::tr("Spectral tilt")},
       {"rms_m", FormWords::tr("Roughness RMS")},
       {"noise_sd_N", FormWords::tr("Noise, standard deviation")},
       {"noise_mean_N", FormWords::tr("Noise, mean")},

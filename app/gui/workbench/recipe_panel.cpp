@@ -113,12 +113,13 @@ void RecipePanel::add_groups(QLayout* layout) {
     QString title{};
     std::vector<Parameter> parameters{};
   };
-  const std::array<Group, 4> groups{
+  const std::array<Group, 5> groups{
       Group{tr("Heights"), declared({"rms_m"})},
       Group{tr("Photograph"), declared({"width_m", "histogram"})},
       Group{tr("Even out the light"),
             declared({"homomorphic_wavelength_m", "gamma_low", "gamma_high"})},
-      Group{tr("Remove long wavelengths"), declared({"gaussian_wavelength_m"})}};
+      Group{tr("Remove long wavelengths"), declared({"gaussian_wavelength_m"})},
+      Group{tr("Attenuate short wavelengths"), declared({"spectral_tilt"})}};
   for (const Group& group : groups) {
     QVBoxLayout* inside = nullptr;
     QFrame* card = make_card(controls_, inside);
