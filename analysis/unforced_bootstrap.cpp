@@ -45,11 +45,13 @@ PsychometricBlock split_block(const UnforcedBlock& block, std::size_t alternativ
 }
 
 UnforcedBootstrap bootstrap_unforced(std::span<const UnforcedBlock> blocks,
-                                     std::size_t alternatives, const PsychometricQuestion& question,
+                                     std::size_t alternatives, const UnforcedQuestion& question,
                                      std::size_t draws) {
   Random random = Random(kSeedOfTests).split("unforced bootstrap");
+  const std::size_t asked = question.performances.size();
   UnforcedBootstrap answer{.draws = draws};
-  std::vector<double> thresholds{};
+  answer.thresholds.resize(asked);
+  std::vector<std::vector<double>> thresholds(asked);
   std::vector<double> betas{};
   for (std::size_t draw = 0; draw < draws; ++draw) {
     std::vector<PsychometricBlock> resampled{};
@@ -58,14 +60,21 @@ UnforcedBootstrap bootstrap_unforced(std::span<const UnforcedBlock> blocks,
     }
     if (judge(resampled, question.model).status != PsychometricStatus::ok) continue;
     const PsychometricMaximum maximum = maximise_psychometric(resampled, question.model);
-    const double threshold = maximum.function.inverse(question.performance);
-    if (!maximum.increases || !std::isfinite(threshold)) continue;
-    thresholds.push_back(threshold);
+    std::vector<double> of_draw{};
+    for (const double performance : question.performances) {
+      of_draw.push_back(maximum.function.inverse(performance));
+    }
+    const bool has_all = std::all_of(of_draw.begin(), of_draw.end(),
+                                     [](double threshold) { return std::isfinite(threshold); });
+    if (!maximum.increases || !has_all) continue;
+    for (std::size_t i = 0; i < asked; ++i) thresholds[i].push_back(of_draw[i]);
     betas.push_back(maximum.function.beta);
   }
-  answer.valid = thresholds.size();
-  if (2 * answer.valid < draws || thresholds.empty()) return answer;
-  answer.threshold = percentiles(thresholds, question.confidence);
+  answer.valid = betas.size();
+  if (2 * answer.valid < draws || betas.empty()) return answer;
+  for (std::size_t i = 0; i < asked; ++i) {
+    answer.thresholds[i] = percentiles(thresholds[i], question.confidence);
+  }
   answer.beta = percentiles(betas, question.confidence);
   return answer;
 }

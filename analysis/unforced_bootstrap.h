@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "analysis/proportion.h"
 #include "analysis/psychometric_likelihood.h"
-#include "analysis/psychometric_precision.h"
 
 namespace asperity {
 
@@ -24,11 +24,18 @@ struct UnforcedBlock {
 /// The block in which each of these responses counts as the mean of a guess, 1/alternatives of a hit.
 PsychometricBlock split_block(const UnforcedBlock& block, std::size_t alternatives);
 
+/// What is resampled of a function: its thresholds at several proportions of hits, and its slope.
+struct UnforcedQuestion {
+  PsychometricModel model{};
+  std::vector<double> performances{};
+  double confidence = 0.95;
+};
+
 struct UnforcedBootstrap {
   std::size_t draws = 0;
-  std::size_t valid = 0;  ///< draws with a threshold
+  std::size_t valid = 0;  ///< draws with all thresholds
   /// Percentile intervals over the valid draws; empty for fewer than half of the draws.
-  std::optional<ConfidenceInterval> threshold{};
+  std::vector<std::optional<ConfidenceInterval>> thresholds{};  ///< by performance
   std::optional<ConfidenceInterval> beta{};
 };
 
@@ -38,7 +45,7 @@ struct UnforcedBootstrap {
 ///
 /// Errors: those of `maximise_psychometric`; std::invalid_argument for 0 alternatives.
 UnforcedBootstrap bootstrap_unforced(std::span<const UnforcedBlock> blocks,
-                                     std::size_t alternatives, const PsychometricQuestion& question,
+                                     std::size_t alternatives, const UnforcedQuestion& question,
                                      std::size_t draws);
 
 }  // namespace asperity

@@ -13,9 +13,9 @@
 namespace asperity {
 namespace {
 
-const PsychometricQuestion kUnforcedQuestion{
-    .model = {.shape = PsychometricShape::weibull, .gamma = 0.5, .lambda = 0.02},
-    .performance = 0.75};
+const PsychometricModel kUnforcedModel{
+    .shape = PsychometricShape::weibull, .gamma = 0.5, .lambda = 0.02};
+const UnforcedQuestion kUnforcedQuestion{.model = kUnforcedModel, .performances = {0.75}};
 
 /// `unsure` of 100 responses at each level, and the misses, with the hits of ψ for α = 10 and β = 2 on the whole.
 std::vector<UnforcedBlock> unforced_levels(bool splits) {
@@ -43,7 +43,7 @@ TEST(SplitBlocks, HaveTheFitOfCountsWithTheSameHits) {
     for (const UnforcedBlock& block : unforced_levels(splits)) {
       blocks.push_back(split_block(block, 2));
     }
-    return *fit_psychometric(blocks, kUnforcedQuestion);
+    return *fit_psychometric(blocks, {.model = kUnforcedModel, .performance = 0.75});
   };
   EXPECT_EQ(fit_of(true).threshold, fit_of(false).threshold);
   EXPECT_EQ(fit_of(true).function.beta, fit_of(false).function.beta);
@@ -52,7 +52,7 @@ TEST(SplitBlocks, HaveTheFitOfCountsWithTheSameHits) {
 TEST(PsychometricBlocks, RefuseMoreGuessedHitsThanTrialsWithoutAHit) {
   const std::vector<PsychometricBlock> blocks{
       {.x = 1.0, .trials = 5, .hits = 3, .guessed_hits = 2.5}, {.x = 2.0, .trials = 5, .hits = 3}};
-  EXPECT_THROW(judge(blocks, kUnforcedQuestion.model), std::invalid_argument);
+  EXPECT_THROW(judge(blocks, kUnforcedModel), std::invalid_argument);
 }
 
 // A guess varies more than its mean: with every error split, the interval is narrower.
@@ -61,12 +61,28 @@ TEST(UnforcedBootstrap, IsNarrowerWhereGuessesAreReplaced) {
       bootstrap_unforced(unforced_levels(true), 2, kUnforcedQuestion, 300);
   const UnforcedBootstrap forced =
       bootstrap_unforced(unforced_levels(false), 2, kUnforcedQuestion, 300);
-  ASSERT_TRUE(split.threshold && forced.threshold && split.beta && forced.beta);
+  const auto& split_threshold = split.thresholds.front();
+  const auto& forced_threshold = forced.thresholds.front();
+  ASSERT_TRUE(split_threshold && forced_threshold && split.beta && forced.beta);
   EXPECT_GT(split.valid, 290U);
-  EXPECT_LT(split.threshold->high - split.threshold->low,
-            0.9 * (forced.threshold->high - forced.threshold->low));
-  EXPECT_EQ(bootstrap_unforced(unforced_levels(true), 2, kUnforcedQuestion, 300).threshold->low,
-            split.threshold->low);
+  EXPECT_LT(split_threshold->high - split_threshold->low,
+            0.9 * (forced_threshold->high - forced_threshold->low));
+}
+
+TEST(UnforcedBootstrap, HasTheSameIntervalsForSeveralPerformancesAsForEach) {
+  const std::vector<double> performances{0.75, 0.9};
+  const UnforcedBootstrap both = bootstrap_unforced(
+      unforced_levels(true), 2, {.model = kUnforcedModel, .performances = performances}, 60);
+  ASSERT_EQ(both.thresholds.size(), 2U);
+  for (std::size_t i = 0; i < performances.size(); ++i) {
+    const UnforcedBootstrap one = bootstrap_unforced(
+        unforced_levels(true), 2, {.model = kUnforcedModel, .performances = {performances[i]}}, 60);
+    ASSERT_TRUE(both.thresholds[i] && one.thresholds.front());
+    EXPECT_EQ(both.thresholds[i]->low, one.thresholds.front()->low);
+    EXPECT_EQ(both.thresholds[i]->high, one.thresholds.front()->high);
+    EXPECT_EQ(both.beta->low, one.beta->low);
+  }
+  EXPECT_GT(both.thresholds[1]->low, both.thresholds[0]->low);
 }
 
 }  // namespace

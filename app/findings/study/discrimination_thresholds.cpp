@@ -347,11 +347,8 @@ std::vector<Finding> family_functions(const DiscriminationTask& task,
 /// A Weibull function with limited slope, under the names of the family `psyfit`.
 void add_limited_function(const DiscriminationTask& task, const DiscriminationData& data,
                           double performance, FindingList& list) {
-  const PsychometricModel model{.shape = PsychometricShape::weibull,
-                                .gamma = task.design->guess_rate(),
-                                .lambda = std::nullopt,
-                                .greatest_lambda = kGreatestLapseRate,
-                                .slope = kSlopesOfProcedures};
+  PsychometricModel model = psychometric_model(task);
+  model.slope = kSlopesOfProcedures;
   const std::string method = "maximum likelihood, slope between " +
                              number_text(kSlopesOfProcedures.least) + " and " +
                              number_text(kSlopesOfProcedures.greatest);
@@ -397,30 +394,37 @@ void add_limited_function(const DiscriminationTask& task, const DiscriminationDa
               {.n = basis.n, .method = "dψ/dx"});
 }
 
-std::vector<Finding> functions_at(const DiscriminationTask& task,
-                                  std::span<const DiscriminationData> data, double performance) {
+/// By proportion of hits.
+std::vector<std::vector<Finding>> functions_at(const DiscriminationTask& task,
+                                               std::span<const DiscriminationData> data,
+                                               std::span<const double> performances) {
   std::vector<DiscriminationData> of_family{};
-  FindingList limited{};
+  std::vector<FindingList> limited(performances.size());
   for (const DiscriminationData& one : data) {
     if (task.is_performance && one.by_procedure) {
-      add_limited_function(task, one, performance, limited);
+      for (std::size_t i = 0; i < performances.size(); ++i) {
+        add_limited_function(task, one, performances[i], limited[i]);
+      }
     } else if (has_unsure(one)) {
-      add_unforced_function(task, one, performance, limited);
+      add_unforced_function(task, one, performances, limited);
     } else {
       of_family.push_back({.key = one.key, .hits = one.hits});
     }
   }
-  std::vector<Finding> findings{};
-  if (!of_family.empty()) findings = family_functions(task, of_family, performance);
-  for (Finding& finding : limited.take()) {
-    finding.analysis = kFunctions;
-    findings.push_back(std::move(finding));
-  }
   const std::string unit = task.varied.unit.empty() ? "1" : task.varied.unit;
-  for (Finding& finding : findings) {
-    if (finding.quantity == "fit.alpha" || finding.quantity == "threshold") finding.unit = unit;
+  std::vector<std::vector<Finding>> functions(performances.size());
+  for (std::size_t i = 0; i < performances.size(); ++i) {
+    std::vector<Finding>& findings = functions[i];
+    if (!of_family.empty()) findings = family_functions(task, of_family, performances[i]);
+    for (Finding& finding : limited[i].take()) {
+      finding.analysis = kFunctions;
+      findings.push_back(std::move(finding));
+    }
+    for (Finding& finding : findings) {
+      if (finding.quantity == "fit.alpha" || finding.quantity == "threshold") finding.unit = unit;
+    }
   }
-  return findings;
+  return functions;
 }
 
 /// Figures draw the function of a design by its id.
@@ -449,22 +453,30 @@ double proportion_at_unit_sensitivity(const DiscriminationDesign& design) {
                                  : ForcedChoice{.alternatives = design.surfaces()}.share(1.0);
 }
 
-std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& task,
-                                                   const HitsByValue& hits) {
-  std::map<double, PsychometricBlock> by_x{};
+std::vector<UnforcedBlock> unforced_blocks(const DiscriminationTask& task,
+                                           const HitsByValue& hits) {
+  std::map<double, UnforcedBlock> by_x{};
   for (const auto& [value, count] : hits) {
     const double x = task.is_performance ? std::abs(value - task.standard()) : value;
-    PsychometricBlock& block = by_x[x];
+    UnforcedBlock& block = by_x[x];
     block.x = x;
-    block.trials += count.trials;
     block.hits += count.hits;
-    if (count.unsure > 0) {
-      block.guessed_hits +=
-          static_cast<double>(count.unsure) / static_cast<double>(task.design->alternatives());
-    }
+    block.unsure += count.unsure;
+    block.misses += count.trials - count.hits - count.unsure;
   }
-  std::vector<PsychometricBlock> blocks{};
+  std::vector<UnforcedBlock> blocks{};
   for (const auto& [x, block] : by_x) blocks.push_back(block);
+  return blocks;
+}
+
+std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& task,
+                                                   const HitsByValue& hits) {
+  // A design whose responses are words has no alternatives, and no response "cannot tell".
+  const std::size_t alternatives = std::max<std::size_t>(task.design->alternatives(), 1);
+  std::vector<PsychometricBlock> blocks{};
+  for (const UnforcedBlock& block : unforced_blocks(task, hits)) {
+    blocks.push_back(split_block(block, alternatives));
+  }
   return blocks;
 }
 
@@ -475,6 +487,18 @@ Basis basis_in_standards(Basis estimate, double standard) {
     estimate.interval->high /= standard;
   }
   return estimate;
+}
+
+PsychometricModel psychometric_model(const DiscriminationTask& task) {
+  if (!task.is_performance) {
+    return {.shape = PsychometricShape::normal,
+            .gamma = kSymmetricLapseRate,
+            .lambda = kSymmetricLapseRate};
+  }
+  return {.shape = PsychometricShape::weibull,
+          .gamma = task.design->guess_rate(),
+          .lambda = std::nullopt,
+          .greatest_lambda = kGreatestLapseRate};
 }
 
 TidyInput psychometric_input(const DiscriminationTask& task,
@@ -500,15 +524,14 @@ TidyInput psychometric_input(const DiscriminationTask& task,
       "the responses");
   input.options.set("bootstrap", 0.0);
   input.options.set("pt", proportion_of_hits);
-  if (task.is_performance) {
-    input.options.set("shape", std::string("weibull"));
-    input.options.set("gamma", task.design->guess_rate());
-    input.options.set("lambda", std::string("free"));
-    input.options.set("lambda_max", kGreatestLapseRate);
+  const PsychometricModel model = psychometric_model(task);
+  input.options.set("shape", std::string(task.is_performance ? "weibull" : "normal"));
+  input.options.set("gamma", *model.gamma);
+  if (model.lambda) {
+    input.options.set("lambda", *model.lambda);
   } else {
-    input.options.set("shape", std::string("normal"));
-    input.options.set("gamma", kSymmetricLapseRate);
-    input.options.set("lambda", kSymmetricLapseRate);
+    input.options.set("lambda", std::string("free"));
+    input.options.set("lambda_max", model.greatest_lambda);
   }
   return input;
 }
@@ -520,12 +543,13 @@ DiscriminationFit fit_discrimination(const DiscriminationTask& task,
   if (task.design->has_noise()) return fit_detections(task, data);
   const double at_threshold = proportion_at_threshold(*task.design);
   const double at_unit = proportion_at_unit_sensitivity(*task.design);
-  fit.functions = functions_at(task, data, task.is_performance ? at_threshold : 0.5);
-  const std::vector<Finding> at_unit_sensitivity =
-      task.is_performance ? functions_at(task, data, at_unit) : std::vector<Finding>{};
+  std::vector<double> performances{task.is_performance ? at_threshold : 0.5};
+  if (task.is_performance) performances.push_back(at_unit);
+  const std::vector<std::vector<Finding>> functions = functions_at(task, data, performances);
+  fit.functions = functions.front();
   if (task.design->is_choice_of_three()) add_design(task, data, fit.functions);
   const FoundNumbers found(fit.functions);
-  const FoundNumbers found_at_unit(at_unit_sensitivity);
+  const FoundNumbers found_at_unit(functions.back());
   ThresholdList list(task);
   for (const DiscriminationData& one : data) {
     list.begin(one);

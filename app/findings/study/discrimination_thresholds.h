@@ -9,6 +9,7 @@
 #include "analysis/finding.h"
 #include "analysis/proportion.h"
 #include "analysis/psychometric_likelihood.h"
+#include "analysis/unforced_bootstrap.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/tidy/finding_list.h"
@@ -43,11 +44,14 @@ inline constexpr double kSymmetricLapseRate = 0.02;
 /// The greatest lapse rate that is fitted where responses are correct or incorrect.
 inline constexpr double kGreatestLapseRate = 0.06;
 
-/// The table and the options of the family `psyfit` for the threshold at this proportion of hits.
+/// The psychometric function of a task whose levels did not depend on the responses.
 ///
 /// performance: a Weibull function of the absolute difference x from the standard, γ of the design, λ fitted between 0 and
 /// `kGreatestLapseRate`. comparison: a cumulative normal function of the value x of the parameter, γ = λ =
 /// `kSymmetricLapseRate`.
+PsychometricModel psychometric_model(const DiscriminationTask& task);
+
+/// The table and the options of the family `psyfit` for `psychometric_model` and the threshold at this proportion of hits.
 TidyInput psychometric_input(const DiscriminationTask& task,
                              std::span<const DiscriminationData> data, double proportion_of_hits);
 
@@ -75,8 +79,9 @@ struct DiscriminationFit {
   /// The sentences of `WhyNoThreshold` in `thresholds`, each once, except for those of slopes.
   std::vector<Phrase> reasons{};
 };
-/// The trials by x, ascending: the value, or with correct responses its distance from the standard. Responses "cannot tell"
-/// are guessed hits.
+/// The trials by x, ascending: the value, or with correct responses its distance from the standard.
+std::vector<UnforcedBlock> unforced_blocks(const DiscriminationTask& task, const HitsByValue& hits);
+/// The same with responses "cannot tell" as guessed hits (`split_block`).
 std::vector<PsychometricBlock> psychometric_blocks(const DiscriminationTask& task,
                                                    const HitsByValue& hits);
 /// The basis of an estimate that is divided by the standard, above 0; its method is the same.

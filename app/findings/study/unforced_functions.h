@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ bool add_fit_status(const std::vector<PsychometricBlock>& blocks, const Psychome
 /// likelihood, under the names of the family `psyfit`: `fit.…`, `bound.beta`, `loglik`, `threshold` and
 /// `slope.at.threshold`. `threshold` and `fit.beta` have the intervals of `bootstrap_unforced`, if the data need any. There
 /// are no numbers of the goodness of fit: split counts are not binomial.
+///
+/// `lists`: one for each of the proportions of hits, to which the findings with the threshold at this proportion are added.
 void add_unforced_function(const DiscriminationTask& task, const DiscriminationData& data,
-                           double performance, FindingList& list);
+                           std::span<const double> performances, std::span<FindingList> lists);
 
 }  // namespace asperity
