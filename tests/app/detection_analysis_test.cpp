@@ -24,6 +24,7 @@ namespace {
 
 using DetectionJson = nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double kStandardOfDetections_m = 50e-6;
 const std::vector<double> kDifferences_m{4e-6, 8e-6, 12e-6, 18e-6, 26e-6};
@@ -64,6 +65,8 @@ MadeUpTrial detected(const DiscriminationDesign& design, const DesignTrial& type
 using YesAt = double (*)(const DetectionFunction& observer, double x_m);
 double as_modelled(const DetectionFunction& observer, double x_m) { return observer.value(x_m); }
 double as_step(const DetectionFunction&, double x_m) { return x_m > 0.0 ? 1.0 : 0.0; }
+double as_never(const DetectionFunction&, double) { return 0.0; }
+double as_always(const DetectionFunction&, double) { return 1.0; }
 double as_coin(const DetectionFunction&, double) { return 0.5; }
 
 AnalysisOutcome outcome_of_detections(const DiscriminationDesign& design, YesAt yes_at, int people,
@@ -154,6 +157,35 @@ TEST(DetectionAnalysis, StatesHitsAndFalseAlarmsOfEveryLevelAndPair) {
   EXPECT_EQ(pairs->table.rows.size(), 2U * 3U);
   EXPECT_EQ(table_of(outcome_of_detections(yes_no_task(), as_modelled, 2, 10), "responses_by_pair"),
             nullptr);
+}
+
+// k of the differencing rule from the corrected proportion F of false alarms: F = 2·Φ(−k/√2).
+TEST(DetectionAnalysis, StatesTheCriterionOfSameDifferent) {
+  const AnalysisOutcome outcome = outcome_of_detections(same_different_task(), as_modelled, 1, 10);
+  const Table& table = table_of(outcome, "sensitivity")->table;
+  EXPECT_FALSE(column_of(table, "criterion"));
+  const double k = number_of(table.rows[0][*column_of(table, "criterion_k")]).value();
+  const double false_alarms =
+      number_of(table.rows[0][*column_of(table, "false_alarm_rate")]).value();
+  EXPECT_NEAR(std::erfc(0.5 * k), (100.0 * false_alarms + 0.5) / 101.0, 1e-9);
+  const AnalysisOutcome yes_no = outcome_of_detections(yes_no_task(), as_modelled, 1, 10);
+  const Table& of_yes_no = table_of(yes_no, "sensitivity")->table;
+  EXPECT_TRUE(column_of(of_yes_no, "criterion"));
+  EXPECT_FALSE(column_of(of_yes_no, "criterion_k"));
+}
+
+// 10 trials with a signal and 50 without: z(½/11) − z(½/51).
+TEST(DetectionAnalysis, StatesThatSensitivityWithoutAnyYesFollowsFromTheNumbersOfTrials) {
+  for (const auto& [yes_at, expected] :
+       {std::pair<YesAt, double>{as_never, 0.643}, {as_always, -0.643}}) {
+    const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), yes_at, 1, 10);
+    const NamedTable& sensitivity = *table_of(outcome, "sensitivity");
+    const auto dprime = column_of(sensitivity.table, "d_prime");
+    EXPECT_NEAR(number_of(sensitivity.table.rows[0][*dprime]).value(), expected, 1e-3);
+    EXPECT_THAT(sensitivity.note.english(), HasSubstr("with and without a signal: 5. Their d′"));
+  }
+  const AnalysisOutcome other = outcome_of_detections(yes_no_task(), as_coin, 1, 10);
+  EXPECT_THAT(table_of(other, "sensitivity")->note.english(), Not(HasSubstr("Their d′")));
 }
 
 TEST(DetectionAnalysis, HasNoThresholdOfAnObserverWithoutErrors) {

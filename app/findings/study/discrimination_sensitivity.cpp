@@ -138,7 +138,8 @@ void add_level_rows(const GatheredAnswers& gathered, const DiscriminationResults
          static_cast<std::int64_t>(level.counts.signal.trials), found.cell("hit", key),
          static_cast<std::int64_t>(level.counts.noise.trials), found.cell("fa", key),
          found.cell(dprime, key), low, high, found.cell("dprime.io.loglinear", key),
-         found.cell("criterion.loglinear", key), text_or_missing(task.varied.unit)});
+         found.cell("criterion.loglinear", key), found.cell("k.diff.loglinear", key),
+         text_or_missing(task.varied.unit)});
   }
 }
 
@@ -165,8 +166,17 @@ void add_pair_rows(const GatheredAnswers& gathered, const DiscriminationResults&
   }
 }
 
-/// Sentences on the designs that occur.
-Phrase note_on_sensitivity(const std::vector<DiscriminationResults>& all) {
+/// Whether both rates are 0 or both are 1, and the log-linear correction makes them differ.
+bool has_sensitivity_of_correction(const DetectionCounts& counts) {
+  const auto& [signal, noise] = counts;
+  const bool is_never = signal.hits == 0 && noise.hits == 0;
+  const bool is_always = signal.hits == signal.trials && noise.hits == noise.trials;
+  return (is_never || is_always) && signal.trials != noise.trials;
+}
+
+/// Sentences on the designs that occur. `of_correction`: rows with `has_sensitivity_of_correction`.
+Phrase note_on_sensitivity(const std::vector<DiscriminationResults>& all,
+                           std::size_t of_correction) {
   std::set<std::string_view> designs{};
   for (const DiscriminationResults& results : all) {
     if (is_shown(results)) designs.insert(results.study.task.design->id);
@@ -192,12 +202,23 @@ Phrase note_on_sensitivity(const std::vector<DiscriminationResults>& all) {
     add(phrase("Analysis",
                "Same–different: hits are responses “different” to different surfaces, false "
                "alarms those to equal surfaces, over all levels of the condition together. d′ by "
-               "the differencing rule, and d′ by the rule of independent observations "
-               "[Macmillan 2005]."));
+               "the differencing rule, and d′ by the rule of independent observations [Macmillan "
+               "2005]. By the differencing rule the response is “different” where two impressions "
+               "differ by more than the criterion k, which is estimated from the false alarms, in "
+               "standard deviations of an impression."));
   }
   add(phrase("Analysis",
              "d′ is computed with the log-linear correction of the proportions [Hautus 1995], its "
              "95 % CI by the delta method."));
+  if (of_correction > 0) {
+    add(phrase("Analysis",
+               "Rows in which the hit rate and the false-alarm rate are both 0 or both 1, with "
+               "different numbers of trials with and without a signal: %1. Their d′ depends on "
+               "these numbers alone, because the corrected rates, (responses + ½)/(trials + 1), "
+               "are equal only for equal numbers. With more trials without a signal, it is above "
+               "0 if both rates are 0, and below 0 (same–different: 0) if both are 1.")
+            .with(std::to_string(of_correction)));
+  }
   return note;
 }
 
@@ -253,7 +274,7 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
       phrase("Analysis", "Sensitivity by level"),
       {{"participant", "condition", "parameter", "level", "difference", "signal_trials", "hit_rate",
         "noise_trials", "false_alarm_rate", "d_prime", "d_prime_low", "d_prime_high",
-        "d_prime_independent", "criterion", "unit"},
+        "d_prime_independent", "criterion", "criterion_k", "unit"},
        {}},
       {}};
   NamedTable pairs{kResponsesByPair,
@@ -262,10 +283,14 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
                    phrase("Analysis",
                           "Responses “different” to every pair of surfaces, in the order of "
                           "presentation (side by side: A, B), over all levels together.")};
+  std::size_t of_correction = 0;
   for (const DiscriminationResults& results : all) {
     if (!is_shown(results)) continue;
     const std::vector<CountsAtLevel> levels = counts_by_level(results.study);
     if (levels.empty()) continue;
+    of_correction += static_cast<std::size_t>(std::count_if(
+        levels.begin(), levels.end(),
+        [](const CountsAtLevel& level) { return has_sensitivity_of_correction(level.counts); }));
     const std::vector<Finding> findings = sensitivity_of(gathered, results, levels);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
@@ -274,7 +299,7 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
     if (results.study.task.design->has_noise()) ask_sensitivity(results, levels, found, outcome);
   }
   if (sensitivity.table.rows.empty()) return;
-  sensitivity.note = note_on_sensitivity(all);
+  sensitivity.note = note_on_sensitivity(all, of_correction);
   drop_empty_columns(sensitivity.table, 2);
   outcome.tables.push_back(std::move(sensitivity));
   if (!pairs.table.rows.empty()) outcome.tables.push_back(std::move(pairs));

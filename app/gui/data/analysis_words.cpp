@@ -59,6 +59,7 @@ constexpr std::array kHeadings{
     Word{"construct", QT_TRANSLATE_NOOP("AnalysisWords", "construct")},
     Word{"correct", QT_TRANSLATE_NOOP("AnalysisWords", "correct")},
     Word{"criterion", QT_TRANSLATE_NOOP("AnalysisWords", "criterion")},
+    Word{"criterion_k", QT_TRANSLATE_NOOP("AnalysisWords", "criterion k, differencing")},
     Word{"d_prime", QT_TRANSLATE_NOOP("AnalysisWords", "d′")},
     Word{"d_prime 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "d′, 95 % CI")},
     Word{"d_prime_independent", QT_TRANSLATE_NOOP("AnalysisWords", "d′, independent observations")},

@@ -2160,12 +2160,16 @@
         <translation>Ja/Nein: Treffer sind Antworten „ja“ auf den Vergleich, falsche Alarme solche auf den Standard, bei allen Stufen der Bedingung zusammen; d′ = z(H) − z(F) [Macmillan 2005]. Ein positives Kriterium ist eine Zurückhaltung, „ja“ zu antworten.</translation>
     </message>
     <message>
-        <source>Same–different: hits are responses “different” to different surfaces, false alarms those to equal surfaces, over all levels of the condition together. d′ by the differencing rule, and d′ by the rule of independent observations [Macmillan 2005].</source>
-        <translation>Gleich–verschieden: Treffer sind Antworten „verschieden“ auf verschiedene Oberflächen, falsche Alarme solche auf gleiche Oberflächen, bei allen Stufen der Bedingung zusammen. d′ nach der Differenzregel und d′ nach der Regel unabhängiger Beobachtungen [Macmillan 2005].</translation>
+        <source>Same–different: hits are responses “different” to different surfaces, false alarms those to equal surfaces, over all levels of the condition together. d′ by the differencing rule, and d′ by the rule of independent observations [Macmillan 2005]. By the differencing rule the response is “different” where two impressions differ by more than the criterion k, which is estimated from the false alarms, in standard deviations of an impression.</source>
+        <translation>Gleich–verschieden: Treffer sind Antworten „verschieden“ auf verschiedene Oberflächen, falsche Alarme solche auf gleiche Oberflächen, bei allen Stufen der Bedingung zusammen. d′ nach der Differenzregel und d′ nach der Regel unabhängiger Beobachtungen [Macmillan 2005]. Nach der Differenzregel ist die Antwort „verschieden“, wenn sich zwei Eindrücke um mehr als das Kriterium k unterscheiden, das aus den falschen Alarmen geschätzt ist, in Standardabweichungen eines Eindrucks.</translation>
     </message>
     <message>
         <source>d′ is computed with the log-linear correction of the proportions [Hautus 1995], its 95 % CI by the delta method.</source>
         <translation>d′ ist mit der log-linearen Korrektur der Anteile berechnet [Hautus 1995], sein 95-%-KI mit der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>Rows in which the hit rate and the false-alarm rate are both 0 or both 1, with different numbers of trials with and without a signal: %1. Their d′ depends on these numbers alone, because the corrected rates, (responses + ½)/(trials + 1), are equal only for equal numbers. With more trials without a signal, it is above 0 if both rates are 0, and below 0 (same–different: 0) if both are 1.</source>
+        <translation>Zeilen, in denen die Trefferrate und die Rate falscher Alarme beide 0 oder beide 1 sind, mit verschiedenen Anzahlen von Durchgängen mit und ohne Signal: %1. Ihr d′ hängt allein von diesen Anzahlen ab, weil die korrigierten Raten, (Antworten + ½)/(Durchgänge + 1), nur bei gleichen Anzahlen gleich sind. Bei mehr Durchgängen ohne Signal ist es über 0, wenn beide Raten 0 sind, und unter 0 (Gleich–verschieden: 0), wenn beide 1 sind.</translation>
     </message>
     <message>
         <source>How large is the sensitivity (d′) at each level?</source>
@@ -3204,6 +3208,10 @@
     <message>
         <source>criterion</source>
         <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>criterion k, differencing</source>
+        <translation>Kriterium k, Differenzregel</translation>
     </message>
     <message>
         <source>d′</source>

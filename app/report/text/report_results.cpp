@@ -152,6 +152,7 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"column", "repetition"},
       {"effect_size", "effect size [95 % CI]"},
       {"epsilon", "ε"},
+      {"criterion_k", "criterion k, differencing"},
       {"d_prime", "d′"},
       {"d_prime_independent", "d′, independent observations"},
       {"different", "responses “different”"},
