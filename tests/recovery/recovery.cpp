@@ -34,8 +34,18 @@ PsychometricFunction function_of(const RecoveryObserver& observer, double alpha)
           .lambda = observer.lapse};
 }
 
-/// The Fisher information of one trial at x about α and β.
-Eigen::Matrix2d information(const PsychometricFunction& f, double x) {
+/// Guesses are 2·(1 − ψ) of the responses, and s of them are replaced by "cannot tell".
+LevelOutcome response_at(double p, double s, Random& random) {
+  const double half_unsure = s * (1.0 - p);
+  const double drawn = random.uniform();
+  if (drawn < p - half_unsure) return LevelOutcome::correct;
+  return drawn < p + half_unsure ? LevelOutcome::unsure : LevelOutcome::incorrect;
+}
+
+/// The Fisher information of one trial at x about α and β. With a proportion s of guesses that are replaced by "cannot tell",
+/// hits have the probability h = ψ − s·(1 − ψ), so that dh/dψ = 1 + s; of the other responses, the
+/// proportion of "cannot tell" does not depend on ψ and has no information. The information about ψ is (1 + s)²/(h·(1 − h)) with 1 − h = (1 + s)·(1 − ψ).
+Eigen::Matrix2d information(const PsychometricFunction& f, double x, double s) {
   const StandardCurve curve = standard_curve(f.shape, f.beta * (x - f.alpha));
   const double rise = (1.0 - f.gamma - f.lambda) * curve.d1;
   const Eigen::Vector2d gradient(-rise * f.beta, rise * (x - f.alpha));
@@ -43,7 +53,7 @@ Eigen::Matrix2d information(const PsychometricFunction& f, double x) {
   const double p = f.gamma + (1.0 - f.gamma - f.lambda) * curve.F;
   const double q = f.lambda + (1.0 - f.gamma - f.lambda) * curve.Q;
   if (!(q > 0.0)) return Eigen::Matrix2d::Zero();
-  return gradient * gradient.transpose() / (p * q);
+  return gradient * gradient.transpose() * (1.0 + s) / ((p - s * q) * q);
 }
 
 double bound_of(const Eigen::Matrix2d& information, const PsychometricFunction& f,
@@ -61,6 +71,7 @@ std::vector<PsychometricBlock> counts_of(std::span<const LevelAnswer> answers) {
     block.x = std::log10(answer.level);
     ++block.trials;
     if (answer.outcome == LevelOutcome::correct) ++block.hits;
+    if (answer.outcome == LevelOutcome::unsure) block.guessed_hits += kGuess;
   }
   std::vector<PsychometricBlock> blocks{};
   for (const auto& [level, block] : by_level) blocks.push_back(block);
@@ -168,8 +179,12 @@ std::vector<Evaluation> evaluated_track(const PreparedRecovery& prepared,
                                         const Random& of_observer) {
   const double alpha = kAlphaSpread * (2.0 * of_observer.split("alpha").uniform() - 1.0);
   const PsychometricFunction f = function_of(observer, alpha);
+  const double unsure = prepared.procedure->unsure;
   const std::vector<LevelAnswer> answers = simulated_track(
-      prepared.rule, [&f](double level) { return f.value(std::log10(level)); },
+      prepared.rule,
+      [&f, unsure](double level, Random& random) {
+        return response_at(f.value(std::log10(level)), unsure, random);
+      },
       of_observer.split("track"));
   const std::optional<UpDownRule> rule = rule_of(prepared.procedure->settings);
   std::vector<Evaluation> evaluations{};
@@ -177,7 +192,7 @@ std::vector<Evaluation> evaluated_track(const PreparedRecovery& prepared,
     const auto prefix = std::span(answers).first(trials);
     Evaluation evaluation{};
     for (const LevelAnswer& answer : prefix) {
-      evaluation.information += information(f, std::log10(answer.level));
+      evaluation.information += information(f, std::log10(answer.level), unsure);
     }
     const std::vector<PsychometricBlock> counts = counts_of(prefix);
     const auto within_limits = fit_of(counts, kSlopeLimits);
@@ -237,6 +252,13 @@ std::vector<RecoveryProcedure> recovery_procedures() {
   // Large steps up to the fourth reversal: an early lapse or guess would otherwise leave a track with small steps far
   // from the threshold.
   const StepList equal{0.2, 0.1, 0.1, 0.1, 0.05};
+  const WeightedUpDown weighted{.grid = kGrid,
+                                .start = level_of(kGrid, kStart),
+                                .target = 0.75,
+                                .steps_down = {0.1, 0.1, 0.1, 0.1, 0.05},
+                                .stop = {.trials = trials}};
+  WeightedUpDown unforced = weighted;
+  unforced.unforced_alternatives = 2;
   return {
       {.name = "constant",
        .meaning = "constant stimuli at −0.4, −0.2, 0, 0.2 and 0.4",
@@ -253,11 +275,12 @@ std::vector<RecoveryProcedure> recovery_procedures() {
       {.name = "weighted_75",
        .meaning = "weighted up-down for 75 %, steps down 0.1, from the fourth reversal 0.05, up 3 "
                   "times these",
-       .settings = WeightedUpDown{.grid = kGrid,
-                                  .start = level_of(kGrid, kStart),
-                                  .target = 0.75,
-                                  .steps_down = {0.1, 0.1, 0.1, 0.1, 0.05},
-                                  .stop = {.trials = trials}}}};
+       .settings = weighted},
+      {.name = "unforced_75",
+       .meaning = "the same steps, after \"cannot tell\" up by one step down; an observer who "
+                  "would guess responds \"cannot tell\" with the probability ½",
+       .settings = unforced,
+       .unsure = 0.5}};
 }
 
 std::vector<RecoveryProcedure> bayesian_recovery_procedures() {

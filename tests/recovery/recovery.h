@@ -33,6 +33,9 @@ struct RecoveryProcedure {
   std::string_view name{};     ///< in files and tables
   std::string_view meaning{};  ///< its settings, for readers
   ProcedureSettings settings{};
+  /// The probability that the observer responds "cannot tell" instead of guessing. ψ is then the proportion of correct
+  /// responses in which "cannot tell" counts ½.
+  double unsure = 0.0;
 };
 /// On the grid of 81 levels from 0.1 to 10 in steps of 0.025 log10 units; up-down methods begin at 10^0.6. All have tracks
 /// of the greatest number of `recovery_trials`, of which shorter ones are prefixes.
@@ -71,7 +74,7 @@ struct RecoveryRow {
   double rmse = 0.0;        ///< root of the mean squared error
   /// The least standard error of an unbiased estimate at the levels of these tracks, if γ and λ are known and α and β
   /// are not: √(∇gᵀ·I⁻¹·∇g), with the Fisher information I summed over trials and averaged over observers. Biased
-  /// estimates, such as one at the end of the grid, can have a smaller error.
+  /// estimates, such as one at the end of the grid, can have a smaller error. `RecoveryProcedure::unsure` is known as well.
   double bound = 0.0;
 
   bool operator==(const RecoveryRow&) const = default;
