@@ -73,6 +73,8 @@ std::span<const CoveragePart> difference_parts();
 std::span<const CoveragePart> model_parts();
 /// Of sensitivity and the ROC of ratings.
 std::span<const CoveragePart> detection_parts();
+/// Of choices among three surfaces, and of thresholds of split counts.
+std::span<const CoveragePart> discrimination_parts();
 /// Of ratings on ordered categories and continuous scales.
 std::span<const CoveragePart> rating_parts();
 

@@ -118,11 +118,28 @@ TEST(CoverageParts, FindEveryNumberThatTheyLookFor) {
 // One and a half widths of a 95 % interval are six standard errors.
 TEST(CoverageParts, HaveTrueValuesWhereManyParticipantsAre) {
   constexpr std::size_t kMany = 60;
-  for (const std::string name :
-       {"response_times", "learning_times", "learning_correct", "ratings", "repetitions",
-        "repeated_estimates", "scores", "choice_effects", "equivalence", "differences", "effects",
-        "psychometric", "crossed_textures", "crossed_ten_textures", "sensitivity",
-        "choices_of_three", "ratings_of_signal", "ordered_categories", "continuous_scale"}) {
+  for (const std::string name : {"response_times",
+                                 "learning_times",
+                                 "learning_correct",
+                                 "ratings",
+                                 "repetitions",
+                                 "repeated_estimates",
+                                 "scores",
+                                 "choice_effects",
+                                 "equivalence",
+                                 "differences",
+                                 "effects",
+                                 "psychometric",
+                                 "crossed_textures",
+                                 "crossed_ten_textures",
+                                 "sensitivity",
+                                 "choices_of_three",
+                                 "ratings_of_signal",
+                                 "choices_by_place",
+                                 "thresholds_of_three",
+                                 "exponents",
+                                 "ordered_categories",
+                                 "continuous_scale"}) {
     const CoveragePart part = part_named(name);
     for (CoverageSetting setting : part.settings) {
       if (setting.participants != 12) continue;

@@ -2,9 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 #include "analysis/bradley_terry.h"
 #include "analysis/number_text.h"
+#include "app/findings/study/estimates.h"
+#include "app/findings/study/study_findings.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {
@@ -200,6 +204,63 @@ std::vector<CheckedTest> estimate_tests(const CoverageSetting& setting) {
   return {{.quantity = "quad.c.p", .key = "P"}};
 }
 
+// --- estimates of any stimulus, with a modulus -------------------------------------------------------
+
+constexpr std::array kExponents{0.0, 0.5};
+constexpr std::array kExponentSpreads{0.0, 0.3};
+constexpr std::array kPredictors{0.25, 0.5, 1.0, 2.0, 4.0};
+constexpr const char* kGreatestStimulus = "4";
+
+/// log₁₀ of an estimate = a + b·x, x = log₁₀ of the predictor, with the participant's own a and b.
+TidyInput draw_estimates_of_stimuli(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,stimulus,estimate");
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const double a = kOwnScale * random.normal();
+    const double b = setting.effect + setting.spread * random.normal();
+    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
+      for (const double predictor : kPredictors) {
+        const double y = a + b * std::log10(predictor) + kOwnNoise * random.normal();
+        table.add({participant_label(i), number_text(predictor), number_text(std::pow(10.0, y))});
+      }
+    }
+  }
+  return std::move(table).as_input();
+}
+
+/// What the analysis of a study gives of such estimates.
+std::vector<Finding> findings_of_stimuli(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  const LabelColumn participants = table.all_labels("subject");
+  const LabelColumn stimuli = table.all_labels("stimulus");
+  const std::vector<double> numbers = table.all_numbers("estimate");
+  GatheredAnswers gathered{};
+  gathered.estimation.stated_normalisation = EstimateNormalisation::none;
+  for (const std::string& name : participants.names) gathered.people.push_back({.label = name});
+  std::map<std::string, double> predictor{};
+  for (const double one : kPredictors) predictor.emplace(number_text(one), one);
+  std::vector<Estimated> estimates{};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    estimates.push_back({.person = static_cast<std::uint32_t>(participants.codes[row]),
+                         .condition = "P",
+                         .spacing = stimuli.names[stimuli.codes[row]],
+                         .estimate = numbers[row]});
+  }
+  return analysis_of("stimulus_estimates", "magnitude",
+                     items_table(gathered, estimates, predictor));
+}
+
+std::vector<CheckedInterval> exponent_intervals(const CoverageSetting& setting) {
+  return {{.quantity = "exponent.mean", .key = "P", .truth = setting.effect},
+          {.quantity = "geomean",
+           .key = cell_key("P", kGreatestStimulus),
+           .truth = std::pow(kPredictors.back(), setting.effect)}};
+}
+
+std::vector<CheckedTest> exponent_tests(const CoverageSetting& setting) {
+  if (setting.effect != 0.0) return {};
+  return {{.quantity = "exponent.p", .key = "P"}};
+}
+
 // --- analysis of variance ------------------------------------------------------------------------------
 
 constexpr std::array<std::string_view, 5> kLevels{"1", "2", "3", "4", "5"};
@@ -237,6 +298,7 @@ std::vector<CheckedTest> variance_tests(const CoverageSetting&) {
 std::span<const CoveragePart> scale_parts() {
   static const auto kOfUtilities = all_designs(kSteps, kUtilitySpreads);
   static const auto kOfCurves = all_designs(kBends, kCurveSpreads);
+  static const auto kOfExponents = all_designs(kExponents, kExponentSpreads);
   static const auto kOfCorrelations = all_designs(kCorrelations, std::array{0.0});
   static const std::array kParts{
       CoveragePart{.name = "pairs",
@@ -270,6 +332,19 @@ std::span<const CoveragePart> scale_parts() {
           .findings = magnitude_findings,
           .intervals = estimate_intervals,
           .tests = estimate_tests},
+      CoveragePart{.name = "exponents",
+                   .model = "five stimuli and a standard with a modulus; the logarithm of an "
+                            "estimate is linear in that of the predictor, with each participant's "
+                            "own level and exponent; analysed as the estimates of a study "
+                            "(`items_table`)",
+                   .effect = "mean exponent",
+                   .spread = "SD of the exponents; levels always differ",
+                   .settings = kOfExponents,
+                   .draw = draw_estimates_of_stimuli,
+                   .findings = findings_of_stimuli,
+                   .intervals = exponent_intervals,
+                   .tests = exponent_tests,
+                   .tables = 10000},
       CoveragePart{.name = "variance",
                    .model = "five levels without an effect, normal",
                    .effect = "correlation of neighbouring levels",
