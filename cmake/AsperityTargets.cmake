@@ -136,7 +136,8 @@ endfunction()
 # signals, locale, current folder) or need one that nothing was done in match a pattern of ALONE: each of their tests is a
 # test of ctest, <folder>.<Suite>.<Test>, and a process.
 # Tests are discovered when ctest runs (TestSuites.cmake), so that building never runs a test program. The label "long"
-# keeps them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
+# keeps them out of scripts/test; scripts/test-long runs those that are also labelled fuzz, monte-carlo, realtime
+# or window.
 # COST, about the seconds of its longest tests, has ctest begin with them: a test run ends with many short ones.
 function(asperity_add_tests folder)
   cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE" ${ARGN})

@@ -1,115 +1,234 @@
-// asperity texture: a photograph becomes a height field.
+// asperity texture: a photograph or a measured surface becomes a height field.
 
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/number_option.h"
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
 #include "app/findings/reading_number.h"
 #include "app/study_files/height_field_files.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+#include "stimuli/measured/measured_surface.h"
+#include "stimuli/measured/surface_relief.h"
 #include "stimuli/photographs/photograph_advice.h"
 #include "stimuli/photographs/preview.h"
 #include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 
+namespace {
+
+constexpr std::size_t kPreviewRows = 320;
+
+struct TextureOptions {
+  std::filesystem::path file{};
+  std::filesystem::path out{};
+  std::optional<double> width_m{};
+  bool force = false;
+  // of a photograph
+  std::optional<std::filesystem::path> preview{};
+  TextureRecipe recipe{};
+  int sign = 1;
+  // of a measured surface
+  SurfaceReading reading{};
+  SurfaceForm form = SurfaceForm::plane;
+  // those that the other kind of file does not have
+  std::vector<const CLI::Option*> for_photographs{};
+  std::vector<const CLI::Option*> for_surfaces{};
+
+  Overwrite overwrite() const { return force ? Overwrite::allow : Overwrite::refuse; }
+};
+
+/// Errors: WrongUsage for an option of the other kind of file.
+void refuse_given(const std::vector<const CLI::Option*>& options, const std::string& reason) {
+  for (const CLI::Option* option : options) {
+    if (option->count() > 0) throw WrongUsage(option->get_name() + ": " + reason);
+  }
+}
+
+/// "FILE.png: 512 × 512 samples, pitch 5.0 µm, height −3.0 to +4.1 µm, RMS 1.0 µm"
+std::string height_field_line(const std::filesystem::path& out, const HeightField& field) {
+  return out.string() + ": " + std::to_string(field.grid().columns) + " × " +
+         std::to_string(field.grid().rows) + " samples, pitch " +
+         fixed(field.grid().pitch_m * 1e6, 1) + " µm, height " +
+         reading_signed(field.minimum_m() * 1e6, 1) + " to " +
+         reading_signed(field.maximum_m() * 1e6, 1) + " µm, RMS " + fixed(field.rms_m() * 1e6, 1) +
+         " µm\n";
+}
+
+void texture_of_photograph(TextureOptions& options, std::span<const std::byte> bytes,
+                           const std::string& sha256) {
+  const std::string name = options.file.string();
+  refuse_given(options.for_surfaces, name + " is not a measured surface; leave out this option");
+  if (!options.width_m) {
+    throw WrongUsage("--width-m is missing: give the width of the surface in the photograph " +
+                     name + ", from its left to its right edge");
+  }
+  TextureRecipe& recipe = options.recipe;
+  recipe.width_m = *options.width_m;
+  recipe.sign = options.sign == 1 ? HeightSign::bright_is_high : HeightSign::dark_is_high;
+  const GreyImage grey = decode_photograph(bytes, name).grey;
+  const PhotographTexture texture = texture_from_photograph(grey, recipe, name);
+  std::vector<PictureFile> pictures{};
+  if (options.preview) {
+    pictures.push_back(picture_file(*options.preview, texture_steps(texture, kPreviewRows)));
+  }
+  save_height_field(
+      options.out, texture.field,
+      {"photograph", parameter_values(recipe), {}, options.file.filename().string(), sha256, ""},
+      options.overwrite(), pictures);
+  std::cout << height_field_line(options.out, texture.field)
+            << advice(examine_photograph(grey, recipe, name)) << '\n';
+}
+
+void texture_of_surface(const TextureOptions& options, std::span<const std::byte> bytes,
+                        const std::string& sha256) {
+  const std::string name = options.file.string();
+  refuse_given(options.for_photographs, name + " is a measured surface; leave out this option");
+  SurfaceReading reading = options.reading;
+  reading.width_m = options.width_m;
+  const MeasuredSurface surface = decode_surface(bytes, reading, name);
+  const SurfaceRelief relief = surface_relief(surface, options.form, name);
+  save_height_field(options.out, relief.field,
+                    {"measured_surface",
+                     parameter_values(surface, options.form, relief),
+                     {},
+                     options.file.filename().string(),
+                     sha256,
+                     ""},
+                    options.overwrite());
+  std::cout << height_field_line(options.out, relief.field) << name_of(surface.format);
+  if (!surface.channel.empty()) std::cout << ", channel " << surface.channel;
+  std::cout << ": " << relief.missing << " of " << relief.points << " points missing and filled ("
+            << fixed(
+                   100.0 * static_cast<double>(relief.missing) / static_cast<double>(relief.points),
+                   2)
+            << " %); ";
+  if (options.form == SurfaceForm::plane) {
+    std::cout << "plane subtracted, slope " << reading_signed(relief.slope_x * 1e3, 2)
+              << " µm/mm along x and " << reading_signed(relief.slope_y * 1e3, 2)
+              << " µm/mm along y";
+  } else {
+    std::cout << "mean subtracted";
+  }
+  if (relief.is_resampled) {
+    std::cout << "; resampled from distances of " << fixed(surface.pitch_x_m * 1e6, 3)
+              << " µm along x and " << fixed(surface.pitch_y_m * 1e6, 3) << " µm along y";
+  }
+  std::cout << '\n';
+}
+
+}  // namespace
+
 void add_texture(CLI::App& program, Job& job) {
-  struct Options {
-    std::filesystem::path photograph{};
-    std::filesystem::path out{};
-    std::optional<std::filesystem::path> preview{};
-    TextureRecipe recipe{};
-    int sign = 1;
-    bool force = false;
-  };
-  constexpr std::size_t kPreviewRows = 320;
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TextureOptions>();
   TextureRecipe& recipe = options->recipe;
-  CLI::App* command =
-      program.add_subcommand("texture",
-                             "Compute a height field from a photograph: conversion to greyscale, "
-                             "homomorphic filter, subtraction of the low-pass (f − g).");
-  command->add_option("PHOTO", options->photograph, "PNG, JPEG, TIFF, BMP or WebP")->required();
+  CLI::App* command = program.add_subcommand(
+      "texture",
+      "Compute a height field from a photograph (conversion to greyscale, homomorphic filter, "
+      "subtraction of the low-pass, f − g), or from a measured surface (subtraction of the plane, "
+      "filling of missing points).");
+  command
+      ->add_option("FILE", options->file,
+                   "A photograph (PNG, JPEG, TIFF, BMP or WebP), or a measured surface (X3P, SUR, "
+                   "GWY, or TIFF of 32-bit floating-point numbers); recognised by its content")
+      ->required();
   command
       ->add_option("--out", options->out,
                    "The height field, FILE.png (its sidecar is FILE.png.json)")
       ->required();
-  command
-      ->add_option("--width-m", recipe.width_m,
-                   "Width of the surface in the photograph, from its left to its right edge")
-      ->required();
-  command
-      ->add_option("--gaussian-wavelength-m", recipe.gaussian_wavelength_m,
-                   "Cut-off wavelength of the Gaussian low-pass whose result g is subtracted; "
-                   "longer wavelengths are removed")
-      ->capture_default_str();
-  command
-      ->add_option("--homomorphic-wavelength-m", recipe.homomorphic_wavelength_m,
-                   "Cut-off wavelength of the homomorphic filter")
-      ->capture_default_str();
-  command
-      ->add_option("--gamma-low", recipe.gamma_low,
-                   "Gain of the homomorphic filter for long wavelengths")
-      ->capture_default_str();
-  command
-      ->add_option("--gamma-high", recipe.gamma_high,
-                   "Gain of the homomorphic filter for short wavelengths")
-      ->capture_default_str();
-  command
-      ->add_option("--spectral-tilt", recipe.spectral_tilt,
-                   "Exponent p, 0 to 1: amplitudes of wavelengths shorter than the cut-off of the "
-                   "low-pass are multiplied by (wavelength/cut-off)^p; 0 is the published method")
-      ->capture_default_str();
-  command->add_option("--rms-m", recipe.rms_m, "RMS of the heights")->capture_default_str();
-  command->add_option("--sign", options->sign, "1 (the default): bright is high; -1: dark is high")
-      ->check(word_among({"1", "-1"}))
-      ->option_text("1|-1");
+  command->add_option("--width-m", options->width_m,
+                      "Width of the surface in a photograph or a TIFF, from its left to its right "
+                      "edge; required for both");
+  const auto photographs = [&](CLI::Option* option) {
+    options->for_photographs.push_back(option->group("Photographs"));
+    return option;
+  };
+  const auto surfaces = [&](CLI::Option* option) {
+    options->for_surfaces.push_back(option->group("Measured surfaces"));
+    return option;
+  };
+  photographs(
+      command
+          ->add_option("--gaussian-wavelength-m", recipe.gaussian_wavelength_m,
+                       "Cut-off wavelength of the Gaussian low-pass whose result g is subtracted; "
+                       "longer wavelengths are removed")
+          ->capture_default_str());
+  photographs(command
+                  ->add_option("--homomorphic-wavelength-m", recipe.homomorphic_wavelength_m,
+                               "Cut-off wavelength of the homomorphic filter")
+                  ->capture_default_str());
+  photographs(command
+                  ->add_option("--gamma-low", recipe.gamma_low,
+                               "Gain of the homomorphic filter for long wavelengths")
+                  ->capture_default_str());
+  photographs(command
+                  ->add_option("--gamma-high", recipe.gamma_high,
+                               "Gain of the homomorphic filter for short wavelengths")
+                  ->capture_default_str());
+  photographs(
+      command
+          ->add_option("--spectral-tilt", recipe.spectral_tilt,
+                       "Exponent p, 0 to 1: amplitudes of wavelengths shorter than the cut-off of "
+                       "the low-pass are multiplied by (wavelength/cut-off)^p; 0 is the published "
+                       "method")
+          ->capture_default_str());
+  photographs(
+      command->add_option("--rms-m", recipe.rms_m, "RMS of the heights")->capture_default_str());
+  photographs(
+      command
+          ->add_option("--sign", options->sign, "1 (the default): bright is high; -1: dark is high")
+          ->check(word_among({"1", "-1"}))
+          ->option_text("1|-1"));
   const std::map<std::string, HistogramTransformation> histograms{
       {"none", HistogramTransformation::none}, {"equalize", HistogramTransformation::equalize}};
-  command->add_option("--histogram", recipe.histogram, "none (the default) or equalize")
-      ->transform(word_of(histograms))
-      ->option_text("none|equalize");
-  command->add_option("--preview", options->preview, "PNG of the processing steps, for inspection");
+  photographs(command->add_option("--histogram", recipe.histogram, "none (the default) or equalize")
+                  ->transform(word_of(histograms))
+                  ->option_text("none|equalize"));
+  photographs(command->add_option("--preview", options->preview,
+                                  "PNG of the processing steps, for inspection"));
+  surfaces(command->add_option("--height-unit-m", options->reading.height_unit_m,
+                               "Height of the stored number 1 of a TIFF, such as 1e-6 for heights "
+                               "in µm; required for it"));
+  const std::map<std::string, SurfaceForm> forms{{"plane", SurfaceForm::plane},
+                                                 {"mean", SurfaceForm::mean}};
+  surfaces(command
+               ->add_option("--form", options->form,
+                            "What is subtracted from the heights: plane (the default), the "
+                            "least-squares plane of the measured points, or mean")
+               ->transform(word_of(forms))
+               ->option_text("plane|mean"));
+  surfaces(command
+               ->add_option("--channel", options->reading.channel,
+                            "Number of the channel of a GWY file; without it, the first channel "
+                            "with heights in metres")
+               ->check(number_within(0, 9999)));
   command->add_flag("--force", options->force, "Replace existing files");
   command->callback([options, &job] {
     job = [options] {
-      TextureRecipe& chosen = options->recipe;
-      chosen.sign = options->sign == 1 ? HeightSign::bright_is_high : HeightSign::dark_is_high;
-      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       require_png(options->out);
       if (options->preview) require_png(*options->preview);
       // Before the work; the files that go with it are looked at when they are written.
-      refuse_existing({options->out}, overwrite);
-      const std::string name = options->photograph.string();
-      const LoadedPhotograph loaded = load_photograph(options->photograph);
-      const PhotographTexture texture =
-          texture_from_photograph(loaded.photograph.grey, chosen, name);
-      std::vector<PictureFile> pictures{};
-      if (options->preview) {
-        pictures.push_back(picture_file(*options->preview, texture_steps(texture, kPreviewRows)));
+      refuse_existing({options->out}, options->overwrite());
+      const std::string content = read_file(options->file, kPictureFile);
+      const std::span<const std::byte> bytes = std::as_bytes(std::span(content));
+      if (surface_format_of(bytes, options->file.string())) {
+        texture_of_surface(*options, bytes, sha256_of(content));
+      } else {
+        texture_of_photograph(*options, bytes, sha256_of(content));
       }
-      save_height_field(options->out, texture.field,
-                        {"photograph",
-                         parameter_values(chosen),
-                         {},
-                         options->photograph.filename().string(),
-                         loaded.sha256,
-                         ""},
-                        overwrite, pictures);
-      const HeightField& field = texture.field;
-      std::cout << options->out.string() << ": " << field.grid().columns << " × "
-                << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)
-                << " µm, height " << reading_signed(field.minimum_m() * 1e6, 1) << " to "
-                << reading_signed(field.maximum_m() * 1e6, 1) << " µm, RMS "
-                << fixed(field.rms_m() * 1e6, 1) << " µm\n"
-                << advice(examine_photograph(loaded.photograph.grey, chosen, name)) << '\n';
       return 0;
     };
   });

@@ -3,7 +3,6 @@
 #include "renderers/vibrations/haptic_texture_toolkit.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -13,7 +12,7 @@
 #include "analysis/autoregression.h"
 #include "analysis/line_spectrum.h"
 #include "renderers/recordings/number_table.h"
-#include "renderers/vibrations/xml_element.h"
+#include "stimuli/measured/xml_element.h"
 
 namespace asperity {
 namespace {
@@ -31,18 +30,6 @@ const XmlElement& required_child(const XmlElement& parent, const char* child_nam
                           "; choose an XML file of the Penn Haptic Texture Toolkit");
   }
   return *found;
-}
-
-double number_in_element(const XmlElement& element, const std::string& name) {
-  double number = 0.0;
-  const char* const end = element.text.data() + element.text.size();
-  const auto read = std::from_chars(element.text.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) {
-    refuse_table_line(name, element.line,
-                      "the element " + element.name + " has \"" + element.text +
-                          "\", which is not a finite number; copy the file again");
-  }
-  return number;
 }
 
 void require_text(const XmlElement& set, const char* child_name, const std::string& wanted,

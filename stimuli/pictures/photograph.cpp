@@ -12,6 +12,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/jpeg_decoding.h"
 #include "stimuli/pictures/picture_codecs.h"
 
@@ -88,6 +89,11 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
       static_cast<std::size_t>(pixels.cols) != facts.columns) {
     refuse_damaged(name, "its number of pixels differs from that in its header.");
   }
+  return pixels;
+}
+
+cv::Mat decoded_whole_numbers(Bytes bytes, const PictureFacts& facts, const std::string& name) {
+  cv::Mat pixels = decoded_by_opencv(bytes, facts, name);
   if (pixels.depth() != CV_8U && pixels.depth() != CV_16U) {
     throw std::invalid_argument(
         name +
@@ -150,7 +156,7 @@ Photograph decode_photograph(Bytes bytes, const std::string& name) {
                    [](std::uint8_t level) { return static_cast<float>(level) / 255.0F; });
     return photograph;
   }
-  const cv::Mat pixels = decoded_by_opencv(bytes, facts, name);
+  const cv::Mat pixels = decoded_whole_numbers(bytes, facts, name);
   facts.bits_per_channel = pixels.depth() == CV_16U ? 16 : 8;
   if (pixels.depth() == CV_16U) {
     to_brightness<std::uint16_t>(pixels, 65535.0F, grey);
@@ -172,12 +178,25 @@ ColorPlanes decode_color_picture(Bytes bytes, const std::string& name) {
                          levels.data());
     return {plane_of(pixels, 0), plane_of(pixels, 1), plane_of(pixels, 2)};
   }
-  const cv::Mat pixels = decoded_by_opencv(bytes, facts, name);
+  const cv::Mat pixels = decoded_whole_numbers(bytes, facts, name);
   if (pixels.channels() < 3) {
     const GreyImage grey = plane_of(pixels, 0);
     return {grey, grey, grey};
   }
   return {plane_of(pixels, 2), plane_of(pixels, 1), plane_of(pixels, 0)};  // OpenCV: blue first
+}
+
+GreyImage decode_float_tiff(Bytes bytes, const std::string& name) {
+  const PictureFacts facts = inspect_float_tiff(bytes, name);
+  const cv::Mat pixels = decoded_by_opencv(bytes, facts, name);
+  if (pixels.type() != CV_32FC1) {
+    throw std::invalid_argument(name +
+                                " does not contain one channel of 32-bit floating-point numbers. "
+                                "Save the heights in this form.");
+  }
+  GreyImage image{facts.rows, facts.columns, std::vector<float>(facts.rows * facts.columns)};
+  pixels.copyTo(cv::Mat(pixels.rows, pixels.cols, CV_32FC1, image.values.data()));
+  return image;
 }
 
 }  // namespace asperity

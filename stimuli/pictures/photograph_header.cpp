@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/number_text.h"
+#include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/photograph.h"
 
 namespace asperity {
@@ -178,16 +179,8 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
   return facts;
 }
 
-PictureFacts inspect_tiff(const HeaderReader& file) {
-  const bool big = file.has(0, "MM");
-  const auto number = [&](std::size_t at, std::size_t count) {
-    return big ? file.big_endian(at, count) : file.little_endian(at, count);
-  };
-  if (number(2, 2) != 42) {
-    file.refuse(
-        "is a BigTIFF or another kind of TIFF that is not supported; save it as plain TIFF or "
-        "PNG.");
-  }
+/// The first directory of a TIFF. The offsets and lengths of its strips or tiles are numbers at these places.
+struct TiffDirectory {
   struct Entry {
     std::size_t count = 0;
     std::size_t width = 0;
@@ -195,9 +188,31 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
   };
   PictureFacts facts{
       .format = PictureFormat::tiff, .rows = 0, .columns = 0, .bits_per_channel = 1, .channels = 1};
-  std::uint32_t sample_format = 1;
+  std::uint32_t sample_format = 1;  // 1: whole numbers, 3: floating-point numbers
   Entry offsets{};
   Entry lengths{};
+};
+
+std::uint32_t tiff_number(const HeaderReader& file, std::size_t at, std::size_t count) {
+  return file.has(0, "MM") ? file.big_endian(at, count) : file.little_endian(at, count);
+}
+
+bool is_tiff(const HeaderReader& file) {
+  if (file.size() <= 3) return false;
+  return (file.has(0, "II") && file.byte(3) == 0) || (file.has(0, "MM") && file.byte(2) == 0);
+}
+
+TiffDirectory tiff_directory(const HeaderReader& file) {
+  const auto number = [&file](std::size_t at, std::size_t count) {
+    return tiff_number(file, at, count);
+  };
+  if (number(2, 2) != 42) {
+    file.refuse(
+        "is a BigTIFF or another kind of TIFF that is not supported; save it as plain TIFF or "
+        "PNG.");
+  }
+  TiffDirectory read{};
+  PictureFacts& facts = read.facts;
   const std::size_t directory = number(4, 4);
   const std::size_t entries = number(directory, 2);
   file.part(directory, 2 + 12 * entries + 4);  // it ends with the offset of the next directory
@@ -207,7 +222,8 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
     const std::size_t width = type == 3 ? 2 : type == 4 ? 4 : 1;
     const std::size_t count = number(at + 4, 4);
     const bool inside = count * width <= 4;
-    const Entry entry{.count = count, .width = width, .at = inside ? at + 8 : number(at + 8, 4)};
+    const TiffDirectory::Entry entry{
+        .count = count, .width = width, .at = inside ? at + 8 : number(at + 8, 4)};
     if (!inside) file.part(entry.at, count * width);
     const auto first = [&] { return number(entry.at, entry.width); };
     switch (number(at, 2)) {
@@ -224,21 +240,39 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
         facts.channels = static_cast<int>(first());
         break;
       case 339:
-        sample_format = first();
+        read.sample_format = first();
         break;
       case 273:  // strips or
       case 324:  // tiles
-        offsets = entry;
+        read.offsets = entry;
         break;
       case 279:
       case 325:
-        lengths = entry;
+        read.lengths = entry;
         break;
       default:
         break;
     }
   }
   file.refuse_wrong_size(facts);
+  return read;
+}
+
+/// Checks that the strips or tiles lie within the file.
+void check_tiff_data(const HeaderReader& file, const TiffDirectory& read) {
+  const auto number = [&file](const TiffDirectory::Entry& entry, std::size_t i) {
+    return tiff_number(file, entry.at + i * entry.width, entry.width);
+  };
+  if (read.offsets.count == 0 || read.offsets.count != read.lengths.count) file.refuse_cut_off();
+  for (std::size_t i = 0; i < read.offsets.count; ++i) {
+    file.part(number(read.offsets, i), number(read.lengths, i));
+  }
+}
+
+PictureFacts inspect_tiff(const HeaderReader& file) {
+  const TiffDirectory read = tiff_directory(file);
+  const PictureFacts& facts = read.facts;
+  const std::uint32_t sample_format = read.sample_format;
   if (sample_format != 1 || (facts.bits_per_channel != 8 && facts.bits_per_channel != 16)) {
     file.refuse("is a TIFF with " + std::to_string(facts.bits_per_channel) +
                 (sample_format == 3 ? "-bit floating-point numbers" : "-bit channels") +
@@ -248,11 +282,7 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
     file.refuse("is a TIFF with " + std::to_string(facts.channels) +
                 " channels; save it with 1 to 4 (greyscale or colour, with or without alpha).");
   }
-  if (offsets.count == 0 || offsets.count != lengths.count) file.refuse_cut_off();
-  for (std::size_t i = 0; i < offsets.count; ++i) {
-    file.part(number(offsets.at + i * offsets.width, offsets.width),
-              number(lengths.at + i * lengths.width, lengths.width));
-  }
+  check_tiff_data(file, read);
   return facts;
 }
 
@@ -313,8 +343,7 @@ PictureFacts inspect_any(const HeaderReader& file) {
   }
   if (file.has(0, "\x89PNG\r\n\x1A\n")) return inspect_png(file);
   if (file.has(0, "\xFF\xD8\xFF")) return inspect_jpeg(file);
-  if (file.has(0, "II") && file.size() > 3 && file.byte(3) == 0) return inspect_tiff(file);
-  if (file.has(0, "MM") && file.size() > 3 && file.byte(2) == 0) return inspect_tiff(file);
+  if (is_tiff(file)) return inspect_tiff(file);
   if (file.has(0, "BM")) return inspect_bmp(file);
   if (file.has(0, "RIFF") && file.has(8, "WEBP")) return inspect_webp(file);
   file.refuse("is not a picture in a supported format; save it as PNG, JPEG, TIFF, BMP or WebP.");
@@ -340,6 +369,25 @@ std::string_view name_of(PictureFormat format) noexcept {
 
 PictureFacts inspect_picture(Bytes bytes, const std::string& name) {
   return inspect_any(HeaderReader(bytes, name));
+}
+
+bool is_float_tiff(Bytes bytes, const std::string& name) {
+  const HeaderReader file(bytes, name);
+  return is_tiff(file) && tiff_directory(file).sample_format == 3;
+}
+
+PictureFacts inspect_float_tiff(Bytes bytes, const std::string& name) {
+  const HeaderReader file(bytes, name);
+  if (!is_tiff(file)) file.refuse("is not a TIFF; save the heights as TIFF.");
+  const TiffDirectory read = tiff_directory(file);
+  if (read.sample_format != 3 || read.facts.bits_per_channel != 32 || read.facts.channels != 1) {
+    file.refuse("is a TIFF with " +
+                counted(static_cast<std::size_t>(read.facts.channels), "channel", "channels") +
+                " of " + std::to_string(read.facts.bits_per_channel) +
+                " bits; save the heights as one channel of 32-bit floating-point numbers.");
+  }
+  check_tiff_data(file, read);
+  return read.facts;
 }
 
 }  // namespace asperity

@@ -20,11 +20,20 @@ struct XmlElement {
   const XmlElement* child(std::string_view child_name) const noexcept;
 };
 
-/// Reads the root element of an XML file as far as tables of numbers need it: entities are kept as they are written, and there are
-/// no namespaces. `name` names it in messages.
+/// Reads the root element of an XML file as far as tables of numbers need it: entities are kept as they are written, and the
+/// prefix of a namespace is part of an element's name. A byte order mark is skipped. `name` names the file in messages.
 ///
 /// Errors: std::invalid_argument that begins with `name` and the line, for an element that is not closed, a mark that is not
 /// complete, a document type, and nesting of more than 32 elements.
 XmlElement xml_root_in(std::string_view xml, const std::string& name);
+
+/// The finite number that is the text of an element.
+///
+/// Errors: std::invalid_argument that begins with `name` and the line of the element.
+double number_in_element(const XmlElement& element, const std::string& name);
+
+/// Throws std::invalid_argument: "NAME:LINE: PROBLEM".
+[[noreturn]] void refuse_xml_line(const std::string& name, std::size_t line,
+                                  const std::string& problem);
 
 }  // namespace asperity

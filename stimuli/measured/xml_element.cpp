@@ -1,25 +1,29 @@
 // Implements the reading of XML elements.
 
-#include "renderers/vibrations/xml_element.h"
+#include "stimuli/measured/xml_element.h"
 
 #include <algorithm>
-
-#include "renderers/recordings/number_table.h"
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
 
 namespace asperity {
 namespace {
 
 constexpr std::size_t kDeepest = 32;
 constexpr const char* kSpaces = " \t\r\n";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 class XmlReader final {
  public:
-  XmlReader(std::string_view xml, const std::string& name) : rest_(xml), name_(name) {}
+  XmlReader(std::string_view xml, const std::string& name) : rest_(xml), name_(name) {
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+  }
 
   XmlElement root() {
     skip_to_element();
     if (!rest_.starts_with('<')) {
-      refuse_here("the file is not XML; choose the file of a texture's models");
+      refuse_here("the file is not XML; choose another file");
     }
     XmlElement element = read_element(0);
     skip_to_element();
@@ -29,7 +33,7 @@ class XmlReader final {
 
  private:
   [[noreturn]] void refuse_here(const std::string& problem) const {
-    refuse_table_line(name_, line_, problem);
+    refuse_xml_line(name_, line_, problem);
   }
 
   std::string_view take(std::size_t count) {
@@ -69,8 +73,7 @@ class XmlReader final {
   }
 
   XmlElement read_element(std::size_t depth) {
-    if (depth > kDeepest)
-      refuse_here("the elements are nested too deeply; choose the file of a texture's models");
+    if (depth > kDeepest) refuse_here("the elements are nested too deeply; choose another file");
     XmlElement element{.line = line_};
     take(1);
     if (rest_.starts_with('!')) {
@@ -125,6 +128,22 @@ const XmlElement* XmlElement::child(std::string_view child_name) const noexcept 
 
 XmlElement xml_root_in(std::string_view xml, const std::string& name) {
   return XmlReader(xml, name).root();
+}
+
+double number_in_element(const XmlElement& element, const std::string& name) {
+  double number = 0.0;
+  const char* const end = element.text.data() + element.text.size();
+  const auto read = std::from_chars(element.text.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) {
+    refuse_xml_line(name, element.line,
+                    "the element " + element.name + " has \"" + element.text +
+                        "\", which is not a finite number; copy the file again");
+  }
+  return number;
+}
+
+void refuse_xml_line(const std::string& name, std::size_t line, const std::string& problem) {
+  throw std::invalid_argument(name + ':' + std::to_string(line) + ": " + problem);
 }
 
 }  // namespace asperity

@@ -1,0 +1,137 @@
+// Implements the choice of the decoder of a measured surface, and the checks that all formats have in common.
+
+#include "stimuli/measured/measured_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/number_text.h"
+#include "stimuli/measured/surface_decoding.h"
+#include "stimuli/pictures/float_tiff.h"
+#include "stimuli/pictures/photograph.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLeastPitch_m = 1e-9;
+constexpr double kGreatestPitch_m =
+    1e-3;  // a wave has at least two points, a fingertip or a tip is wider
+constexpr double kGreatestHeight_m = 1.0;  // of a height field (docs/formats/height_field.md)
+
+void require_pitch(double pitch_m, const std::string& axis, const std::string& name) {
+  if (pitch_m >= kLeastPitch_m && pitch_m <= kGreatestPitch_m) return;
+  throw std::invalid_argument(name + ": the distance between points along " + axis + " is " +
+                              number_text(pitch_m) + " m; from " + number_text(kLeastPitch_m) +
+                              " to " + number_text(kGreatestPitch_m) +
+                              " m are possible. Correct the unit or the distance in the file.");
+}
+
+/// Infinite numbers are missing points as well.
+void check_heights(MeasuredSurface& surface, const std::string& name) {
+  for (std::size_t i = 0; i < surface.heights_m.size(); ++i) {
+    double& height_m = surface.heights_m[i];
+    if (!std::isfinite(height_m)) {
+      height_m = std::numeric_limits<double>::quiet_NaN();
+    } else if (std::abs(height_m) > kGreatestHeight_m) {
+      throw std::invalid_argument(
+          name + ": the height of the point " + std::to_string(i % surface.columns + 1) +
+          " of the row " + std::to_string(i / surface.columns + 1) + " is " +
+          number_text(height_m) +
+          " m; from -1 to 1 m are possible. Correct the unit of the heights.");
+    }
+  }
+}
+
+void refuse_option(const std::string& name, SurfaceFormat format, const char* what) {
+  throw std::invalid_argument(name + " is a " + std::string(name_of(format)) + " file, which " +
+                              what);
+}
+
+/// Errors: a value in `reading` that the format states itself.
+void check_reading(const SurfaceReading& reading, SurfaceFormat format, const std::string& name) {
+  if (format != SurfaceFormat::tiff && reading.width_m) {
+    refuse_option(name, format, "states its width; leave out --width-m.");
+  }
+  if (format != SurfaceFormat::tiff && reading.height_unit_m) {
+    refuse_option(name, format, "states the unit of its heights; leave out --height-unit-m.");
+  }
+  if (format != SurfaceFormat::gwy && reading.channel) {
+    refuse_option(name, format, "has no channels; leave out --channel.");
+  }
+}
+
+MeasuredSurface decode(std::span<const std::byte> bytes, SurfaceFormat format,
+                       const SurfaceReading& reading, const std::string& name) {
+  switch (format) {
+    case SurfaceFormat::x3p:
+      return decode_x3p(bytes, name);
+    case SurfaceFormat::sur:
+      return decode_sur(bytes, name);
+    case SurfaceFormat::gwy:
+      return decode_gwy(bytes, reading, name);
+    case SurfaceFormat::tiff:
+      return decode_tiff_surface(bytes, reading, name);
+  }
+  throw std::logic_error("a format without a decoder");
+}
+
+}  // namespace
+
+std::string_view name_of(SurfaceFormat format) noexcept {
+  switch (format) {
+    case SurfaceFormat::x3p:
+      return "X3P";
+    case SurfaceFormat::sur:
+      return "SUR";
+    case SurfaceFormat::gwy:
+      return "GWY";
+    case SurfaceFormat::tiff:
+      return "TIFF";
+  }
+  return "";
+}
+
+std::string points_problem(std::uint64_t columns, std::uint64_t rows) {
+  const bool possible = columns >= 2 && rows >= 2 && columns <= kLargestPictureSide &&
+                        rows <= kLargestPictureSide && columns * rows <= kMostSurfacePoints;
+  if (possible) return {};
+  return "the surface has " + std::to_string(columns) + " by " + std::to_string(rows) +
+         " points; from 2 to " + std::to_string(kLargestPictureSide) + " per side and at most " +
+         std::to_string(kMostSurfacePoints) +
+         " in total are possible. Crop it or reduce its resolution";
+}
+
+std::optional<SurfaceFormat> surface_format_of(std::span<const std::byte> bytes,
+                                               const std::string& name) {
+  const SurfaceBytes file(bytes, name);
+  if (file.begins_with("PK\x03\x04")) return SurfaceFormat::x3p;
+  if (file.begins_with("DIGITAL SURF") || file.begins_with("DSCOMPRESSED")) {
+    return SurfaceFormat::sur;
+  }
+  if (file.begins_with("GWYP")) return SurfaceFormat::gwy;
+  if (is_float_tiff(bytes, name)) return SurfaceFormat::tiff;
+  return std::nullopt;
+}
+
+MeasuredSurface decode_surface(std::span<const std::byte> bytes, const SurfaceReading& reading,
+                               const std::string& name) {
+  const std::optional<SurfaceFormat> format = surface_format_of(bytes, name);
+  if (!format) {
+    throw std::invalid_argument(
+        name +
+        " is not a measured surface in a supported format; save it as X3P, SUR, GWY or TIFF with "
+        "32-bit floating-point numbers.");
+  }
+  check_reading(reading, *format, name);
+  MeasuredSurface surface = decode(bytes, *format, reading, name);
+  surface.format = *format;
+  require_pitch(surface.pitch_x_m, "x", name);
+  require_pitch(surface.pitch_y_m, "y", name);
+  check_heights(surface, name);
+  return surface;
+}
+
+}  // namespace asperity

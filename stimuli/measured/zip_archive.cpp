@@ -1,0 +1,95 @@
+// Implements the reading of a zip archive with libzip.
+
+#include "stimuli/measured/zip_archive.h"
+
+#include <stdexcept>
+
+#include <zip.h>
+
+#include "stimuli/measured/surface_decoding.h"
+
+namespace asperity {
+
+void ZipArchive::Close::operator()(zip* archive) const noexcept { zip_discard(archive); }
+
+void ZipArchive::refuse(const std::string& sentence) const {
+  throw std::invalid_argument(name_ + ": " + sentence);
+}
+
+ZipArchive::ZipArchive(std::span<const std::byte> bytes, const std::string& name)
+    : bytes_(bytes), name_(name) {
+  zip_error_t error{};
+  zip_error_init(&error);
+  zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  if (source != nullptr) archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
+  const std::string reason = zip_error_strerror(&error);
+  if (source != nullptr && archive_ == nullptr) zip_source_free(source);
+  zip_error_fini(&error);
+  if (archive_ == nullptr) {
+    refuse("the directory of the zip archive cannot be read (" + reason +
+           "); copy or export the file again");
+  }
+}
+
+std::vector<std::string> ZipArchive::paths() const {
+  std::vector<std::string> paths{};
+  const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* const path =
+        zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_GUESS);
+    if (path != nullptr) paths.emplace_back(path);
+  }
+  return paths;
+}
+
+std::optional<std::size_t> ZipArchive::bytes_of(const std::string& path) const {
+  zip_stat_t stat{};
+  if (zip_stat(archive_.get(), path.c_str(), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0) {
+    return std::nullopt;
+  }
+  return stat.size;
+}
+
+std::vector<std::byte> ZipArchive::content(const std::string& path, std::size_t most) const {
+  zip_stat_t stat{};
+  constexpr zip_uint64_t kNeeded = ZIP_STAT_SIZE | ZIP_STAT_COMP_METHOD;
+  if (zip_stat(archive_.get(), path.c_str(), 0, &stat) != 0 || (stat.valid & kNeeded) != kNeeded) {
+    refuse("the archive has no entry " + path + "; copy or export the file again");
+  }
+  if (stat.size > most) {
+    refuse("the entry " + path + " has " + std::to_string(stat.size) + " bytes; at most " +
+           std::to_string(most) + " are possible; export the file again");
+  }
+  if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) {
+    refuse("the entry " + path +
+           " is compressed by another method than deflate, the only one of X3P; export the file "
+           "again");
+  }
+  if (!can_expand_to(bytes_.size(), stat.size)) {
+    refuse("the entry " + path +
+           " states more bytes than the archive can contain; copy or export "
+           "the file again");
+  }
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+      zip_fopen(archive_.get(), path.c_str(), 0), &zip_fclose);
+  if (file == nullptr) {
+    refuse("the entry " + path + " cannot be opened (" + zip_strerror(archive_.get()) +
+           "); copy or export the file again");
+  }
+  std::vector<std::byte> content(stat.size);
+  std::size_t done = 0;
+  zip_int64_t read = 1;
+  while (done < content.size() && read > 0) {
+    read = zip_fread(file.get(), content.data() + done, content.size() - done);
+    if (read > 0) done += static_cast<std::size_t>(read);
+  }
+  // libzip compares the checksum when it reaches the end.
+  std::byte beyond{};
+  if (read >= 0) read = zip_fread(file.get(), &beyond, 1);
+  if (done != content.size() || read != 0) {
+    refuse("the entry " + path + " is damaged; copy or export the file again");
+  }
+  return content;
+}
+
+}  // namespace asperity
