@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// h(x, y) in metres, x to the right and y upwards from the upper left point.
 MeasuredSurface surface_of(std::size_t columns, std::size_t rows, double pitch_x_m,
@@ -37,7 +37,7 @@ void remove_points(MeasuredSurface& surface, std::size_t first_column, std::size
                    std::size_t columns, std::size_t rows) {
   for (std::size_t i = first_row; i < first_row + rows; ++i) {
     for (std::size_t j = first_column; j < first_column + columns; ++j) {
-      surface.heights_m[i * surface.columns + j] = kMissing;
+      surface.heights_m[i * surface.columns + j] = kNotMeasured;
     }
   }
 }
@@ -88,7 +88,8 @@ TEST(SurfaceRelief, LeavesMeasuredHeightsAsTheyAre) {
   };
   const MeasuredSurface whole = surface_of(50, 50, 1e-5, 1e-5, waves);
   MeasuredSurface with_holes = whole;
-  for (std::size_t i = 3; i < whole.heights_m.size(); i += 7) with_holes.heights_m[i] = kMissing;
+  for (std::size_t i = 3; i < whole.heights_m.size(); i += 7)
+    with_holes.heights_m[i] = kNotMeasured;
   const SurfaceRelief found = surface_relief(with_holes, SurfaceForm::mean, "scan");
   const double shift_m = static_cast<double>(found.field.heights_m()[0]) - whole.heights_m[0];
   for (std::size_t i = 0; i < whole.heights_m.size(); ++i) {
@@ -122,7 +123,7 @@ TEST(SurfaceRelief, RefusesTooFewPoints) {
   MeasuredSurface surface = surface_of(10, 10, 1e-5, 1e-5, [](double x, double) { return x; });
   remove_points(surface, 0, 0, 10, 5);
   EXPECT_NO_THROW(surface_relief(surface, SurfaceForm::plane, "scan"));
-  surface.heights_m[50] = kMissing;
+  surface.heights_m[50] = kNotMeasured;
   EXPECT_THAT(refusal_of<std::invalid_argument>(
                   [&] { surface_relief(surface, SurfaceForm::plane, "scan"); }),
               StartsWith("scan: only 49 of 100 points are measured; at least half"));
