@@ -109,7 +109,7 @@ TEST(SurfaceRelief, HasSquareCellsWhenTheDistancesDiffer) {
   const SurfaceRelief relief = surface_relief(surface, SurfaceForm::mean, "scan");
   EXPECT_TRUE(relief.is_resampled);
   EXPECT_EQ(relief.field.grid().columns, 65U);
-  EXPECT_EQ(relief.field.grid().rows, 65U);
+  ASSERT_EQ(relief.field.grid().rows, 65U);
   EXPECT_EQ(relief.field.grid().pitch_m, 1e-5);
   for (std::size_t i = 4; i < 61; ++i) {
     // The mean of the samples of whole waves is 0. Bicubic convolution is exact to the third order.
