@@ -10,6 +10,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/height_field_line.h"
 #include "app/cli/parameter_option.h"
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
@@ -101,11 +102,7 @@ void add_synth(CLI::App& program, Job& job) {
       save_height_field(options->out, field,
                         {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite,
                         pictures);
-      std::cout << options->out.string() << ": " << field.grid().columns << " × "
-                << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)
-                << " µm, height " << reading_signed(field.minimum_m() * 1e6, 1) << " to "
-                << reading_signed(field.maximum_m() * 1e6, 1) << " µm, RMS "
-                << fixed(field.rms_m() * 1e6, 1) << " µm\n";
+      std::cout << height_field_line(options->out, field);
       for (const auto& warning : {seam_of(surface->kind, values, options->canvas),
                                   coarse_samples_of(surface->kind, values, options->canvas)}) {
         if (warning) say("asperity: warning: " + options->out.string() + ": " + *warning);

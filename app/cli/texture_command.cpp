@@ -12,6 +12,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/height_field_line.h"
 #include "app/cli/number_option.h"
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
@@ -56,16 +57,6 @@ void refuse_given(const std::vector<const CLI::Option*>& options, const std::str
   for (const CLI::Option* option : options) {
     if (option->count() > 0) throw WrongUsage(option->get_name() + ": " + reason);
   }
-}
-
-/// "FILE.png: 512 × 512 samples, pitch 5.0 µm, height −3.0 to +4.1 µm, RMS 1.0 µm"
-std::string height_field_line(const std::filesystem::path& out, const HeightField& field) {
-  return out.string() + ": " + std::to_string(field.grid().columns) + " × " +
-         std::to_string(field.grid().rows) + " samples, pitch " +
-         fixed(field.grid().pitch_m * 1e6, 1) + " µm, height " +
-         reading_signed(field.minimum_m() * 1e6, 1) + " to " +
-         reading_signed(field.maximum_m() * 1e6, 1) + " µm, RMS " + fixed(field.rms_m() * 1e6, 1) +
-         " µm\n";
 }
 
 void texture_of_photograph(TextureOptions& options, std::span<const std::byte> bytes,

@@ -27,11 +27,10 @@ PhotographTextures::Steps PhotographTextures::texture(const TextureRecipe& recip
   const bool evened_holds = logarithm_holds && evened_ != nullptr &&
                             recipe.gamma_low == last_.gamma_low &&
                             recipe.gamma_high == last_.gamma_high;
-  const bool residual_holds = evened_holds && residual_ &&
-                              gaussian == gaussian_cutoff(last_, *photograph_) &&
-                              recipe.spectral_tilt == last_.spectral_tilt;
   const bool low_pass_holds =
       evened_holds && low_pass_ != nullptr && gaussian == gaussian_cutoff(last_, *photograph_);
+  const bool residual_holds =
+      low_pass_holds && residual_ && recipe.spectral_tilt == last_.spectral_tilt;
   if (!residual_holds) residual_.reset();
   if (!low_pass_holds) low_pass_.reset();
   if (!evened_holds) evened_.reset();

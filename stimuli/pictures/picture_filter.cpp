@@ -19,16 +19,6 @@ namespace {
 // stay in a core's cache.
 constexpr std::size_t kTogether = 32;
 
-/// exp(−ν²/(2 ν₀²)) for ν = 0, 1/n, 2/n … ½. A Gaussian in two dimensions is the product of two.
-std::vector<float> gaussian_factors(std::size_t n, double cutoff_wavelength) {
-  std::vector<float> factors(n / 2 + 1);
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    const double ratio = static_cast<double>(k) / static_cast<double>(n) * cutoff_wavelength;
-    factors[k] = static_cast<float>(std::exp(-0.5 * ratio * ratio));
-  }
-  return factors;
-}
-
 /// (ν/ν₀)² for ν = 0, 1/n, 2/n … ½.
 std::vector<double> squared_ratios(std::size_t n, double cutoff_wavelength) {
   std::vector<double> ratios(n / 2 + 1);
@@ -37,6 +27,15 @@ std::vector<double> squared_ratios(std::size_t n, double cutoff_wavelength) {
     ratios[k] = ratio * ratio;
   }
   return ratios;
+}
+
+/// exp(−ν²/(2 ν₀²)). A Gaussian in two dimensions is the product of two.
+std::vector<float> gaussian_factors(const std::vector<double>& squared_ratios) {
+  std::vector<float> factors(squared_ratios.size());
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    factors[k] = static_cast<float>(std::exp(-0.5 * squared_ratios[k]));
+  }
+  return factors;
 }
 
 /// max(1, ν/ν₀)⁻ᵖ, from (ν/ν₀)².
@@ -147,10 +146,10 @@ void PictureSpectrum::transform_columns() {
 GreyImage PictureSpectrum::filtered(const RadialFilter& filter) const {
   const std::size_t rows = down_.size;
   const std::size_t length = across_.size;
-  const std::vector<float> across = gaussian_factors(length, cutoff_wavelength_);
-  const std::vector<float> down = gaussian_factors(rows, cutoff_wavelength_);
   const std::vector<double> squares_across = squared_ratios(length, cutoff_wavelength_);
   const std::vector<double> squares_down = squared_ratios(rows, cutoff_wavelength_);
+  const std::vector<float> across = gaussian_factors(squares_across);
+  const std::vector<float> down = gaussian_factors(squares_down);
   const auto constant = static_cast<float>(filter.constant);
   const auto gaussian = static_cast<float>(filter.gaussian);
 

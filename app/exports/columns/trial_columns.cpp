@@ -6,6 +6,7 @@
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
+#include "protocols/design/protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 
 namespace asperity::export_columns {
@@ -43,12 +44,15 @@ ExportColumn catch_type(const StudyVocabulary& vocabulary) {
                const auto type = types.find({at.protocol->source_sha256, at.trial->block});
                return type == types.end() ? Cell{} : Cell{type->second};
              });
-  made = missing("not a catch trial",
-                 with_levels(std::move(made), {"easy", "no_signal", "identical_pair"}));
-  made.level_meanings["easy"].description = "the comparison at an easy level";
-  made.level_meanings["no_signal"].description =
-      "only standards, where the comparison has to be found";
-  made.level_meanings["identical_pair"].description = "only standards, where two are compared";
+  std::vector<std::string> levels{};
+  for (const auto& [type, meaning] :
+       {std::pair{CatchType::easy, "the comparison at an easy level"},
+        std::pair{CatchType::no_signal, "only standards, where the comparison has to be found"},
+        std::pair{CatchType::identical_pair, "only standards, where two are compared"}}) {
+    levels.emplace_back(text_of(type));
+    made.level_meanings[levels.back()].description = meaning;
+  }
+  made = missing("not a catch trial", with_levels(std::move(made), levels));
   made.source = "protocol";
   return made;
 }
