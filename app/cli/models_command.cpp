@@ -1,4 +1,4 @@
-// asperity models: the force models and their declared parameters.
+// asperity models: the force models, their declared parameters and their conformance.
 
 #include <algorithm>
 #include <iostream>
@@ -12,8 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
+#include "app/cli/terminal.h"
 #include "renderers/built_in_models.h"
+#include "renderers/conformance/conformance.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/layers.h"
 
@@ -123,25 +126,107 @@ void print_model(const ForceModel& force) {
   std::cout << '\n';
 }
 
+/// As printed and in JSON.
+const char* result_name(Conformance result) {
+  switch (result) {
+    case Conformance::met:
+      return "met";
+    case Conformance::violated:
+      return "violated";
+    case Conformance::not_applicable:
+      return "n/a";
+  }
+  return "";
+}
+
+struct ModelConformance {
+  const ForceModel* model = nullptr;
+  std::vector<ConformanceCheck> checks{};
+};
+
+nlohmann::ordered_json json_of_conformance(const std::vector<ModelConformance>& found) {
+  nlohmann::ordered_json document{{"format", "asperity.conformance/1"},
+                                  {"models", nlohmann::ordered_json::array()}};
+  for (const auto& [model, checks] : found) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const ConformanceCheck& check : checks) {
+      rows.push_back({{"name", check.name},
+                      {"result", check.result == Conformance::not_applicable
+                                     ? nlohmann::ordered_json()
+                                     : nlohmann::ordered_json(result_name(check.result))},
+                      {"measured", check.measured},
+                      {"required", check.required}});
+    }
+    document["models"].push_back({{"id", model->declaration.id},
+                                  {"version", model->declaration.version},
+                                  {"conformant", is_conformant(checks)},
+                                  {"checks", rows}});
+  }
+  return document;
+}
+
+void print_conformance(const ModelConformance& found) {
+  std::cout << found.model->declaration.id << "  (version " << found.model->declaration.version
+            << ")\n";
+  Table table{{"check", "result", "measured", "required"}, {}};
+  for (const ConformanceCheck& check : found.checks) {
+    table.rows.push_back(
+        {std::string(check.name), result_name(check.result), check.measured, check.required});
+  }
+  std::cout << aligned(table) << '\n';
+}
+
+/// The exit status: 1 if a model violates a check.
+int report_conformance(const std::vector<const ForceModel*>& models, bool json) {
+  std::vector<ModelConformance> found{};
+  std::string violating{};
+  for (const ForceModel* const model : models) {
+    found.push_back({model, conformance_of(*model)});
+    if (!json) print_conformance(found.back());
+    if (is_conformant(found.back().checks)) continue;
+    violating += (violating.empty() ? "" : ", ") + model->declaration.id;
+  }
+  if (json) std::cout << json_of_conformance(found).dump(2) << '\n';
+  if (violating.empty()) return 0;
+  say("asperity: checks of the conformance suite are violated by " + violating +
+      "; correct the model, see docs/models/conformance.md");
+  return 1;
+}
+
 }  // namespace
 
 void add_models(CLI::App& program, Job& job) {
-  auto json = std::make_shared<bool>(false);
+  struct Options {
+    bool json = false;
+    bool conformance = false;
+    std::optional<std::string> model{};
+  };
+  auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("models", "List the force models and their parameters.");
-  command->add_flag("--json", *json, "Print one JSON document");
-  command->callback([json, &job] {
-    job = [json] {
+  command->add_flag("--json", options->json, "Print one JSON document");
+  command->add_flag("--conformance", options->conformance,
+                    "Run the conformance suite, and print its table for each model");
+  command->add_option("--model", options->model, "Only this force model");
+  command->callback([options, &job] {
+    job = [options] {
       const ModelRegistry registry = built_in_models();
-      if (*json) {
+      std::vector<const ForceModel*> models{};
+      if (options->model) {
+        models.push_back(&model_named(registry, *options->model));
+      } else {
+        for (const ForceModel& model : registry.models()) models.push_back(&model);
+      }
+      if (options->conformance) return report_conformance(models, options->json);
+      if (options->json) {
         nlohmann::ordered_json document{{"format", "asperity.models/1"},
                                         {"models", nlohmann::ordered_json::array()}};
-        for (const ForceModel& model : registry.models()) {
-          document["models"].push_back(json_of_model(model));
+        for (const ForceModel* const model : models) {
+          document["models"].push_back(json_of_model(*model));
         }
         std::cout << document.dump(2) << '\n';
       } else {
-        for (const ForceModel& model : registry.models()) print_model(model);
+        for (const ForceModel* const model : models) print_model(*model);
         std::cout << "Friction and resonance, of all models that have these parameters\n"
                   << described(shared_parameters());
       }

@@ -279,6 +279,23 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   EXPECT_GT(list.find(shared), list.find("\npd_gradient  (version"));
 }
 
+TEST(Models, PrintTheTableOfTheConformanceSuite) {
+  const Outcome table = asperity({"models", "--conformance", "--model", "sinusoid"});
+  EXPECT_EQ(table.status, 0) << table.err;
+  EXPECT_THAT(table.out, testing::HasSubstr("sinusoid  (version 1)"));
+  EXPECT_THAT(table.out, testing::HasSubstr("zero_amplitude  met"));
+  const Outcome json = asperity({"models", "--conformance", "--model", "normal_map", "--json"});
+  EXPECT_EQ(json.status, 0) << json.err;
+  const auto document = nlohmann::json::parse(json.out);
+  EXPECT_EQ(document.at("format"), "asperity.conformance/1");
+  ASSERT_EQ(document.at("models").size(), 1U);
+  const auto& model = document.at("models").at(0);
+  EXPECT_EQ(model.at("id"), "normal_map");
+  EXPECT_EQ(model.at("conformant"), true);
+  EXPECT_EQ(model.at("checks").size(), 6U);
+  EXPECT_EQ(model.at("checks").at(0).at("name"), "zero_amplitude");
+}
+
 TEST(Check, SaysWhatAPlanAmountsTo) {
   const SmallStudy small(3);
   const Outcome outcome = asperity({"check", small.selection(), small.recognition(), "--study",

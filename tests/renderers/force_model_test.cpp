@@ -146,20 +146,6 @@ TEST(BuiltInModels, SuggestValuesThatTheyAccept) {
   }
 }
 
-// Material and patch are shared, so without texture and friction the models cannot be told apart:
-// what a comparison of models compares is their texture.
-TEST(BuiltInModels, AreOnePlainPlateWithoutTexture) {
-  for (const ForceModel& model : point_models()) {
-    const auto renderer = make_renderer(model, without_texture(model.declaration, any_inputs()));
-    for (const ProbeState& probe : samples_of({.height_m = -0.001, .duration_s = 0.05})) {
-      const RenderedTick tick = answer(*renderer, probe);
-      EXPECT_NEAR(tick.wrench.force_N.z, 0.5, 1e-12) << model.declaration.id;
-      EXPECT_EQ(tick.wrench.force_N.x, 0.0) << model.declaration.id;
-      EXPECT_EQ(tick.wrench.force_N.y, 0.0) << model.declaration.id;
-    }
-  }
-}
-
 TEST(BuiltInModels, TouchNothingBeyondAFadingBorder) {
   for (const ForceModel& model : point_models()) {
     RendererInputs inputs = any_inputs();

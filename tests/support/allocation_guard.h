@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "renderers/conformance/heap_calls.h"
+
 namespace asperity {
 
 /// Counts the allocations and frees of the current thread since its construction:
@@ -12,19 +14,11 @@ namespace asperity {
 ///   loop.tick(now_ns);
 ///   EXPECT_EQ(guard.count(), 0);
 ///
-/// Linking the library asperity_test_support puts malloc and its family, in which operator new and
-/// delete end, in front of those of the C library (glibc); every call of theirs goes on to it.
-/// Freeing a null pointer does not count. Guards may be nested. Other threads are not seen.
-///
-/// Under the address and thread sanitizers, which need these functions for themselves, the guard
-/// counts nothing; `kCounts` says so.
+/// It counts what heap_calls counts: freeing a null pointer does not count, and other threads are not seen. Guards may be
+/// nested. Under the address and thread sanitizers the guard counts nothing; `kCounts` says so.
 class AllocationGuard final {
  public:
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  static constexpr bool kCounts = false;
-#else
-  static constexpr bool kCounts = true;
-#endif
+  static constexpr bool kCounts = kCountsHeapCalls;
 
   AllocationGuard() noexcept;
   AllocationGuard(const AllocationGuard&) = delete;

@@ -1,0 +1,153 @@
+// The conformance suite: the built-in models meet it, and a faulty model violates the check for its fault.
+
+#include "renderers/conformance/conformance.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderers/built_in_models.h"
+#include "renderers/conformance/heap_calls.h"
+#include "renderers/models/sinusoid.h"
+#include "renderers/servo/servo_thread.h"
+
+namespace asperity {
+namespace {
+
+/// What a fault does to a result of the sinusoid, in the tick of this number since the last reset.
+using Fault = std::function<void(RenderedTick&, int tick, double dt_s)>;
+
+class FaultyRenderer final : public ForceRenderer {
+ public:
+  FaultyRenderer(std::unique_ptr<ForceRenderer> sound, Fault fault)
+      : sound_(std::move(sound)), fault_(std::move(fault)) {}
+  void reset(const ProbeState& first) noexcept override {
+    ticks_ = 0;
+    sound_->reset(first);
+  }
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
+    RenderedTick result = sound_->tick(probe, dt_s);
+    fault_(result, ticks_++, dt_s);
+    return result;
+  }
+
+ private:
+  std::unique_ptr<ForceRenderer> sound_{};
+  Fault fault_{};
+  int ticks_ = 0;
+};
+
+ForceModel with_fault(const Fault& fault) {
+  ForceModel model = sinusoid_model();
+  model.make = [sound = model.make, fault](const RendererInputs& inputs) {
+    return std::make_unique<FaultyRenderer>(sound(inputs), fault);
+  };
+  return model;
+}
+
+std::vector<std::string> violated_by(const ForceModel& model) {
+  std::vector<std::string> names{};
+  for (const ConformanceCheck& check : conformance_of(model)) {
+    if (check.result == Conformance::violated) names.emplace_back(check.name);
+  }
+  return names;
+}
+
+TEST(Conformance, IsMetByEveryBuiltInModel) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    for (const ConformanceCheck& check : conformance_of(model)) {
+      EXPECT_NE(check.result, Conformance::violated)
+          << model.declaration.id << ": " << check.name << ": " << check.measured << "; required "
+          << check.required;
+    }
+  }
+}
+
+TEST(Conformance, HasNoCheckThatDoesNotApplyToAPointModel) {
+  if (!kCountsHeapCalls) GTEST_SKIP() << "the sanitizer owns the heap";
+  std::vector<std::string> names{};
+  for (const ConformanceCheck& check : conformance_of(sinusoid_model())) {
+    EXPECT_EQ(check.result, Conformance::met) << check.name;
+    EXPECT_NE(check.measured, "") << check.name;
+    EXPECT_NE(check.required, "") << check.name;
+    names.emplace_back(check.name);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("zero_amplitude", "deterministic", "finite",
+                                          "no_allocation", "band", "time_per_tick"));
+}
+
+TEST(Conformance, IsViolatedByAForceThatRemainsAtAmplitudeZero) {
+  const auto offset = [](RenderedTick& result, int, double) {
+    if (result.penetration_m > 0.0) result.wrench.force_N.x += 0.01;
+  };
+  EXPECT_THAT(violated_by(with_fault(offset)), testing::ElementsAre("zero_amplitude"));
+}
+
+TEST(Conformance, IsViolatedByAModelThatRemembersEarlierPresentations) {
+  const auto drift = [step = 0.0](RenderedTick& result, int, double) mutable {
+    step += 1e-13;  // below what the plate allows
+    if (result.penetration_m > 0.0) result.wrench.force_N.z += step;
+  };
+  EXPECT_THAT(violated_by(with_fault(drift)), testing::ElementsAre("deterministic"));
+}
+
+TEST(Conformance, IsViolatedByANumberThatIsNotFiniteAndByAForceInFreeSpace) {
+  const auto division = [](RenderedTick& result, int tick, double) {
+    if (tick == 200 && result.penetration_m > 0.0) {
+      result.wrench.force_N.x = std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  EXPECT_THAT(violated_by(with_fault(division)), testing::Contains("finite"));
+  const auto pull = [](RenderedTick& result, int, double) {
+    if (result.penetration_m == 0.0) result.wrench.force_N.z = 0.1;
+  };
+  EXPECT_THAT(violated_by(with_fault(pull)), testing::ElementsAre("finite"));
+}
+
+TEST(Conformance, IsViolatedByAnAllocationInATick) {
+  if (!kCountsHeapCalls) GTEST_SKIP() << "the sanitizer owns the heap";
+  const auto allocation = [kept = std::vector<int>()](RenderedTick&, int tick, double) mutable {
+    kept.assign(static_cast<std::size_t>(tick + 1), tick);
+    kept.shrink_to_fit();
+  };
+  EXPECT_THAT(violated_by(with_fault(allocation)), testing::ElementsAre("no_allocation"));
+}
+
+TEST(Conformance, IsViolatedByATextureAboveItsDeclaredBand) {
+  ForceModel model = sinusoid_model();
+  model.band = [](const RendererInputs&) { return TextureBand{.per_m = 20.0}; };
+  EXPECT_THAT(violated_by(model), testing::ElementsAre("band"));
+  model.band = [](const RendererInputs&) { return TextureBand{}; };
+  EXPECT_THAT(violated_by(model), testing::ElementsAre("band"));
+}
+
+TEST(Conformance, IsViolatedByATickThatTakesMostOfThePeriod) {
+  const auto wait = [](RenderedTick&, int tick, double dt_s) {
+    // Only in the long path of the check of the time, which takes a second this way.
+    if (tick < 900 || dt_s < 0.001) return;
+    const std::int64_t end_ns = monotonic_now_ns() + 600'000;
+    while (monotonic_now_ns() < end_ns) continue;
+  };
+  EXPECT_THAT(violated_by(with_fault(wait)), testing::ElementsAre("time_per_tick"));
+}
+
+TEST(Conformance, IsViolatedByAModelThatRefusesItsDefaults) {
+  ForceModel model = sinusoid_model();
+  model.make = [](const RendererInputs&) -> std::unique_ptr<ForceRenderer> {
+    throw std::invalid_argument("no grating today");
+  };
+  const std::vector<ConformanceCheck> checks = conformance_of(model);
+  EXPECT_FALSE(is_conformant(checks));
+  EXPECT_EQ(checks.front().measured, "no grating today");
+}
+
+}  // namespace
+}  // namespace asperity
