@@ -16,6 +16,20 @@ if(ASPERITY_BUILD_GUI)
     DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
 endif()
 
+# The interface of plug-ins, the only code that is installed: two headers and a target for find_package(asperity).
+install(TARGETS asperity_plugin_interface EXPORT asperityTargets COMPONENT plugin_interface)
+install(FILES "${CMAKE_SOURCE_DIR}/renderers/plugin/asperity_plugin.h" "${CMAKE_SOURCE_DIR}/renderers/plugin/asperity_plugin.hpp"
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/asperity" COMPONENT plugin_interface)
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file("${CMAKE_BINARY_DIR}/asperityConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(EXPORT asperityTargets FILE asperityConfig.cmake NAMESPACE asperity::
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/asperity" COMPONENT plugin_interface)
+install(FILES "${CMAKE_BINARY_DIR}/asperityConfigVersion.cmake"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/asperity" COMPONENT plugin_interface)
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/renderers/plugin/example/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/plugin-example"
+  COMPONENT plugin_interface)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME asperity)
 set(CPACK_PACKAGE_CONTACT "The Asperity developers <asperity@example.org>")

@@ -115,13 +115,25 @@ struct ModelLimitRow {
 
 /// What a stimulus was made from, identified by its content.
 struct AssetRow {
-  std::string role{};  ///< "height_field", "surface", "tool", or declared by the force model
+  std::string
+      role{};  ///< "height_field", "surface", "tool", "plugin", or declared by the force model
   std::string sha256{};
   bool operator==(const AssetRow&) const = default;
 };
 
 /// The SHA-256 of the asset of that role, if there is one.
 std::optional<std::string> asset_sha256(const std::vector<AssetRow>& assets, std::string_view role);
+
+/// AssetRow::role of the shared library in which the force model is.
+inline constexpr std::string_view kPluginRole = "plugin";
+
+/// A plug-in that rendered surfaces.
+struct PluginUse {
+  std::string model{};
+  std::string model_version{};
+  std::string sha256{};
+  std::int64_t attempts = 0;
+};
 
 /// One visit of the hand to a surface: from a contact until another surface is presented or touched, or until this one
 /// is presented again.

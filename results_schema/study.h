@@ -169,6 +169,8 @@ class Study final {
                                                   const std::string& protocol_name,
                                                   SessionMode mode) const;
 
+  /// The plug-ins with which surfaces were rendered, by model.
+  std::vector<PluginUse> plugin_uses() const;
   /// What all plans and presentations together speak of.
   StudyWords words() const;
 
@@ -223,6 +225,8 @@ class Study final {
   /// What happened between attempts; those of an attempt are in its row.
   void add_event(std::int64_t session_id, const EventRow& event);
   std::vector<EventRow> events(std::int64_t session_id) const;
+  /// The data of the events of a kind in all sessions, each content once, in the order in which they were first stored.
+  std::vector<std::string> event_data(const std::string& kind) const;
 
   /// Solutions of matching problems, by a key of everything they depend on. The first one
   /// stays.

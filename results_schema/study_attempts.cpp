@@ -346,6 +346,22 @@ std::optional<AttemptRow> Study::attempt(std::int64_t id) const {
   });
 }
 
+std::vector<PluginUse> Study::plugin_uses() const {
+  return store_->read([](Database& database) {
+    Statement statement(database,
+                        "SELECT model, model_version, sha256, count(DISTINCT attempt_id) FROM "
+                        "presentation JOIN presentation_asset USING (attempt_id, position) WHERE "
+                        "presentation_asset.role = ? GROUP BY 1, 2, 3 ORDER BY 1, 2, 3");
+    statement.bind(std::string(kPluginRole));
+    std::vector<PluginUse> uses;
+    while (statement.step()) {
+      PluginUse& use = uses.emplace_back();
+      statement.read(use.model, use.model_version, use.sha256, use.attempts);
+    }
+    return uses;
+  });
+}
+
 StudyWords Study::words() const {
   return store_->read([](Database& database) {
     StudyWords words;

@@ -515,4 +515,15 @@ std::vector<EventRow> Study::events(std::int64_t session_id) const {
   });
 }
 
+std::vector<std::string> Study::event_data(const std::string& kind) const {
+  return store_->read([&kind](Database& database) {
+    Statement statement(
+        database, "SELECT data_json FROM event WHERE kind = ? GROUP BY data_json ORDER BY min(id)");
+    statement.bind(kind);
+    std::vector<std::string> data;
+    while (statement.step()) statement.read(data.emplace_back());
+    return data;
+  });
+}
+
 }  // namespace asperity

@@ -16,9 +16,11 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/terminal.h"
 #include "app/device_bench/compared_device.h"
 #include "app/device_bench/device_choice.h"
+#include "app/plugins/plugin_files.h"
 #include "app/session/rig/clock.h"
 #include "app/session/study_friction.h"
 #include "app/tasks/protocol_files.h"
@@ -31,7 +33,6 @@
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
 #include "protocols/plan/plan.h"
-#include "renderers/built_in_models.h"
 #include "renderers/force/friction.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
@@ -214,6 +215,7 @@ void add_check(CLI::App& program, Job& job) {
     std::optional<std::string> device{};
     DriverOptions drivers{};
     bool json = false;
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
@@ -228,6 +230,7 @@ void add_check(CLI::App& program, Job& job) {
       "attached");
   add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
       if (options->study && !std::filesystem::is_directory(*options->study)) {
@@ -236,7 +239,7 @@ void add_check(CLI::App& program, Job& job) {
                                  "that the protocols name");
       }
       if (options->device) require_device("--device", *options->device);
-      const ModelRegistry models = built_in_models();
+      const ModelRegistry models = models_with(options->plugins);
       nlohmann::ordered_json json{{"format", "asperity.check/1"},
                                   {"protocols", nlohmann::ordered_json::array()}};
       if (options->study && is_readable_by_others(*options->study)) {

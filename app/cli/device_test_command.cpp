@@ -22,17 +22,18 @@
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
 #include "app/cli/number_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/device_bench/device_choice.h"
 #include "app/device_bench/measure_device.h"
+#include "app/plugins/plugin_files.h"
 #include "app/profiles/device_kind.h"
 #include "app/profiles/profile_verdict.h"
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
 #include "device/virtual_hand.h"
 #include "protocols/file/device_limit.h"
-#include "renderers/built_in_models.h"
 
 namespace asperity {
 
@@ -151,6 +152,7 @@ void add_device_test(CLI::App& program, Job& job) {
     std::optional<std::string> protocol{};
     bool json = false;
     bool agreed = false;
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
@@ -177,6 +179,7 @@ void add_device_test(CLI::App& program, Job& job) {
   command->add_flag("--yes", options->agreed,
                     "Do not request confirmation before the device moves");
   command->add_flag("--json", options->json, "Print the profile as JSON");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, rate, &job] {
     const bool has_rate = rate->count() > 0;
     job = [options, has_rate]() -> int {
@@ -186,7 +189,8 @@ void add_device_test(CLI::App& program, Job& job) {
       std::optional<MeasuringLock> measuring{};
       if (order.study) measuring.emplace(*order.study);
       if (options->protocol) {
-        const Protocol protocol = load_protocol(*options->protocol, built_in_models(), order.study);
+        const Protocol protocol =
+            load_protocol(*options->protocol, models_with(options->plugins), order.study);
         order.protocol_limits = protocol.device_limits;
         if (!has_rate) order.test.rate_Hz = protocol.rate_Hz;
       }

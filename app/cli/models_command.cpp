@@ -14,8 +14,9 @@
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/terminal.h"
-#include "renderers/built_in_models.h"
+#include "app/plugins/plugin_files.h"
 #include "renderers/conformance/conformance.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/layers.h"
@@ -84,6 +85,8 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
   for (const AssetDeclaration& asset : model.assets) {
     assets.push_back({{"role", asset.role}, {"meaning", asset.meaning}});
   }
+  nlohmann::ordered_json plugin{};
+  if (force.plugin) plugin = {{"file", force.plugin->file}, {"sha256", force.plugin->sha256}};
   return {{"id", model.id},
           {"version", model.version},
           {"summary", model.summary},
@@ -100,7 +103,8 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
           {"is_potential", is_potential(force, {})},
           {"band_Hz", force.band_formula},
           {"moves_by_itself", moves_by_itself(force, {})},
-          {"moves_by_itself_with", json_of_condition(force.moves_by_itself_with)}};
+          {"moves_by_itself_with", json_of_condition(force.moves_by_itself_with)},
+          {"plugin", plugin}};
 }
 
 void print_model(const ForceModel& force) {
@@ -109,6 +113,9 @@ void print_model(const ForceModel& force) {
             << model.source
             << "\n  conservative without friction: " << condition_text(force.conservative_with)
             << '\n';
+  if (force.plugin) {
+    std::cout << "  plug-in " << force.plugin->file << ", SHA-256 " << force.plugin->sha256 << '\n';
+  }
   for (const AssetDeclaration& asset : model.assets) {
     std::cout << "  needs the asset " << asset.role << ": " << asset.meaning << '\n';
   }
@@ -200,22 +207,28 @@ void add_models(CLI::App& program, Job& job) {
     bool json = false;
     bool conformance = false;
     std::optional<std::string> model{};
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("models", "List the force models and their parameters.");
   command->add_flag("--json", options->json, "Print one JSON document");
   command->add_flag("--conformance", options->conformance,
-                    "Run the conformance suite, and print its table for each model");
+                    "Run the conformance suite, and print its table for each model, with --plugin "
+                    "for those of plug-ins only");
   command->add_option("--model", options->model, "Only this force model");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
-      const ModelRegistry registry = built_in_models();
+      const ModelRegistry registry = models_with_unchecked(options->plugins);
+      const bool only_plugins = options->conformance && !options->plugins.empty();
       std::vector<const ForceModel*> models{};
       if (options->model) {
         models.push_back(&model_named(registry, *options->model));
       } else {
-        for (const ForceModel& model : registry.models()) models.push_back(&model);
+        for (const ForceModel& model : registry.models()) {
+          if (!only_plugins || model.plugin) models.push_back(&model);
+        }
       }
       if (options->conformance) return report_conformance(models, options->json);
       if (options->json) {

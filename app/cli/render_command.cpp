@@ -14,11 +14,12 @@
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
+#include "app/plugins/plugin_files.h"
 #include "app/records/path_table.h"
 #include "app/study_files/height_field_files.h"
-#include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/along_path.h"
 
@@ -85,6 +86,7 @@ void add_render(CLI::App& program, Job& job) {
     std::filesystem::path path{};
     std::filesystem::path out{};
     bool force = false;
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -122,12 +124,13 @@ void add_render(CLI::App& program, Job& job) {
   command->add_option("--path", options->path, "Table of the probe's path (TSV)")->required();
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
   command->add_flag("--force", options->force, "Replace an existing file");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
       require_material(options->material);
-      const ModelRegistry models = built_in_models();
+      const ModelRegistry models = models_with(options->plugins);
       const ForceModel& model = model_named(models, options->model);
       RendererInputs inputs{};
       inputs.parameters =
@@ -169,6 +172,10 @@ void add_render(CLI::App& program, Job& job) {
           path_in(read_file(options->path, kTableFile), options->path.string());
       const auto renderer = make_renderer(model, inputs);
       const std::vector<RenderedTick> forces = along_path(*renderer, path, rate_Hz_of(path));
+      if (!renderer->error().empty()) {
+        throw std::runtime_error("the force model " + options->model + " failed on this path: " +
+                                 std::string(renderer->error()) + "; correct its plug-in");
+      }
       write_file(options->out, forces_tsv(path, forces), overwrite);
       std::cout << options->out.string() << ": " << counted(forces.size(), "row") << '\n';
       tell_limits(*renderer, forces.size());

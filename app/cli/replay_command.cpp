@@ -13,12 +13,13 @@
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/terminal.h"
+#include "app/plugins/plugin_files.h"
 #include "app/records/path_table.h"
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/height_field_files.h"
 #include "protocols/design/wording.h"
-#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
@@ -68,6 +69,7 @@ void add_replay(CLI::App& program, Job& job) {
     std::vector<std::string> assets{};
     std::filesystem::path out{};
     bool force = false;
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
@@ -87,12 +89,13 @@ void add_replay(CLI::App& program, Job& job) {
                       "File that the other model needs, ROLE=FILE; see: asperity models");
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
   command->add_flag("--force", options->force, "Replace an existing file");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
       const Study study = Study::open(options->study, Access::read_only);
-      const ModelRegistry models = built_in_models();
+      const ModelRegistry models = models_with(options->plugins);
       const AttemptRow attempt = find_attempt(study, options->attempt);
       const SessionRow session = study.session(study.session_of(attempt.id));
       const Plan plan = plan_of(study, session, models);

@@ -13,16 +13,17 @@
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
 #include "app/cli/external_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
 #include "app/device_bench/device_choice.h"
+#include "app/plugins/plugin_files.h"
 #include "app/session/respondents/terminal_respondent.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
-#include "renderers/built_in_models.h"
 
 namespace asperity {
 
@@ -56,6 +57,7 @@ void add_run(CLI::App& program, Job& job) {
     std::optional<std::uint64_t> seed{};
     bool fast = false;
     bool realtime = false;
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("run", "Run one session.");
@@ -101,6 +103,7 @@ void add_run(CLI::App& program, Job& job) {
   CLI::Option* realtime = command->add_flag("--realtime", options->realtime, "Run in real time");
   fast->needs(stand_in)->excludes(realtime);
   realtime->needs(stand_in);
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options]() -> int {
       RunInputs& inputs = options->inputs;
@@ -128,7 +131,7 @@ void add_run(CLI::App& program, Job& job) {
                                      [&requests] { requests.emergency_stop(); });
       // Before the protocol's files are missed in what is no study.
       (void)Study::open(inputs.study, Access::read_only);
-      const ModelRegistry models = built_in_models();
+      const ModelRegistry models = models_with(options->plugins);
       inputs.rehearsed = [](const RehearsedDevice& device) {
         for (const RehearsalWarning& warning : device.warnings) {
           say("asperity: warning: " + warning.text.english());

@@ -12,14 +12,15 @@
 #include "app/cli/command.h"
 #include "app/cli/external_option.h"
 #include "app/cli/number_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
 #include "app/device_bench/device_choice.h"
+#include "app/plugins/plugin_files.h"
 #include "app/study_files/study_condition.h"
 #include "app/tasks/simulation.h"
-#include "renderers/built_in_models.h"
 
 namespace asperity {
 
@@ -28,6 +29,7 @@ void add_simulate(CLI::App& program, Job& job) {
     SimulationInputs inputs{};
     ExternalOptions external{};
     bool json = false;
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
@@ -67,12 +69,13 @@ void add_simulate(CLI::App& program, Job& job) {
   command->add_flag("--resume", options->inputs.resume,
                     "Resume an interrupted simulation with the same arguments");
   command->add_flag("--json", options->json, "Print the totals as JSON");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
       require_device("--device", options->inputs.device);
       options->inputs.level_program = options->external.chosen();
       const InterruptWatch interrupt;
-      const ModelRegistry models = built_in_models();
+      const ModelRegistry models = models_with(options->plugins);
       const std::filesystem::path& folder = options->inputs.study;
       if (Study::exists(folder) ||
           (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))) {

@@ -6,10 +6,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/plugins/plugin_files.h"
 #include "app/tasks/verify_study.h"
-#include "renderers/built_in_models.h"
 
 namespace asperity {
 
@@ -17,6 +18,7 @@ void add_verify(CLI::App& program, Job& job) {
   struct Options {
     std::string study{};
     bool replay = false;
+    std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
@@ -26,11 +28,12 @@ void add_verify(CLI::App& program, Job& job) {
       "--replay", options->replay,
       "Also replay every recorded hand movement through its force models, and compare the "
       "stored detectors of perceived instability");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
       const InterruptWatch interrupt;
       Study study = Study::open(options->study, Access::read_only);
-      const ModelRegistry models = built_in_models();
+      const ModelRegistry models = models_with(options->plugins);
       VerifyResult result{};
       {
         Progress progress("verifying");

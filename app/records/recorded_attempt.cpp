@@ -4,6 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "app/plugins/stored_plugins.h"
 #include "app/session/layout.h"
 #include "app/session/levels/external_program.h"
 #include "app/session/rig/recording_columns.h"
@@ -57,6 +58,12 @@ void require_presented(const std::vector<AssetRow>& presented, const PreparedSti
     const auto file = std::find_if(files.begin(), files.end(), [&asset](const StimulusAsset& each) {
       return each.role == asset.role;
     });
+    if (asset.role == kPluginRole) {
+      throw std::runtime_error(
+          attempt +
+          ": the loaded plug-in of its force model differs from the one that "
+          "rendered it (its SHA-256 differs); load that one with --plugin FILE");
+    }
     const std::string role = asset.role == kHeightFieldRole ? "height field" : asset.role;
     if (file == files.end()) {
       throw std::runtime_error(
@@ -73,7 +80,7 @@ void require_presented(const std::vector<AssetRow>& presented, const PreparedSti
 }  // namespace
 
 PlansOfSessions::PlansOfSessions(const Study& study, const ModelRegistry& models)
-    : study_(study), declarations_(declarations_of(models)) {}
+    : study_(study), declarations_(declarations_of(with_stored_plugins(models, study))) {}
 
 bool PlansOfSessions::has_stated_levels(const SessionRow& session) const {
   return !blocks_of_external_program(protocols_.at(session.protocol_id)).empty();
@@ -157,9 +164,12 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
   recorded.records = records_of(recording, file);
   for (const PresentationRow& row : attempt.presentations) {
     if (builder.models().find(row.model) == nullptr) {
+      const bool is_plugin = asset_sha256(row.assets, kPluginRole).has_value();
       throw std::runtime_error("this program does not have the force model \"" + row.model +
-                               "\" of attempt " + natural_key(session, attempt) +
-                               "; use the version of Asperity that recorded the attempt");
+                               "\" of attempt " + natural_key(session, attempt) + "; " +
+                               (is_plugin
+                                    ? "load its plug-in with --plugin FILE"
+                                    : "use the version of Asperity that recorded the attempt"));
     }
     StimulusDescription described =
         trial.presentations.at(static_cast<std::size_t>(row.position - 1)).stimulus;

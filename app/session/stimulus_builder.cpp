@@ -64,6 +64,9 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
     // A height field has its key above, which every stored solution has; bodies are not matched.
     if (!is_common_role(asset.role)) problem["assets"][asset.role] = asset.sha256;
   }
+  if (reference != nullptr && reference->plugin) {
+    problem["reference_plugin"] = reference->plugin->sha256;
+  }
   return sha256_of(problem.dump());
 }
 
@@ -83,11 +86,11 @@ void scale_amplitude(const StimulusDescription& description, PreparedStimulus& p
   for (const Parameter& declared : model.parameters) {
     if (declared.name != *model.amplitude_parameter) continue;
     if (const auto complaint = complaint_about(declared, amplitude)) {
-      throw PhrasedError(phrase("SessionSetup",
-                                "the stimulus \"%1\" at a relative amplitude of %2: %3 Narrow the "
-                                "range of the relative amplitude.")
-                             .with(description.name,
-                                   number_text(*description.relative_amplitude), *complaint));
+      throw PhrasedError(
+          phrase("SessionSetup",
+                 "the stimulus \"%1\" at a relative amplitude of %2: %3 Narrow the "
+                 "range of the relative amplitude.")
+              .with(description.name, number_text(*description.relative_amplitude), *complaint));
     }
   }
   prepared.matched_texture_force_N.reset();
@@ -250,12 +253,16 @@ PreparedStimulus StimulusBuilder::without_parameters(const StimulusDescription& 
   if (prepared.model == nullptr) {
     throw PhrasedError(phrase("SessionSetup",
                               "the stimulus \"%1\" needs the force model \"%2\", which this "
-                              "program does not have; use one that \"asperity models\" lists")
+                              "program does not have; load its plug-in, or use one that \"asperity "
+                              "models\" lists")
                            .with(description.name, description.model));
   }
   RendererInputs& inputs = prepared.inputs;
   inputs.material = description.material;
   inputs.patch = description.patch;
+  if (const auto& plugin = prepared.model->plugin) {
+    prepared.assets.push_back({std::string(kPluginRole), plugin->sha256});
+  }
   const auto took = [&prepared](std::string_view role, std::string sha256) {
     prepared.assets.push_back({std::string(role), std::move(sha256)});
   };

@@ -97,6 +97,7 @@ AttemptRow TrialAttempt::make() {
   row_.servo->fault = name_of(rig.loop().status().fault);
   measure(recorded.records);
   if (interruption_) {
+    name_failed_plugin();
     row_.outcome = interruption_->outcome;
     row_.valid = false;
     row_.invalid_reason = stored(interruption_->reason);
@@ -106,6 +107,18 @@ AttemptRow TrialAttempt::make() {
   }
   row_.events = course_.take_attempt_events();
   return row_;
+}
+
+void TrialAttempt::name_failed_plugin() {
+  if (interruption_->fault != Fault::not_finite) return;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const std::string_view error = surfaces_.error(i);
+    if (error.empty()) continue;
+    interruption_->reason =
+        phrase_of(Reason::plugin_failed)
+            .with(surfaces_.stimulus(i).model->declaration.id, std::string(error));
+    return;
+  }
 }
 
 void TrialAttempt::prepare() {
@@ -587,9 +600,16 @@ void TrialAttempt::take_surface_away() {
   rig.loop().withdraw();
   const std::vector<TickRecord>& records = course_.recorder().records();
   for (double passed_s = 0.0; passed_s < 1.0; passed_s += kSlice_s) {
-    const bool is_fault = rig.loop().status().fault != Fault::none;
+    const Fault fault = rig.loop().status().fault;
+    const bool is_fault = fault != Fault::none;
     // A stop is known before its tick: the record has to show that the force was zero.
-    if (is_fault && !records.empty() && records.back().has(TickFlag::fault_latched)) return;
+    if (is_fault && !records.empty() && records.back().has(TickFlag::fault_latched)) {
+      // The renderer of a plug-in states its error.
+      if (fault != Fault::not_finite) return;
+      course_.pass_slice();
+      surfaces_.put_back(rig.loop().collect());
+      return;
+    }
     course_.pass_slice();
     if (is_fault) continue;
     // Contains the demands on the presentation that exceeded its limits.

@@ -107,6 +107,8 @@ class TrialAttempt final {
   void lift_and_take_back(std::size_t index);
   /// Reads on from the record that was read last. `records`: all of the attempt up to now.
   void read_visits(const std::vector<TickRecord>& records);
+  /// States the error of a plug-in as the reason of the fault that it caused.
+  void name_failed_plugin();
   void measure(const std::vector<TickRecord>& records);
   void store_answers();
   void judge();

@@ -41,9 +41,19 @@ RendererInputs TrialSurfaces::inputs_as_felt(std::size_t surface) const {
 }
 
 std::span<const NamedCount> TrialSurfaces::limits(std::size_t surface) const {
-  if (!has(surface)) return {};
-  return is_shared_ ? patches_->renderer_of(surface).limits()
-                    : surfaces_.at(surface).presentation.renderer->limits();
+  const ForceRenderer* const renderer = renderer_of(surface);
+  return renderer == nullptr ? std::span<const NamedCount>{} : renderer->limits();
+}
+
+std::string_view TrialSurfaces::error(std::size_t surface) const {
+  const ForceRenderer* const renderer = renderer_of(surface);
+  return renderer == nullptr ? std::string_view{} : renderer->error();
+}
+
+const ForceRenderer* TrialSurfaces::renderer_of(std::size_t surface) const {
+  if (!has(surface)) return nullptr;
+  return is_shared_ ? &patches_->renderer_of(surface)
+                    : surfaces_.at(surface).presentation.renderer.get();
 }
 
 Presentation& TrialSurfaces::presentation_of(std::size_t surface) {

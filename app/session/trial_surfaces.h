@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "analysis/random.h"
@@ -48,6 +49,8 @@ class TrialSurfaces final {
   RendererInputs inputs_as_felt(std::size_t surface) const;
   /// Empty while the loop has the renderer.
   std::span<const NamedCount> limits(std::size_t surface) const;
+  /// ForceRenderer::error; empty while the loop has the renderer.
+  std::string_view error(std::size_t surface) const;
 
   std::uint64_t id_of(std::size_t surface) const noexcept {
     return is_shared_ ? kSideBySide : static_cast<std::uint64_t>(surface) + 1;
@@ -65,6 +68,8 @@ class TrialSurfaces final {
   };
 
   Presentation& presentation_of(std::size_t surface);
+  /// Null while the loop has it.
+  const ForceRenderer* renderer_of(std::size_t surface) const;
 
   bool is_shared_ = false;
   std::vector<Surface> surfaces_{};

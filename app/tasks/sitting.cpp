@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/plugins/stored_plugins.h"
 #include "app/records/session_conditions.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/rig/contact_reader.h"
@@ -82,6 +83,12 @@ void store(const RehearsedDevice& device, Study& study, std::int64_t session_id,
   }
 }
 
+/// Stores the plug-ins that this segment of the session loaded.
+void store_plugins(const ModelRegistry& models, Study& study, std::int64_t session_id,
+                   std::int64_t now_ns) {
+  for (const EventRow& event : plugin_events(models, now_ns)) study.add_event(session_id, event);
+}
+
 /// Stores a change of device, before the new device becomes that of the new stretch.
 void store_changed_device(const DeviceCapability& device, Study& study, const SessionRow& session,
                           std::int64_t now_ns) {
@@ -137,6 +144,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     session = begin_session(study, protocol, sitting.participant.label, conditions, program);
   }
   store(sitting.device, study, session.row.id, rig.clock().now_ns());
+  store_plugins(builder.models(), study, session.row.id, rig.clock().now_ns());
   std::unique_ptr<VirtualParticipant> stand_in{};
   if (person == nullptr) {
     const Random random = Random(std::stoull(session.row.seed)).split("participant");

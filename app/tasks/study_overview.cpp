@@ -16,6 +16,7 @@
 #include <glm/common.hpp>
 
 #include "analysis/random.h"
+#include "app/plugins/stored_plugins.h"
 #include "app/session/session_setup.h"
 #include "app/session/stimulus_builder.h"
 #include "app/study_files/height_field_files.h"
@@ -46,7 +47,8 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 
 bool is_ended_by_rule(const Study& study, const SessionRow& row, const ProtocolRow& protocol) {
   if (row.state != SessionState::stopped) return false;
-  const ProtocolCheck check = check_protocol_text(protocol.source, protocol.name, built_in_models(),
+  const ProtocolCheck check = check_protocol_text(protocol.source, protocol.name,
+                                                  with_stored_plugins(built_in_models(), study),
                                                   std::nullopt, std::nullopt);
   return check.protocol && has_ended_by_rule(study, *check.protocol, row);
 }

@@ -16,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/plugins/stored_plugins.h"
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/program.h"
 #include "app/tasks/verify_instability.h"
@@ -376,6 +377,13 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   if (stop.stop_requested()) return result;
   add_failure_of([&] { result.remarks = study.leftovers(); }, result.problems);
   add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
+  add_failure_of(
+      [&] {
+        for (const std::string& problem : plugin_problems(models, study)) {
+          result.problems.push_back(problem);
+        }
+      },
+      result.problems);
   for (const std::string& failure : failures) add_unless_told(failure, "", result.problems);
   bool exact_used = false;
   bool tolerance_used = false;

@@ -25,6 +25,9 @@ struct VerifyResult {
 /// again: bit for bit equal where the session was run by this build on this kind of machine, within
 /// each model's declared tolerance otherwise.
 ///
+/// A plug-in with which attempts were rendered and that is not among `models`, or there with another content, is a problem. Plans
+/// with it are checked nevertheless, from the declaration that the session stored.
+///
 /// A study that is open for reading is checked by as many threads as the machine has, eight at
 /// most; with `replay_too` only by the caller's. The results and their order do not depend on the
 /// number of threads. `progress` is called by the caller's thread; an exception from it ends the

@@ -40,6 +40,15 @@ const std::vector<EventKind>& event_kinds() {
        .meaning = "the measured profile with which the device of this segment was compared. Text: "
                   "the device, its model and the time of measurement. Data: the profile",
        .hed = "Experiment-control, Device"},
+      {.name = "plugin",
+       .meaning =
+           "a plug-in with a force model that this segment of the session loaded, whether or "
+           "not its protocol uses it. Text: the model and its version. Data: `model`, "
+           "`version`, `sha256` of the shared library, its name as `file`, and "
+           "`declaration`, the parameters of the model",
+       .hed = "Experiment-control",
+       .text_is_public = true,
+       .public_data = {"model", "version", "sha256"}},
       {.name = "rehearsal",
        .meaning = "a warning from the comparison of the plan with the measured device. Data: the "
                   "check, the stimulus, the requirement and the value of the device",

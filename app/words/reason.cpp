@@ -64,6 +64,8 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::not_touched, "surface_not_touched", phrase("Reasons", "surface %1 was not touched")},
       {Reason::visited_too_rarely, "surface_visited_too_rarely",
        phrase("Reasons", "visits to surface %1: %2 of at least %3")},
+      {Reason::plugin_failed, "plugin_failed",
+       phrase("Reasons", "the plug-in of the force model %1 failed: %2")},
       {Reason::visit_cut_short, "visit_cut_short",
        phrase("Reasons",
               "a visit to surface %1 ended before the required number of strokes or contact time")},

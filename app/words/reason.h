@@ -43,6 +43,7 @@ enum class Reason {
   not_touched,            ///< which surface
   visited_too_rarely,     ///< which surface, visits, required visits
   visit_cut_short,  ///< which surface: its exposure ended before the required strokes or contact
+  plugin_failed,    ///< which force model, its message
   buzz_too_strong,  ///< which surface, its vibration relative to the texture force, the limit
   set_aside,        ///< why
   // of a device: its problem

@@ -45,7 +45,8 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
   for (const auto& [id, place] : texts_of(stimulus.model, pointer + "/model")) {
     const auto model = models_.find(id);
     if (model == models_.end()) {
-      report(place, unknown_name("force model", id, models_));
+      report(place, unknown_name("force model", id, models_) +
+                        "; if it is in a plug-in, load the plug-in");
       continue;
     }
     models.push_back(model->second);

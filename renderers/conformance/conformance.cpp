@@ -230,8 +230,9 @@ ConformanceCheck finite(const ForceModel& model, const RendererInputs& inputs) {
     }
     for (const RenderedTick& tick : along_path(*renderer, path, kServo_Hz)) {
       ++ticks;
-      const std::string problem = problem_of(tick, model.declaration.needs_bodies);
+      std::string problem = problem_of(tick, model.declaration.needs_bodies);
       if (problem.empty()) continue;
+      if (!renderer->error().empty()) problem += " (" + std::string(renderer->error()) + ')';
       check.result = Conformance::violated;
       check.measured =
           problem + (values.empty() ? " with default parameters" : ' ' + condition_text(values)) +

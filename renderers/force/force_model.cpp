@@ -26,6 +26,7 @@ bool is_an_id(std::string_view id) {
 
 void require_roles(const ModelDeclaration& declaration) {
   std::set<std::string_view> taken(kCommonAssetRoles.begin(), kCommonAssetRoles.end());
+  taken.insert("plugin");  // of the shared library of a plug-in, where attempts are stored
   for (const AssetDeclaration& asset : declaration.assets) {
     if (!is_an_id(asset.role)) {
       throw std::invalid_argument("AssetDeclaration::role \"" + asset.role + "\" of the model " +

@@ -46,6 +46,12 @@ struct TextureBand {
   double time_Hz = 0.0;
 };
 
+/// The file from which a model was loaded.
+struct PluginOrigin {
+  std::string file{};    ///< its name without a folder
+  std::string sha256{};  ///< of its content
+};
+
 /// Declares a model and makes its renderers.
 struct ForceModel {
   ModelDeclaration declaration{};
@@ -75,6 +81,8 @@ struct ForceModel {
   std::function<double(const RendererInputs&, const glm::dvec3& position_m)> crest_phase{};
   /// The same as `band` in hertz as a formula of the parameters, with v the speed of the hand on the texture in m/s.
   std::string band_formula{};
+  /// Of a model in a plug-in (renderers/plugin/); absent for a built-in model.
+  std::optional<PluginOrigin> plugin{};
 };
 
 /// Whether the force without friction is the gradient of a potential with the given parameters (the others have their

@@ -63,6 +63,10 @@ class ForceRenderer {
   /// returned the renderer, or in a loop that is stepped.
   virtual std::span<const NamedCount> limits() const noexcept { return {}; }
 
+  /// Why the model stopped computing forces, of a model that can fail in a tick (a plug-in): its last error since
+  /// construction. Empty for none. Threads: as `limits`.
+  virtual std::string_view error() const noexcept { return {}; }
+
  protected:
   ForceRenderer() = default;
 };

@@ -67,6 +67,7 @@ class ResonantSurface final : public ForceRenderer {
 
   Friction* friction() noexcept override { return surface_->friction(); }
   std::span<const NamedCount> limits() const noexcept override { return surface_->limits(); }
+  std::string_view error() const noexcept override { return surface_->error(); }
 
  private:
   void begin_filter(std::int64_t step) noexcept {

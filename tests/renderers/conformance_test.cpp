@@ -22,11 +22,11 @@ namespace asperity {
 namespace {
 
 /// What a fault does to a result of the sinusoid, in the tick of this number since the last reset.
-using Fault = std::function<void(RenderedTick&, int tick, double dt_s)>;
+using PlantedFault = std::function<void(RenderedTick&, int tick, double dt_s)>;
 
 class FaultyRenderer final : public ForceRenderer {
  public:
-  FaultyRenderer(std::unique_ptr<ForceRenderer> sound, Fault fault)
+  FaultyRenderer(std::unique_ptr<ForceRenderer> sound, PlantedFault fault)
       : sound_(std::move(sound)), fault_(std::move(fault)) {}
   void reset(const ProbeState& first) noexcept override {
     ticks_ = 0;
@@ -40,11 +40,11 @@ class FaultyRenderer final : public ForceRenderer {
 
  private:
   std::unique_ptr<ForceRenderer> sound_{};
-  Fault fault_{};
+  PlantedFault fault_{};
   int ticks_ = 0;
 };
 
-ForceModel with_fault(const Fault& fault) {
+ForceModel with_fault(const PlantedFault& fault) {
   ForceModel model = sinusoid_model();
   model.make = [sound = model.make, fault](const RendererInputs& inputs) {
     return std::make_unique<FaultyRenderer>(sound(inputs), fault);

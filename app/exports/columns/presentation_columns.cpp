@@ -58,13 +58,13 @@ std::map<std::string, LevelMeaning> meanings_of_match_statuses() {
 /// The relative amplitude of the surface, and how it was determined.
 void add_equal_roughness(Columns& columns) {
   columns.push_back(missing(
-      "the block neither varies the relative amplitude of this surface nor presents surfaces of equal "
+      "the block neither varies the relative amplitude of this surface nor presents surfaces of "
+      "equal "
       "roughness",
-      at_least(0, column("relative_amplitude", "number", "1",
-                         "factor by which the amplitude parameter was multiplied",
-                         [](const Place& at) {
-                           return planned_member(at, "relative_amplitude");
-                         }))));
+      at_least(0,
+               column("relative_amplitude", "number", "1",
+                      "factor by which the amplitude parameter was multiplied",
+                      [](const Place& at) { return planned_member(at, "relative_amplitude"); }))));
   columns.push_back(missing(
       "the block does not present surfaces of equal roughness",
       with_levels(column("roughness_match", "text", "",
@@ -125,6 +125,10 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   sha256("tool", "SHA-256 of the body that was held (docs/formats/study.md)",
          "the tool of the model is a point");
   for (const auto& [role, models] : vocabulary.assets) {
+    if (role == kPluginRole) {
+      sha256(role, "SHA-256 of the plug-in of the force model", "the force model is built in");
+      continue;
+    }
     sha256(role, "SHA-256 of a file that the force model needs; models: " + comma_separated(models),
            "the model does not need this file");
   }

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/plugins/stored_plugins.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"
@@ -147,7 +148,8 @@ bool StudyVocabulary::is_published(const std::string& question) const {
   return known != questions.end() && !known->second.free_text && for_public.contains(question);
 }
 
-StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
+StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded) {
+  const ModelRegistry models = with_stored_plugins(loaded, study);
   StudyVocabulary vocabulary{};
   const StudyWords words = study.words();
   for (const std::string& factors : words.factors_json) {

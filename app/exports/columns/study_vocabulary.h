@@ -92,6 +92,6 @@ struct StudyVocabulary {
 
 /// A protocol that cannot be read and a model that this program does not know declare nothing: their columns
 /// have only the facts from the rows.
-StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models);
+StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded);
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/plugins/stored_plugins.h"
 #include "app/records/session_timeline.h"
 #include "app/study_files/parameter_json.h"
 #include "app/tasks/study_overview.h"
@@ -138,7 +139,8 @@ void count_parameters(const PresentationRow& surface, ReportFacts& facts) {
   }
   static const ModelRegistry kModels = built_in_models();
   const ForceModel* const model = kModels.find(surface.model);
-  if (model != nullptr && !friction_of_new_studies(model->declaration).empty()) {
+  const bool is_plugin = asset_sha256(surface.assets, kPluginRole).has_value();
+  if (is_plugin || (model != nullptr && !friction_of_new_studies(model->declaration).empty())) {
     facts.friction_laws[surface.model].insert(std::string(friction_law_of(rendered).name));
   }
 }
@@ -299,6 +301,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
 
   std::map<std::tuple<std::string, std::string, AnswerGroup>, ReportFacts> groups{};
   const std::vector<SessionOverview> sessions = session_overviews(study, stop);
+  const ModelRegistry models = with_stored_plugins(built_in_models(), study);
   std::map<const ReportFacts*, std::vector<std::string>> texts_of_sources{};
   std::map<std::int64_t, StoredProtocol> specified{};  ///< those of the sessions, each once
   for (std::size_t i = 0; i < sessions.size(); ++i) {
@@ -311,8 +314,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
     ReportFacts& facts = groups[{of.name, of.version, group}];
     if (facts.sources.empty()) {
       facts.protocol = of;
-      facts.file =
-          check_protocol_text(of.source, of.name, built_in_models(), std::nullopt, std::nullopt);
+      facts.file = check_protocol_text(of.source, of.name, models, std::nullopt, std::nullopt);
     }
     facts.group = group;
     if (facts.sources.insert(of.source_sha256).second) {

@@ -1,0 +1,30 @@
+// Loads force models of plug-ins from their files.
+
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "renderers/force/force_model.h"
+
+namespace asperity {
+
+/// Loads a plug-in and checks its description (renderers/plugin/plugin_model.h). ForceModel::plugin has the name and the
+/// SHA-256 of the file. The plug-in is unloaded when the last copy of the model and its last renderer are destroyed.
+///
+/// A plug-in is part of the program: its code can do everything that the user can. It is therefore loaded only if the user
+/// names it, never because a study or a protocol does.
+///
+/// Errors: std::runtime_error, naming the file, the problem and the remedy, for a file that is not a plug-in, another version of
+/// the interface and an invalid description.
+ForceModel open_plugin(const std::filesystem::path& file);
+
+/// The built-in models and those of these plug-ins, each of which meets the conformance suite.
+///
+/// Errors: as `open_plugin`; std::runtime_error for a model whose id is taken, and for one that violates a check.
+ModelRegistry models_with(const std::vector<std::filesystem::path>& plugins);
+
+/// The same without the conformance suite, for a program that prints its table.
+ModelRegistry models_with_unchecked(const std::vector<std::filesystem::path>& plugins);
+
+}  // namespace asperity

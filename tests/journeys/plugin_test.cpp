@@ -1,0 +1,205 @@
+// A force model in a plug-in, as a laboratory writes one: built with the installed headers alone, checked, felt in a study,
+// changed and lost.
+
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "results_schema/sha256.h"
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+void succeed(const Outcome& outcome) {
+  if (outcome.status != 0) throw std::runtime_error(outcome.out + outcome.err);
+}
+
+void cmake(const std::vector<std::string>& arguments) {
+  succeed(run({.program = ASPERITY_CMAKE, .arguments = arguments}));
+}
+
+/// The example, configured and built in a folder against what the interface installs. Made once.
+class Example final {
+ public:
+  Example() {
+    cmake({"--install", ASPERITY_BUILD_FOLDER, "--component", "plugin_interface", "--prefix",
+           folder_ / "prefix"});
+    fs::copy(ASPERITY_SOURCE_DIR "/renderers/plugin/example", source());
+    build();
+  }
+
+  fs::path prefix() const { return folder_ / "prefix"; }
+  fs::path source() const { return folder_ / "ridges"; }
+  fs::path plugin() const { return folder_ / "build" / "ridges.so"; }
+  fs::path protocol() const { return source() / "ridges.json"; }
+  void build() const {
+    cmake({"-S", source(), "-B", folder_ / "build", "-DCMAKE_BUILD_TYPE=Release",
+           "-DCMAKE_PREFIX_PATH=" + prefix().string()});
+    cmake({"--build", folder_ / "build"});
+  }
+
+ private:
+  TemporaryFolder folder_{};
+};
+
+class Plugin : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { example_ = std::make_unique<Example>(); }
+  static void TearDownTestSuite() { example_.reset(); }
+
+  static std::unique_ptr<Example> example_;
+
+  fs::path study() const { return folder_ / "study"; }
+  /// A study of two virtual participants who felt the example.
+  void simulate() const {
+    succeed(asperity({"simulate", example_->protocol(), "--study", study(), "--participants", "2",
+                      "--seed", "3", "--plugin", example_->plugin()}));
+  }
+
+  TemporaryFolder folder_{};
+};
+
+std::unique_ptr<Example> Plugin::example_{};
+
+TEST_F(Plugin, NeedsOnlyTwoHeadersAndATarget) {
+  std::vector<std::string> installed{};
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(example_->prefix())) {
+    const std::string name = entry.path().lexically_relative(example_->prefix());
+    if (entry.is_regular_file() && name.find("/doc/") == std::string::npos) {
+      installed.push_back(entry.path().filename());
+    }
+  }
+  EXPECT_THAT(installed,
+              testing::UnorderedElementsAre("asperity_plugin.h", "asperity_plugin.hpp",
+                                            "asperityConfig.cmake", "asperityConfigVersion.cmake"));
+}
+
+TEST_F(Plugin, MeetsTheConformanceSuite) {
+  const Outcome table =
+      asperity({"models", "--conformance", "--plugin", example_->plugin(), "--json"});
+  EXPECT_EQ(table.status, 0) << table.out << table.err;
+  const Json document = Json::parse(table.out);
+  ASSERT_EQ(document.at("models").size(), 1U) << "only the plug-in";
+  EXPECT_EQ(document.at("models").at(0).at("id"), "ridges");
+  for (const Json& check : document.at("models").at(0).at("checks")) {
+    EXPECT_EQ(check.at("result"), "met") << check.dump();
+  }
+  const Outcome listed = asperity({"models", "--plugin", example_->plugin(), "--json"});
+  EXPECT_EQ(Json::parse(listed.out).at("models").back().at("plugin").at("sha256"),
+            sha256_of_file(example_->plugin()));
+}
+
+TEST_F(Plugin, RendersTheLawOfItsHeader) {
+  // On a crest, in a trough, and above: k = 500 N/m, A = 0.1 mm, L = 2 mm.
+  write_text(
+      folder_ / "path.tsv",
+      "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.001\n0.001\t0\t0\t-0.001\n0.002\t0.001\t0\t-0.001\n");
+  succeed(asperity({"render", "--model", "ridges", "--plugin", example_->plugin(), "--friction",
+                    "0", "--path", folder_ / "path.tsv", "--out", folder_ / "forces.tsv"}));
+  const std::vector<std::string> forces_N = tsv(text_of(folder_ / "forces.tsv")).column("fz_N");
+  EXPECT_EQ(forces_N.at(0), "0");
+  EXPECT_NEAR(std::stod(forces_N.at(1)), 500 * 0.0012, 1e-12);
+  EXPECT_NEAR(std::stod(forces_N.at(2)), 500 * 0.0010, 1e-12);
+}
+
+TEST_F(Plugin, IsNeverLoadedBecauseAProtocolNamesItsModel) {
+  const Outcome refused = asperity({"check", example_->protocol()});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("there is no force model \"ridges\""),
+                                 HasSubstr("if it is in a plug-in, load the plug-in")));
+  const Outcome accepted =
+      asperity({"check", example_->protocol(), "--plugin", example_->plugin()});
+  EXPECT_EQ(accepted.status, 0) << accepted.err;
+}
+
+TEST_F(Plugin, IsStoredWithItsNameVersionAndHash) {
+  simulate();
+  const std::string hash = sha256_of_file(example_->plugin());
+  const auto tables = exported(study(), folder_ / "out");  // without the plug-in
+  const Tsv presentations = tsv(tables.at("presentations.tsv"));
+  EXPECT_THAT(presentations.column("model"), testing::Each("ridges"));
+  EXPECT_THAT(presentations.column("model_version"), testing::Each("1"));
+  EXPECT_THAT(presentations.column("plugin_sha256"), testing::Each(hash));
+  EXPECT_THAT(tables.at("codebook.tsv"), HasSubstr("Spacing L of the ridges along x"));
+  EXPECT_THAT(tables.at("events.tsv"), AllOf(HasSubstr("\tplugin\t"), HasSubstr(hash)));
+}
+
+TEST_F(Plugin, RepeatsItsForcesInAVerification) {
+  simulate();
+  const Outcome verified =
+      asperity({"verify", study(), "--replay", "--plugin", example_->plugin()});
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("compared bit for bit"));
+}
+
+TEST_F(Plugin, IsReportedMissingWhileTheRestOfTheStudyIsVerifiedAndRead) {
+  simulate();
+  const Outcome verified = asperity({"verify", study()});
+  EXPECT_EQ(verified.status, 1);
+  EXPECT_THAT(verified.err, AllOf(HasSubstr("the plug-in model ridges, version 1 (SHA-256 "),
+                                  HasSubstr("and is not loaded; load it with --plugin FILE")));
+  EXPECT_THAT(verified.out, HasSubstr("1 problem found"));
+  EXPECT_EQ(asperity({"analyze", study()}).status, 0);
+#ifdef ASPERITY_WITH_REPORT
+  const Outcome report = asperity({"report", study(), "--out", folder_ / "report.html"});
+  EXPECT_EQ(report.status, 0) << report.err;
+  EXPECT_THAT(text_of(folder_ / "report.html"), HasSubstr("ridges"));
+#endif
+}
+
+TEST_F(Plugin, IsReportedChangedAfterItIsBuiltAnew) {
+  simulate();
+  const Example changed{};
+  std::string text = text_of(changed.source() / "ridges.cpp");
+  text = std::regex_replace(text, std::regex("version = \"1\""), "version = \"2\"");
+  write_text(changed.source() / "ridges.cpp", text);
+  changed.build();
+  const Outcome verified = asperity({"verify", study(), "--replay", "--plugin", changed.plugin()});
+  EXPECT_EQ(verified.status, 1);
+  EXPECT_THAT(verified.err,
+              AllOf(HasSubstr("differs: version 2 (SHA-256 " + sha256_of_file(changed.plugin())),
+                    HasSubstr("load the one that rendered the attempts"),
+                    HasSubstr("the loaded plug-in of its force model differs")));
+}
+
+TEST_F(Plugin, StopsASessionWithItsMessageWhenItFails) {
+  // A plate that throws in the hundredth tick of a contact of less than 1 mm.
+  Json protocol = Json::parse(text_of(example_->protocol()));
+  protocol["stimuli"]["ridges"] = {{"model", "faulty"}, {"parameters", {{"amplitude_m", 0.0001}}}};
+  protocol["material"] = {{"stiffness_N_per_m", 2000}, {"friction", 0.2}};
+  write_text(folder_ / "faulty.json", protocol.dump());
+  const Outcome stopped =
+      asperity({"simulate", folder_ / "faulty.json", "--study", study(), "--participants", "1",
+                "--seed", "1", "--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_late.so"});
+  EXPECT_EQ(stopped.status, 1);
+  const std::string message = "the plug-in of the force model faulty failed: the hundredth tick";
+  EXPECT_THAT(stopped.err, HasSubstr(message));
+  const auto tables = exported(study(), folder_ / "out");
+  const Tsv attempts = tsv(tables.at("attempts.tsv"));
+  EXPECT_THAT(attempts.column("outcome"), testing::ElementsAre("device_fault"));
+  EXPECT_THAT(attempts.column("invalid_reason"), testing::ElementsAre(message));
+  EXPECT_THAT(attempts.column("invalid_code"), testing::ElementsAre("plugin_failed"));
+  EXPECT_THAT(tsv(tables.at("presentations.tsv")).column("limit_plugin_error_ticks"),
+              testing::Contains("1"));
+}
+
+TEST_F(Plugin, GivesTheSameStudyWithTheSameSeed) {
+  simulate();
+  const auto once = exported(study(), folder_ / "once");
+  fs::remove_all(study());
+  simulate();
+  EXPECT_TRUE(once == exported(study(), folder_ / "again"));
+}
+
+}  // namespace
+}  // namespace asperity::test
