@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <QtCore/QObject>
 
@@ -30,7 +31,10 @@ class OpenStudy final : public QObject {
   const Study& study() const noexcept { return study_; }
   /// Otherwise it is only looked at: what would write is disabled, and says so.
   bool can_be_written() const noexcept { return can_be_written_; }
+  /// The built-in ones and those of the plug-ins of the settings.
   const ModelRegistry& models() const noexcept { return models_; }
+  /// Why plug-ins of the settings could not be loaded, a sentence each.
+  const std::vector<std::string>& plugin_problems() const noexcept { return plugin_problems_; }
   /// What a session here may run on: pages and sessions ask the drivers through this registry, which asks
   /// each one thing at a time.
   const DriverRegistry& drivers() const noexcept { return drivers_; }
@@ -56,6 +60,7 @@ class OpenStudy final : public QObject {
   Study study_;
   bool can_be_written_ = true;
   ModelRegistry models_ = built_in_models();
+  std::vector<std::string> plugin_problems_{};
   DriverRegistry drivers_ = built_in_drivers();
   DeviceTrial device_trial_ = try_device;
   double standstill_to_fault_s_ = ServoSettings{}.standstill_to_fault_s;

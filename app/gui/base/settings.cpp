@@ -131,6 +131,28 @@ void remember_note_phrases(const QStringList& phrases) {
 
 namespace {
 
+constexpr const char* kPlugins = "plugins";
+
+}  // namespace
+
+std::vector<std::filesystem::path> plugin_files() {
+  std::vector<std::filesystem::path> files{};
+  for (const QString& file : QSettings{}.value(kPlugins).toStringList()) {
+    files.emplace_back(file.toStdString());
+  }
+  return files;
+}
+
+void remember_plugin_files(const std::vector<std::filesystem::path>& files) {
+  QStringList names{};
+  for (const std::filesystem::path& file : files) {
+    names.append(QString::fromStdString(file.string()));
+  }
+  QSettings{}.setValue(kPlugins, names);
+}
+
+namespace {
+
 /// Names of keys have no slashes of their own.
 QString device_key(const std::filesystem::path& study) {
   const std::string folder = std::filesystem::weakly_canonical(study).string();

@@ -52,6 +52,10 @@ void apply_language(const QString& choice);
 QStringList note_phrases();
 void remember_note_phrases(const QStringList& phrases);
 
+/// The plug-ins with force models that the windows load with every study.
+std::vector<std::filesystem::path> plugin_files();
+void remember_plugin_files(const std::vector<std::filesystem::path>& files);
+
 /// The device that sessions of a study ran on last, as RunInputs::device; empty where none has.
 std::string remembered_device(const std::filesystem::path& study);
 void remember_device(const std::filesystem::path& study, const std::string& device);

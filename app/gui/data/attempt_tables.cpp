@@ -150,6 +150,11 @@ QString limit_words(const std::string& kind) {
     return MeasureTables::tr(
         "a contact was deeper than the bodies are thick, or steeper than 60°, and was limited");
   }
+  if (kind == "plugin_error") return MeasureTables::tr("the plug-in reported an error");
+  if (kind == "plugin_not_valid") {
+    return MeasureTables::tr(
+        "the plug-in returned a number that is not finite, or a negative force or depth");
+  }
   return text(kind).replace('_', ' ');
 }
 

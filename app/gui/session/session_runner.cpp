@@ -19,8 +19,12 @@ std::unique_ptr<Sound> usual_sound(const SessionOrder& order) {
   return std::make_unique<QtSound>(order.noise, order.speech);
 }
 
-SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound, DriverRegistry drivers)
-    : QObject(parent), make_sound_(std::move(make_sound)), drivers_(std::move(drivers)) {
+SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound, DriverRegistry drivers,
+                             ModelRegistry models)
+    : QObject(parent),
+      make_sound_(std::move(make_sound)),
+      drivers_(std::move(drivers)),
+      models_(std::move(models)) {
   qRegisterMetaType<asperity::SessionOrder>();
   qRegisterMetaType<asperity::SessionEnd>();
   qRegisterMetaType<asperity::AfterFailure>();

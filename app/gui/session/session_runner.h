@@ -61,7 +61,8 @@ class SessionRunner final : public QObject {
   Q_OBJECT
  public:
   explicit SessionRunner(QObject* parent = nullptr, SoundMaker make_sound = usual_sound,
-                         DriverRegistry drivers = built_in_drivers());
+                         DriverRegistry drivers = built_in_drivers(),
+                         ModelRegistry models = built_in_models());
   ~SessionRunner() override;
 
   /// Once in the life of this object.
@@ -98,7 +99,7 @@ class SessionRunner final : public QObject {
   DriverRegistry drivers_{};
   LatestValue<PointerSample> pointer_{};
   SessionOrder order_{};
-  ModelRegistry models_ = built_in_models();
+  ModelRegistry models_{};
   SessionMonitor monitor_{};
   SessionRequests requests_{};
   std::unique_ptr<Sound> sound_{};

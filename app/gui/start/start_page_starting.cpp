@@ -115,7 +115,7 @@ void StartPage::check() {
   check_cancelled_ = false;
   check_list_->set_running(true);
   check_task_.run<std::vector<SessionCheck>>(
-      [inputs, models = built_in_models(), drivers = study_.drivers()](
+      [inputs, models = study_.models(), drivers = study_.drivers()](
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         return check_session(inputs, models, stop, progress, drivers);
       },
@@ -202,8 +202,8 @@ void StartPage::simulate_several() {
   progress_->setValue(0);
   cancel_->setEnabled(true);
   simulate_task_.run<SimulationResult>(
-      [inputs, answers, models = built_in_models()](const std::stop_token& stop,
-                                                    const BackgroundTask::Progress& progress) {
+      [inputs, answers, models = study_.models()](const std::stop_token& stop,
+                                                  const BackgroundTask::Progress& progress) {
         return simulate(inputs, models, stop, progress,
                         [answers](const AttemptDone&) { ++*answers; });
       },

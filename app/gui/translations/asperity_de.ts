@@ -6724,6 +6724,10 @@
         <source>the levels could not be determined: %1</source>
         <translation>die Stufen konnten nicht bestimmt werden: %1</translation>
     </message>
+    <message>
+        <source>the plug-in of the force model %1 failed: %2</source>
+        <translation>das Plug-in des Kraftmodells %1 ist ausgefallen: %2</translation>
+    </message>
 </context>
 <context>
     <name>Rehearsal</name>
@@ -7405,10 +7409,6 @@
         <translation>die Versuchsperson %1 hat keine unvollständige Sitzung des Protokolls „%2“ in der Fassung dieser Datei; eine neue beginnen</translation>
     </message>
     <message>
-        <source>the stimulus &quot;%1&quot; needs the force model &quot;%2&quot;, which this program does not have; use one that &quot;asperity models&quot; lists</source>
-        <translation>der Reiz „%1“ braucht das Kraftmodell „%2“, das dieses Programm nicht hat; eines verwenden, das „asperity models“ auflistet</translation>
-    </message>
-    <message>
         <source>equal force is requested with the model &quot;%1&quot;, which this program does not have; use one that &quot;asperity models&quot; lists</source>
         <translation>das Protokoll verlangt gleiche Kraft mit dem Modell „%1“, das dieses Programm nicht hat; eines verwenden, das „asperity models“ auflistet</translation>
     </message>
@@ -7419,6 +7419,10 @@
     <message>
         <source>the stimulus &quot;%1&quot; at a relative amplitude of %2: %3 Narrow the range of the relative amplitude.</source>
         <translation>der Reiz „%1“ bei einer relativen Amplitude von %2: %3 Verkleinern Sie den Bereich der relativen Amplitude.</translation>
+    </message>
+    <message>
+        <source>the stimulus &quot;%1&quot; needs the force model &quot;%2&quot;, which this program does not have; load its plug-in, or use one that &quot;asperity models&quot; lists</source>
+        <translation>der Reiz „%1“ braucht das Kraftmodell „%2“, das dieses Programm nicht hat; sein Plug-in laden oder eines verwenden, das „asperity models“ auflistet</translation>
     </message>
 </context>
 <context>
@@ -9914,6 +9918,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Proportion of slow contact near the crests of a grating; 30 % for an even motion.</source>
         <translation>Anteil des langsamen Kontakts nahe den Kämmen eines Gitters; 30 % bei gleichmäßiger Bewegung.</translation>
     </message>
+    <message>
+        <source>the plug-in reported an error</source>
+        <translation>das Plug-in meldete einen Fehler</translation>
+    </message>
+    <message>
+        <source>the plug-in returned a number that is not finite, or a negative force or depth</source>
+        <translation>das Plug-in gab eine nicht endliche Zahl oder eine negative Kraft oder Tiefe zurück</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MetadataDialog</name>
@@ -10675,6 +10687,49 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Plan</source>
         <translation>Plan</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PluginsDialog</name>
+    <message>
+        <source>Plug-ins</source>
+        <translation>Plug-ins</translation>
+    </message>
+    <message>
+        <source>Plug-ins with force models</source>
+        <translation>Plug-ins mit Kraftmodellen</translation>
+    </message>
+    <message>
+        <source>A plug-in is a program: it can do everything that you can do on this computer. Add only plug-ins from a source that you trust. They are checked and loaded when a study is opened.</source>
+        <translation>Ein Plug-in ist ein Programm: Es kann alles, was Sie auf diesem Rechner können. Nur Plug-ins aus vertrauenswürdiger Quelle hinzufügen. Sie werden geprüft und geladen, wenn eine Studie geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Files of the plug-ins</source>
+        <translation>Dateien der Plug-ins</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>Add plug-ins</source>
+        <translation>Plug-ins hinzufügen</translation>
+    </message>
+    <message>
+        <source>Shared libraries (*.so)</source>
+        <translation>Gemeinsame Bibliotheken (*.so)</translation>
     </message>
 </context>
 <context>
@@ -12770,6 +12825,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>This study is read-only: its folder or its disk cannot be written to. It can be viewed, analysed and exported; to run sessions, copy it to a folder that you may write to.</source>
         <translation>Diese Studie ist schreibgeschützt: In ihren Ordner oder auf den Datenträger kann nicht geschrieben werden. Sie kann angesehen, ausgewertet und exportiert werden; für Sitzungen in einen beschreibbaren Ordner kopieren.</translation>
     </message>
+    <message>
+        <source>A plug-in was not loaded (Study → Plug-ins…): %1</source>
+        <translation>Ein Plug-in wurde nicht geladen (Studie → Plug-ins…): %1</translation>
+    </message>
+    <message>
+        <source>&amp;Plug-ins…</source>
+        <translation>&amp;Plug-ins…</translation>
+    </message>
 </context>
 <context>
     <name>asperity::TaskLine</name>
@@ -12847,6 +12910,49 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1 limited</source>
         <translation>%1 begrenzt</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TrackPanel</name>
+    <message>
+        <source>Tracks are hidden while you are blind to the conditions.</source>
+        <translation>Folgen (Tracks) sind verborgen, solange Sie gegenüber den Bedingungen verblindet sind.</translation>
+    </message>
+    <message>
+        <source>No response of a track yet</source>
+        <translation>Noch keine Antwort einer Folge (Track)</translation>
+    </message>
+    <message>
+        <source>This block has no tracks.</source>
+        <translation>Dieser Block hat keine Folgen (Tracks).</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>Folge %1</translation>
+    </message>
+    <message>
+        <source>Track %1 (%2)</source>
+        <translation>Folge %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Filled marks lead to a lower level, hollow ones to a higher level; hollow marks with a dot: “cannot tell”.</source>
+        <translation>Gefüllte Zeichen führen zu einer niedrigeren Stufe, leere zu einer höheren; leere mit Punkt: „kann es nicht sagen“.</translation>
+    </message>
+    <message>
+        <source>%1: no estimate yet</source>
+        <translation>%1: noch keine Schätzung</translation>
+    </message>
+    <message>
+        <source>%1: posterior median %2, 95 % interval %3 to %4</source>
+        <translation>%1: Median der A-posteriori-Verteilung %2, 95-%-Intervall %3 bis %4</translation>
+    </message>
+    <message>
+        <source>trial of the track, 1 to %1</source>
+        <translation>Durchgang der Folge, 1 bis %1</translation>
+    </message>
+    <message>
+        <source>%1: mean of the reversals %2 (n = %3)</source>
+        <translation>%1: Mittelwert der Umkehrpunkte %2 (n = %3)</translation>
     </message>
 </context>
 <context>
@@ -13449,49 +13555,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as in asperity sweep.</source>
         <translation>Vorhergesagte Beschleunigung eines in der Hand gehaltenen Werkzeugs von 50 g, auf das die Kraft der letzten Sekunde dieses Strichs wirkt; berechnet wie mit asperity sweep.</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::TrackPanel</name>
-    <message>
-        <source>Tracks are hidden while you are blind to the conditions.</source>
-        <translation>Folgen (Tracks) sind verborgen, solange Sie gegenüber den Bedingungen verblindet sind.</translation>
-    </message>
-    <message>
-        <source>No response of a track yet</source>
-        <translation>Noch keine Antwort einer Folge (Track)</translation>
-    </message>
-    <message>
-        <source>This block has no tracks.</source>
-        <translation>Dieser Block hat keine Folgen (Tracks).</translation>
-    </message>
-    <message>
-        <source>Track %1</source>
-        <translation>Folge %1</translation>
-    </message>
-    <message>
-        <source>Track %1 (%2)</source>
-        <translation>Folge %1 (%2)</translation>
-    </message>
-    <message>
-        <source>Filled marks lead to a lower level, hollow ones to a higher level; hollow marks with a dot: “cannot tell”.</source>
-        <translation>Gefüllte Zeichen führen zu einer niedrigeren Stufe, leere zu einer höheren; leere mit Punkt: „kann es nicht sagen“.</translation>
-    </message>
-    <message>
-        <source>%1: no estimate yet</source>
-        <translation>%1: noch keine Schätzung</translation>
-    </message>
-    <message>
-        <source>%1: posterior median %2, 95 % interval %3 to %4</source>
-        <translation>%1: Median der A-posteriori-Verteilung %2, 95-%-Intervall %3 bis %4</translation>
-    </message>
-    <message>
-        <source>trial of the track, 1 to %1</source>
-        <translation>Durchgang der Folge, 1 bis %1</translation>
-    </message>
-    <message>
-        <source>%1: mean of the reversals %2 (n = %3)</source>
-        <translation>%1: Mittelwert der Umkehrpunkte %2 (n = %3)</translation>
     </message>
 </context>
 </TS>

@@ -103,7 +103,8 @@ void SessionDesk::choose(const SessionWish& wish) {
 
 void SessionDesk::begin(const SessionOrder& order) {
   if (runner_ != nullptr) return;
-  runner_ = std::make_unique<SessionRunner>(nullptr, make_sound_, study_->drivers());
+  runner_ =
+      std::make_unique<SessionRunner>(nullptr, make_sound_, study_->drivers(), study_->models());
   runner_->start(order);
   window_.set_busy(tr("A session is running. End it in its own window first."));
   window_.show_page("sessions");  // the page before a session has done its part

@@ -28,6 +28,7 @@
 #include "app/gui/study/about_dialog.h"
 #include "app/gui/study/metadata_dialog.h"
 #include "app/gui/study/new_study_dialog.h"
+#include "app/gui/study/plugins_dialog.h"
 #include "app/gui/study/share_study_dialog.h"
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/navigation_list.h"
@@ -149,7 +150,13 @@ void StudyWindow::make_pages() {
 }
 
 void StudyWindow::tell_limits() {
-  if (!study_->can_be_written()) {
+  if (const std::vector<std::string>& problems = study_->plugin_problems(); !problems.empty()) {
+    QStringList sentences{};
+    for (const std::string& problem : problems) sentences.append(QString::fromStdString(problem));
+    banner_->show_news(
+        State::look,
+        tr("A plug-in was not loaded (Study → Plug-ins…): %1").arg(sentences.join("; ")));
+  } else if (!study_->can_be_written()) {
     banner_->show_news(State::look,
                        tr("This study is read-only: its folder or its disk cannot be written to. "
                           "It can be viewed, analysed and exported; to run sessions, copy it to a "
@@ -342,6 +349,8 @@ void StudyWindow::make_study_menu() {
   metadata_action_->setObjectName("menu_metadata");
   share_action_ = menu->addAction(tr("S&hare…"), this, &StudyWindow::ask_whom_to_share_with);
   share_action_->setObjectName("menu_share_study");
+  menu->addAction(tr("&Plug-ins…"), this, &StudyWindow::ask_for_plugins)
+      ->setObjectName("menu_plugins");
   close_action_ = menu->addAction(tr("&Close"), QKeySequence::Close, this, [this] {
     if (!must_stay([this] { close_study(); })) close_study();
   });
@@ -426,6 +435,18 @@ void StudyWindow::ask_whom_to_share_with() {
   auto* dialog = new ShareStudyDialog(study_->folder(), this);
   connect(dialog, &ShareStudyDialog::wanted, this, &StudyWindow::share_with);
   dialog->open();
+}
+
+void StudyWindow::ask_for_plugins() {
+  if (refuse_to_cover()) return;
+  auto* dialog = new PluginsDialog(plugin_files(), this);
+  connect(dialog, &PluginsDialog::wanted, this, &StudyWindow::load_plugins);
+  dialog->open();
+}
+
+void StudyWindow::load_plugins(const std::vector<std::filesystem::path>& files) {
+  remember_plugin_files(files);
+  if (study_ != nullptr) open_study(study_->folder());
 }
 
 void StudyWindow::ask_for_metadata() {

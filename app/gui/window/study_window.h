@@ -103,6 +103,8 @@ class StudyWindow final : public QMainWindow {
   void ask_for_study();
   void open_demo();
   void ask_whom_to_share_with();
+  void ask_for_plugins();
+  void load_plugins(const std::vector<std::filesystem::path>& files);
   void share_with(const QString& group);
   void make_new_study(const std::filesystem::path& folder, const StudyMetadata& metadata);
   void ask_for_metadata();

@@ -1,0 +1,76 @@
+#include "app/gui/study/plugins_dialog.h"
+
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QVBoxLayout>
+
+#include "app/gui/look/controls.h"
+
+namespace asperity {
+
+PluginsDialog::PluginsDialog(const std::vector<std::filesystem::path>& files, QWidget* parent)
+    : QDialog(parent) {
+  setObjectName("plugins_dialog");
+  setWindowTitle(tr("Plug-ins"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(560);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("Plug-ins with force models"), this));
+  layout->addWidget(make_text(
+      tr("A plug-in is a program: it can do everything that you can do on this computer. Add only "
+         "plug-ins from a source that you trust. They are checked and loaded when a study is "
+         "opened."),
+      this, true));
+  list_ = new QListWidget(this);
+  list_->setObjectName("plugins_list");
+  list_->setAccessibleName(tr("Files of the plug-ins"));
+  for (const std::filesystem::path& file : files) {
+    list_->addItem(QString::fromStdString(file.string()));
+  }
+  layout->addWidget(list_);
+
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  QPushButton* add = make_button(tr("Add…"), ButtonRole::plain, this);
+  QPushButton* remove = make_button(tr("Remove"), ButtonRole::plain, this);
+  remove->setObjectName("plugins_remove");
+  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
+  QPushButton* load = make_button(tr("Load"), ButtonRole::primary, this);
+  load->setObjectName("plugins_load");
+  load->setDefault(true);
+  buttons->addWidget(add);
+  buttons->addWidget(remove);
+  buttons->addStretch(1);
+  buttons->addWidget(cancel);
+  buttons->addWidget(load);
+  layout->addLayout(buttons);
+
+  connect(add, &QPushButton::clicked, this, &PluginsDialog::add_files);
+  connect(remove, &QPushButton::clicked, this, [this] { delete list_->currentItem(); });
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(load, &QPushButton::clicked, this, [this] {
+    emit wanted(listed_files());
+    accept();
+  });
+}
+
+void PluginsDialog::add_files() {
+  const QStringList chosen =
+      QFileDialog::getOpenFileNames(this, tr("Add plug-ins"), {}, tr("Shared libraries (*.so)"));
+  for (const QString& file : chosen) list_->addItem(file);
+}
+
+std::vector<std::filesystem::path> PluginsDialog::listed_files() const {
+  std::vector<std::filesystem::path> files{};
+  for (int row = 0; row < list_->count(); ++row) {
+    files.emplace_back(list_->item(row)->text().toStdString());
+  }
+  return files;
+}
+
+}  // namespace asperity
+
+#include "moc_plugins_dialog.cpp"
