@@ -11,6 +11,7 @@
 
 #include "analysis/number_text.h"
 #include "renderers/force/layers.h"
+#include "renderers/force/point_on_body.h"
 #include "renderers/force/resonance.h"
 #include "stimuli/stimulus_description.h"
 
@@ -73,6 +74,10 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
         " needs a tool and a surface, both as meshes with haptic textures; " +
         missing_bodies(inputs));
   }
+  if (model.declaration.needs_bodies && inputs.body) {
+    throw std::invalid_argument("the force model " + model.declaration.id +
+                                " touches a surface with a tool; give it the body as its surface");
+  }
   for (const AssetDeclaration& asset : model.declaration.assets) {
     const auto given = inputs.assets.find(asset.role);
     if (given != inputs.assets.end() && given->second) continue;
@@ -81,6 +86,7 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
   }
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);
+  if (complete.body) return std::make_unique<PointOnBody>(model, complete);
   return with_resonance(model.make(complete), complete);
 }
 

@@ -22,6 +22,8 @@
 
 namespace asperity {
 
+class BodySurface;
+
 /// The inputs from which a model builds one renderer.
 struct RendererInputs {
   ParameterValues parameters{};  ///< as given; the registry completes and checks them
@@ -33,6 +35,9 @@ struct RendererInputs {
   /// and turns with the device. `surface` is the mesh that is touched: its frame has its origin at `patch.centre_m`.
   std::shared_ptr<const TexturedMesh> tool{};
   std::shared_ptr<const TexturedMesh> surface{};
+  /// Of a point model: the body on which it acts, instead of the plane of the patch. The origin of its frame is
+  /// `patch.centre_m`. Shared ownership for the same reason.
+  std::shared_ptr<const BodySurface> body{};
   /// The content of the model's further files by the role under which the model declares each
   /// (AssetDeclaration), to the byte: the model decodes it, and refuses it if it is not what it should be.
   std::map<std::string, std::shared_ptr<const std::string>, std::less<>> assets{};
@@ -102,10 +107,11 @@ double band_Hz(const ForceModel& model, const RendererInputs& inputs, double spe
 /// A condition on parameters as text: "always", "never", "with lateral_gradient_gain=1, law=corrected".
 std::string condition_text(const std::optional<ParameterValues>& condition);
 
-/// Makes one renderer of a model. The parameters are completed and checked here.
+/// Makes one renderer of a model. The parameters are completed and checked here. A point model acts on the body of the
+/// inputs, if there is one (point_on_body.h).
 ///
 /// Errors: std::invalid_argument for a bad parameter, for a height field, a body or a declared asset
-/// that is needed and missing, and for inputs that the model refuses.
+/// that is needed and missing, for a body that a model of two bodies cannot have, and for inputs that the model refuses.
 std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model, const RendererInputs& inputs);
 
 /// The registry of force models, in the order in which they were added.

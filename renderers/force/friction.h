@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 #include "stimuli/properties/parameter.h"
@@ -48,6 +49,13 @@ struct FrictionNearRest {
   double stiffness_N_per_m = 0.0;         ///< σ, on the smoothed position s
   double contact_damper_N_s_per_m = 0.0;  ///< b_s, on the differences of s
   double lag_s = 0.0;  ///< of s: what the low-passes add to the latency of the device
+};
+
+/// The change of axes between two surfaces: the same point, and the rotation of a vector.
+struct FrictionTurn {
+  glm::dvec2 from_m{0.0};  ///< of the point, in the axes of the first surface
+  glm::dvec2 to_m{0.0};    ///< of the same point, in those of the second
+  glm::dmat2 turn{1.0};
 };
 
 /// One law of friction by name.
@@ -195,6 +203,13 @@ class Friction final {
   /// friction of another law starts over.
   void continue_contact_of(const Friction& other) noexcept {
     state_ = law_ == other.law_ ? other.state_ : FrictionState{};
+  }
+  /// The same where the axes of the two surfaces differ.
+  void continue_contact_of(const Friction& other, const FrictionTurn& turn) noexcept {
+    continue_contact_of(other);
+    state_.halfway_m = turn.to_m + turn.turn * (state_.halfway_m - turn.from_m);
+    state_.smooth_m = turn.to_m + turn.turn * (state_.smooth_m - turn.from_m);
+    state_.strain_m = turn.turn * state_.strain_m;
   }
   /// The drag of one sample in contact; the force on the hand is −drag.
   glm::dvec2 drag_N(const FrictionSample& sample) noexcept {

@@ -246,7 +246,7 @@ PerceivedInstability perceived_instability(const ForceModel& model, const Render
       judged.aliveness = aliveness_of(felt, texture.plate, rests, rate_Hz);
     }
   }
-  if (!model.crest_phase) {
+  if (!model.crest_phase || inputs.body) {
     judged.no_ridge = NotJudged::no_crests;
   } else {
     judged.ridge = ridge_of(model, inputs, slow, stretches, rate_Hz);

@@ -15,7 +15,7 @@ enum class NotJudged {
   too_short,  ///< contact (buzz), resting contact (aliveness) or slow contact (ridge) is too short
   no_force,   ///< no force was delivered: the device has no motors
   low_rate,   ///< the servo rate is too low for the band
-  no_crests,  ///< the model declares no crests (ForceModel::crest_phase)
+  no_crests,  ///< the model declares no crests (ForceModel::crest_phase), or not where they lie on a body
 };
 /// "too_short", as it is stored.
 const char* name_of(NotJudged reason) noexcept;

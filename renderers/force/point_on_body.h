@@ -1,0 +1,81 @@
+// Declares a point model on the surface of a body.
+
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "renderers/force/force_model.h"
+#include "renderers/force/surface_contact.h"
+#include "renderers/proxy/surface_proxy.h"
+
+namespace asperity {
+
+/// Renders a model of a point on a plane on the surface of a body. The model itself is unchanged.
+///
+/// Model: at the place of the proxy (surface_proxy.h) the model computes its force as on a plane that touches the body
+/// there: the height of the probe above this plane is its height above the body, x and y are texture coordinates, and
+/// the velocity is that of the probe in the axes of the plane. The force is rotated back into the frame of the device.
+///
+/// Texture coordinates: for each axis of the body's frame there is a chart, the projection along it. Their coordinates,
+/// in metres, with the normal towards +axis and towards −axis:
+///
+///   z: (x, y), (−x, y)     y: (−x, z), (x, z)     x: (y, z), (−y, z)
+///
+/// so that a texture on a side has z upwards, and on a level upper side is that of the plane. The chart of the axis k has
+/// the weight s(1 + (|n_k| − max|n|)/0.15)/Σ with s(u) = u²(3 − 2u) on [0, 1], and the force is the weighted mean over the
+/// charts: at a seam between two charts there is no step, and textures blend where the normal is within 6° of the
+/// bisector of two axes.
+///
+/// The axes of the plane are those of the chart, turned by the smallest rotation that turns the chart's axis to n.
+///
+/// Error: on a surface inclined by θ to a chart, lengths of the texture are longer by the factor 1/cos θ down the slope and
+/// unchanged across it: exact on the sides of a box, 4 % at 15°, 15 % at 30°, 29 % where the blend with another chart begins (49 %
+/// with two others). A force along
+/// the surface that a model computes from slopes is steeper than that of the stretched texture by this factor. A force that
+/// is a gradient on a plane is one on a body only where the surface is level in its chart.
+///
+/// Friction continues from chart to chart; all other states of a model (its path, its noise) begin anew in a chart. Border
+/// of the patch: as SurfaceContact, in the device's frame.
+///
+/// Units and frame: as ForceRenderer; the origin of the body's frame is `inputs.patch.centre_m`, its axes are the device's.
+///
+/// Errors: std::invalid_argument for a texture that rises more than SurfaceProxy::kReach_m above the body, and in the cases
+/// of the model.
+///
+/// Real-time: as ForceRenderer.
+class PointOnBody final : public ForceRenderer {
+ public:
+  /// `inputs` with a body and with complete parameters.
+  PointOnBody(const ForceModel& model, const RendererInputs& inputs);
+
+  void reset(const ProbeState& first) noexcept override;
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override;
+
+ private:
+  /// A right-handed frame that touches the body: axes along the texture, and the normal.
+  struct Tangents {
+    glm::dvec3 x{1.0, 0.0, 0.0};
+    glm::dvec3 y{0.0, 1.0, 0.0};
+    glm::dvec2 texture_m{0.0};  ///< the coordinates of the place
+  };
+  struct Chart {
+    std::unique_ptr<ForceRenderer> renderer{};
+    double weight = 0.0;  ///< in the last tick
+    Tangents tangents{};
+  };
+
+  static Tangents tangents_of(int axis, const ProxyPlace& place) noexcept;
+  void enter(Chart& chart, const ProbeState& local) noexcept;
+  RenderedTick no_contact() noexcept;
+  void require_low_texture();
+
+  SurfaceContact border_;
+  SurfaceProxy proxy_;
+  std::array<Chart, 3> charts_{};
+};
+
+}  // namespace asperity
