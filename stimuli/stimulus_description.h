@@ -31,7 +31,8 @@ struct StimulusDescription {
   /// Path inside the study of the height field's PNG (its sidecar stands beside it).
   std::optional<std::string> height_field{};
   /// Of a model that needs bodies: what is touched, with the height field above where it is a shape
-  /// without a texture of its own; and what the hand holds.
+  /// without a texture of its own; and what the hand holds. Of a point model: `surface` alone, the body
+  /// on which it renders the height field.
   std::optional<BodyDescription> surface{};
   std::optional<BodyDescription> tool{};
   /// Role → study-relative path: the texture's files for models that declare such roles.

@@ -11,6 +11,7 @@
 #include "app/words/phrase.h"
 #include "renderers/force/layers.h"
 #include "renderers/offline/force_matching.h"
+#include "renderers/proxy/body_surface.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
@@ -188,6 +189,13 @@ LoadedBody StimulusBuilder::body(const BodyDescription& description, BodyRole ro
   return made;
 }
 
+std::shared_ptr<const BodySurface> StimulusBuilder::surface_of(const LoadedBody& body) {
+  const std::lock_guard lock(bodies_mutex_);
+  std::shared_ptr<const BodySurface>& known = surfaces_[body.sha256];
+  if (known == nullptr) known = std::make_shared<const BodySurface>(*body.mesh);
+  return known;
+}
+
 void StimulusBuilder::require_body(const BodyDescription& description) {
   if (description.mesh) {
     mesh(*description.mesh);
@@ -283,6 +291,10 @@ PreparedStimulus StimulusBuilder::without_parameters(const StimulusDescription& 
     };
     prepare_body(description.surface, BodyRole::surface, kSurfaceRole, inputs.surface);
     prepare_body(description.tool, BodyRole::tool, kToolRole, inputs.tool);
+  } else if (description.surface && !description.tool) {
+    LoadedBody loaded = body(*description.surface, BodyRole::surface);
+    inputs.body = surface_of(loaded);
+    took(kSurfaceRole, std::move(loaded.sha256));
   }
   for (AssetRow& row : take_assets(declaration, description, inputs)) {
     prepared.assets.push_back(std::move(row));
@@ -307,6 +319,8 @@ std::vector<AssetRow> StimulusBuilder::take_assets(const ModelDeclaration& model
 void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentation& presentation,
                             Study& study) {
   const EqualForce& request = presentation.equal_force.value();
+  // The path lies on a plane: so does the texture, also of a stimulus on a body.
+  const std::shared_ptr<const BodySurface> body = std::exchange(prepared.inputs.body, nullptr);
   RendererInputs& inputs = prepared.inputs;
   const ForceModel* reference = nullptr;
   std::vector<AssetRow> assets = prepared.assets;
@@ -355,6 +369,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
     inputs.parameters[solution["parameter"].get<std::string>()] = solution["value"].get<double>();
   }
   prepared.matched_texture_force_N = solution["target_rms_N"].get<double>();
+  inputs.body = body;
 }
 
 }  // namespace asperity

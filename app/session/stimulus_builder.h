@@ -53,8 +53,9 @@ struct LoadedBody {
 /// else is declared: parameters from the sample, defaults for the rest. A solution depends on both models
 /// and their versions, the parameters, the material, the patch, the content of the height field and of
 /// declared assets, the target and the prescribed path; it is kept under all of these in the study, so that every
-/// session renders the same stimulus. A model that draws random numbers is solved with one seed and
-/// felt with another: its texture force scatters about the solution by some 2 %.
+/// session renders the same stimulus. The path lies on a plane; a body under a point model has no influence. A model that
+/// draws random numbers is solved with one seed and felt with another: its texture force scatters about the solution by
+/// some 2 %.
 ///
 /// Where a protocol states no law of friction, a study has that of its first session with a point model: sessions of
 /// versions without the laws have `rounded`, and a study that begins with this version has `dahl`
@@ -98,6 +99,8 @@ class StimulusBuilder final {
   ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
                                  const ParameterValues& given);
   LoadedTexturedMesh mesh(const std::string& study_path);
+  /// The surface of a body for point models, prepared once.
+  std::shared_ptr<const BodySurface> surface_of(const LoadedBody& body);
   /// Without the relative amplitude.
   PreparedStimulus of_own_amplitude(const StimulusDescription& description);
   /// Gives `inputs` the assets that the model declares. Returns their rows.
@@ -119,6 +122,8 @@ class StimulusBuilder final {
   std::mutex bodies_mutex_{};
   std::map<std::string, LoadedTexturedMesh> meshes_{};                   ///< by path in the study
   std::map<std::string, std::shared_ptr<const TexturedMesh>> bodies_{};  ///< of shapes, by SHA-256
+  /// Of point models, by SHA-256 of the body.
+  std::map<std::string, std::shared_ptr<const BodySurface>> surfaces_{};
   std::map<std::string, std::string> solutions_{};  ///< as stored in the study, by key
 };
 

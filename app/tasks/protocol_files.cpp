@@ -218,7 +218,8 @@ std::string never_touched(const StimulusDescription& stimulus, const TexturedMes
       glm::dvec2(std::cos(habits.direction_rad), std::sin(habits.direction_rad));
   std::string surface_name = "the surface \"" + stimulus.surface->name + '"';
   if (stimulus.surface->mesh) surface_name += " (" + *stimulus.surface->mesh + ')';
-  const std::string tool_name = "the tool \"" + stimulus.tool->name + '"';
+  const std::string tool_name =
+      stimulus.tool ? "the tool \"" + stimulus.tool->name + '"' : std::string("the hand");
   std::string sentence =
       touch == FirstTouch::never
           ? "no part of " + surface_name + " lies under the path of " + tool_name
@@ -371,7 +372,7 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
   for (const Trial& trial : possible_trials(protocol)) {
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
-      if (!stimulus.surface || !stimulus.tool) continue;
+      if (!stimulus.surface) continue;
       const Exploration& exploration = exploration_of(protocol, trial);
       if (!made.insert(name_of_making(stimulus) + ' ' + exploration.name).second) continue;
       const auto add = [&](std::vector<Diagnostic>& list, std::string message) {
@@ -396,8 +397,8 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
         }
         untouched.insert(stimulus.surface->name);
         found.problems.push_back(place_of_body(protocol, file_name, stimulus.surface->name));
-        found.problems.back().message =
-            never_touched(stimulus, *prepared.inputs.surface, habits, touch);
+        found.problems.back().message = never_touched(
+            stimulus, *builder.body(*stimulus.surface, BodyRole::surface).mesh, habits, touch);
       } catch (const std::exception& error) {
         add(found.problems,
             "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + error.what());

@@ -56,7 +56,7 @@ std::map<std::string, TextureUse> uses_of(const Protocol& protocol) {
   for (const Trial& trial : possible_trials(protocol)) {
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
-      if (!stimulus.surface) {
+      if (!stimulus.surface || !stimulus.tool) {
         const bool is_repeated = stimulus.patch.tiling == Tiling::repeat;
         use(stimulus.texture, stimulus.height_field, stimulus,
             is_repeated ? stimulus.patch.motion_scale * stimulus.patch.extent_m : glm::dvec2(0.0));

@@ -152,7 +152,7 @@ struct StimulusTemplate {
   std::string name{};
   Binding<std::string> model{};
   Binding<std::string> texture{};  ///< neither value nor factor: no texture is used
-  Binding<std::string> surface{};  ///< a body, for models that need bodies
+  Binding<std::string> surface{};  ///< a body: of a model that needs bodies, or of a point model without a tool
   Binding<std::string> tool{};     ///< a body, for models that need bodies
   std::map<std::string, Binding<ParameterValue>, std::less<>> parameters{};
   std::optional<EqualForce> equal_force{};

@@ -188,6 +188,12 @@ void Meaning::check_plane_models(const Block& block, const std::string& at,
   for (const Protocol::Presented& presented : block.presented) {
     const auto stimulus = protocol_.stimuli.find(presented.stimulus);
     if (stimulus == protocol_.stimuli.end()) continue;
+    if (is_point_on_body(stimulus->second)) {
+      report(at, "the stimulus " + in_quotes(presented.stimulus) +
+                     " lies on a body, which cannot " + what +
+                     "; remove its \"surface\", or use another arrangement");
+      return;
+    }
     for (const auto& [name, where] : texts_of(stimulus->second.model, "")) {
       const auto model = models_.find(name);
       if (model == models_.end() || !model->second->needs_bodies) continue;

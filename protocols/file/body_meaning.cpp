@@ -96,10 +96,6 @@ void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
                           " needs two bodies: give the stimulus " + what +
                           ", one of the bodies, as " + in_quotes(key));
     }
-    if (is_given && needs == models.end() && !models.empty()) {
-      report_key(place,
-                 "the model " + in_quotes(models.front()->id) + " has no bodies; remove this key");
-    }
     for (const auto& [name, at] : texts_of(binding, place)) {
       if (!protocol_.bodies.contains(name))
         report(at, unknown_name("body", name, protocol_.bodies));
@@ -112,6 +108,20 @@ void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
   }
   check(stimulus.surface, "surface", "the object that is touched");
   check(stimulus.tool, "tool", "the object that the hand holds");
+  if (needs != models.end() || models.empty()) return;
+  if (stimulus.tool.value || !stimulus.tool.factor.empty()) {
+    report_key(pointer + "/tool", "the model " + in_quotes(models.front()->id) +
+                                      " touches a surface with a point; remove this key");
+  } else if (is_point_on_body(stimulus) && protocol_.scene == VisualTexture::on) {
+    report("/environment/scene",
+           "the scene cannot show the texture that the model " + in_quotes(models.front()->id) +
+               " renders on a body; set visual_texture to \"off\" or \"neutral\"");
+  }
+}
+
+bool Meaning::is_point_on_body(const StimulusTemplate& stimulus) {
+  return (stimulus.surface.value || !stimulus.surface.factor.empty()) && !stimulus.tool.value &&
+         stimulus.tool.factor.empty();
 }
 
 bool Meaning::brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer) {

@@ -85,6 +85,8 @@ class Meaning final : private ProblemSink {
   void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
   void check_bodies();
   void check_body_keys(const std::string& name, const std::string& pointer);
+  /// Whether a point model touches a body: a surface without a tool.
+  static bool is_point_on_body(const StimulusTemplate& stimulus);
   void check_bodies_of(const StimulusTemplate& stimulus,
                        const std::vector<const ModelDeclaration*>& models,
                        const std::string& pointer);

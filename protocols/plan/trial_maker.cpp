@@ -33,7 +33,7 @@ std::string resolved(const Binding<std::string>& binding, const FactorLevels& fa
                                 : text_of(presented_level(factors, with, binding.factor));
 }
 
-/// A body of the protocol with the paths of its files. `texture` is applied to a surface without one.
+/// A body of the protocol with the paths of its files. `texture` is applied to a body without one.
 std::optional<BodyDescription> planned_body(const Protocol& protocol, const std::string& name,
                                             const std::string& texture) {
   if (name.empty()) return {};
@@ -78,7 +78,9 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Block& block
     planned.stimulus.height_field = protocol.textures.at(planned.stimulus.texture).height_field;
     planned.stimulus.declared_assets = protocol.textures.at(planned.stimulus.texture).assets;
   }
-  planned.stimulus.surface = planned_body(protocol, surface, planned.stimulus.texture);
+  // A point model, which has no tool, renders the texture itself.
+  planned.stimulus.surface =
+      planned_body(protocol, surface, tool.empty() ? std::string{} : planned.stimulus.texture);
   planned.stimulus.tool = planned_body(protocol, tool, {});
   for (const auto& [name, binding] : source.parameters) {
     if (binding.value) {

@@ -108,8 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoSurface", R"("surface": "plate",)", "", R"({
       "model": "pd_gradient")",
               "/stimuli/felt", "the object that is touched, one of the bodies, as \"surface\""},
-        Fault{"BodiesOfAModelWithoutThem", R"("model": "pd_gradient")", R"("model": "height_map")",
-              R"("surface": "plate")", "/stimuli/felt/surface", "has no bodies"},
+        Fault{"AToolOfAPoint", R"("model": "pd_gradient")", R"("model": "height_map")",
+              R"("tool": {"factor")", "/stimuli/felt/tool", "touches a surface with a point"},
         Fault{"AnUnknownBody", R"("surface": "plate")", R"("surface": "plaet")", R"("plaet")",
               "/stimuli/felt/surface", "did you mean \"plate\"?"},
         Fault{"AnUnknownBodyAsALevel", R"(["ball", "roll", "rasp"])", R"(["ball", "roll", "file"])",

@@ -121,7 +121,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
          "SHA-256 of the height field's sidecar; the sidecar contains the SHA-256 of its picture",
          "no height field is involved");
   sha256("surface", "SHA-256 of the body that was touched (docs/formats/study.md)",
-         "the tool of the model is a point");
+         "the surface is a plane");
   sha256("tool", "SHA-256 of the body that was held (docs/formats/study.md)",
          "the tool of the model is a point");
   for (const auto& [role, models] : vocabulary.assets) {

@@ -274,6 +274,10 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
       text += "; textures of the bodies: " +
               listed({facts.body_textures.begin(), facts.body_textures.end()});
     }
+    if (!facts.points_on_bodies.empty()) {
+      text += "; rendered on the surface of a body, at a proxy of the hand: " +
+              listed({facts.points_on_bodies.begin(), facts.points_on_bodies.end()});
+    }
     text += ". ";
   } else {
     text = "No surface was presented. ";

@@ -154,10 +154,12 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   for (const PresentationRow& surface : attempt.presentations) {
     if (!surface.onset_ns) continue;  // the attempt ended before it
     facts.models.insert(surface.model + ' ' + surface.model_version);
-    if (asset_sha256(surface.assets, "surface")) {
-      facts.body_textures.insert(surface.texture);
-      add_textures_of_bodies(surface.stimulus, facts);
-    } else if (asset_sha256(surface.assets, "height_field")) {
+    const bool has_body = asset_sha256(surface.assets, "surface").has_value();
+    const bool is_point = !asset_sha256(surface.assets, "tool");
+    if (has_body) add_textures_of_bodies(surface.stimulus, facts);
+    if (has_body && is_point) facts.points_on_bodies.insert(surface.stimulus);
+    if (has_body && !is_point) facts.body_textures.insert(surface.texture);
+    if (is_point && asset_sha256(surface.assets, "height_field")) {
       facts.height_fields.insert(surface.texture);
     }
     facts.has_equal_force = facts.has_equal_force || surface.matched_texture_force_N;

@@ -63,7 +63,8 @@ void StimulusRehearsal::warn(RehearsalWarning warning) {
 
 void StimulusRehearsal::compare_point(const PlannedPresentation& planned,
                                       const Exploration& exploration) {
-  const PreparedStimulus stimulus = builder_.unmatched(planned.stimulus);
+  PreparedStimulus stimulus = builder_.unmatched(planned.stimulus);
+  stimulus.inputs.body.reset();  // the texture is compared on a plane
   const HandHabits habits = habits_for(exploration, planned.stimulus.patch);
   if (force_is_compared()) {
     check_force(texture_force_N(planned, stimulus,
