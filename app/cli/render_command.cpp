@@ -22,6 +22,7 @@
 #include "app/study_files/height_field_files.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/along_path.h"
+#include "renderers/proxy/body_surface.h"
 
 namespace asperity {
 
@@ -39,17 +40,34 @@ void add_bodies(RendererInputs& inputs, const std::string& model, const BodyOpti
   inputs.tool = load_body(body_option("--tool", *tool));
 }
 
-void add_height_field(RendererInputs& inputs, const ForceModel& model, const BodyOption& surface) {
-  if (!surface.is_plain_height_field()) {
-    throw std::runtime_error(
-        "the force model " + model.declaration.id +
-        " needs a height field; give --stimulus FILE.png or plane:FILE.png, not " + surface.text);
-  }
-  inputs.height_field = load_height_field(*surface.file).field;
+void add_height_field(RendererInputs& inputs, const ForceModel& model,
+                      const std::filesystem::path& file) {
+  inputs.height_field = load_height_field(file).field;
   if (!model.suggested_by) return;
   ParameterValues suggested = model.suggested_by(*inputs.height_field, inputs.material);
   for (const auto& [name, value] : inputs.parameters) suggested[name] = value;
   inputs.parameters = std::move(suggested);
+}
+
+/// What a point touches: the plane of a height field, or a body with or without a height field on it.
+void add_surface_of_point(RendererInputs& inputs, const ForceModel& model,
+                          const std::optional<BodyOption>& surface,
+                          const std::optional<std::filesystem::path>& height_field) {
+  const bool is_body = surface && !surface->is_plain_height_field();
+  if (height_field && !is_body) {
+    throw std::runtime_error(
+        "--height-field is the texture of a body; give the body with --stimulus, or the height "
+        "field as --stimulus FILE.png");
+  }
+  if (surface && !is_body) add_height_field(inputs, model, *surface->file);
+  if (!is_body) return;
+  if (model.declaration.needs_height_field && !height_field) {
+    throw std::runtime_error("the force model " + model.declaration.id +
+                             " needs a height field on the body " + surface->text +
+                             "; give one with --height-field FILE.png");
+  }
+  inputs.body = std::make_shared<const BodySurface>(*load_body(*surface));
+  if (height_field) add_height_field(inputs, model, *height_field);
 }
 
 void require_material(const Material& material) {
@@ -79,6 +97,7 @@ void add_render(CLI::App& program, Job& job) {
     std::vector<std::string> parameters{};
     std::vector<std::string> assets{};
     std::optional<std::string> stimulus{};
+    std::optional<std::filesystem::path> height_field{};
     std::optional<std::string> tool{};
     std::optional<std::string> coupling{};
     Material material{};
@@ -95,11 +114,13 @@ void add_render(CLI::App& program, Job& job) {
   command->add_option("--param", options->parameters, "Parameter of the model, NAME=VALUE");
   command->add_option("--asset", options->assets,
                       "File that the model needs, ROLE=FILE; see: asperity models");
-  command->add_option(
-      "--stimulus", options->stimulus,
-      "A height field, which repeats endlessly: FILE.png or plane:FILE.png. For a model with two "
-      "bodies also a textured mesh, or box:[FILE.png,]X_m,Y_m,Z_m, cylinder:[FILE.png,]D_m,L_m, "
-      "sphere:[FILE.png,]D_m, plane:[FILE.png,]X_m,Y_m");
+  command->add_option("--stimulus", options->stimulus,
+                      "A height field on a plane, which repeats endlessly: FILE.png or "
+                      "plane:FILE.png. Or a body: a "
+                      "textured mesh, or box:[FILE.png,]X_m,Y_m,Z_m, cylinder:[FILE.png,]D_m,L_m, "
+                      "sphere:[FILE.png,]D_m, plane:[FILE.png,]X_m,Y_m");
+  command->add_option("--height-field", options->height_field,
+                      "Height field that a point model renders on the body of --stimulus");
   command->add_option(
       "--tool", options->tool,
       "Tool in the hand, for a model with two bodies: a textured mesh, sphere:D_m, disc:D_m, "
@@ -152,18 +173,22 @@ void add_render(CLI::App& program, Job& job) {
         throw std::runtime_error("the force model " + options->model +
                                  " needs a surface; give one with --stimulus FILE or a shape");
       }
-      if (options->stimulus) {
-        const BodyOption surface = body_option("--stimulus", *options->stimulus);
-        if (needs_bodies) {
-          add_bodies(inputs, options->model, surface, options->tool);
-          if (options->coupling && inputs.parameters.contains("coupling")) {
-            throw std::runtime_error(
-                "--coupling and --param coupling set the same parameter; give one of them");
-          }
-          inputs.parameters.try_emplace("coupling", options->coupling.value_or("none"));
-        } else {
-          add_height_field(inputs, model, surface);
+      if (needs_bodies && options->height_field) {
+        throw std::runtime_error("the force model " + options->model +
+                                 " takes the height field of a surface from --stimulus; leave out "
+                                 "--height-field");
+      }
+      std::optional<BodyOption> surface{};
+      if (options->stimulus) surface = body_option("--stimulus", *options->stimulus);
+      if (needs_bodies) {
+        add_bodies(inputs, options->model, *surface, options->tool);
+        if (options->coupling && inputs.parameters.contains("coupling")) {
+          throw std::runtime_error(
+              "--coupling and --param coupling set the same parameter; give one of them");
         }
+        inputs.parameters.try_emplace("coupling", options->coupling.value_or("none"));
+      } else {
+        add_surface_of_point(inputs, model, surface, options->height_field);
       }
       for (const std::string& text : options->assets) {
         add_asset(inputs.assets, model.declaration, text);

@@ -193,7 +193,7 @@ TEST_F(RenderBodies, SaysWhatIsMissingOrWrong) {
           {"--coupling", "give one of them"});
 }
 
-TEST_F(RenderBodies, AModelOfAPointTakesNone) {
+TEST_F(RenderBodies, AModelOfAPointTakesOneBodyWithoutATool) {
   write_text(place_ / "path.tsv", path_through({{.z_m = 0.001}, {.z_m = 0.0}}));
   const auto refused = [this](std::vector<std::string> more, const std::string& words) {
     std::vector<std::string> arguments{"render",
@@ -208,7 +208,8 @@ TEST_F(RenderBodies, AModelOfAPointTakesNone) {
     EXPECT_EQ(outcome.status, 1) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(words));
   };
-  refused({"--stimulus", "sphere:0.01"}, "needs a height field");
+  refused({"--stimulus", "sphere:0.01"}, "give one with --height-field FILE.png");
+  refused({"--height-field", place_ / "grating.png"}, "give the body with --stimulus");
   refused({"--tool", "sphere:0.01"}, "--tool needs a model with two bodies");
   refused({"--coupling", "none"}, "--coupling needs a model with two bodies");
 }
