@@ -8,6 +8,13 @@
 
 namespace asperity {
 
+namespace {
+
+/// Drawn in the place of a point, which has no size.
+const BodyDescription kPoint{.name = "point", .shape = SphereShape{.diameter_m = 0.003}};
+
+}  // namespace
+
 LiveWorkspace::LiveWorkspace(const SessionMonitor& monitor, std::filesystem::path study,
                              SurfaceLook look, QWidget* parent)
     : QWidget(parent),
@@ -69,7 +76,7 @@ void LiveWorkspace::show_surface(const PlannedPresentation& surface, bool mirror
   SurfacePatch patch = surface.patch;
   if (mirrored) patch.centre_m.x = -patch.centre_m.x;  // as the session lays it out
   view_->set_mirrored(mirrored);
-  if (surface.stimulus.surface && surface.stimulus.tool) {
+  if (surface.stimulus.surface) {
     show_bodies(surface, patch);
     return;
   }
@@ -97,7 +104,7 @@ void LiveWorkspace::show_surface(const PlannedPresentation& surface, bool mirror
 void LiveWorkspace::show_bodies(const PlannedPresentation& surface, const SurfacePatch& patch) {
   using Bodies = std::pair<LoadedBody, LoadedBody>;
   reading_.run<Bodies>(
-      [this, felt = *surface.stimulus.surface, held = *surface.stimulus.tool](
+      [this, felt = *surface.stimulus.surface, held = surface.stimulus.tool.value_or(kPoint)](
           const std::stop_token&, const BackgroundTask::Progress&) {
         return Bodies{builder_.body(felt, BodyRole::surface), builder_.body(held, BodyRole::tool)};
       },
