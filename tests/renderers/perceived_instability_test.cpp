@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -11,6 +12,8 @@
 
 #include "renderers/offline/slow_hand.h"
 #include "renderers/offline/unexplained_vibration.h"
+#include "renderers/proxy/body_surface.h"
+#include "stimuli/meshes/solid_body.h"
 #include "tests/renderers/planted_strokes.h"
 #include "tests/renderers/surfaces.h"
 
@@ -258,6 +261,17 @@ TEST(Ridge, IsTheShareOfSlowContactNearCrests) {
   const auto fast = [](double t) { return glm::dvec3(0.08 * t, 0.0, -0.002); };
   EXPECT_EQ(grated.judge(contact_of_3_s(grated.model, grated.inputs, fast, kNothingAdded)).no_ridge,
             NotJudged::too_short);
+}
+
+TEST(Ridge, IsNotJudgedOnABody) {
+  Grated grated{};
+  const auto even = [](double t) { return glm::dvec3(0.01 * t, 0.0, -0.002); };
+  grated.inputs.body =
+      std::make_shared<const BodySurface>(body_mesh(PlateShape{{0.1, 0.02, 0.01}}, nullptr));
+  const auto judged =
+      grated.judge(contact_of_3_s(grated.model, grated.inputs, even, kNothingAdded));
+  EXPECT_EQ(judged.no_ridge, NotJudged::no_crests);
+  EXPECT_TRUE(judged.buzz);
 }
 
 TEST(PerceivedInstability, HasNoNumbersWithoutAForce) {
