@@ -48,6 +48,13 @@ const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& bl
   return nullptr;
 }
 
+const Protocol::TrialQuestionTemplate* question_named(const Protocol::Block& block,
+                                                      const std::string& name) noexcept {
+  const auto named = std::find_if(block.questions.begin(), block.questions.end(),
+                                  [&name](const auto& question) { return question.name == name; });
+  return named == block.questions.end() ? nullptr : &*named;
+}
+
 std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept {
   return block.design == &two_alternatives() ? block.presented.size() : block.design->surfaces();
 }

@@ -16,9 +16,9 @@ std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protoc
 /// The factors that a block crosses, lists or draws, and the one that `run` iterates (null: no run).
 std::set<std::string> factors_set_by(const Protocol::Block& block, const Protocol::Run* run);
 
-/// Whether the levels of a factor are values of a parameter that a block varies (`Block::vary`), which states them.
 /// Whether a block computes the levels of the factor.
 bool is_derived(const Protocol& protocol, const std::string& factor);
+/// Whether the levels of a factor are values of a parameter that a block varies (`Block::vary`), which states them.
 bool is_varied(const Protocol& protocol, const std::string& factor);
 
 /// Whether a procedure chooses the levels of a block from the answers; not constant stimuli.
@@ -27,6 +27,10 @@ bool chooses_levels_from_answers(const Protocol::Block& block);
 /// The question whose answers a procedure and a psychometric function are made of: the first one with a judgement. Null
 /// if there is none.
 const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept;
+
+/// Null where the block has no question of this name.
+const Protocol::TrialQuestionTemplate* question_named(const Protocol::Block& block,
+                                                      const std::string& name) noexcept;
 
 /// The number of surfaces in a trial of the block; a design can present fewer than the block lists.
 std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept;

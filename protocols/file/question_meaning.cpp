@@ -226,6 +226,10 @@ void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& 
                    "; write this name");
     return;
   }
+  if (&question < judged) {
+    report(place, "the confidence of a response is rated after it; list this question after " +
+                      in_quotes(judged->name));
+  }
   if (judged->judgement != DiscriminationJudgement::performance) {
     report_key(at,
                "with the judgement \"comparison\" no response is correct, so that there is no "

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocols/design/block_factors.h"
 #include "protocols/design/wording.h"
 
 namespace asperity {
@@ -277,7 +278,8 @@ VirtualResponse judge_in_words(const Judgement& judgement, const Block& block) {
   const auto chosen = std::find_if(options.begin(), options.end(), [&](const Option& option) {
     return option.value == (is_yes ? design.yes : design.no);
   });
-  return {ChosenOption{static_cast<std::size_t>(chosen - options.begin())}, false};
+  return {ChosenOption{static_cast<std::size_t>(chosen - options.begin())}, false,
+          judgement.observer.certainty()};
 }
 
 /// The surface with the greatest or the smallest magnitude of three (VirtualObserver::most_extreme), on the side on which the
@@ -300,9 +302,7 @@ VirtualResponse judge_three(const Judgement& judgement, const Block& block) {
 /// magnitude does not depend gives responses by chance.
 VirtualResponse judge_discrimination(const Judgement& judgement) {
   const Block& block = judgement.protocol.blocks.at(judgement.trial.block);
-  const auto asked =
-      std::find_if(block.questions.begin(), block.questions.end(),
-                   [&judgement](const auto& each) { return each.name == judgement.question.name; });
+  const auto* const asked = question_named(block, judgement.question.name);
   if (block.design->has_noise()) return judge_in_words(judgement, block);
   if (block.design->is_choice_of_three()) return judge_three(judgement, block);
   const bool chooses_less =
@@ -315,7 +315,8 @@ VirtualResponse judge_discrimination(const Judgement& judgement) {
       judgement.observer.compare(judgement.felt[0], judgement.felt[1], least_difference);
   // "cannot tell" is the last option.
   if (!greater) return {ChosenOption{judgement.question.options.size() - 1}, false};
-  return {ChosenOption{chooses_less ? 1 - *greater : *greater}, false};
+  return {ChosenOption{chooses_less ? 1 - *greater : *greater}, false,
+          judgement.observer.certainty()};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +50,13 @@ struct BlockOfKind {
   std::string at_question{};  ///< "/blocks/NAME/question"
 };
 
+struct VirtualResponse {
+  Answer answer{};
+  bool is_guess = false;  ///< made without an expectation
+  /// VirtualObserver::certainty of a decision with a criterion.
+  std::optional<double> certainty{};
+};
+
 /// What a virtual participant has to judge, and on what basis.
 struct Judgement {
   const Protocol& protocol;
@@ -59,10 +67,8 @@ struct Judgement {
   VirtualObserver& observer;
   Random of_attempt;      ///< for guesses
   Random of_participant;  ///< for the habits of a participant, the same in all trials
-};
-struct VirtualResponse {
-  Answer answer{};
-  bool is_guess = false;  ///< made without an expectation
+  /// The response whose confidence the question rates (`confidence_of`); null for all other questions.
+  const VirtualResponse* rated = nullptr;
 };
 
 /// A kind of experiment. Everything that differs between kinds before the data are analysed is here;
@@ -74,12 +80,12 @@ struct ExperimentKind {
   std::string_view name{};  ///< in messages, after "a": "magnitude estimation"
   /// Of the surfaces of a trial; the first one where a protocol states none.
   std::span<const std::string_view> roles{};
-  AnswerForm form{};        ///< how its question is answered
+  AnswerForm form{};         ///< how its question is answered
   bool takes_lines = false;  ///< or by the length of a line (LineForm)
   /// A trial may have several questions of this kind, also next to the question of another kind.
   bool asks_several = false;
-  bool takes_words = false;  ///< its options can be words
-  bool takes_ties = false;   ///< its options can include that neither surface is preferred
+  bool takes_words = false;    ///< its options can be words
+  bool takes_ties = false;     ///< its options can include that neither surface is preferred
   bool has_judgement = false;  ///< its question states whether an answer is correct
   /// Its question rates how different two surfaces are: they may be identical, and participants may share the pairs.
   bool rates_differences = false;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace asperity {
@@ -32,13 +34,27 @@ void check_block_of_rating(const BlockOfKind& checked, ProblemSink& problems) {
   }
 }
 
-/// A point on the scale: the standard logistic function of 3·l·(r + ε + 4.3) + b + η.
+/// The confidence in a response: of the n points of the scale the one with the number 1 + ⌊n·q⌋, from the lowest, at most n,
+/// q being the certainty of the response (VirtualObserver::certainty). The points are equally probable where the decision
+/// variable is normal with the criterion as its mean, and q grows with its distance from the criterion. In a lapse, after a
+/// guess, and if deaf, every point is equally probable.
+VirtualResponse rate_confidence(const Judgement& judgement) {
+  const int steps = std::get<ScaleForm>(judgement.question.form).steps();
+  const std::optional<double>& certainty = judgement.rated->certainty;
+  const int step =
+      certainty ? std::min(steps, static_cast<int>(std::floor(*certainty * (steps + 1))))
+                : static_cast<int>(judgement.observer.guess(static_cast<std::size_t>(steps) + 1));
+  return {ScalePoint{step}, judgement.rated->is_guess};
+}
+
+/// The confidence in a response (`rate_confidence`), or a point on the scale: the standard logistic function of 3·l·(r + ε + 4.3) + b + η.
 ///
 /// r + ε is what the observer perceives of the first surface (VirtualObserver::estimate), about −4.3 for
 /// the lateral force of a stone surface. l is the loading of the question, between 0.5 and 1 with either sign, which
 /// its name determines: scales correlate positively or negatively, and for all participants alike.
 /// b ~ N(0, 0.3²) is the participant's bias on this scale, and η ~ N(0, 0.4²) varies over responses.
 VirtualResponse judge_rating(const Judgement& judgement) {
+  if (judgement.rated != nullptr) return rate_confidence(judgement);
   constexpr double kMedium = -4.3;
   constexpr double kSlope = 3.0;
   const auto& form = std::get<ScaleForm>(judgement.question.form);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 
@@ -73,11 +74,9 @@ void check_question_of_similarity(const Protocol& protocol, ProblemSink& problem
 }
 
 RatedQuantity rated_in(const Judgement& judgement) {
-  for (const Protocol::TrialQuestionTemplate& asked :
-       judgement.protocol.blocks.at(judgement.trial.block).questions) {
-    if (asked.name == judgement.question.name) return rated_quantity(asked);
-  }
-  return RatedQuantity::dissimilarity;
+  const auto* const asked =
+      question_named(judgement.protocol.blocks.at(judgement.trial.block), judgement.question.name);
+  return asked == nullptr ? RatedQuantity::dissimilarity : rated_quantity(*asked);
 }
 
 /// A point on the scale: the dissimilarity 1 − exp(−δ) of the perceived difference δ of both surfaces

@@ -209,7 +209,8 @@ std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,
   const double sign = declaration_.magnitude_decreases ? -1.0 : 1.0;
   const double of_first = sign * log_magnitude(first) + declaration_.position_bias;
   const double of_second = sign * log_magnitude(second);
-  if (lapses()) return guess(2);
+  if (lapses_in_decision()) return guess(2);
+  decide(std::abs(of_first - of_second), 2);
   if (std::abs(of_first - of_second) < least_difference) return std::nullopt;
   const std::array<double, 2> magnitudes{of_first, of_second};
   return best_of(magnitudes);
@@ -241,14 +242,33 @@ std::size_t VirtualObserver::odd_one(std::span<const ForceFeatures> felt) {
 
 bool VirtualObserver::exceeds(const ForceFeatures& felt, double log_criterion) {
   const double judged = log_magnitude(felt);
-  return lapses() ? guess(2) == 0 : judged > log_criterion;
+  if (lapses_in_decision()) return guess(2) == 0;
+  decide(std::abs(judged - log_criterion), 1);
+  return judged > log_criterion;
 }
 
 bool VirtualObserver::differ(const ForceFeatures& first, const ForceFeatures& second,
                              double least_difference) {
   const double of_first = log_magnitude(first);
   const double of_second = log_magnitude(second);
-  return lapses() ? guess(2) == 0 : std::abs(of_first - of_second) >= least_difference;
+  if (lapses_in_decision()) return guess(2) == 0;
+  const double difference = std::abs(of_first - of_second);
+  decide(std::abs(difference - least_difference), 2);
+  return difference >= least_difference;
+}
+
+bool VirtualObserver::lapses_in_decision() {
+  certainty_.reset();
+  return lapses();
+}
+
+void VirtualObserver::decide(double distance, int magnitudes) {
+  const double deviation = declaration_.feature_noise * std::sqrt(static_cast<double>(magnitudes));
+  if (distance == 0.0 || deviation == 0.0) {
+    certainty_ = distance == 0.0 ? 0.0 : 1.0;
+    return;
+  }
+  certainty_ = 1.0 - 2.0 * normal_below(-distance / deviation);
 }
 
 double VirtualObserver::relative_estimate(double judged) {

@@ -108,6 +108,15 @@ class VirtualObserver final {
   bool exceeds(const ForceFeatures& felt, double log_criterion);
   /// Whether the natural logarithms r + ε of two magnitudes differ by `least_difference` or more.
   bool differ(const ForceFeatures& first, const ForceFeatures& second, double least_difference);
+  /// The certainty of the last decision by `compare`, `exceeds` or `differ`, from 0 to 1: nothing in a lapse, and if deaf.
+  ///
+  ///   q = 2·Φ(|x − c|/s) − 1
+  ///
+  /// with the decision variable x, its standard deviation s and the criterion c, that is r₁ + ε₁ − r₂ − ε₂ (plus
+  /// `position_bias`), √2·σ and 0 of `compare`; r + ε, σ and `log_criterion` of `exceeds`; |r₁ + ε₁ − r₂ − ε₂|, √2·σ and
+  /// `least_difference` of `differ`. q is uniform on [0, 1] where x is normal with mean c. Without noise it is 1, and 0 at
+  /// the criterion.
+  std::optional<double> certainty() const noexcept { return certainty_; }
   /// The distance of the perceived features of two surfaces, √squared_distance(φ₁ + ε₁, φ₂ + ε₂); nothing in a lapse, and
   /// if deaf. Without noise it is 0 for two surfaces of the same features alone.
   std::optional<double> difference(const ForceFeatures& first, const ForceFeatures& second);
@@ -125,6 +134,10 @@ class VirtualObserver final {
 
  private:
   bool lapses();
+  /// Whether the next decision is a lapse; it has no certainty until `decide`.
+  bool lapses_in_decision();
+  /// Sets the certainty of a decision from |x − c|, x being a sum or a difference of so many magnitudes.
+  void decide(double distance, int magnitudes);
   /// e to the power of the exponent times `judged`, without the modulus; a guess in a lapse.
   double relative_estimate(double judged);
   ForceFeatures perceived(const ForceFeatures& felt);
@@ -134,6 +147,7 @@ class VirtualObserver final {
 
   ObserverDeclaration declaration_{};
   Random random_;
+  std::optional<double> certainty_{};
 };
 
 }  // namespace asperity

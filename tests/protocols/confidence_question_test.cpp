@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -73,6 +74,8 @@ TEST(ConfidenceOfAResponse, IsRefusedWhereItGivesNoRoc) {
          block["questions"][0]["judgement"] = "comparison";
          block["vary"]["levels_percent"] = {-10, 10};
        }},
+      {"two_alternatives", "/blocks/comparisons/questions/0", "is rated after it",
+       [](ConfidenceJson& block) { std::swap(block["questions"][0], block["questions"][1]); }},
       {"two_alternatives", "/blocks/comparisons/questions/2/confidence_of",
        "rates the same confidence", [](ConfidenceJson& block) {
          ConfidenceJson second = block["questions"][1];

@@ -3,7 +3,9 @@
 #include "protocols/observer/virtual_observer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -83,6 +85,82 @@ TEST(VirtualObserver, DistinguishesAsOftenAsItsNoiseAndLapsesImply) {
   EXPECT_EQ(distinguished_proportion(noisy, 0.0), 0.5);
   EXPECT_EQ(distinguished_proportion({.deaf = true}, 1.0), 0.5);
   EXPECT_EQ(distinguished_proportion({.feature_noise = 0.0, .lapse = 0.0}, 1e-9), 1.0);
+}
+
+// |x|/√2σ of a normal x with mean 0 is below its median 0.6745 as often as above it.
+TEST(VirtualObserver, IsAsOftenCertainAsUncertainWithoutADifference) {
+  const ObserverDeclaration noisy{.feature_noise = 0.2, .lapse = 0.0};
+  constexpr int kTrials = 4000;
+  const auto [low, high] = bounds(kTrials, 0.25);
+  const auto expect_quarters = [&](const std::function<void(VirtualObserver&)>& decide) {
+    VirtualObserver observer(noisy, Random(3));
+    std::array<int, 4> quarters{};
+    for (int i = 0; i < kTrials; ++i) {
+      decide(observer);
+      ASSERT_TRUE(observer.certainty());
+      ++quarters.at(static_cast<std::size_t>(4.0 * *observer.certainty()));
+    }
+    for (const int count : quarters) {
+      EXPECT_GE(count, low);
+      EXPECT_LE(count, high);
+    }
+  };
+  expect_quarters([](VirtualObserver& observer) {
+    (void)observer.compare(felt_with(-1.0), felt_with(-1.0), 0.0);
+  });
+  expect_quarters([](VirtualObserver& observer) { (void)observer.exceeds(felt_with(-1.0), -1.0); });
+}
+
+// 2·Φ(0.2/(√2·0.2)) − 1 = 0.5205 where the noise happens to be 0; on average the certainty grows with the difference.
+TEST(VirtualObserver, IsMoreCertainFartherFromItsCriterion) {
+  const ObserverDeclaration noisy{.feature_noise = 0.2, .lapse = 0.0};
+  const auto mean_certainty = [&](const std::function<void(VirtualObserver&)>& decide) {
+    VirtualObserver observer(noisy, Random(5));
+    double sum = 0.0;
+    for (int i = 0; i < 500; ++i) {
+      decide(observer);
+      sum += observer.certainty().value();
+    }
+    return sum / 500.0;
+  };
+  const auto comparing = [&](double difference) {
+    return mean_certainty([difference](VirtualObserver& observer) {
+      (void)observer.compare(felt_with(-1.0), felt_with(-1.0 + difference), 0.0);
+    });
+  };
+  EXPECT_LT(comparing(0.0), comparing(0.3));
+  EXPECT_LT(comparing(0.3), comparing(1.0));
+  const auto exceeding = [&](double magnitude) {
+    return mean_certainty([magnitude](VirtualObserver& observer) {
+      (void)observer.exceeds(felt_with(magnitude), -1.0);
+    });
+  };
+  EXPECT_LT(exceeding(-1.0), exceeding(-0.7));
+  EXPECT_LT(exceeding(-1.0), exceeding(-1.3)) << "on both sides";
+  const auto differing = [&](double difference) {
+    return mean_certainty([difference](VirtualObserver& observer) {
+      (void)observer.differ(felt_with(-1.0), felt_with(-1.0 + difference), 0.5);
+    });
+  };
+  EXPECT_LT(differing(0.5), differing(0.0)) << "of \"same\"";
+  EXPECT_LT(differing(0.5), differing(1.2)) << "of \"different\"";
+}
+
+TEST(VirtualObserver, HasNoCertaintyInALapseAndFullCertaintyWithoutNoise) {
+  VirtualObserver exact({.feature_noise = 0.0, .lapse = 0.0}, Random(1));
+  EXPECT_FALSE(exact.certainty()) << "before a decision";
+  (void)exact.compare(felt_with(-1.0), felt_with(-0.9), 0.0);
+  EXPECT_EQ(exact.certainty(), 1.0);
+  (void)exact.compare(felt_with(-1.0), felt_with(-1.0), 0.0);
+  EXPECT_EQ(exact.certainty(), 0.0);
+  VirtualObserver lapsing({.feature_noise = 0.1, .lapse = 0.5}, Random(1));
+  int without = 0;
+  for (int i = 0; i < 100; ++i) {
+    (void)lapsing.differ(felt_with(-1.0), felt_with(-0.9), 0.05);
+    without += lapsing.certainty() ? 0 : 1;
+  }
+  EXPECT_GT(without, 30) << "a lapse has no certainty, nor that of the decision before it";
+  EXPECT_LT(without, 70);
 }
 
 TEST(VirtualObserver, SaysNumbersThatGrowWithThePowerOfTheFeltForce) {

@@ -9,7 +9,7 @@
 #include "analysis/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/respondents/felt_surface.h"
-#include "protocols/kinds/experiment_kind.h"
+#include "protocols/design/block_factors.h"
 
 namespace asperity {
 
@@ -116,6 +116,7 @@ void VirtualParticipant::begin_attempt(int trial, int attempt) {
                         .split(static_cast<std::uint64_t>(trial))
                         .split(static_cast<std::uint64_t>(attempt));
   visits_.clear();
+  responses_.clear();
   felt_side_by_side_ = false;
 }
 
@@ -156,7 +157,7 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion>
     wait(thinking_s);
     if (left_s) left_s = *left_s - thinking_s;
     const ExperimentKind& kind = *kind_of_question(kind_named(trial.kind), question.form);
-    VirtualResponse judged =
+    const VirtualResponse judged =
         kind.judge({.protocol = protocol_,
                     .trial = trial,
                     .question = question,
@@ -164,12 +165,22 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion>
                     .expectations = expected == expectations_.end() ? kNone : expected->second,
                     .observer = observer,
                     .of_attempt = random,
-                    .of_participant = random_});
+                    .of_participant = random_,
+                    .rated = response_rated_by(trial, question)});
     is_guess = is_guess || judged.is_guess;
-    given.push_back({std::move(judged.answer), {}});
+    given.push_back({judged.answer, {}});
+    responses_[question.name] = judged;
   }
   source_ = is_guess || protocol_.observer.deaf ? "virtual_guess" : "virtual";
   return {std::move(given)};
+}
+
+const VirtualResponse* VirtualParticipant::response_rated_by(const Trial& trial,
+                                                             const TrialQuestion& question) const {
+  const auto* const asked = question_named(protocol_.blocks.at(trial.block), question.name);
+  if (asked == nullptr) return nullptr;
+  const auto rated = responses_.find(asked->confidence_of);
+  return rated == responses_.end() ? nullptr : &rated->second;
 }
 
 FormAnswer VirtualParticipant::answer(const Question& question, const Wait& wait) {

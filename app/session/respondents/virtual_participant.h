@@ -12,6 +12,7 @@
 #include "app/session/respondents/visit_tally.h"
 #include "app/session/stimulus_builder.h"
 #include "device/simulated_device.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/observer/virtual_observer.h"
 
 namespace asperity {
@@ -44,6 +45,8 @@ ExpectationsByExploration expectations_of(const Protocol& protocol, StimulusBuil
 /// "virtual_guess" after a guess and "virtual" after any other answer; lapses are part of the
 /// judgement.
 ///
+/// A rating of the confidence of a response grows with the certainty of the decision (VirtualObserver::certainty).
+///
 /// A number for a surface is VirtualObserver::estimate of the features of its force, scaled by the
 /// participant's habit of choosing numbers; when asked again, it gives the same number. It requires
 /// no expectation, and is a guess only for a deaf observer.
@@ -68,10 +71,15 @@ class VirtualParticipant final : public Respondent {
   bool wants_next(bool may_go) override { return felt_side_by_side_ && may_go; }
 
  private:
+  /// The earlier response of the attempt whose confidence the question rates; null for all other questions.
+  const VirtualResponse* response_rated_by(const Trial& trial, const TrialQuestion& question) const;
+
   const Protocol& protocol_;
   ExpectationsByExploration expectations_{};
   ParticipantRow person_{};
   VisitTally visits_{};  ///< of the attempt
+  std::map<std::string, VirtualResponse, std::less<>>
+      responses_{};  ///< of the attempt, by question
   bool felt_side_by_side_ = false;
   Random random_;
   Random attempt_random_;
