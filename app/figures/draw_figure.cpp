@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <QtCore/QLineF>
 #include <QtGui/QFontMetricsF>
@@ -281,10 +282,24 @@ class FigureDrawing final {
              look_.colors.muted);
         continue;
       }
+      if (one.at == FigureReference::At::equal) {
+        diagonal(words);
+        continue;
+      }
       const double x = layout_.x_of(one.value);
       painter_.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
       text(words, {x, plot.top()}, Across::centre, Along::bottom, look_.colors.muted);
     }
+  }
+
+  /// The line on which both axes have the same number, with the words below its middle.
+  void diagonal(const QString& words) {
+    const double low = std::max(figure_.x.low, figure_.y.low);
+    const double high = std::min(figure_.x.high, figure_.y.high);
+    painter_.drawLine(at(low, low), at(high, high));
+    const double middle = std::midpoint(low, high);
+    text(words, at(middle, middle) + QPointF(0.8 * letters(), 0.0), Across::left, Along::top,
+         look_.colors.muted);
   }
 
   QPen pen_of(const FigureSeries& series, double width) const {

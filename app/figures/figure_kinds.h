@@ -125,6 +125,17 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
 /// without the tables of thresholds.
 std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome);
 
+/// An ROC of a figure. `key`: of the findings of the family `roc`, without the rating.
+struct RocCurve {
+  std::string key{};
+  Phrase name{};
+};
+/// Hits over false alarms of the ratings, the fitted normal model and its area; a series per curve.
+Figure roc_figure(const FoundNumbers& found, std::span<const RocCurve> curves);
+/// Of a discrimination with ratings of confidence: for every condition the ROCs of the levels, over all participants and
+/// of each one.
+std::vector<Figure> roc_figures(const AnalysisOutcome& outcome);
+
 /// The tracks of each participant, from the table of the trials of a discrimination.
 std::vector<Figure> track_figures(const Table& table);
 

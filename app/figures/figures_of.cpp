@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/figures/figure_kinds.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/learning.h"
 #include "app/findings/study/response_times.h"
@@ -232,6 +233,7 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
   }
   add_ratings(outcome, figures);
   for (Figure& figure : threshold_figures(outcome)) figures.push_back(std::move(figure));
+  for (Figure& figure : roc_figures(outcome)) figures.push_back(std::move(figure));
   add_sexes(outcome, figures);
   add_groups(outcome, figures);
   add_times(outcome, figures);
@@ -260,6 +262,13 @@ std::vector<Figure> figures_of(const std::string& family, const TidyInput& input
   if (family == "rmanova") return {interaction_figure(input, found, level_unit)};
   if (family == "power") return {power_figure(input, found)};
   if (family == "magnitude") return {roughness_figure(found, level_unit, CurveNames::of_probes)};
+  if (family == "roc") {
+    std::vector<RocCurve> curves{};
+    for (const std::string& name : input.table().all_labels("condition").names) {
+      curves.push_back({.key = name, .name = words_of_condition(name)});
+    }
+    return {roc_figure(found, curves)};
+  }
   if (family == "psyfit") return {psychometric_figure(input, found, level_unit)};
   if (family == "staircase") return {tracks_figure(track_trials(input, found), level_unit)};
   if (family == "seedpaper") return seedpaper_forests(found);

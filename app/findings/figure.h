@@ -67,9 +67,13 @@ struct FigureSeries {
 
 /// A dashed line across the plot, for example at chance level.
 struct FigureReference {
-  enum class At { x, y };
+  enum class At {
+    x,
+    y,
+    equal,  ///< where both axes have the same number
+  };
   At at = At::x;
-  double value = 0.0;
+  double value = 0.0;  ///< of the axis; not used for `equal`
   Phrase label{};
 };
 

@@ -174,6 +174,43 @@ TEST(ChoiceOfThreeAnalysis, HasSensitivitiesByEveryRuleOfTheDesign) {
   }
 }
 
+// The interval of the mean over twelve participants has 95 %; 3.29/1.96 of it contain the planted d′ with 99.9 %.
+TEST(ChoiceOfThreeAnalysis, StatesTheMeanSensitivityOverTheParticipants) {
+  for (const DiscriminationDesign* const design : designs_of_three()) {
+    SCOPED_TRACE(std::string(design->id));
+    const int rounds = 60 / static_cast<int>(design->trials.size());
+    const AnalysisOutcome outcome = outcome_of_three(*design, kObserverOfThree, 12, rounds);
+    const std::vector<Finding> sensitivity = part_of(outcome, "sensitivity");
+    const FoundNumbers found(sensitivity);
+    EXPECT_EQ(found.all("dprime.mean").size(), kAbove_m.size());
+    for (const char* const level : {"6e-05", "6.5e-05"}) {
+      const Finding* const mean = found.find("dprime.mean", std::string("all|") + level);
+      ASSERT_TRUE(mean != nullptr && mean->value && mean->low && mean->high) << level;
+      const double p = kObserverOfThree.value(std::stod(level) - kStandard_m);
+      const double planted =
+          design->asks_for_odd_one ? Oddity{}.dprime(p) : ForcedChoice{.alternatives = 3}.dprime(p);
+      const double reach = 3.29 / 1.96 * 0.5 * (*mean->high - *mean->low);
+      EXPECT_NEAR(*mean->value, planted, reach) << level;
+      EXPECT_LT(reach, 0.25 * planted) << "the interval is of use";
+    }
+    EXPECT_THAT(answer_to(outcome, "sensitivity"),
+                HasSubstr("Mean d′ by the amplitude of the comparison: 52.5 µm: "));
+    EXPECT_THAT(answer_to(outcome, "sensitivity"), HasSubstr("; 60 µm: "));
+    EXPECT_THAT(answer_to(outcome, "sensitivity"), HasSubstr(" (95 % CI ["));
+  }
+}
+
+// 30 trials at each level have a standard error of d′ of about 0.27; the mean of twelve participants has 0.08.
+TEST(ChoiceOfThreeAnalysis, HasAMeanSensitivityOfZeroForObserversWhoGuessAmongAlternatives) {
+  PsychometricFunction guessing = kObserverOfThree;
+  guessing.alpha = 1.0;
+  const std::vector<Finding> sensitivity =
+      part_of(outcome_of_three(three_alternatives(), guessing, 12, 30), "sensitivity");
+  for (const Finding* const mean : FoundNumbers(sensitivity).all("dprime.mean")) {
+    EXPECT_NEAR(*mean->value, 0.0, 3.29 * 0.08) << mean->key;
+  }
+}
+
 // Twelve guessing participants with 150 trials each: the mean proportion correct has a standard error of 0.011, and no
 // place is preferred.
 TEST(ChoiceOfThreeAnalysis, IsAtChanceForGuessingObservers) {

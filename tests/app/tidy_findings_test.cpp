@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/decision_rules.h"
+#include "analysis/forced_choice.h"
 #include "analysis/tail_probabilities.h"
 #include "app/cli/analysis_output.h"
 #include "app/findings/tidy/tidy_families.h"
@@ -371,6 +373,32 @@ TEST(TidyFamilies, AverageTheSensitivityOverParticipantsWithAnIntervalFromThem) 
     if (finding.quantity != "dprime.mean") continue;
     EXPECT_FALSE(finding.low) << "of two participants";
   }
+}
+
+// (20 + 1/3)/21 and (10 + 1/3)/21 correct: the first participant has no error, and d′ is finite.
+TEST(TidyFamilies, AverageTheSensitivityOfChoicesAmongThreeOverParticipants) {
+  std::string table = "id,subject,design,signal_yes,signal_n,m\n";
+  for (const char* const subject : {"a", "c", "e"}) {
+    table += std::string("x,") + subject + ",mafc,20,20,3\ny," + subject + ",oddity,20,20,\n";
+  }
+  for (const char* const subject : {"b", "d", "f"}) {
+    table += std::string("x,") + subject + ",mafc,10,20,3\ny," + subject + ",oddity,10,20,\n";
+  }
+  const auto found = dprime_findings(input_of(table, "{}"));
+  const auto mean_of = [](const auto& dprime) {
+    return 0.5 * (dprime((20.0 + 1.0 / 3.0) / 21.0) + dprime((10.0 + 1.0 / 3.0) / 21.0));
+  };
+  EXPECT_NEAR(value_of(found, "dprime.mean", "x"),
+              mean_of([](double p) { return ForcedChoice{.alternatives = 3}.dprime(p); }), 1e-9);
+  EXPECT_NEAR(value_of(found, "dprime.mean", "y"),
+              mean_of([](double p) { return Oddity{}.dprime(p); }), 1e-9);
+  for (const Finding& finding : found) {
+    const bool is_mean = finding.quantity == "dprime.mean";
+    EXPECT_TRUE(!is_mean || (finding.low && finding.high));
+  }
+  const auto guessing =
+      dprime_findings(input_of("id,subject,design,signal_yes,signal_n,m\nx,a,mafc,2,6,3\n", "{}"));
+  EXPECT_NEAR(value_of(guessing, "dprime.mean", "x"), 0.0, 1e-9) << "not moved away from 0";
 }
 
 TEST(TidyFamilies, GiveTheAreaOfRatingsAnIntervalOverParticipants) {

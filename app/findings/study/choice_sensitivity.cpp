@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "analysis/number_text.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/answer_columns.h"
@@ -30,10 +29,6 @@ CorrectByLevel correct_by_level(const DiscriminationStudy& study) {
   return correct;
 }
 
-std::string id_of_level(const DiscriminationResults& results, std::size_t condition, double value) {
-  return both(results.conditions[condition], number_text(value));
-}
-
 std::vector<Finding> sensitivities_of_choices(const GatheredAnswers& gathered,
                                               const DiscriminationResults& results,
                                               const CorrectByLevel& correct) {
@@ -45,7 +40,7 @@ std::vector<Finding> sensitivities_of_choices(const GatheredAnswers& gathered,
   NumberColumn trials{};
   for (const auto& [place, count] : correct) {
     const auto& [condition, value, person] = place;
-    ids.add(id_of_level(results, condition, value));
+    ids.add(id_of_level(results, {condition, value}));
     subjects.add(gathered.people[person].label);
     designs.add(design.asks_for_odd_one ? "oddity" : "mafc");
     hits.emplace_back(static_cast<double>(count.hits));
@@ -69,7 +64,7 @@ void add_rows(const GatheredAnswers& gathered, const DiscriminationResults& resu
   for (const auto& [place, count] : correct) {
     const auto& [condition, value, person] = place;
     const std::string& participant = gathered.people[person].label;
-    const std::string key = both(id_of_level(results, condition, value), participant);
+    const std::string key = both(id_of_level(results, {condition, value}), participant);
     const auto [low, high] = found.interval("dprime", key);
     table.rows.push_back({participant, results.conditions[condition], task.varied.parameter, value,
                           value - task.standard(), static_cast<std::int64_t>(count.trials),
@@ -105,6 +100,19 @@ Phrase note_on_choices(const ShownDesigns& shown) {
   return note;
 }
 
+Phrase method_of_mean(const DiscriminationDesign& design) {
+  return design.asks_for_odd_one
+             ? phrase("Analysis",
+                      "Mean over the participants of d′ by the differencing rule, of "
+                      "(correct responses + 1/3)/(trials + 1), which is finite; CIs by expanded "
+                      "percentiles of a bootstrap over participants, with six participants or "
+                      "more.")
+             : phrase("Analysis",
+                      "Mean over the participants of d′ of (correct responses + 1/3)/(trials + 1), "
+                      "which is finite; CIs by expanded percentiles of a bootstrap over "
+                      "participants, with six participants or more.");
+}
+
 }  // namespace
 
 void add_choice_sensitivity(const GatheredAnswers& gathered,
@@ -124,7 +132,17 @@ void add_choice_sensitivity(const GatheredAnswers& gathered,
     const CorrectByLevel correct = correct_by_level(results.study);
     const std::vector<Finding> findings = sensitivities_of_choices(gathered, results, correct);
     keep_findings(findings, outcome);
-    add_rows(gathered, results, correct, FoundNumbers(findings), choices.table);
+    const FoundNumbers found(findings);
+    add_rows(gathered, results, correct, found, choices.table);
+    LevelsOfConditions levels{};
+    for (const auto& [place, count] : correct) {
+      levels.emplace(std::get<std::size_t>(place), std::get<double>(place));
+    }
+    if (!levels.empty()) {
+      ask_mean_sensitivity(results, levels, found,
+                           {.table = kSensitivityOfChoices, .method = method_of_mean(design)},
+                           outcome);
+    }
     shown.has_oddity = shown.has_oddity || design.asks_for_odd_one;
     shown.has_three_alternatives = shown.has_three_alternatives || !design.asks_for_odd_one;
   }

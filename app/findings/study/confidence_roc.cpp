@@ -222,7 +222,7 @@ void add_confidence_roc(const GatheredAnswers& gathered,
     const FoundNumbers found(findings);
     for (const auto& [place, level] : levels) {
       const std::string id = id_of_rated(results, place);
-      add_row(results, place, "all", id, found, roc.table);
+      add_row(results, place, kAllParticipants, id, found, roc.table);
       if (gathered.people.size() < 2) continue;
       for (const auto& [person, ratings] : level) {
         const std::string& participant = gathered.people[person].label;

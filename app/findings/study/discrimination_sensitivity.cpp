@@ -86,9 +86,8 @@ std::vector<CountsAtLevel> counts_by_level(const DiscriminationStudy& study) {
   return levels;
 }
 
-/// "wood|7.5e-05"
 std::string id_of(const DiscriminationResults& results, const CountsAtLevel& level) {
-  return both(results.conditions[level.condition], number_text(level.value));
+  return id_of_level(results, {level.condition, level.value});
 }
 
 std::vector<Finding> sensitivity_of(const GatheredAnswers& gathered,
@@ -223,15 +222,11 @@ Phrase note_on_sensitivity(const std::vector<DiscriminationResults>& all,
 }
 
 /// "7.5 µm: 1.2 (95 % CI [0.9, 1.5])", for all conditions and levels.
-Phrase mean_sensitivities(const DiscriminationResults& results,
-                          const std::vector<CountsAtLevel>& levels, const FoundNumbers& found) {
-  std::map<std::pair<std::size_t, double>, std::string> ids{};
-  for (const CountsAtLevel& level : levels) {
-    ids[{level.condition, level.value}] = id_of(results, level);
-  }
+Phrase mean_sensitivities(const DiscriminationResults& results, const LevelsOfConditions& levels,
+                          const FoundNumbers& found) {
   Phrase all{};
-  for (const auto& [place, id] : ids) {
-    const Finding* const mean = found.find("dprime.mean", id);
+  for (const std::pair<std::size_t, double>& place : levels) {
+    const Finding* const mean = found.find("dprime.mean", id_of_level(results, place));
     if (mean == nullptr || !mean->value) continue;
     Phrase one = phrase("Analysis", "%1: %2")
                      .with(stated_quantity(place.second, results.study.task.varied.unit),
@@ -249,8 +244,16 @@ Phrase mean_sensitivities(const DiscriminationResults& results,
   return all;
 }
 
-void ask_sensitivity(const DiscriminationResults& results, const std::vector<CountsAtLevel>& levels,
-                     const FoundNumbers& found, AnalysisOutcome& outcome) {
+}  // namespace
+
+std::string id_of_level(const DiscriminationResults& results,
+                        const std::pair<std::size_t, double>& place) {
+  return both(results.conditions[place.first], number_text(place.second));
+}
+
+void ask_mean_sensitivity(const DiscriminationResults& results, const LevelsOfConditions& levels,
+                          const FoundNumbers& found, const MeanSensitivity& mean,
+                          AnalysisOutcome& outcome) {
   const Phrase means = mean_sensitivities(results, levels, found);
   if (means.empty()) return;
   const std::string name =
@@ -259,13 +262,8 @@ void ask_sensitivity(const DiscriminationResults& results, const std::vector<Cou
       outcome, name.c_str(), phrase("Analysis", "How large is the sensitivity (d′) at each level?"),
       phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
           .with(words_of_parameter(results.study.task.varied.parameter), means),
-      phrase("Analysis",
-             "Mean over the participants of d′ with the log-linear correction; CIs by expanded "
-             "percentiles of a bootstrap over participants, with six participants or more."),
-      kSensitivity, found.find("dprime.mean", id_of(results, levels.front())));
+      mean.method, mean.table, found.find("dprime.mean", id_of_level(results, *levels.begin())));
 }
-
-}  // namespace
 
 void add_sensitivity(const GatheredAnswers& gathered, const std::vector<DiscriminationResults>& all,
                      AnalysisOutcome& outcome) {
@@ -296,7 +294,17 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
     const FoundNumbers found(findings);
     add_level_rows(gathered, results, levels, found, sensitivity.table);
     add_pair_rows(gathered, results, pairs.table);
-    if (results.study.task.design->has_noise()) ask_sensitivity(results, levels, found, outcome);
+    if (!results.study.task.design->has_noise()) continue;
+    LevelsOfConditions places{};
+    for (const CountsAtLevel& level : levels) places.emplace(level.condition, level.value);
+    ask_mean_sensitivity(
+        results, places, found,
+        {.table = kSensitivity,
+         .method = phrase("Analysis",
+                          "Mean over the participants of d′ with the log-linear correction; CIs by "
+                          "expanded percentiles of a bootstrap over participants, with six "
+                          "participants or more.")},
+        outcome);
   }
   if (sensitivity.table.rows.empty()) return;
   sensitivity.note = note_on_sensitivity(all, of_correction);

@@ -2,8 +2,13 @@
 
 #pragma once
 
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "app/findings/found_numbers.h"
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/discrimination_results.h"
 
@@ -12,6 +17,22 @@ namespace asperity {
 /// The tables, and the analysis of the findings of the first.
 inline constexpr const char* kSensitivity = "sensitivity";
 inline constexpr const char* kResponsesByPair = "responses_by_pair";
+
+/// Conditions of DiscriminationResults and values of the parameter.
+using LevelsOfConditions = std::set<std::pair<std::size_t, double>>;
+
+/// The id of a level in the family `dprime`: "wood|7.5e-05".
+std::string id_of_level(const DiscriminationResults& results,
+                        const std::pair<std::size_t, double>& place);
+
+struct MeanSensitivity {
+  const char* table = "";  ///< with d′ of the participants
+  Phrase method{};
+};
+/// Adds the question about the mean d′ at each level, from the findings `dprime.mean`. Nothing without such a mean.
+void ask_mean_sensitivity(const DiscriminationResults& results, const LevelsOfConditions& levels,
+                          const FoundNumbers& found, const MeanSensitivity& mean,
+                          AnalysisOutcome& outcome);
 
 /// Adds, for the tasks with correct responses whose levels did not depend on the responses:
 ///

@@ -187,36 +187,60 @@ void add_oddity(const CountedTask& task, FindingList& findings) {
              "d′ by the rule of independent observations", findings);
 }
 
-using LoglinearSensitivity = double (*)(const DetectionCounts&);
+using FiniteSensitivity = double (*)(const CountedTask&);
 
-double loglinear_yes_no(const DetectionCounts& counts) {
-  return yes_no_sensitivity(loglinear_rates(counts))->dprime;
+double loglinear_yes_no(const CountedTask& task) {
+  return yes_no_sensitivity(loglinear_rates(task.counts))->dprime;
 }
-double loglinear_two_alternatives(const DetectionCounts& counts) {
-  return two_alternative_sensitivity(loglinear_rates(counts))->dprime;
+double loglinear_two_alternatives(const CountedTask& task) {
+  return two_alternative_sensitivity(loglinear_rates(task.counts))->dprime;
 }
-double loglinear_same_different(const DetectionCounts& counts) {
-  return same_different_sensitivity(loglinear_rates(counts), DecisionRule::differencing)->dprime;
+double loglinear_same_different(const CountedTask& task) {
+  return same_different_sensitivity(loglinear_rates(task.counts), DecisionRule::differencing)
+      ->dprime;
 }
-double loglinear_abx(const DetectionCounts& counts) {
-  return abx_sensitivity(loglinear_rates(counts), DecisionRule::differencing)->dprime;
+double loglinear_abx(const CountedTask& task) {
+  return abx_sensitivity(loglinear_rates(task.counts), DecisionRule::differencing)->dprime;
 }
+
+/// With the mean of a guess as a further trial. Like the log-linear correction, to which it is equal with two alternatives,
+/// it moves d′ towards 0; an added ½ would move small d′ of more alternatives away from it.
+double proportion_with_guess(const HitCount& correct, std::size_t alternatives) {
+  return (static_cast<double>(correct.hits) + 1.0 / static_cast<double>(alternatives)) /
+         (static_cast<double>(correct.trials) + 1.0);
+}
+double forced_choice_with_guess(const CountedTask& task) {
+  return ForcedChoice{.alternatives = task.alternatives}.dprime(
+      proportion_with_guess(task.counts.signal, task.alternatives));
+}
+double oddity_with_guess(const CountedTask& task) {
+  return Oddity{.rule = DecisionRule::differencing}.dprime(
+      proportion_with_guess(task.counts.signal, 3));
+}
+
+constexpr const char* kLoglinearMean =
+    "mean over the participants of d′ with the log-linear correction "
+    "(same–different and ABX: differencing rule)";
+constexpr const char* kMeanWithGuess =
+    "mean over the participants of d′ of (correct responses + 1/m)/(trials + 1), with m "
+    "alternatives (oddity: m = 3, differencing rule)";
 
 struct CountedDesign {
   std::string_view name{};
   void (*add)(const CountedTask&, FindingList&) = nullptr;
   bool has_noise = true;  ///< the table states false alarms
   bool states_alternatives = false;
-  /// d′ of one participant for the mean over participants; null where a proportion correct of 1 has none.
-  LoglinearSensitivity of_participant = nullptr;
+  /// d′ of one participant for the mean over participants, which is finite for every count.
+  FiniteSensitivity of_participant = nullptr;
+  const char* mean = kLoglinearMean;
 };
 constexpr std::array kCountedDesigns{
     CountedDesign{"yesno", add_rates<add_yes_no>, true, false, loglinear_yes_no},
     CountedDesign{"2afc", add_rates<add_two_alternatives>, true, false, loglinear_two_alternatives},
-    CountedDesign{"mafc", add_forced_choice, false, true, nullptr},
+    CountedDesign{"mafc", add_forced_choice, false, true, forced_choice_with_guess, kMeanWithGuess},
     CountedDesign{"samediff", add_rates<add_same_different>, true, false, loglinear_same_different},
     CountedDesign{"abx", add_rates<add_abx>, true, false, loglinear_abx},
-    CountedDesign{"oddity", add_oddity, false, false, nullptr}};
+    CountedDesign{"oddity", add_oddity, false, false, oddity_with_guess, kMeanWithGuess}};
 
 const CountedDesign& counted_design(const TidyTable& table, std::size_t row,
                                     std::string_view name) {
@@ -251,8 +275,15 @@ HitCount hits_in(const TidyTable& table, const char* yes_column, std::size_t row
   return {.hits = *yes, .trials = *trials};
 }
 
-void add_mean_sensitivity(const std::string& id, std::span<const double> of_participants,
+/// The sensitivities of the participants in one task.
+struct SensitivitiesOfTask {
+  const char* mean = "";  ///< how their mean is computed
+  std::vector<double> of_participants{};
+};
+
+void add_mean_sensitivity(const std::string& id, const SensitivitiesOfTask& sensitivities,
                           double confidence, FindingList& findings) {
+  const std::vector<double>& of_participants = sensitivities.of_participants;
   const auto mean_of = [&](std::span<const std::size_t> places) -> std::optional<double> {
     double sum = 0.0;
     for (const std::size_t place : places) sum += of_participants[place];
@@ -262,10 +293,7 @@ void add_mean_sensitivity(const std::string& id, std::span<const double> of_part
   std::iota(all.begin(), all.end(), std::size_t{0});
   const ParticipantBootstrap bootstrap =
       bootstrap_participants({.participants = all.size(), .confidence = confidence}, mean_of);
-  Basis basis{.n = all.size(),
-              .method =
-                  "mean over the participants of d′ with the log-linear correction "
-                  "(same–different and ABX: differencing rule)"};
+  Basis basis{.n = all.size(), .method = sensitivities.mean};
   if (bootstrap.interval) {
     basis.method +=
         "; expanded percentiles, bootstrap over participants, " + way_of_counting(bootstrap.draws);
@@ -295,7 +323,7 @@ std::vector<Finding> dprime_findings(const TidyInput& input) {
   const auto alternatives = numbers("m");
   const double confidence = input.options.confidence();
   FindingList findings{};
-  std::map<std::size_t, std::vector<double>> by_id{};  // d′ of the participants
+  std::map<std::size_t, SensitivitiesOfTask> by_id{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const CountedDesign& design = counted_design(table, row, designs[row]);
     const std::string& id = ids.names[ids.codes[row]];
@@ -319,11 +347,13 @@ std::vector<Finding> dprime_findings(const TidyInput& input) {
       }
     }
     design.add(task, findings);
-    if (!has_participants || design.of_participant == nullptr) continue;
-    by_id[ids.codes[row]].push_back(design.of_participant(task.counts));
+    if (!has_participants) continue;
+    SensitivitiesOfTask& sensitivities = by_id[ids.codes[row]];
+    sensitivities.mean = design.mean;
+    sensitivities.of_participants.push_back(design.of_participant(task));
   }
-  for (const auto& [id, of_participants] : by_id) {
-    add_mean_sensitivity(ids.names[id], of_participants, confidence, findings);
+  for (const auto& [id, sensitivities] : by_id) {
+    add_mean_sensitivity(ids.names[id], sensitivities, confidence, findings);
   }
   return findings.take();
 }

@@ -2547,6 +2547,14 @@
         <source>Standard with modulus %1 (%2): the estimates are not normalised, because there is no estimate of the standard.</source>
         <translation>Standard mit Modulus %1 (%2): Die Schätzungen sind nicht normiert, weil es keine Schätzung des Standards gibt.</translation>
     </message>
+    <message>
+        <source>Mean over the participants of d′ by the differencing rule, of (correct responses + 1/3)/(trials + 1), which is finite; CIs by expanded percentiles of a bootstrap over participants, with six participants or more.</source>
+        <translation>Mittelwert über die Versuchspersonen von d′ nach der Differenzregel, aus (richtige Antworten + 1/3)/(Durchgänge + 1) und daher endlich; KI durch erweiterte Perzentile eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Mean over the participants of d′ of (correct responses + 1/3)/(trials + 1), which is finite; CIs by expanded percentiles of a bootstrap over participants, with six participants or more.</source>
+        <translation>Mittelwert über die Versuchspersonen von d′ aus (richtige Antworten + 1/3)/(Durchgänge + 1) und daher endlich; KI durch erweiterte Perzentile eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -5577,6 +5585,42 @@
     <message>
         <source>by running the procedure again</source>
         <translation>durch Wiederholung des Verfahrens</translation>
+    </message>
+    <message>
+        <source>%1 (%2 % CI [%3, %4])</source>
+        <translation>%1 (%2-%-KI [%3; %4])</translation>
+    </message>
+    <message>
+        <source>ROC of the confidence ratings</source>
+        <translation>ROC der Sicherheitsurteile</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>An ROC needs trials with and trials without a signal; collect responses of both kinds first.</source>
+        <translation>Eine ROC braucht Durchgänge mit und ohne Signal; erst Antworten beider Arten erheben.</translation>
+    </message>
+    <message>
+        <source>Points: proportions of the trials with a signal (hits) and without one (false alarms) with at least this rating, a point per criterion.</source>
+        <translation>Punkte: Anteile der Durchgänge mit Signal (Treffer) und ohne Signal (falsche Alarme) mit mindestens diesem Urteil, ein Punkt je Kriterium.</translation>
+    </message>
+    <message>
+        <source>%1 Curves: normal model with unequal variances, by maximum likelihood. Area under the curve, A_z: %2.</source>
+        <translation>%1 Kurven: Normalverteilungsmodell mit ungleichen Varianzen, nach der Maximum-Likelihood-Methode. Fläche unter der Kurve, A_z: %2.</translation>
+    </message>
+    <message>
+        <source>proportion of false alarms</source>
+        <translation>Anteil falscher Alarme</translation>
+    </message>
+    <message>
+        <source>proportion of hits</source>
+        <translation>Anteil der Treffer</translation>
+    </message>
+    <message>
+        <source>ROC of the confidence ratings of participant %1</source>
+        <translation>ROC der Sicherheitsurteile der Versuchsperson %1</translation>
     </message>
 </context>
 <context>
