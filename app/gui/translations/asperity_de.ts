@@ -9409,10 +9409,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Hören</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Surface and hand&lt;/b&gt;, the same for all</source>
-        <translation>&lt;b&gt;Oberfläche und Hand&lt;/b&gt;, für alle gleich</translation>
-    </message>
-    <message>
         <source>There is no sound output. Connect headphones to hear a force.</source>
         <translation>Es gibt keine Tonausgabe. Kopfhörer anschließen, um eine Kraft zu hören.</translation>
     </message>
@@ -9431,6 +9427,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1: RMS %2 m/s², maximum %3 m/s²</source>
         <translation>%1: Effektivwert %2 m/s², Maximum %3 m/s²</translation>
+    </message>
+    <message>
+        <source>This model touches the relief as a plate. Choose the plane as the body under Surface and hand.</source>
+        <translation>Dieses Modell berührt das Relief als Platte. Wählen Sie unter „Oberfläche und Hand“ die Ebene als Körper.</translation>
     </message>
 </context>
 <context>
@@ -12876,6 +12876,25 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>&amp;Plug-ins…</source>
         <translation>&amp;Plug-ins…</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SurfaceCard</name>
+    <message>
+        <source>&lt;b&gt;Surface and hand&lt;/b&gt;, the same for all</source>
+        <translation>&lt;b&gt;Oberfläche und Hand&lt;/b&gt;, für alle gleich</translation>
+    </message>
+    <message>
+        <source>Choose a textured mesh</source>
+        <translation>Netz mit Textur wählen</translation>
+    </message>
+    <message>
+        <source>Textured meshes (*.mesh)</source>
+        <translation>Netze mit Textur (*.mesh)</translation>
+    </message>
+    <message>
+        <source>Choose mesh…</source>
+        <translation>Netz wählen …</translation>
     </message>
 </context>
 <context>

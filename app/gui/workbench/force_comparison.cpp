@@ -17,6 +17,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
+#include "app/gui/workbench/surface_card.h"
 
 namespace asperity {
 
@@ -33,30 +34,6 @@ constexpr std::int64_t kComparedPeriod_ns = 1'000'000;
 constexpr std::size_t kBetweenJudgings = 50;  // samples: twenty numbers a second
 constexpr double kLoud_N = 0.2;               // a strong texture force is at half of full scale
 constexpr double kStill_m_per_s = 1e-4;       // below, a direction of motion means nothing
-
-std::vector<Parameter> surface_parameters() {
-  const Material usual{};
-  const auto number = [](const char* name, const char* unit, double minimum, double maximum,
-                         double usual_value, const char* meaning) {
-    return Parameter{.name = name,
-                     .kind = ParameterKind::number,
-                     .unit = unit,
-                     .minimum = minimum,
-                     .maximum = maximum,
-                     .choices = {},
-                     .default_value = usual_value,
-                     .meaning = meaning};
-  };
-  return {number("stiffness_N_per_m", "N/m", 1.0, 5000.0, usual.stiffness_N_per_m,
-                 "Stiffness of the surface, the same for every model"),
-          number("friction", "1", 0.0, 2.0, usual.friction,
-                 "Coulomb friction coefficient of the surface, the same for every model"),
-          number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
-                 "Depth of the probe below the mean height during the stroke"),
-          number("ball_diameter_m", "m", 0.001, 0.02, 0.005,
-                 "Diameter of the sphere that a model with two bodies uses as the probe; the other "
-                 "models use a point")};
-}
 
 QString model_name(const ForceModel& model) {
   QString name = QString::fromStdString(model.declaration.id).replace('_', ' ');
@@ -80,7 +57,7 @@ struct ForceComparison::Built {
     QString complaint{};
   };
   std::vector<Model> models{};
-  double depth_m = 0.0;
+  MouseHand hand{0.0};
 };
 
 ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) : QWidget(parent) {
@@ -129,14 +106,9 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   layout->addLayout(choices);
   for (const ForceModel& model : models.models()) add_card(model, this);
 
-  QVBoxLayout* inside = nullptr;
-  QFrame* card = make_card(this, inside);
-  inside->addWidget(make_text(tr("<b>Surface and hand</b>, the same for all"), card));
-  surface_ = new ParameterForm(surface_parameters(), FormStyle::fields, card);
-  surface_->setObjectName("surface");
-  connect(surface_, &ParameterForm::edited, this, &ForceComparison::make_renderers);
-  inside->addWidget(surface_);
-  layout->addWidget(card);
+  surface_ = new SurfaceCard(this);
+  connect(surface_, &SurfaceCard::edited, this, &ForceComparison::make_renderers);
+  layout->addWidget(surface_);
   layout->addStretch(1);
   frames_.setInterval(kComparisonFrame_ms);
   connect(&frames_, &QTimer::timeout, this, &ForceComparison::frame);
@@ -182,7 +154,7 @@ void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
 }
 
 ForceComparison::Choices ForceComparison::choices() const {
-  Choices choices{.surface = surface_->given(),
+  Choices choices{.surface = surface_->choices(),
                   .component = component_->currentIndex(),
                   .heard = heard_->currentIndex()};
   for (const ModelCard& card : cards_) {
@@ -193,7 +165,7 @@ ForceComparison::Choices ForceComparison::choices() const {
 }
 
 void ForceComparison::choose(const Choices& choices) {
-  surface_->set_values(choices.surface);
+  surface_->choose(choices.surface);
   for (const ModelCard& card : cards_) {
     const auto chosen = choices.chosen.find(card.model->declaration.id);
     if (chosen == choices.chosen.end()) continue;
@@ -221,17 +193,33 @@ void ForceComparison::make_renderers() {
   for (const ModelCard& card : cards_) {
     if (card.chosen->isChecked()) orders.push_back({card.model, card.form->given()});
   }
-  const ParameterValues surface = surface_->values();
-  const Material material{.stiffness_N_per_m = number_of(surface, "stiffness_N_per_m"),
-                          .friction = number_of(surface, "friction")};
+  const QString only_on_a_plane =
+      tr("This model touches the relief as a plate. Choose the plane as the body under Surface and "
+         "hand.");
   work_.ask(
-      [this, orders, material, plate = field_, depth_m = number_of(surface, "pressing_depth_m"),
-       ball_m = number_of(surface, "ball_diameter_m")]() -> NewestWork::Delivery {
+      [this, orders, only_on_a_plane, material = surface_->material(), plate = field_,
+       body = surface_->body(), depth_m = surface_->depth_m(),
+       ball_m = surface_->ball_diameter_m()]() -> NewestWork::Delivery {
         const std::shared_ptr<const HeightField>& field = plate->field();
         auto built = std::make_shared<Built>();
-        built->depth_m = depth_m;
+        std::shared_ptr<const BodySurface> surface{};
+        QString complaint_about_body{};
+        try {
+          surface = body->surface();
+        } catch (const std::exception& error) {
+          complaint_about_body = QString::fromUtf8(error.what());
+        }
+        built->hand = MouseHand(depth_m, surface);
         for (const Order& order : orders) {
-          Built::Model model{.id = order.model->declaration.id};
+          Built::Model model{.id = order.model->declaration.id, .complaint = complaint_about_body};
+          if (model.complaint.isEmpty() && surface != nullptr &&
+              order.model->declaration.needs_bodies) {
+            model.complaint = only_on_a_plane;
+          }
+          if (!model.complaint.isEmpty()) {
+            built->models.push_back(std::move(model));
+            continue;
+          }
           try {
             if (order.model->suggested_by) {
               model.suggestion = order.model->suggested_by(*field, material);
@@ -241,6 +229,8 @@ void ForceComparison::make_renderers() {
             model.stroked = {.id = model.id, .inputs = stroke_inputs(field, material, values)};
             if (order.model->declaration.needs_bodies) {
               add_bodies(model.stroked.inputs, *plate, ball_m);
+            } else {
+              model.stroked.inputs.body = surface;
             }
             add_files_of_relief(model.stroked.inputs, *order.model,
                                 *model.stroked.inputs.height_field);
@@ -267,7 +257,7 @@ void ForceComparison::take(Built built) {
     card->form->set_defaults(model.suggestion);
     models.push_back(std::move(model.stroked));
   }
-  stroke_.set_models(std::move(models), built.depth_m);
+  stroke_.set_models(std::move(models), std::move(built.hand));
   judged_ = 0;
   judge();
   frames_.stop();

@@ -19,6 +19,7 @@
 #include "app/gui/sound/force_speaker.h"
 #include "app/gui/workbench/force_stroke.h"
 #include "app/gui/workbench/signal_plots.h"
+#include "app/gui/workbench/surface_card.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/felt_roughness.h"
 
@@ -47,7 +48,7 @@ class ForceComparison final : public QWidget {
   struct Choices {
     std::map<std::string, bool> chosen{};            ///< by model
     std::map<std::string, ParameterValues> given{};  ///< by model, what differs from its default
-    ParameterValues surface{};
+    SurfaceCard::Choices surface{};
     int component = 0;  ///< of the force, as in its list
     int heard = 0;
   };
@@ -112,7 +113,7 @@ class ForceComparison final : public QWidget {
   void look_at_card();
 
   std::vector<ModelCard> cards_{};
-  ParameterForm* surface_ = nullptr;
+  SurfaceCard* surface_ = nullptr;
   QComboBox* component_ = nullptr;
   QComboBox* heard_ = nullptr;
   QLabel* no_sound_ = nullptr;

@@ -43,9 +43,9 @@ void add_bodies(RendererInputs& inputs, FieldPlate& plate, double ball_diameter_
       placed(body_mesh(SphereShape{.diameter_m = ball_diameter_m}, nullptr), BodyRole::tool));
 }
 
-void ForceStroke::set_models(std::vector<StrokedModel> models, double depth_m) {
+void ForceStroke::set_models(std::vector<StrokedModel> models, MouseHand hand) {
   models_ = std::move(models);
-  hand_ = MouseHand(depth_m);
+  hand_ = std::move(hand);
   going_on_ = false;
   path_.clear();
   forces_N_.assign(models_.size(), {});

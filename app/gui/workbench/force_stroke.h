@@ -51,7 +51,7 @@ void add_bodies(RendererInputs& inputs, FieldPlate& plate, double ball_diameter_
 class ForceStroke final {
  public:
   /// Ends a stroke that is going on.
-  void set_models(std::vector<StrokedModel> models, double depth_m);
+  void set_models(std::vector<StrokedModel> models, MouseHand hand);
   const std::vector<StrokedModel>& models() const noexcept { return models_; }
 
   void begin(const glm::dvec2& at_m);

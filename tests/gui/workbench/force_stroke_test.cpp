@@ -35,7 +35,7 @@ std::vector<StrokedModel> every_model(const ModelRegistry& registry) {
 TEST(ForceStroke, GivesTheForcesOfTheOfflineRenderingOfItsPath) {
   const ModelRegistry registry = built_in_models();
   ForceStroke stroke{};
-  stroke.set_models(every_model(registry), kDepth_m);
+  stroke.set_models(every_model(registry), MouseHand(kDepth_m));
   stroke.begin({0.003, -0.004});
   stroke.advance(100'000'000);
   stroke.begin({-0.01, 0.002});  // knows nothing of the stroke before
