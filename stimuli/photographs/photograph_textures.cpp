@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "stimuli/photographs/texture_method.h"
 #include "stimuli/pictures/bands.h"
 
 namespace asperity {
@@ -24,9 +25,12 @@ PhotographTextures::Steps PhotographTextures::texture(const TextureRecipe& recip
   const bool grey_holds = grey_ != nullptr && recipe.histogram == last_.histogram;
   const bool logarithm_holds =
       grey_holds && logarithm_ && homomorphic == logarithm_->cutoff_wavelength();
-  const bool evened_holds = logarithm_holds && evened_ != nullptr &&
+  const bool evened_holds = grey_holds && evened_ != nullptr && recipe.method == last_.method &&
+                            homomorphic == homomorphic_cutoff(last_, *photograph_) &&
                             recipe.gamma_low == last_.gamma_low &&
-                            recipe.gamma_high == last_.gamma_high;
+                            recipe.gamma_high == last_.gamma_high &&
+                            recipe.light_azimuth_deg == last_.light_azimuth_deg &&
+                            recipe.light_elevation_deg == last_.light_elevation_deg;
   const bool low_pass_holds =
       evened_holds && low_pass_ != nullptr && gaussian == gaussian_cutoff(last_, *photograph_);
   const bool residual_holds =
@@ -43,9 +47,14 @@ PhotographTextures::Steps PhotographTextures::texture(const TextureRecipe& recip
                 ? photograph_
                 : std::make_shared<const GreyImage>(with_histogram(*photograph_, recipe.histogram));
   }
-  if (!logarithm_) logarithm_ = logarithm_spectrum(*grey_, homomorphic, threads_);
-  if (evened_ == nullptr) {
+  if (evened_ == nullptr && recipe.method == kPublishedMethod) {
+    // The only method of which a part is kept: γ changes without the spectrum.
+    if (!logarithm_) logarithm_ = logarithm_spectrum(*grey_, homomorphic, threads_);
     evened_ = std::make_shared<const GreyImage>(evened_light(*logarithm_, recipe, threads_));
+  }
+  if (evened_ == nullptr) {
+    evened_ = std::make_shared<const GreyImage>(
+        texture_method(recipe.method).relief(*grey_, recipe, threads_));
   }
   if (!residual_) {
     if (low_pass_ == nullptr) {

@@ -14,7 +14,7 @@ namespace asperity {
 /// intermediate results.
 ///
 /// A change of the recipe costs only the steps from the first one it affects: amplitude and sign one multiplication,
-/// the longest wavelength one filter, γ one and a half; width, lighting (λ_h) and histogram all steps. Steps that a new
+/// the longest wavelength one filter, γ one and a half; method, light, width, lighting (λ_h) and histogram all steps. Steps that a new
 /// recipe does not affect return the same objects as before.
 ///
 /// Errors: those of texture_from_photograph; the next call starts from the valid results.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "stimuli/photographs/texture_method.h"
 #include "stimuli/photographs/texture_steps.h"
 #include "stimuli/pictures/bands.h"
 
@@ -11,9 +12,7 @@ PhotographTexture texture_from_photograph(const GreyImage& photograph, const Tex
                                           const std::string& name) {
   check_recipe(photograph, recipe, name);
   GreyImage grey = with_histogram(photograph, recipe.histogram);
-  GreyImage evened =
-      evened_light(logarithm_spectrum(grey, homomorphic_cutoff(recipe, grey), usual_threads()),
-                   recipe, usual_threads());
+  GreyImage evened = texture_method(recipe.method).relief(grey, recipe, usual_threads());
   GreyImage low_pass = low_passed(evened, gaussian_cutoff(recipe, grey), usual_threads());
   HeightField field =
       heights_of(residual_of(evened, low_pass, recipe, name, usual_threads()), recipe);

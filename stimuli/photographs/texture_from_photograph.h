@@ -1,4 +1,4 @@
-// Computes heights from a photograph of a surface: homomorphic filter, Gaussian low-pass, residual.
+// Computes heights from a photograph of a surface: a relief from the brightness, Gaussian low-pass, residual.
 
 #pragma once
 
@@ -13,8 +13,9 @@ namespace asperity {
 /// A texture with the pictures of its steps; all four have the rows and columns of the photograph.
 struct PhotographTexture {
   HeightField field;
-  GreyImage grey{};      ///< the input after the histogram transformation
-  GreyImage evened{};    ///< f: with even lighting and higher local contrast
+  GreyImage grey{};  ///< the input after the histogram transformation
+  GreyImage
+      evened{};  ///< f: with even lighting and higher local contrast, or the relief from shading
   GreyImage low_pass{};  ///< g
 };
 
@@ -32,6 +33,9 @@ struct PhotographTexture {
 /// of f at 0.85 λ_g and a tenth at 2.2 λ_g. With γ_L = γ_H = 1 the first line has no effect.
 /// The published method is p = 0 (spectral_tilt). Heights of rough surfaces fall more steeply with wavenumber than their
 /// brightness, whose edges are those of shade and material; p > 0 attenuates short waves accordingly.
+/// This f is that of the method "wu". The method "brightness" has f = b; "pentland" and "tsai_shah" have as f the heights
+/// that explain b as the shading of a matt surface in light from a known side, in pixels (shape_from_shading.h). The other
+/// lines are the same for all methods, which texture_method.h lists.
 /// The picture is continued by reflection, by three standard deviations of a filter's impulse
 /// response (√2 λ_h/2π and λ_g/2π) on each side, at most by its own size, and further to a size
 /// that transforms quickly.
@@ -42,7 +46,8 @@ struct PhotographTexture {
 ///
 /// Errors: std::invalid_argument with a sentence that begins with `name` or names the field of the recipe: a picture of
 /// fewer than 16 pixels a side, one without contrast, a width outside the declared range, pixels of more than 1 mm of
-/// the surface, a cut-off wavelength shorter than two pixels, a length, RMS or γ that is not positive.
+/// the surface, a cut-off wavelength shorter than two pixels, a length, RMS or γ that is not positive; and those of
+/// `check_method`.
 ///
 /// The same picture and recipe give the same heights on the same machine, bit for bit.
 ///

@@ -3,9 +3,22 @@
 #include <stdexcept>
 #include <string>
 
+#include "stimuli/photographs/shape_from_shading.h"
+#include "stimuli/photographs/texture_method.h"
+
 namespace asperity {
 
 ParameterValues parameter_values(const TextureRecipe& recipe) {
+  ParameterValues values = complete_parameter_values(recipe);
+  if (recipe.method == kPublishedMethod) values.erase("method");
+  if (!texture_method(recipe.method).uses_light) {
+    values.erase("light_azimuth_deg");
+    values.erase("light_elevation_deg");
+  }
+  return values;
+}
+
+ParameterValues complete_parameter_values(const TextureRecipe& recipe) {
   return {
       {"width_m", recipe.width_m},
       {"histogram",
@@ -17,11 +30,21 @@ ParameterValues parameter_values(const TextureRecipe& recipe) {
       {"spectral_tilt", recipe.spectral_tilt},
       {"rms_m", recipe.rms_m},
       {"sign", recipe.sign == HeightSign::bright_is_high ? 1.0 : -1.0},
+      {"method", recipe.method},
+      {"light_azimuth_deg", recipe.light_azimuth_deg},
+      {"light_elevation_deg", recipe.light_elevation_deg},
   };
 }
 
 std::vector<Parameter> texture_recipe_parameters() {
   const TextureRecipe defaults{};
+  std::vector<std::string> methods{};
+  std::string meaning_of_method{};
+  for (const TextureMethod& method : texture_methods()) {
+    methods.push_back(method.id);
+    meaning_of_method +=
+        (meaning_of_method.empty() ? "" : "; ") + method.id + ": " + method.summary;
+  }
   const auto number = [](const char* name, const char* unit, double minimum, double maximum,
                          double default_value, const char* meaning) {
     return Parameter{.name = name,
@@ -34,6 +57,18 @@ std::vector<Parameter> texture_recipe_parameters() {
                      .meaning = meaning};
   };
   return {
+      {.name = "method",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = methods,
+       .default_value = defaults.method,
+       .meaning = meaning_of_method},
+      number("light_azimuth_deg", "°", -360.0, 360.0, defaults.light_azimuth_deg,
+             "Direction of the light source for pentland and tsai_shah, counterclockwise: 0 is the "
+             "right of the picture, 90 the top"),
+      number("light_elevation_deg", "°", kLowestLight_deg, kHighestLight_deg,
+             defaults.light_elevation_deg,
+             "Height of the light source above the surface for pentland and tsai_shah"),
       number("width_m", "m", 0.001, 1.0, defaults.width_m,
              "Width of the surface in the photograph, from its left to its right edge"),
       {.name = "histogram",
@@ -63,7 +98,7 @@ std::vector<Parameter> texture_recipe_parameters() {
 }
 
 TextureRecipe texture_recipe(const ParameterValues& values) {
-  ParameterValues complete = parameter_values(TextureRecipe{});
+  ParameterValues complete = complete_parameter_values(TextureRecipe{});
   for (const auto& [name, value] : values) complete[name] = value;
   const std::string& histogram = choice_of(complete, "histogram");
   if (histogram != "none" && histogram != "equalize") {
@@ -79,7 +114,10 @@ TextureRecipe texture_recipe(const ParameterValues& values) {
           .spectral_tilt = number_of(complete, "spectral_tilt"),
           .rms_m = number_of(complete, "rms_m"),
           .sign = number_of(complete, "sign") > 0.0 ? HeightSign::bright_is_high
-                                                    : HeightSign::dark_is_high};
+                                                    : HeightSign::dark_is_high,
+          .method = texture_method(choice_of(complete, "method")).id,
+          .light_azimuth_deg = number_of(complete, "light_azimuth_deg"),
+          .light_elevation_deg = number_of(complete, "light_elevation_deg")};
 }
 
 }  // namespace asperity

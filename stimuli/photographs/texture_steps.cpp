@@ -12,6 +12,7 @@
 #include <opencv2/core.hpp>
 
 #include "analysis/number_text.h"
+#include "stimuli/photographs/texture_method.h"
 #include "stimuli/pictures/bands.h"
 #include "stimuli/properties/parameter.h"
 
@@ -23,7 +24,6 @@ namespace {
 // size: a picture whose pixels are larger than 1 mm of the surface contains shape but no texture for a probe.
 constexpr double kLargestPitch_m = 1e-3;
 constexpr std::size_t kSmallestSide = 16;  // with fewer, no band lies between pixel and picture
-constexpr double kBlack = 1.0 / 255.0;     // ε: one step of an 8-bit picture
 // RMS of f − g below which a picture has no contrast; one 8-bit step in 1 % of the pixels is 4e-4.
 constexpr double kNoContrast = 1e-5;
 
@@ -111,6 +111,7 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
                                 "; it must be a number from 0 to " + number_text(kLargestTilt) +
                                 '.');
   }
+  check_method(recipe);
   if (photograph.rows < kSmallestSide || photograph.columns < kSmallestSide ||
       photograph.values.size() != photograph.rows * photograph.columns) {
     throw std::invalid_argument(
@@ -151,7 +152,7 @@ double gaussian_cutoff(const TextureRecipe& recipe, const GreyImage& photograph)
 PictureSpectrum logarithm_spectrum(const GreyImage& grey, double homomorphic_cutoff, int threads) {
   GreyImage logarithm = grey;
   in_pieces(logarithm, threads, [](cv::Mat piece) {
-    piece += kBlack;
+    piece += kBlackLevel;
     cv::log(piece, piece);
   });
   return {logarithm, homomorphic_cutoff, threads};
@@ -162,7 +163,7 @@ GreyImage evened_light(const PictureSpectrum& logarithm, const TextureRecipe& re
       {.constant = recipe.gamma_high, .gaussian = recipe.gamma_low - recipe.gamma_high});
   in_pieces(evened, threads, [](cv::Mat piece) {
     cv::exp(piece, piece);
-    piece -= kBlack;
+    piece -= kBlackLevel;
   });
   return evened;
 }

@@ -14,6 +14,9 @@ namespace asperity {
 // Formulas and symbols are those of texture_from_photograph.h. The results do not depend on the number of
 // `threads`.
 
+/// ε: one step of an 8-bit picture.
+inline constexpr double kBlackLevel = 1.0 / 255.0;
+
 /// Errors: those of texture_from_photograph, except for missing contrast.
 void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
                   const std::string& name);

@@ -37,6 +37,15 @@ std::vector<std::function<void(TextureRecipe&)>> changes() {
       [](TextureRecipe& recipe) { recipe.histogram = HistogramTransformation::equalize; },
       [](TextureRecipe& recipe) { recipe.width_m = 0.12; },
       [](TextureRecipe& recipe) { recipe.histogram = HistogramTransformation::none; },
+      [](TextureRecipe& recipe) { recipe.sign = HeightSign::bright_is_high; },
+      [](TextureRecipe& recipe) { recipe.method = "pentland"; },
+      [](TextureRecipe& recipe) { recipe.gaussian_wavelength_m = 0.006; },
+      [](TextureRecipe& recipe) { recipe.light_azimuth_deg = 90.0; },
+      [](TextureRecipe& recipe) { recipe.light_elevation_deg = 30.0; },
+      [](TextureRecipe& recipe) { recipe.homomorphic_wavelength_m = 0.02; },
+      [](TextureRecipe& recipe) { recipe.method = "tsai_shah"; },
+      [](TextureRecipe& recipe) { recipe.method = "brightness"; },
+      [](TextureRecipe& recipe) { recipe.method = kPublishedMethod; },
       [](TextureRecipe& recipe) { recipe = {}; },
   };
 }

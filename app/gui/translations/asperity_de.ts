@@ -5720,6 +5720,30 @@
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
+    <message>
+        <source>Wu et al. (2009)</source>
+        <translation>Wu et al. (2009)</translation>
+    </message>
+    <message>
+        <source>Pentland (1990)</source>
+        <translation>Pentland (1990)</translation>
+    </message>
+    <message>
+        <source>Tsai and Shah (1994)</source>
+        <translation>Tsai und Shah (1994)</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Light azimuth</source>
+        <translation>Azimut des Lichts</translation>
+    </message>
+    <message>
+        <source>Light elevation</source>
+        <translation>Höhenwinkel des Lichts</translation>
+    </message>
 </context>
 <context>
     <name>GroupChoice</name>
@@ -10088,10 +10112,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Name</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Wählen…</translation>
-    </message>
-    <message>
         <source>Parent folder</source>
         <translation>Übergeordneter Ordner</translation>
     </message>
@@ -11338,10 +11358,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Große Wellenlängen entfernen</translation>
     </message>
     <message>
-        <source>▲ The result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks and feels like the relief of a different surface. If possible, take the picture again in even light.</source>
-        <translation>▲ Das Ergebnis ist die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus und fühlt sich an wie das Relief einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
-    </message>
-    <message>
         <source>▲ The paint becomes relief: what is felt does not correspond to the surface under it. Use it only if this is intended.</source>
         <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, entspricht nicht der Oberfläche darunter. Nur verwenden, wenn das beabsichtigt ist.</translation>
     </message>
@@ -11352,6 +11368,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Bright is high: for a surface in even light, where grooves and gaps are dark. On five measured surfaces the heights matched the relief only in part, and on four of them less well than the unprocessed brightness. A photograph does not show the depth of the relief: set it below.</source>
         <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen stimmten die Höhen nur zum Teil mit dem Relief überein, bei vier davon weniger gut als die unbearbeitete Helligkeit. Ein Foto zeigt die Tiefe des Reliefs nicht: Sie ist unten einzustellen.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>▲ Choose the method Pentland and the direction of the light. With the methods Wu and Brightness, the result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish.</source>
+        <translation>▲ Wählen Sie das Verfahren Pentland und die Richtung des Lichts. Mit den Verfahren Wu und Helligkeit ist das Ergebnis die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden.</translation>
     </message>
 </context>
 <context>

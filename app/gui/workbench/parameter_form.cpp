@@ -190,6 +190,16 @@ QString words_of(std::string name) {
 }
 
 QString choice_words(const Parameter& parameter, const std::string& choice) {
+  if (parameter.name == "method") {
+    const std::map<std::string, QString, std::less<>> methods{
+        {"wu", FormWords::tr("Wu et al. (2009)")},
+        {"brightness", FormWords::tr("Brightness")},
+        {"pentland", FormWords::tr("Pentland (1990)")},
+        {"tsai_shah", FormWords::tr("Tsai and Shah (1994)")},
+    };
+    const auto found = methods.find(choice);
+    return found == methods.end() ? words_of(choice) : found->second;
+  }
   if (parameter.name == "histogram")
     return choice == "none" ? FormWords::tr("Original") : FormWords::tr("Equalized");
   return words_of(choice);
@@ -223,6 +233,9 @@ QString tip_of(const Parameter& parameter) {
 QString caption_of(const Parameter& parameter) {
   const std::map<std::string, QString, std::less<>> better{
       {"width_m", FormWords::tr("Picture width")},
+      {"method", FormWords::tr("Method")},
+      {"light_azimuth_deg", FormWords::tr("Light azimuth")},
+      {"light_elevation_deg", FormWords::tr("Light elevation")},
       {"histogram", FormWords::tr("Brightness")},
       {"homomorphic_wavelength_m", FormWords::tr("Shortest lighting wavelength")},
       {"gamma_low", FormWords::tr("Lighting gain")},

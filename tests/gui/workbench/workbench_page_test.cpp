@@ -190,6 +190,25 @@ TEST_F(Workbench, ComputesTheHeightsThatTheRecipeSays) {
             texture_from_photograph(grey, recipe, "brick").field.heights_m());
 }
 
+// The direction of the light determines the sign, whatever was chosen before.
+TEST_F(Workbench, RecoversTheReliefFromItsShadingInLightFromOneSide) {
+  const std::filesystem::path file = photograph("stone", 256, PhotographCase::lambert);
+  drop(file);
+  find<QComboBox>("kind").setCurrentIndex(1);
+  auto& method = find<QComboBox>("method");
+  method.setCurrentIndex(method.findText("Pentland (1990)"));
+  emit method.activated(method.currentIndex());
+  type("light_azimuth_deg", "20");
+  settle();
+  TextureRecipe recipe{};
+  recipe.method = "pentland";
+  recipe.light_azimuth_deg = 20.0;
+  EXPECT_EQ(parameter_values(page_->recipe()), parameter_values(recipe));
+  EXPECT_EQ(page_->field()->heights_m(),
+            texture_from_photograph(load_photograph(file).photograph.grey, recipe, "stone")
+                .field.heights_m());
+}
+
 TEST_F(Workbench, HasAControlForEveryParameterOfTheRecipe) {
   drop(photograph("brick", 128));
   for (const Parameter& parameter : texture_recipe_parameters()) {
@@ -197,9 +216,10 @@ TEST_F(Workbench, HasAControlForEveryParameterOfTheRecipe) {
     ASSERT_NE(control, nullptr) << parameter.name;
     EXPECT_TRUE(control->isEnabled()) << parameter.name;
     if (parameter.kind != ParameterKind::number) continue;
-    const ParameterValue before = parameter_values(page_->recipe()).at(parameter.name);
+    const ParameterValue before = complete_parameter_values(page_->recipe()).at(parameter.name);
     QTest::keyClick(control, Qt::Key_Up);
-    EXPECT_NE(parameter_values(page_->recipe()).at(parameter.name), before) << parameter.name;
+    EXPECT_NE(complete_parameter_values(page_->recipe()).at(parameter.name), before)
+        << parameter.name;
   }
   settle();
 }
@@ -231,6 +251,7 @@ TEST_F(Workbench, SaysWhatAPhotographInSideLightIsWorth) {
   EXPECT_TRUE(find<QLabel>("hint").text().contains("light from one side"));
   find<QComboBox>("kind").setCurrentIndex(2);
   EXPECT_TRUE(find<QLabel>("expectation").text().contains("slope towards the light"));
+  EXPECT_TRUE(find<QLabel>("expectation").text().contains("Pentland"));
   EXPECT_TRUE(find<QLabel>("advice").text().contains("anisotropy"));
 }
 
