@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analysis/number_text.h"
+#include "stimuli/photographs/texture_method.h"
 
 namespace asperity {
 
@@ -22,8 +23,9 @@ std::string about_direction(double direction_rad) {
   const double degrees = std::round(direction_rad * 180.0 / std::numbers::pi);
   return "The brightness varies mostly along " + number_text(degrees == 0.0 ? 0.0 : degrees) +
          "° from +x. Either the surface has a grain at right angles to this direction, or the "
-         "light came from one side along this direction. In the second case the heights represent "
-         "slopes towards the light: take the picture again in even light from all sides. ";
+         "light came from one side along this direction. In the second case the brightness "
+         "represents slopes towards the light: use shape from shading, or take the picture again "
+         "in even light from all sides. ";
 }
 
 std::string about_skewness(double skewness) {
@@ -85,6 +87,67 @@ std::vector<PhotographResemblance> resemblances(const PhotographEvidence& eviden
   if (evidence.skewness > kSkewed) found.push_back(PhotographResemblance::bright_spots);
   if (found.empty()) found.push_back(PhotographResemblance::nothing_clear);
   return found;
+}
+
+MethodRecommendation recommended_method(const PhotographEvidence& evidence) {
+  const bool is_directed = evidence.anisotropy > kDirected;
+  const double degrees = std::round(evidence.direction_rad * 180.0 / std::numbers::pi);
+  return {.reason = is_directed ? RecommendationReason::one_direction
+                                : RecommendationReason::no_direction,
+          .method = is_directed ? kShadingMethod : kBrightnessMethod,
+          .spectral_tilt = is_directed ? 0.0 : kRecommendedTilt,
+          .anisotropy = evidence.anisotropy,
+          .direction_deg = degrees == 0.0 ? 0.0 : degrees};
+}
+
+std::string recommendation_text(const MethodRecommendation& recommendation) {
+  const std::string brightness = std::string("--method ") + kBrightnessMethod +
+                                 " --spectral-tilt " + number_text(kRecommendedTilt);
+  const std::string anisotropy = in_hundredths(recommendation.anisotropy);
+  switch (recommendation.reason) {
+    case RecommendationReason::one_direction: {
+      const double opposite =
+          recommendation.direction_deg + (recommendation.direction_deg > 0.0 ? -180.0 : 180.0);
+      return "Recommended method, if the light came from one side: --method " +
+             recommendation.method + " --light-azimuth-deg " +
+             number_text(recommendation.direction_deg) + " (or " + number_text(opposite) +
+             ", whichever is the direction of the light), because the brightness varies mostly "
+             "along this direction (anisotropy " +
+             anisotropy + "). If the surface has a grain and the light was even: " + brightness +
+             '.';
+    }
+    case RecommendationReason::no_direction:
+      break;
+  }
+  return "Recommended method: " + brightness +
+         ", because the brightness has no preferred direction (anisotropy " + anisotropy +
+         "), and on most measured surfaces its short waves are too strong.";
+}
+
+std::optional<SignContradiction> contradiction_of_sign(const PhotographEvidence& evidence,
+                                                       const TextureRecipe& recipe) {
+  if (texture_method(recipe.method).uses_light) return std::nullopt;
+  const bool bright_is_high = recipe.sign == HeightSign::bright_is_high;
+  if (evidence.skewness < -kSkewed && !bright_is_high) {
+    return SignContradiction::dark_grooves_raised;
+  }
+  if (evidence.skewness > kSkewed && bright_is_high) return SignContradiction::bright_spots_raised;
+  return std::nullopt;
+}
+
+std::string contradiction_text(SignContradiction contradiction,
+                               const PhotographEvidence& evidence) {
+  const std::string skewness = " (skewness " + in_hundredths(evidence.skewness) + ")";
+  switch (contradiction) {
+    case SignContradiction::dark_grooves_raised:
+      return "sign -1 turns the narrow dark parts of the picture into ridges" + skewness +
+             "; such parts are usually grooves or pits. Inspect the surface, and use --sign 1 if "
+             "they lie low.";
+    case SignContradiction::bright_spots_raised:
+      break;
+  }
+  return "sign 1 turns the narrow bright parts of the picture into ridges" + skewness +
+         ". Inspect the surface, and use --sign -1 if they lie low, as light mortar does.";
 }
 
 std::string advice(const PhotographEvidence& evidence) {
