@@ -10112,6 +10112,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Name</translation>
     </message>
     <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
         <source>Parent folder</source>
         <translation>Übergeordneter Ordner</translation>
     </message>
@@ -11370,6 +11374,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen stimmten die Höhen nur zum Teil mit dem Relief überein, bei vier davon weniger gut als die unbearbeitete Helligkeit. Ein Foto zeigt die Tiefe des Reliefs nicht: Sie ist unten einzustellen.</translation>
     </message>
     <message>
+        <source>Recommended method, if the light came from one side: %1, light azimuth %2° or %3°, because the brightness varies mostly along this direction (anisotropy %4). If the surface has a grain and the light was even: %5 with a spectral tilt of %6.</source>
+        <translation>Empfohlenes Verfahren, wenn das Licht von einer Seite kam: %1, Azimut des Lichts %2° oder %3°, weil sich die Helligkeit vor allem entlang dieser Richtung ändert (Anisotropie %4). Hat die Oberfläche eine Maserung und war das Licht gleichmäßig: %5 mit einer spektralen Neigung von %6.</translation>
+    </message>
+    <message>
+        <source>Recommended method: %1 with a spectral tilt of %2, because the brightness has no preferred direction (anisotropy %3), and on most measured surfaces its short waves are too strong.</source>
+        <translation>Empfohlenes Verfahren: %1 mit einer spektralen Neigung von %2, weil die Helligkeit keine Vorzugsrichtung hat (Anisotropie %3) und ihre kurzen Wellen bei den meisten gemessenen Oberflächen zu stark sind.</translation>
+    </message>
+    <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
     </message>
@@ -11378,8 +11390,16 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Verfahren</translation>
     </message>
     <message>
+        <source>Choose what the photograph shows: the sign of the heights is not determined yet.</source>
+        <translation>Wählen Sie, was das Foto zeigt: Das Vorzeichen der Höhen ist noch nicht bestimmt.</translation>
+    </message>
+    <message>
         <source>▲ Choose the method Pentland and the direction of the light. With the methods Wu and Brightness, the result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish.</source>
         <translation>▲ Wählen Sie das Verfahren Pentland und die Richtung des Lichts. Mit den Verfahren Wu und Helligkeit ist das Ergebnis die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden.</translation>
+    </message>
+    <message>
+        <source>▲ The relief is provisional: it shows bright parts as high. The picture does not determine the sign; look at the surface and choose.</source>
+        <translation>▲ Das Relief ist vorläufig: Helle Stellen sind darin hoch. Das Bild bestimmt das Vorzeichen nicht; sehen Sie die Oberfläche an und wählen Sie.</translation>
     </message>
 </context>
 <context>

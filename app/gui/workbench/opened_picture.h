@@ -28,6 +28,7 @@ struct OpenedPicture {
   std::shared_ptr<PhotographPreviews> dragged{};
   QImage original{};
   std::string advice{};
+  MethodRecommendation recommendation{};
   std::vector<PhotographResemblance> resemblances{};
   QStringList remarks{};  ///< sentences: what of the file counts in another way than one may think
 

@@ -9,6 +9,7 @@
 #include <QtWidgets/QScrollArea>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/workbench/opened_picture.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "stimuli/photographs/texture_method.h"
@@ -17,11 +18,11 @@ namespace asperity {
 
 namespace {
 
-enum RecipeKind { bright_high, dark_high, side_light, paint };
+enum RecipeKind { not_chosen = -1, bright_high, dark_high, side_light, paint };
 
-std::vector<Parameter> declared(std::initializer_list<const char *> names) {
+std::vector<Parameter> declared(std::initializer_list<const char*> names) {
   std::vector<Parameter> chosen{};
-  for (const Parameter &parameter : texture_recipe_parameters()) {
+  for (const Parameter& parameter : texture_recipe_parameters()) {
     if (std::find(names.begin(), names.end(), parameter.name) != names.end()) {
       chosen.push_back(parameter);
     }
@@ -32,41 +33,69 @@ std::vector<Parameter> declared(std::initializer_list<const char *> names) {
 /// What of the advice has to be seen before the sign is chosen.
 QString hint_of(PhotographResemblance resemblance) {
   switch (resemblance) {
-  case PhotographResemblance::directed:
-    return RecipePanel::tr(
-        "The picture varies mostly in one direction: either the surface has a "
-        "grain, or the "
-        "picture was taken in light from one side. See the end of this list.");
-  case PhotographResemblance::bright_spots:
-    return RecipePanel::tr("The picture has narrow bright parts. If they are "
-                           "low, as light mortar is, the dark "
-                           "parts stand out.");
-  case PhotographResemblance::dark_grooves:
-  case PhotographResemblance::nothing_clear:
-    break;
+    case PhotographResemblance::directed:
+      return RecipePanel::tr(
+          "The picture varies mostly in one direction: either the surface has a grain, or the "
+          "picture was taken in light from one side. See the end of this list.");
+    case PhotographResemblance::bright_spots:
+      return RecipePanel::tr(
+          "The picture has narrow bright parts. If they are low, as light mortar is, the dark "
+          "parts stand out.");
+    case PhotographResemblance::dark_grooves:
+    case PhotographResemblance::nothing_clear:
+      break;
   }
   return {};
 }
 
-} // namespace
+QString name_of_method(const std::string& id) { return text_of(declared({"method"}).front(), id); }
 
-RecipePanel::RecipePanel(QWidget *parent) : QWidget(parent) {
-  auto *layout = new QVBoxLayout(this);
+/// The recommended method with its reason.
+QString recommendation_words(const MethodRecommendation& recommendation) {
+  const QString method = name_of_method(recommendation.method);
+  const QString tilt = shown_number(kRecommendedTilt, 'f', 1);
+  const QString anisotropy = shown_number(recommendation.anisotropy, 'f', 2);
+  switch (recommendation.reason) {
+    case RecommendationReason::one_direction: {
+      const double azimuth = recommendation.direction_deg;
+      return RecipePanel::tr(
+                 "Recommended method, if the light came from one side: %1, light azimuth %2° or "
+                 "%3°, because the brightness varies mostly along this direction (anisotropy %4). "
+                 "If the surface has a grain and the light was even: %5 with a spectral tilt of "
+                 "%6.")
+          .arg(method, shown_number(azimuth, 'f', 0),
+               shown_number(azimuth + (azimuth > 0.0 ? -180.0 : 180.0), 'f', 0), anisotropy,
+               name_of_method(kBrightnessMethod), tilt);
+    }
+    case RecommendationReason::no_direction:
+      break;
+  }
+  return RecipePanel::tr(
+             "Recommended method: %1 with a spectral tilt of %2, because the brightness has no "
+             "preferred direction (anisotropy %3), and on most measured surfaces its short waves "
+             "are too strong.")
+      .arg(method, tilt, anisotropy);
+}
+
+}  // namespace
+
+RecipePanel::RecipePanel(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   banner_ = new Banner(this);
   banner_->setObjectName("recipe_banner");
   layout->addWidget(banner_);
   controls_ = new QWidget(this);
-  auto *inside = new QVBoxLayout(controls_);
+  auto* inside = new QVBoxLayout(controls_);
   inside->setContentsMargins(0, 0, kGrid, 0);
   inside->setSpacing(kGrid);
   inside->addWidget(make_kind_card());
   add_groups(inside);
   inside->addWidget(make_evidence_card());
   inside->addStretch(1);
-  say_what_it_shows(bright_high);
-  auto *area = new QScrollArea(this);
+  say_what_it_shows(not_chosen);
+  auto* area = new QScrollArea(this);
   area->setWidget(controls_);
   area->setWidgetResizable(true);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -74,16 +103,16 @@ RecipePanel::RecipePanel(QWidget *parent) : QWidget(parent) {
   layout->addWidget(area, 1);
 }
 
-QWidget *RecipePanel::make_kind_card() {
-  QVBoxLayout *inside = nullptr;
-  QFrame *card = make_card(controls_, inside);
-  inside->addWidget(
-      make_text(tr("<b>What does the photograph show?</b>"), card));
+QWidget* RecipePanel::make_kind_card() {
+  QVBoxLayout* inside = nullptr;
+  QFrame* card = make_card(controls_, inside);
+  inside->addWidget(make_text(tr("<b>What does the photograph show?</b>"), card));
   kind_ = new ChoiceBox(card);
   kind_->setObjectName("kind");
-  kind_->addItems(
-      {tr("Relief: bright parts stand out"), tr("Relief: dark parts stand out"),
-       tr("A surface lit from one side"), tr("Paint, print or stains")});
+  kind_->addItems({tr("Relief: bright parts stand out"), tr("Relief: dark parts stand out"),
+                   tr("A surface lit from one side"), tr("Paint, print or stains")});
+  kind_->setPlaceholderText(tr("Choose…"));
+  kind_->setCurrentIndex(not_chosen);
   connect(kind_, &QComboBox::currentIndexChanged, this, [this](int kind) {
     say_what_it_shows(kind);
     emit edited();
@@ -98,12 +127,16 @@ QWidget *RecipePanel::make_kind_card() {
   hint_->setFont(text_font(TextSize::small));
   hint_->hide();
   inside->addWidget(hint_);
+  recommendation_ = make_text({}, card);
+  recommendation_->setObjectName("recommendation");
+  recommendation_->setFont(text_font(TextSize::small));
+  inside->addWidget(recommendation_);
   return card;
 }
 
-QWidget *RecipePanel::make_evidence_card() {
-  QVBoxLayout *inside = nullptr;
-  QFrame *card = make_card(controls_, inside);
+QWidget* RecipePanel::make_evidence_card() {
+  QVBoxLayout* inside = nullptr;
+  QFrame* card = make_card(controls_, inside);
   inside->addWidget(make_text(tr("<b>Indications in the picture</b>"), card));
   advice_ = make_text({}, card, true);
   advice_->setObjectName("advice");
@@ -112,27 +145,26 @@ QWidget *RecipePanel::make_evidence_card() {
   return card;
 }
 
-void RecipePanel::add_groups(QLayout *layout) {
+void RecipePanel::add_groups(QLayout* layout) {
   struct Group {
     QString title{};
     std::vector<Parameter> parameters{};
   };
   const std::array<Group, 6> groups{
-      Group{tr("Method"),
-            declared({"method", "light_azimuth_deg", "light_elevation_deg"})},
+      Group{tr("Method"), declared({"method", "light_azimuth_deg", "light_elevation_deg"})},
       Group{tr("Heights"), declared({"rms_m"})},
       Group{tr("Photograph"), declared({"width_m", "histogram"})},
       Group{tr("Even out the light"),
             declared({"homomorphic_wavelength_m", "gamma_low", "gamma_high"})},
       Group{tr("Remove long wavelengths"), declared({"gaussian_wavelength_m"})},
       Group{tr("Attenuate short wavelengths"), declared({"spectral_tilt"})}};
-  for (const Group &group : groups) {
-    QVBoxLayout *inside = nullptr;
-    QFrame *card = make_card(controls_, inside);
-    QLabel *title = make_text(group.title, card);
+  for (const Group& group : groups) {
+    QVBoxLayout* inside = nullptr;
+    QFrame* card = make_card(controls_, inside);
+    QLabel* title = make_text(group.title, card);
     title->setFont(text_font(TextSize::body, true));
     inside->addWidget(title);
-    auto *form = new ParameterForm(group.parameters, FormStyle::sliders, card);
+    auto* form = new ParameterForm(group.parameters, FormStyle::sliders, card);
     connect(form, &ParameterForm::edited, this, &RecipePanel::edited);
     connect(form, &ParameterForm::released, this, &RecipePanel::edited);
     inside->addWidget(form);
@@ -141,20 +173,19 @@ void RecipePanel::add_groups(QLayout *layout) {
   }
 }
 
-void RecipePanel::show_opened(const OpenedPicture &opened) {
+void RecipePanel::show_opened(const OpenedPicture& opened) {
   banner_->hide();
   advice_->setText(QString::fromStdString(opened.advice));
   const QSignalBlocker quiet(kind_);
-  kind_->setCurrentIndex(bright_high);
-  say_what_it_shows(bright_high);
+  kind_->setCurrentIndex(not_chosen);
+  say_what_it_shows(not_chosen);
+  recommendation_->setText(recommendation_words(opened.recommendation));
   // What is said of the sign stands next to its choice.
   QStringList hints{};
   for (const PhotographResemblance each : opened.resemblances) {
     const QString words = hint_of(each);
-    if (words.isEmpty())
-      continue;
-    each == PhotographResemblance::bright_spots ? hints.prepend(words)
-                                                : hints.append(words);
+    if (words.isEmpty()) continue;
+    each == PhotographResemblance::bright_spots ? hints.prepend(words) : hints.append(words);
   }
   const QString hint = hints.join(' ');
   hint_->set_state(State::look, hint);
@@ -163,26 +194,27 @@ void RecipePanel::show_opened(const OpenedPicture &opened) {
 
 TextureRecipe RecipePanel::recipe() const {
   ParameterValues values{};
-  for (const ParameterForm *form : forms_)
-    values.merge(form->values());
+  for (const ParameterForm* form : forms_) values.merge(form->values());
   // Where a method uses the light, its direction determines the sign.
-  const bool uses_light =
-      texture_method(choice_of(values, "method")).uses_light;
-  values["sign"] =
-      kind_->currentIndex() == dark_high && !uses_light ? -1.0 : 1.0;
+  const bool uses_light = texture_method(choice_of(values, "method")).uses_light;
+  values["sign"] = kind_->currentIndex() == dark_high && !uses_light ? -1.0 : 1.0;
   return texture_recipe(values);
+}
+
+QString RecipePanel::unready() const {
+  if (kind_->currentIndex() != not_chosen || texture_method(recipe().method).uses_light) return {};
+  return tr("Choose what the photograph shows: the sign of the heights is not determined yet.");
 }
 
 int RecipePanel::kind() const { return kind_->currentIndex(); }
 
-void RecipePanel::show_recipe(const TextureRecipe &recipe, int kind) {
+void RecipePanel::show_recipe(const TextureRecipe& recipe, int kind) {
   const ParameterValues all = complete_parameter_values(recipe);
-  for (ParameterForm *form : forms_) {
+  for (ParameterForm* form : forms_) {
     ParameterValues values{};
-    for (const Parameter &parameter : form->parameters()) {
+    for (const Parameter& parameter : form->parameters()) {
       const auto value = all.find(parameter.name);
-      if (value != all.end())
-        values.insert(*value);
+      if (value != all.end()) values.insert(*value);
     }
     form->set_values(values);
   }
@@ -192,49 +224,47 @@ void RecipePanel::show_recipe(const TextureRecipe &recipe, int kind) {
 }
 
 bool RecipePanel::is_dragging() const {
-  return std::any_of(
-      forms_.begin(), forms_.end(),
-      [](const ParameterForm *form) { return form->is_dragging(); });
+  return std::any_of(forms_.begin(), forms_.end(),
+                     [](const ParameterForm* form) { return form->is_dragging(); });
 }
 
-void RecipePanel::show_refusal(const QString &why) {
+void RecipePanel::show_refusal(const QString& why) {
   why.isEmpty() ? banner_->hide() : banner_->show_news(State::look, why);
 }
 
 void RecipePanel::say_what_it_shows(int kind) {
   switch (kind) {
-  case dark_high:
-    expectation_->setText(
-        tr("Dark is high: for light mortar between bricks or light sand "
-           "between pebbles, in even "
-           "light. On five measured surfaces the heights matched the relief "
-           "only in part, and on "
-           "four of them less well than the unprocessed brightness."));
-    break;
-  case side_light:
-    expectation_->setText(
-        tr("▲ Choose the method Pentland and the direction of the light. With "
-           "the methods Wu and "
-           "Brightness, the result is the slope towards the light, not the "
-           "height: edges across "
-           "the light become ridges and grooves, edges along it vanish."));
-    break;
-  case paint:
-    expectation_->setText(tr("▲ The paint becomes relief: what is felt does "
-                             "not correspond to the surface under "
-                             "it. Use it only if this is intended."));
-    break;
-  default:
-    expectation_->setText(tr("Bright is high: for a surface in even light, "
-                             "where grooves and gaps are dark. On "
-                             "five measured surfaces the heights matched the "
-                             "relief only in part, and on four of "
-                             "them less well than the unprocessed brightness. "
-                             "A photograph does not show the depth "
-                             "of the relief: set it below."));
+    case dark_high:
+      expectation_->setText(
+          tr("Dark is high: for light mortar between bricks or light sand between pebbles, in even "
+             "light. On five measured surfaces the heights matched the relief only in part, and on "
+             "four of them less well than the unprocessed brightness."));
+      break;
+    case side_light:
+      expectation_->setText(
+          tr("▲ Choose the method Pentland and the direction of the light. With the methods Wu and "
+             "Brightness, the result is the slope towards the light, not the height: edges across "
+             "the light become ridges and grooves, edges along it vanish."));
+      break;
+    case paint:
+      expectation_->setText(
+          tr("▲ The paint becomes relief: what is felt does not correspond to the surface under "
+             "it. Use it only if this is intended."));
+      break;
+    case not_chosen:
+      expectation_->setText(
+          tr("▲ The relief is provisional: it shows bright parts as high. The picture does not "
+             "determine the sign; look at the surface and choose."));
+      break;
+    default:
+      expectation_->setText(
+          tr("Bright is high: for a surface in even light, where grooves and gaps are dark. On "
+             "five measured surfaces the heights matched the relief only in part, and on four of "
+             "them less well than the unprocessed brightness. A photograph does not show the depth "
+             "of the relief: set it below."));
   }
 }
 
-} // namespace asperity
+}  // namespace asperity
 
 #include "moc_recipe_panel.cpp"

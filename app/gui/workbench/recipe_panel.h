@@ -25,12 +25,14 @@ class RecipePanel final : public QWidget {
  public:
   explicit RecipePanel(QWidget* parent = nullptr);
 
-  /// What the picture, a photograph, tells about itself. What was said of its light goes, its sign
-  /// with it; the other parameters stay.
+  /// Shows the statistics of a photograph and the recommended method. What the photograph shows is open until it is
+  /// chosen; the other parameters stay.
   void show_opened(const OpenedPicture& opened);
 
   TextureRecipe recipe() const;
-  /// Of what the photograph shows, its place in the list.
+  /// Why the relief is provisional: the sign of the heights is not chosen. Empty if it is, or if the method determines it.
+  QString unready() const;
+  /// Of what the photograph shows, its place in the list; −1 until it is chosen.
   int kind() const;
   /// As it was left elsewhere. Does not signal.
   void show_recipe(const TextureRecipe& recipe, int kind);
@@ -53,6 +55,7 @@ class RecipePanel final : public QWidget {
   QComboBox* kind_ = nullptr;
   QLabel* expectation_ = nullptr;
   StateLabel* hint_ = nullptr;
+  QLabel* recommendation_ = nullptr;
   QLabel* advice_ = nullptr;
   std::vector<ParameterForm*> forms_{};
 };

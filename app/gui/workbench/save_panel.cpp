@@ -91,8 +91,12 @@ QString facts_of(const HeightField& field) {
 }
 
 SavePanel::SavePanel(OpenStudy& study, Banner& banner, std::function<TextureRecipe()> recipe,
-                     QWidget* parent)
-    : QFrame(parent), study_(study), banner_(banner), recipe_(std::move(recipe)) {
+                     std::function<QString()> unready, QWidget* parent)
+    : QFrame(parent),
+      study_(study),
+      banner_(banner),
+      recipe_(std::move(recipe)),
+      unready_(std::move(unready)) {
   setProperty("role", "card");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
@@ -120,11 +124,11 @@ SavePanel::SavePanel(OpenStudy& study, Banner& banner, std::function<TextureReci
   line_->setObjectName("saving");
   line_->set_words(tr("Saving…"));
   layout->addWidget(line_);
-  connect(name_, &QLineEdit::textChanged, this, &SavePanel::check_name);
+  connect(name_, &QLineEdit::textChanged, this, &SavePanel::check);
   connect(name_, &QLineEdit::returnPressed, save_, &QPushButton::click);
   connect(save_, &QPushButton::clicked, this, [this] { save(Overwrite::refuse); });
   connect(line_, &TaskLine::cancelWanted, &saving_, &BackgroundTask::cancel);
-  connect(&saving_, &BackgroundTask::finished, this, &SavePanel::check_name);
+  connect(&saving_, &BackgroundTask::finished, this, &SavePanel::check);
 }
 
 void SavePanel::show_opened(std::shared_ptr<const OpenedPicture> opened) {
@@ -133,12 +137,12 @@ void SavePanel::show_opened(std::shared_ptr<const OpenedPicture> opened) {
                      ? proposed_name(opened_->file, study_.folder() / "stimuli")
                      : QString::fromStdString(opened_->file.stem().string()));
   name_->setCursorPosition(0);  // a long name is read from its beginning
-  check_name();
+  check();
 }
 
 void SavePanel::show_facts(const HeightField& field) { facts_->setText(facts_of(field)); }
 
-void SavePanel::check_name() {
+void SavePanel::check() {
   QString problem{};
   QString advice = tr("The relief will be saved in stimuli/ with its sidecar and its photograph.");
   const QString name = name_->text();
@@ -147,6 +151,8 @@ void SavePanel::check_name() {
         tr("A relief from a file is already saved; open a photograph to make another relief.");
   } else if (!study_.can_be_written()) {
     problem = tr("This study is read-only; copy it to a folder that you may write to.");
+  } else if (const QString reason = unready_(); !reason.isEmpty()) {
+    problem = reason;
   } else if (name.isEmpty()) {
     problem = tr("Enter a name for the relief.");
   } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
@@ -215,7 +221,7 @@ void SavePanel::save(Overwrite overwrite) {
       [this](const QString& what) {
         banner_.show_news(State::stop, tr("The relief was not saved: %1").arg(what));
       });
-  check_name();
+  check();
 }
 
 }  // namespace asperity

@@ -28,12 +28,15 @@ class SavePanel final : public QFrame {
   Q_OBJECT
  public:
   /// News of saving goes to `banner`, which outlives the panel as `study` does.
+  /// `unready` gives the reason for which a photograph cannot be saved yet, or an empty text.
   SavePanel(OpenStudy& study, Banner& banner, std::function<TextureRecipe()> recipe,
-            QWidget* parent = nullptr);
+            std::function<QString()> unready, QWidget* parent = nullptr);
 
   /// Proposes a name.
   void show_opened(std::shared_ptr<const OpenedPicture> opened);
   void show_facts(const HeightField& field);
+  /// Enables or disables saving, with the reason.
+  void check();
   bool is_saving() const noexcept { return saving_.is_running(); }
 
  signals:
@@ -41,12 +44,12 @@ class SavePanel final : public QFrame {
   void saved();
 
  private:
-  void check_name();
   void save(Overwrite overwrite);
 
   OpenStudy& study_;
   Banner& banner_;
   std::function<TextureRecipe()> recipe_{};
+  std::function<QString()> unready_{};
   std::shared_ptr<const OpenedPicture> opened_{};
   QLabel* facts_ = nullptr;
   QLineEdit* name_ = nullptr;

@@ -70,6 +70,7 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
                        tr("Reading the file was cancelled; to read it, open it again."));
   });
   connect(recipe_, &RecipePanel::edited, this, &WorkbenchPage::recompute);
+  connect(recipe_, &RecipePanel::edited, save_, &SavePanel::check);
   connect(save_, &SavePanel::saved, this, [this] { keep_unsaved(false); });
   connect(relief_, &ReliefView::pointed, this, [this](double, double y_m) {
     if (mode_->checkedId() == static_cast<int>(Mode::making)) show_line(y_m);
@@ -211,7 +212,7 @@ QWidget* WorkbenchPage::make_workspace() {
   column->setSpacing(kGrid);
   recipe_ = new RecipePanel(making);
   save_ = new SavePanel(
-      study_, *banner_, [this] { return recipe(); }, making);
+      study_, *banner_, [this] { return recipe(); }, [this] { return recipe_->unready(); }, making);
   column->addWidget(recipe_, 1);
   column->addWidget(save_);
   side_->addWidget(making);
@@ -359,6 +360,7 @@ void WorkbenchPage::resume(const Work& work) {
   banner_->hide();  // it was read when the file was opened
   if (work.opened->is_photograph()) {
     recipe_->show_recipe(work.recipe, work.kind);
+    save_->check();
     recompute();
     keep_unsaved(false);
   }

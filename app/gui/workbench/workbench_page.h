@@ -49,7 +49,7 @@ class WorkbenchPage final : public QWidget {
   struct Work {
     std::shared_ptr<const OpenedPicture> opened{};  ///< null: nothing
     TextureRecipe recipe{};
-    int kind = 0;  ///< of what the photograph shows, as in the recipe's list
+    int kind = -1;  ///< of what the photograph shows, as in the recipe's list
     bool compares = false;
     ForceComparison::Choices comparison{};
   };

@@ -112,7 +112,13 @@ class Workbench : public testing::Test {
     return file;
   }
 
-  void drop(const std::filesystem::path& file) { drop_all({file}); }
+  /// Chooses also that bright parts are high.
+  void drop(const std::filesystem::path& file) {
+    drop_all({file});
+    auto& kind = find<QComboBox>("kind");
+    if (kind.currentIndex() < 0) kind.setCurrentIndex(0);
+    settle();
+  }
 
   void drop_all(const std::vector<std::filesystem::path>& files) {
     QMimeData data{};
@@ -207,6 +213,39 @@ TEST_F(Workbench, RecoversTheReliefFromItsShadingInLightFromOneSide) {
   EXPECT_EQ(page_->field()->heights_m(),
             texture_from_photograph(load_photograph(file).photograph.grey, recipe, "stone")
                 .field.heights_m());
+}
+
+TEST_F(Workbench, IsProvisionalUntilItIsChosenWhatThePhotographShows) {
+  drop_all({photograph("brick", 256)});
+  EXPECT_EQ(find<QComboBox>("kind").currentIndex(), -1);
+  EXPECT_TRUE(find<QLabel>("expectation").text().contains("provisional"));
+  EXPECT_FALSE(find<QPushButton>("save").isEnabled());
+  EXPECT_TRUE(find<QLabel>("name_problem").text().contains("Choose what the photograph shows"));
+  find<QComboBox>("kind").setCurrentIndex(1);
+  settle();
+  EXPECT_TRUE(find<QPushButton>("save").isEnabled());
+  EXPECT_EQ(page_->recipe().sign, HeightSign::dark_is_high);
+  // The next photograph is chosen anew.
+  drop_all({photograph("stone", 256)});
+  EXPECT_EQ(find<QComboBox>("kind").currentIndex(), -1);
+  EXPECT_FALSE(find<QPushButton>("save").isEnabled());
+  // The direction of the light determines the sign.
+  auto& method = find<QComboBox>("method");
+  method.setCurrentIndex(method.findText("Pentland (1990)"));
+  emit method.activated(method.currentIndex());
+  settle();
+  EXPECT_TRUE(find<QPushButton>("save").isEnabled());
+}
+
+TEST_F(Workbench, ShowsTheRecommendedMethodWithItsReason) {
+  drop_all({photograph("stone", 256)});
+  const QString even = find<QLabel>("recommendation").text();
+  EXPECT_TRUE(even.contains("Brightness with a spectral tilt of 0.5, because"))
+      << even.toStdString();
+  drop_all({photograph("stone", 256, PhotographCase::lambert)});
+  const QString lit = find<QLabel>("recommendation").text();
+  EXPECT_TRUE(lit.contains("Pentland (1990), light azimuth")) << lit.toStdString();
+  EXPECT_TRUE(lit.contains("anisotropy"));
 }
 
 TEST_F(Workbench, HasAControlForEveryParameterOfTheRecipe) {
