@@ -6091,6 +6091,10 @@
         <source>%1 is not a picture file; open a PNG, JPEG, TIFF, BMP or WebP file.</source>
         <translation>%1 ist keine Bilddatei; eine PNG-, JPEG-, TIFF-, BMP- oder WebP-Datei öffnen.</translation>
     </message>
+    <message>
+        <source>%1 contains heights, but neither their unit nor the width of the surface. Convert it with “asperity texture”, and open the result.</source>
+        <translation>%1 enthält Höhen, aber weder ihre Einheit noch die Breite der Oberfläche. Wandeln Sie die Datei mit „asperity texture“ um und öffnen Sie das Ergebnis.</translation>
+    </message>
 </context>
 <context>
     <name>OutcomeWords</name>
@@ -13600,10 +13604,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Foto einer Oberfläche öffnen</translation>
     </message>
     <message>
-        <source>Photographs (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.webp)</source>
-        <translation>Fotos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.webp)</translation>
-    </message>
-    <message>
         <source>Reading %1 …</source>
         <translation>%1 wird gelesen…</translation>
     </message>
@@ -13666,6 +13666,14 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as in asperity sweep.</source>
         <translation>Vorhergesagte Beschleunigung eines in der Hand gehaltenen Werkzeugs von 50 g, auf das die Kraft der letzten Sekunde dieses Strichs wirkt; berechnet wie mit asperity sweep.</translation>
+    </message>
+    <message>
+        <source>Photographs and measured surfaces (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.webp *.x3p *.sur *.gwy)</source>
+        <translation>Fotos und gemessene Oberflächen (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.webp *.x3p *.sur *.gwy)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief was measured; its least-squares plane was subtracted. Compare how the force models render it. To use it in the study, convert the file with “asperity texture”.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief wurde gemessen; seine Ausgleichsebene wurde abgezogen. Vergleichen Sie, wie die Kraftmodelle es wiedergeben. Um es in der Studie zu verwenden, wandeln Sie die Datei mit „asperity texture“ um.</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <span>
 #include <stdexcept>
 
 #include <QtCore/QBuffer>
@@ -12,6 +13,8 @@
 #include "app/gui/look/words.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
+#include "stimuli/measured/measured_surface.h"
+#include "stimuli/measured/surface_relief.h"
 #include "stimuli/photographs/preview.h"
 
 namespace asperity {
@@ -91,6 +94,22 @@ QStringList remarks_on(const std::filesystem::path& file, const PictureFacts& fa
   return remarks;
 }
 
+/// The relief of a measured surface; null for another file.
+std::shared_ptr<const HeightField> measured_field(const std::filesystem::path& file) {
+  const std::string content = read_file(file, kPictureFile);
+  const std::span<const std::byte> bytes = std::as_bytes(std::span(content));
+  const std::string name = file.filename().string();
+  const auto format = surface_format_of(bytes, name);
+  if (!format) return nullptr;
+  if (*format == SurfaceFormat::tiff) {
+    refuse(OpeningWords::tr("%1 contains heights, but neither their unit nor the width of the "
+                            "surface. Convert it with “asperity texture”, and open the result.")
+               .arg(path_text(file.filename())));
+  }
+  return std::make_shared<const HeightField>(
+      surface_relief(decode_surface(bytes, {}, name), SurfaceForm::plane, name).field);
+}
+
 }  // namespace
 
 std::string photograph_png(const OpenedPicture& opened) {
@@ -130,6 +149,11 @@ std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& f
   try {
     if (is_height_field(file)) {
       opened->preview = preview_of(load_height_field(file).field);
+      return opened;
+    }
+    if (auto measured = measured_field(file)) {
+      opened->is_measured = true;
+      opened->preview = preview_of(std::move(measured));
       return opened;
     }
     opened->loaded = load_photograph(file);

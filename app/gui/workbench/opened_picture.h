@@ -1,4 +1,4 @@
-// What is open in the workbench: a photograph with its previews, or a relief that is finished.
+// What is open in the workbench: a photograph with its previews, or a relief that is finished (of the study, or measured).
 
 #pragma once
 
@@ -32,6 +32,8 @@ struct OpenedPicture {
   std::vector<PhotographResemblance> resemblances{};
   QStringList remarks{};  ///< sentences: what of the file counts in another way than one may think
 
+  bool is_measured = false;  ///< the file of an instrument, levelled and without gaps
+
   bool is_photograph() const noexcept { return resting != nullptr; }
 };
 
@@ -44,7 +46,8 @@ std::string photograph_png(const OpenedPicture& opened);
 /// A PNG that has a sidecar beside it.
 bool is_height_field(const std::filesystem::path& file);
 
-/// Reads the file and computes its first preview. Null when asked to stop.
+/// Reads the file and computes its first preview. Null when asked to stop. A measured surface (X3P, SUR or GWY) is
+/// recognised by its content and converted as by surface_relief, with the plane subtracted.
 ///
 /// Errors: a sentence, as a std::exception: what is no picture, cannot be read or is a folder; and
 /// as texture_from_photograph. Any thread.

@@ -270,7 +270,8 @@ void WorkbenchPage::fill_study_menu(QMenu& menu) {
 
 void WorkbenchPage::choose_file() {
   auto* dialog = new QFileDialog(this, tr("Open a photograph of a surface"), {},
-                                 tr("Photographs (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.webp)"));
+                                 tr("Photographs and measured surfaces (*.png *.jpg *.jpeg *.tif "
+                                    "*.tiff *.bmp *.webp *.x3p *.sur *.gwy)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
@@ -329,11 +330,16 @@ void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStr
   if (opened_->is_photograph()) {
     recipe_->show_opened(*opened_);
   } else {
-    finished_->setText(
+    const QString measured = tr(
+        "<b>%1</b>: %2. This relief was measured; its least-squares plane was subtracted. Compare "
+        "how the force models render it. To use it in the study, convert the file with “asperity "
+        "texture”.");
+    const QString of_study =
         tr("<b>%1</b>: %2. This relief comes from a file of the study and is finished. Compare how "
-           "the force models render it, or open a photograph to make another relief.")
-            .arg(path_text(opened_->file.stem()).toHtmlEscaped(),
-                 facts_of(*opened_->preview.field)));
+           "the force models render it, or open a photograph to make another relief.");
+    finished_->setText((opened_->is_measured ? measured : of_study)
+                           .arg(path_text(opened_->file.stem()).toHtmlEscaped(),
+                                facts_of(*opened_->preview.field)));
   }
   choose_panels();
   save_->show_opened(opened_);

@@ -629,6 +629,22 @@ TEST_F(Workbench, ShowsAReliefOfTheStudyWithoutARecipe) {
   }
 }
 
+TEST_F(Workbench, OpensAMeasuredSurfaceAsAFinishedRelief) {
+  const std::filesystem::path surfaces =
+      std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/stimuli/surfaces";
+  for (const char* name : {"by_gwyddion.gwy", "by_gwyddion.sur", "by_x3ptools.x3p"}) {
+    drop(surfaces / name);
+    ASSERT_NE(page_->field(), nullptr) << name;
+    EXPECT_NEAR(page_->field()->mean_m(), 0.0, 1e-9) << name;
+    EXPECT_TRUE(find<QLabel>("finished").text().contains("was measured")) << name;
+    EXPECT_FALSE(find<QWidget>("save").isVisible()) << name;
+  }
+  const auto before = page_->field();
+  drop(surfaces / "by_tifffile.tif");
+  EXPECT_TRUE(find<Banner>("banner").text().contains("neither their unit nor the width"));
+  EXPECT_EQ(page_->field(), before);
+}
+
 TEST_F(Workbench, TurnsUnderTheMouseAndMovesTheLightWithTheRightButton) {
   drop(photograph("brick", 256));
   auto& relief = find<ReliefView>("relief");
