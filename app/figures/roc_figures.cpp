@@ -158,9 +158,12 @@ std::vector<Figure> roc_figures(const AnalysisOutcome& outcome) {
   }
   const FoundNumbers found(rated);
   const std::vector<DrawnRocs> rocs = drawn_rocs(table->table);
-  const bool has_several = std::any_of(rocs.begin(), rocs.end(), [&rocs](const DrawnRocs& each) {
-    return each.condition != rocs.front().condition;
-  });
+  const auto differ = [&rocs](std::string DrawnRocs::*member) {
+    return std::any_of(rocs.begin(), rocs.end(),
+                       [&](const DrawnRocs& each) { return each.*member != rocs.front().*member; });
+  };
+  const bool has_several = differ(&DrawnRocs::condition);
+  const bool has_several_tasks = differ(&DrawnRocs::parameter);
   const std::string question = question_about_areas(outcome);
   std::vector<Figure> figures{};
   for (const DrawnRocs& drawn : rocs) {
@@ -177,6 +180,11 @@ std::vector<Figure> roc_figures(const AnalysisOutcome& outcome) {
       name += '_' + drawn.condition;
       figure.title =
           phrase("Figures", "%1: %2").with(figure.title, words_of_condition(drawn.condition));
+    }
+    if (has_several_tasks) {
+      name += '_' + drawn.parameter;
+      figure.title =
+          phrase("Figures", "%1: %2").with(figure.title, words_of_parameter(drawn.parameter));
     }
     figure.name = figure_file_name(name);
     figures.push_back(std::move(figure));

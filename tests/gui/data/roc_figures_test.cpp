@@ -162,6 +162,19 @@ TEST(RocFigures, NameTheConditionWhereThereAreSeveral) {
   EXPECT_TRUE(roc_named(figures, "roc_p1_wood").is_drawn());
 }
 
+TEST(RocFigures, NameTheParameterWhereTasksVarySeveral) {
+  AnalysisOutcome outcome = outcome_with_roc("all");
+  AnalysisOutcome more = outcome_with_roc("all");
+  for (std::vector<Cell>& row : more.tables.front().table.rows) row[2] = std::string("spacing_m");
+  Table& table = outcome.tables.front().table;
+  const Table& added = more.tables.front().table;
+  table.rows.insert(table.rows.end(), added.rows.begin(), added.rows.end());
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 4U);
+  EXPECT_TRUE(roc_named(figures, "roc_amplitude_m").is_drawn());
+  EXPECT_THAT(roc_named(figures, "roc_p1_spacing_m").title.english(), HasSubstr(": spacing"));
+}
+
 TEST(RocFigures, StateWhyThereIsNothingToDraw) {
   TidyInput input = planted_ratings({});
   const std::vector<Figure> figures = figures_of("roc", input, {}, "");
