@@ -47,7 +47,8 @@ VirtualResponse rate_confidence(const Judgement& judgement) {
   return {ScalePoint{step}, judgement.rated->is_guess};
 }
 
-/// The confidence in a response (`rate_confidence`), or a point on the scale: the standard logistic function of 3·l·(r + ε + 4.3) + b + η.
+/// The confidence in a response (`rate_confidence`), or a point on the scale: the standard logistic function of
+/// 3·l·(r + ε + 4.3) + b + η.
 ///
 /// r + ε is what the observer perceives of the first surface (VirtualObserver::estimate), about −4.3 for
 /// the lateral force of a stone surface. l is the loading of the question, between 0.5 and 1 with either sign, which
