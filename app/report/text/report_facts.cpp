@@ -316,6 +316,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
     ReportFacts& facts = groups[{of.name, of.version, group}];
     if (facts.sources.empty()) {
       facts.protocol = of;
+      facts.declared_models = models;
       facts.file = check_protocol_text(of.source, of.name, models, std::nullopt, std::nullopt);
     }
     facts.group = group;

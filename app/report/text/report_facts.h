@@ -33,7 +33,7 @@ struct ReportedSession {
   int planned_trials = 0;
   bool planned_is_estimated = false;  ///< as in SessionOverview
   int done_trials = 0;                ///< as in SessionOverview
-  int main_trials = 0;  ///< of the planned ones
+  int main_trials = 0;                ///< of the planned ones
   /// Trials with an attempt that is no refresher: all, those of the main phase, and those of each run of a block.
   int presented_trials = 0;
   int presented_main_trials = 0;
@@ -51,7 +51,7 @@ struct ReportedSession {
   /// `external_program`, of each start that was followed by a statement (`external_level`).
   std::vector<EventRow> external_programs{};
   std::size_t external_failures = 0;
-  std::vector<ReportedNote> notes{};     ///< in chronological order
+  std::vector<ReportedNote> notes{};  ///< in chronological order
 };
 
 /// A count of ticks or records, over attempts or presentations.
@@ -96,8 +96,10 @@ using ReasonCounts = std::map<std::string, std::size_t>;
 inline constexpr const char* kCatchTrialsKind = "catch trials";
 
 struct ReportFacts {
-  ProtocolRow protocol{};           ///< the first of its files
-  ProtocolCheck file{};             ///< the parsed protocol, or why it cannot be read
+  ProtocolRow protocol{};  ///< the first of its files
+  ProtocolCheck file{};    ///< the parsed protocol, or why it cannot be read
+  ModelRegistry
+      declared_models{};  ///< the built-in ones, and the declared ones of the study's plug-ins
   std::set<std::string> sources{};  ///< SHA-256 of all files of this name and version
   bool are_translations = true;     ///< those files are one protocol in several languages
   AnswerGroup group = AnswerGroup::people;
@@ -105,15 +107,15 @@ struct ReportFacts {
   std::vector<ReportedSession> sessions{};     ///< by participant, session
   std::vector<WithdrawalRow> withdrawals{};    ///< in the whole study, of this group
 
-  std::size_t attempts = 0;               ///< of the main phase
-  std::size_t counted = 0;                ///< of those: answered, valid and not excluded
+  std::size_t attempts = 0;                      ///< of the main phase
+  std::size_t counted = 0;                       ///< of those: answered, valid and not excluded
   std::set<std::string> counted_participants{};  ///< with at least one counted attempt
   std::size_t other_attempts =
-      0;  ///< of familiarisation and practice, at anchors and at catch trials
-  std::size_t refreshers = 0;                   ///< of those: practice repeated at a resume
+      0;                       ///< of familiarisation and practice, at anchors and at catch trials
+  std::size_t refreshers = 0;  ///< of those: practice repeated at a resume
   std::set<std::int64_t> refreshed_sessions{};  ///< with such attempts
-  std::set<std::string> other_kinds{};    ///< the purposes of those: "practice", "anchors"
-  std::set<std::string> other_planned{};  ///< the same in the plans
+  std::set<std::string> other_kinds{};          ///< the purposes of those: "practice", "anchors"
+  std::set<std::string> other_planned{};        ///< the same in the plans
   std::map<std::string, ReasonCounts> not_counted{};  ///< by outcome, then reason
   ReasonCounts flagged{};                             ///< of the attempts that count
 
@@ -123,15 +125,15 @@ struct ReportFacts {
   /// (quantity, minimum, maximum) →
   std::map<std::tuple<std::string, std::optional<double>, std::optional<double>>, ReportedBand>
       bands{};
-  std::set<std::string> models{};          ///< presented, with their versions: "height_map 1"
-  std::set<std::string> height_fields{};   ///< textures that were rendered from one
-  std::set<std::string> body_textures{};   ///< textures of the presented bodies
+  std::set<std::string> models{};            ///< presented, with their versions: "height_map 1"
+  std::set<std::string> height_fields{};     ///< textures that were rendered from one
+  std::set<std::string> body_textures{};     ///< textures of the presented bodies
   std::set<std::string> points_on_bodies{};  ///< stimuli of point models on bodies
   /// Of surfaces at amplitudes of equal roughness in counted attempts: the number of matches of all sessions, by status.
   std::map<MatchStatus, std::size_t> roughness_matches{};
-  bool has_equal_force = false;            ///< the texture force of a presentation was matched
-  std::set<double> stiffness_N_per_m{};    ///< of the surfaces presented, where it is stored
-  std::set<double> friction{};             ///< the same: the coefficient
+  bool has_equal_force = false;          ///< the texture force of a presentation was matched
+  std::set<double> stiffness_N_per_m{};  ///< of the surfaces presented, where it is stored
+  std::set<double> friction{};           ///< the same: the coefficient
   /// Of the surfaces in counted attempts: model → parameter → the values as rendered, without those of friction laws that
   /// were not used
   std::map<std::string, std::map<std::string, std::set<ParameterValue>>> parameters{};

@@ -10,7 +10,6 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/words/text_parts.h"
-#include "renderers/built_in_models.h"
 
 namespace asperity {
 
@@ -57,7 +56,7 @@ std::set<std::string> stated_parameters(const ReportFacts& facts, const std::str
   return stated;
 }
 
-/// Whether any of the values is not the default of this program; true where it declares no such parameter.
+/// Whether any of the values is not the declared default; true where no such parameter is declared.
 bool differs_from_default(const ModelRegistry& models, const std::string& model,
                           const std::string& parameter, const std::set<ParameterValue>& values) {
   const ForceModel* const known = models.find(model);
@@ -89,8 +88,8 @@ std::string common_friction(const ReportFacts& facts) {
 }
 
 /// "amplitude 50 µm, wavelength 2.5 mm"
-std::string stated_values(const ReportFacts& facts, const ModelRegistry& models,
-                          const std::string& model, const RenderedValues& parameters) {
+std::string stated_values(const ReportFacts& facts, const std::string& model,
+                          const RenderedValues& parameters) {
   const std::set<std::string> stated = stated_parameters(facts, model);
   std::vector<std::string> parts{};
   if (common_friction(facts).empty()) {
@@ -100,7 +99,8 @@ std::string stated_values(const ReportFacts& facts, const ModelRegistry& models,
   }
   for (const auto& [name, values] : parameters) {
     if (name == kFrictionLaw) continue;
-    if (!stated.contains(name) && !differs_from_default(models, model, name, values)) continue;
+    if (!stated.contains(name) && !differs_from_default(facts.declared_models, model, name, values))
+      continue;
     const std::string shown = values_text(name, values);
     if (!shown.empty()) parts.push_back(words_of_parameter(name) + ' ' + shown);
   }
@@ -110,13 +110,12 @@ std::string stated_values(const ReportFacts& facts, const ModelRegistry& models,
 }  // namespace
 
 std::string paper_parameters(const ReportFacts& facts) {
-  const ModelRegistry models = built_in_models();
   std::size_t with_parameters = 0;
   std::vector<std::pair<std::string, std::string>> of_models{};
   for (const auto& [model, parameters] : facts.parameters) {
     if (parameters.empty()) continue;
     ++with_parameters;
-    std::string text = stated_values(facts, models, model, parameters);
+    std::string text = stated_values(facts, model, parameters);
     if (!text.empty()) of_models.emplace_back(model, std::move(text));
   }
   if (with_parameters == 0) return {};
