@@ -1,9 +1,12 @@
 #include "app/plugins/plugin_files.h"
 
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <dlfcn.h>
@@ -11,6 +14,7 @@
 #include "renderers/built_in_models.h"
 #include "renderers/conformance/conformance.h"
 #include "renderers/plugin/plugin_model.h"
+#include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 
 namespace asperity {
@@ -23,14 +27,46 @@ constexpr const char* kFunction = "asperity_plugin_model";
   throw std::runtime_error("the plug-in " + file.string() + " cannot be used: " + problem);
 }
 
-/// Shared ownership: the model and each of its renderers keep the library.
-std::shared_ptr<void> loaded(const std::filesystem::path& file) {
-  // Without a folder the system would search its own folders.
-  void* const library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+/// A file with the same content, in a folder of its own with a new name.
+///
+/// The system returns a library that is loaded already if its path is given again, although the file has changed, and a file
+/// that is overwritten while it is loaded changes running code.
+class PrivateCopy final {
+ public:
+  PrivateCopy(const std::filesystem::path& file, const std::string& content) {
+    std::string folder =
+        (std::filesystem::temp_directory_path() / "asperity-plugin-XXXXXX").string();
+    if (mkdtemp(folder.data()) == nullptr) {
+      refuse(file, "no folder can be made in " + std::filesystem::temp_directory_path().string() +
+                       "; set TMPDIR to a folder that you may write to");
+    }
+    folder_ = folder;
+    path_ = folder_ / file.filename();
+    write_file(path_, content, Overwrite::refuse);
+  }
+  PrivateCopy(const PrivateCopy&) = delete;
+  PrivateCopy& operator=(const PrivateCopy&) = delete;
+  ~PrivateCopy() {
+    std::error_code kept{};
+    std::filesystem::remove_all(folder_, kept);
+  }
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path folder_{};
+  std::filesystem::path path_{};
+};
+
+/// Shared ownership: the model and each of its renderers keep the library, which needs no file once it is loaded.
+std::shared_ptr<void> loaded(const std::filesystem::path& file, const std::string& content) {
+  const PrivateCopy copy(file, content);
+  void* const library = dlopen(copy.path().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    const char* const why = dlerror();
-    refuse(file, std::string(why == nullptr ? "it cannot be loaded" : why) +
-                     "; give a shared library for this computer");
+    const char* const reason = dlerror();
+    std::string why = reason == nullptr ? "it cannot be loaded" : reason;
+    const std::string copied = copy.path().string() + ": ";
+    if (why.starts_with(copied)) why.erase(0, copied.size());
+    refuse(file, why + "; give a shared library for this computer");
   }
   return {library, [](void* opened) { dlclose(opened); }};
 }
@@ -68,17 +104,19 @@ void require_conformance(const std::filesystem::path& file, const ForceModel& mo
 
 enum class Suite { run, leave_out };
 
+void add(const std::filesystem::path& file, Suite suite, ModelRegistry& models) {
+  ForceModel model = open_plugin(file);
+  if (suite == Suite::run) require_conformance(file, model);
+  try {
+    models.add(std::move(model));
+  } catch (const std::invalid_argument& error) {
+    refuse(file, error.what());
+  }
+}
+
 ModelRegistry models_and(const std::vector<std::filesystem::path>& plugins, Suite suite) {
   ModelRegistry models = built_in_models();
-  for (const std::filesystem::path& file : plugins) {
-    ForceModel model = open_plugin(file);
-    if (suite == Suite::run) require_conformance(file, model);
-    try {
-      models.add(std::move(model));
-    } catch (const std::invalid_argument& error) {
-      refuse(file, error.what());
-    }
-  }
+  for (const std::filesystem::path& file : plugins) add(file, suite, models);
   return models;
 }
 
@@ -89,8 +127,9 @@ ForceModel open_plugin(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, none)) {
     refuse(file, "there is no such file; check its name");
   }
-  PluginOrigin origin{.file = file.filename().string(), .sha256 = sha256_of_file(file)};
-  const std::shared_ptr<void> library = loaded(file);
+  const std::string content = read_file(file);
+  PluginOrigin origin{.file = file.filename().string(), .sha256 = sha256_of(content)};
+  const std::shared_ptr<void> library = loaded(file, content);
   const asperity_model& description = description_in(file, library.get());
   try {
     ForceModel model = model_of_plugin(description, library);
@@ -99,6 +138,10 @@ ForceModel open_plugin(const std::filesystem::path& file) {
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what());
   }
+}
+
+void add_plugin(const std::filesystem::path& file, ModelRegistry& models) {
+  add(file, Suite::run, models);
 }
 
 ModelRegistry models_with(const std::vector<std::filesystem::path>& plugins) {

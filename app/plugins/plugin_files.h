@@ -12,6 +12,9 @@ namespace asperity {
 /// Loads a plug-in and checks its description (renderers/plugin/plugin_model.h). ForceModel::plugin has the name and the
 /// SHA-256 of the file. The plug-in is unloaded when the last copy of the model and its last renderer are destroyed.
 ///
+/// A copy of the file is loaded, with the content that was hashed: a plug-in that is built anew can be loaded beside its former
+/// state, and the file may change while it is in use. Libraries that it needs are therefore not found relative to its folder.
+///
 /// A plug-in is part of the program: its code can do everything that the user can. It is therefore loaded only if the user
 /// names it, never because a study or a protocol does.
 ///
@@ -19,9 +22,14 @@ namespace asperity {
 /// the interface and an invalid description.
 ForceModel open_plugin(const std::filesystem::path& file);
 
-/// The built-in models and those of these plug-ins, each of which meets the conformance suite.
+/// Adds the model of a plug-in, which meets the conformance suite, to others.
 ///
 /// Errors: as `open_plugin`; std::runtime_error for a model whose id is taken, and for one that violates a check.
+void add_plugin(const std::filesystem::path& file, ModelRegistry& models);
+
+/// The built-in models and those of these plug-ins, each of which meets the conformance suite.
+///
+/// Errors: as `add_plugin`.
 ModelRegistry models_with(const std::vector<std::filesystem::path>& plugins);
 
 /// The same without the conformance suite, for a program that prints its table.

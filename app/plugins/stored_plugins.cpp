@@ -128,7 +128,7 @@ ModelRegistry with_stored_plugins(ModelRegistry models, const Study& study) {
       ForceModel model = model_in(Json::parse(*data));
       if (models.find(model.declaration.id) == nullptr) models.add(std::move(model));
     } catch (const std::exception&) {
-      continue;  // damaged data: `verify` reports them
+      continue;  // damaged data: `plugin_problems` reports them
     }
   }
   return models;
@@ -136,6 +136,15 @@ ModelRegistry with_stored_plugins(ModelRegistry models, const Study& study) {
 
 std::vector<std::string> plugin_problems(const ModelRegistry& models, const Study& study) {
   std::vector<std::string> problems{};
+  for (const std::string& data : study.event_data(kPluginEvent)) {
+    try {
+      (void)model_in(Json::parse(data));
+    } catch (const std::exception&) {
+      problems.emplace_back(
+          "the stored declaration of a plug-in (event \"plugin\") is damaged; protocols with its "
+          "model can be read only with the plug-in: load it with --plugin FILE");
+    }
+  }
   for (const PluginUse& use : study.plugin_uses()) {
     const ForceModel* const model = models.find(use.model);
     const std::string rendered = "the plug-in model " + use.model + ", version " +

@@ -25,6 +25,8 @@ void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
+void* __libc_valloc(std::size_t size);
+void* __libc_pvalloc(std::size_t size);
 void __libc_free(void* block);
 
 void* malloc(std::size_t size) noexcept {
@@ -50,6 +52,16 @@ void* memalign(std::size_t alignment, std::size_t size) noexcept {
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   ++calls_of_thread;
   return __libc_memalign(alignment, size);
+}
+
+void* valloc(std::size_t size) noexcept {
+  ++calls_of_thread;
+  return __libc_valloc(size);
+}
+
+void* pvalloc(std::size_t size) noexcept {
+  ++calls_of_thread;
+  return __libc_pvalloc(size);
 }
 
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexcept {

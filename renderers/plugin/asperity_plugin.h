@@ -124,8 +124,9 @@ typedef struct asperity_model {
 
   /* Real-time: `reset` and `tick` must not allocate, lock, block or throw. Their results depend only on the inputs of `create` and
    * on the samples since `reset`, not on a clock or on global state. `reset` comes before the first `tick` and clears all
-   * state. `tick` is called in every tick of a presentation, in free space and outside the patch as well. An error, or a
-   * number that is not finite, sets the force to zero until the surface is presented again. */
+   * state. On a plane `tick` is called in every tick of a presentation, in free space and outside the patch as well. On a body there
+   * are three renderers, one for each axis along which the texture is projected: each has a `tick` only while its projection
+   * is in use near the surface, and a `reset`, in real time, whenever it comes into use. An error, or a number that is not finite, sets the force to zero until the surface is presented again. */
   int (*reset)(void* renderer, const asperity_sample* first);
   int (*tick)(void* renderer, const asperity_sample* sample, asperity_force* force);
 

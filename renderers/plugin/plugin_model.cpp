@@ -35,8 +35,36 @@ struct Plugin {
   throw std::invalid_argument("asperity_model::" + field + ' ' + problem);
 }
 
+/// The bytes of the character at the beginning, from its first byte; 0 for a byte that begins none. Encodings that are longer
+/// than necessary and surrogates are not excluded: no program stores them.
+std::size_t length_of_character(unsigned char first) noexcept {
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first < 0xE0) return 2;
+  if (first >= 0xE0 && first < 0xF0) return 3;
+  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
+}
+
+/// The bytes before the first one that is not part of a complete character of UTF-8.
+std::size_t valid_length(std::string_view text) noexcept {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t length = length_of_character(static_cast<unsigned char>(text[at]));
+    if (length == 0 || at + length > text.size()) break;
+    const std::string_view rest = text.substr(at + 1, length - 1);
+    const bool is_whole = std::all_of(rest.begin(), rest.end(), [](char byte) {
+      return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+    });
+    if (!is_whole) break;
+    at += length;
+  }
+  return at;
+}
+
 std::string text_in(const char* text, const std::string& field) {
   if (text == nullptr || *text == 0) refuse(field, "is empty; set it");
+  if (valid_length(text) != std::string_view(text).size()) {
+    refuse(field, "is not UTF-8; save the source as UTF-8");
+  }
   return text;
 }
 
@@ -45,7 +73,12 @@ Parameter choice_of_plugin(const asperity_parameter& given, Parameter parameter,
   if (given.choices == nullptr || given.choice_count == 0)
     refuse(field, "has no choices; list them");
   for (std::uint32_t i = 0; i < given.choice_count; ++i) {
-    parameter.choices.push_back(text_in(given.choices[i], field + ".choices"));
+    std::string choice = text_in(given.choices[i], field + ".choices");
+    const auto& others = parameter.choices;
+    if (std::find(others.begin(), others.end(), choice) != others.end()) {
+      refuse(field, "has the choice " + choice + " twice; give each choice its own name");
+    }
+    parameter.choices.push_back(std::move(choice));
   }
   const double place = given.default_value;
   if (!(place >= 0.0 && place < given.choice_count && place == std::floor(place))) {
@@ -61,11 +94,14 @@ Parameter parameter_of(const asperity_parameter& given, std::size_t index) {
   Parameter parameter{};
   parameter.name = text_in(given.name, place + ".name");
   const std::string field = place + " (" + parameter.name + ')';
-  if (!std::all_of(parameter.name.begin(), parameter.name.end(), [](char c) {
+  const bool begins_well = parameter.name.front() >= 'a' && parameter.name.front() <= 'z';
+  if (!begins_well || !std::all_of(parameter.name.begin(), parameter.name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                c == '_';
       })) {
-    refuse(field, "must have a name of letters, digits and underscores");
+    refuse(field,
+           "must have a name of letters, digits and underscores that begins with a small "
+           "letter");
   }
   parameter.unit = text_in(given.unit, place + ".unit");
   parameter.meaning = text_in(given.meaning, place + ".meaning");
@@ -225,7 +261,9 @@ class PluginRenderer final : public ForceRenderer {
     if (renderer_ == nullptr) {
       message.back() = 0;
       throw std::invalid_argument(
-          where() + (message.front() == 0 ? "create returned no renderer" : message.data()));
+          where() + (message.front() == 0
+                         ? std::string("create returned no renderer")
+                         : std::string(message.data(), valid_length(message.data()))));
     }
   }
 
@@ -315,6 +353,8 @@ class PluginRenderer final : public ForceRenderer {
     failure_ = &counted_as;
     std::size_t length = 0;
     while (length + 1 < error_.size() && reason[length] != 0) ++length;
+    // A message that was cut may end within a character.
+    length = valid_length({reason, length});
     std::copy_n(reason, length, error_.begin());
     error_[length] = 0;
   }

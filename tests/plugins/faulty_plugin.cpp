@@ -17,6 +17,8 @@
 #define FAULT_late 8
 #define FAULT_description 9
 #define FAULT_taken 10
+#define FAULT_anew 11
+#define FAULT_latin1 12
 #define IS(fault) (FAULT == FAULT_##fault)
 
 namespace {
@@ -65,8 +67,8 @@ class Faulty {
 asperity_model described() {
   asperity_model model{};
   model.id = IS(taken) ? "sinusoid" : "faulty";
-  model.version = "1";
-  model.summary = "A plate with a fault";
+  model.version = IS(anew) ? "2" : "1";
+  model.summary = IS(latin1) ? "Rauhigkeit in \xb5m" : "A plate with a fault";
   model.source = "None";
   model.parameters = kParameters;
   model.parameter_count = 1;

@@ -4,11 +4,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,6 +24,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::filesystem::path with_fault(const std::string& fault) {
@@ -59,11 +61,11 @@ TEST(PluginFiles, AddAModelLikeABuiltInOne) {
 }
 
 TEST(PluginFiles, KeepThePluginLoadedAsLongAsARendererExists) {
-  const std::string file = std::filesystem::absolute(with_fault("none"));
-  const auto is_loaded = [&file] {
-    void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_NOLOAD);
-    if (library != nullptr) dlclose(library);
-    return library != nullptr;
+  const std::filesystem::path file = with_fault("none");
+  const auto is_loaded = [] {
+    std::ifstream maps("/proc/self/maps");
+    const std::string mapped{std::istreambuf_iterator<char>(maps), {}};
+    return mapped.find("faulty_none.so") != std::string::npos;
   };
   std::unique_ptr<ForceRenderer> renderer{};
   {
@@ -74,6 +76,28 @@ TEST(PluginFiles, KeepThePluginLoadedAsLongAsARendererExists) {
   EXPECT_EQ(renderer->tick(at_depth(-0.001, 1), 0.001).penetration_m, 0.0);
   renderer.reset();
   EXPECT_FALSE(is_loaded());
+}
+
+TEST(PluginFiles, LoadAPluginThatWasBuiltAnewBesideItsFormerState) {
+  const TemporaryFolder folder{};
+  const std::filesystem::path file = folder.path() / "model.so";
+  std::filesystem::copy_file(with_fault("none"), file);
+  const ForceModel former = open_plugin(file);
+  const auto overwrite = std::filesystem::copy_options::overwrite_existing;
+  std::filesystem::copy_file(with_fault("anew"), file, overwrite);
+  const ForceModel anew = open_plugin(file);
+  EXPECT_EQ(former.declaration.version, "1");
+  EXPECT_EQ(anew.declaration.version, "2");
+  EXPECT_NE(former.plugin.value().sha256, anew.plugin.value().sha256);
+  const auto renderer = make_renderer(former, {});
+  renderer->reset(at_depth(0.0, 0));
+  EXPECT_GT(renderer->tick(at_depth(0.001, 1), 0.001).wrench.force_N.z, 0.0) << "the former code";
+}
+
+TEST(PluginFiles, RefuseTextsThatAreNotUtf8) {
+  EXPECT_THAT(refusal_of_plugin(with_fault("latin1")),
+              AllOf(HasSubstr("faulty_latin1.so"), HasSubstr("asperity_model::summary"),
+                    HasSubstr("is not UTF-8; save the source as UTF-8")));
 }
 
 TEST(PluginFiles, RefuseWhatIsNotAPlugin) {

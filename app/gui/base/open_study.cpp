@@ -13,10 +13,7 @@ OpenStudy::OpenStudy(const std::filesystem::path& folder, QObject* parent)
       can_be_written_(Study::can_be_written(folder)) {
   for (const std::filesystem::path& file : plugin_files()) {
     try {
-      const ModelRegistry with_plugin = models_with({file});
-      for (const ForceModel& model : with_plugin.models()) {
-        if (model.plugin) models_.add(model);
-      }
+      add_plugin(file, models_);
     } catch (const std::exception& error) {
       plugin_problems_.emplace_back(error.what());
     }

@@ -29,10 +29,12 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
+#include "app/plugins/stored_plugins.h"
 #include "app/profiles/profile_verdict.h"
 #include "app/session/rig/clock.h"
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 
@@ -288,7 +290,7 @@ DeviceTestPage::Found DeviceTestPage::look_into(const Study& study, const WhichD
   Found found{.kept = profiles_in(study.folder(), device), .now_utc = SystemClock(0).utc()};
   const std::filesystem::path folder = study.folder() / "protocols";
   if (!std::filesystem::is_directory(folder)) return found;
-  const ModelRegistry models = built_in_models();
+  const ModelRegistry models = with_stored_plugins(built_in_models(), study);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     try {
@@ -561,4 +563,3 @@ void DeviceTestPage::arrange() {
 }  // namespace asperity
 
 #include "moc_device_test_page.cpp"
-#include "renderers/built_in_models.h"

@@ -34,6 +34,7 @@
 #include "app/gui/window/navigation_list.h"
 #include "app/gui/window/welcome_page.h"
 #include "app/gui/workbench/workbench_page.h"
+#include "app/plugins/plugin_files.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/study_sharing.h"
 
@@ -445,6 +446,14 @@ void StudyWindow::ask_for_plugins() {
 }
 
 void StudyWindow::load_plugins(const std::vector<std::filesystem::path>& files) {
+  // Each is loaded once before it is remembered: one that ends the program must not end it at every start.
+  for (const std::filesystem::path& file : files) {
+    try {
+      (void)models_with({file});
+    } catch (const std::exception&) {
+      continue;  // stated when a study is opened
+    }
+  }
   remember_plugin_files(files);
   if (study_ != nullptr) open_study(study_->folder());
 }
