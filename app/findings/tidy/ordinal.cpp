@@ -56,7 +56,8 @@ Eigen::MatrixXd design_of_items(const std::vector<OrdinalResponse>& responses, s
                                                  static_cast<Eigen::Index>(items) - 1);
   for (std::size_t row = 0; row < responses.size(); ++row) {
     if (responses[row].item == 0) continue;
-    design(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(responses[row].item) - 1) = 1.0;
+    design(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(responses[row].item) - 1) =
+        1.0;
   }
   return design;
 }
@@ -163,7 +164,11 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
     findings.number("logodds.se", items[item], error(column), of_item);
     const WaldTest wald = wald_test(*full.fit, item - 1);
     findings.number("wald.z", items[item], wald.z, of_item);
-    findings.number("wald.p", items[item], wald.p, of_item);
+    Basis tested = of_item;
+    tested.method +=
+        "; Wald's z test, in simulations without differences the Type I error rate at α = .05 "
+        "was up to 7 %";
+    findings.number("wald.p", items[item], wald.p, tested);
     of_item.interval = ConfidenceInterval{beta - z * error(column), beta + z * error(column)};
     of_item.confidence = confidence;
     findings.number("logodds", items[item], beta, of_item);
@@ -179,6 +184,9 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
   Basis r2 = used;
   r2.method += "; McFadden's R²: 1 − the ratio of the log-likelihoods with and without the items";
   findings.number("mcfadden.r2", "", 1.0 - full.fit->log_likelihood / none.fit->log_likelihood, r2);
+  used.method +=
+      "; likelihood-ratio test of the items, in simulations without differences the Type I error "
+      "rate at α = .05 was up to 7 %, and 8 % with 2 participants";
   findings.number("lr.p", "", upper_tail(ratio).value_or(kUndefined), used);
   return findings.take();
 }
