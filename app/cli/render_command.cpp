@@ -20,6 +20,11 @@
 #include "app/plugins/plugin_files.h"
 #include "app/records/path_table.h"
 #include "app/study_files/height_field_files.h"
+#include "app/words/text_parts.h"
+#ifdef ASPERITY_WITH_WINDOWS
+#include "app/figures/column_figure.h"
+#include "app/figures/figure_files.h"
+#endif
 #include "renderers/force/force_model.h"
 #include "renderers/offline/along_path.h"
 #include "renderers/proxy/body_surface.h"
@@ -80,6 +85,41 @@ void require_material(const Material& material) {
   }
 }
 
+#ifdef ASPERITY_WITH_WINDOWS
+/// `--plot FILE`, with the columns of `--tool-out` that it shows.
+struct RenderPlot {
+  std::filesystem::path file{};
+  std::string x = "time_s";
+  std::string y = "fx_N,fy_N,fz_N";
+
+  ColumnChoice columns() const { return {.x = x, .y = parts_of(y, ',')}; }
+};
+
+void require_plot(const RenderPlot& plot, Overwrite overwrite) {
+  if (plot.file.empty()) return;
+  try {
+    require_figure_ending(plot.file);
+    require_columns(tool_table({}, {}).columns, plot.columns());
+  } catch (const std::invalid_argument& error) {
+    throw WrongUsage(std::string("--plot: ") + error.what());
+  }
+  refuse_existing({plot.file}, overwrite);
+}
+
+void add_plot_options(CLI::App& command, RenderPlot& plot) {
+  auto* file = command.add_option(
+      "--plot", plot.file, "Also write a figure of columns of --tool-out, .svg, .png or .pdf");
+  command.add_option("--plot-x", plot.x, "Column on the horizontal axis of the figure")
+      ->capture_default_str()
+      ->needs(file);
+  command
+      .add_option("--plot-y", plot.y,
+                  "Columns on the vertical axis of the figure, C,C,…, with the same unit")
+      ->capture_default_str()
+      ->needs(file);
+}
+#endif
+
 /// In how many of the ticks something was so that the force model does not promise anything for.
 void tell_limits(const ForceRenderer& renderer, std::size_t ticks) {
   for (const NamedCount& limit : renderer.limits()) {
@@ -104,6 +144,10 @@ void add_render(CLI::App& program, Job& job) {
     std::uint64_t seed = 0;
     std::filesystem::path path{};
     std::filesystem::path out{};
+    std::optional<std::filesystem::path> tool_out{};
+#ifdef ASPERITY_WITH_WINDOWS
+    RenderPlot plot{};
+#endif
     bool force = false;
     std::vector<std::filesystem::path> plugins{};
   };
@@ -144,12 +188,23 @@ void add_render(CLI::App& program, Job& job) {
       ->capture_default_str();
   command->add_option("--path", options->path, "Table of the probe's path (TSV)")->required();
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
-  command->add_flag("--force", options->force, "Replace an existing file");
+  command->add_option(
+      "--tool-out", options->tool_out,
+      "Also write a table of the tool's pose with its force and torque (TSV): with the virtual "
+      "coupling the pose of the simulated tool, otherwise that of the path");
+#ifdef ASPERITY_WITH_WINDOWS
+  add_plot_options(*command, options->plot);
+#endif
+  command->add_flag("--force", options->force, "Replace existing files");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
+      if (options->tool_out) refuse_existing({*options->tool_out}, overwrite);
+#ifdef ASPERITY_WITH_WINDOWS
+      require_plot(options->plot, overwrite);
+#endif
       require_material(options->material);
       const ModelRegistry models = models_with(options->plugins);
       const ForceModel& model = model_named(models, options->model);
@@ -196,14 +251,26 @@ void add_render(CLI::App& program, Job& job) {
       const std::vector<ProbeState> path =
           path_in(read_file(options->path, kTableFile), options->path.string());
       const auto renderer = make_renderer(model, inputs);
-      const std::vector<RenderedTick> forces = along_path(*renderer, path, rate_Hz_of(path));
+      const ToolAlongPath along = tool_along_path(*renderer, path, rate_Hz_of(path));
       if (!renderer->error().empty()) {
         throw std::runtime_error("the force model " + options->model + " failed on this path: " +
                                  std::string(renderer->error()) + "; correct its plug-in");
       }
-      write_file(options->out, forces_tsv(path, forces), overwrite);
-      std::cout << options->out.string() << ": " << counted(forces.size(), "row") << '\n';
-      tell_limits(*renderer, forces.size());
+      write_file(options->out, forces_tsv(path, along.ticks), overwrite);
+      std::cout << options->out.string() << ": " << counted(along.ticks.size(), "row") << '\n';
+      const auto with_tool = [&] { return tool_table(path, along); };
+      if (options->tool_out) {
+        write_file(*options->tool_out, tsv_of(with_tool()), overwrite);
+        std::cout << options->tool_out->string() << ": " << counted(along.tools.size(), "row")
+                  << '\n';
+      }
+#ifdef ASPERITY_WITH_WINDOWS
+      if (const RenderPlot& plot = options->plot; !plot.file.empty()) {
+        const LettersWithoutWindows letters;
+        write_figure(plot.file, column_figure(with_tool(), plot.columns()), {}, overwrite);
+      }
+#endif
+      tell_limits(*renderer, along.ticks.size());
       return 0;
     };
   });

@@ -155,6 +155,25 @@ std::string forces_tsv(std::span<const ProbeState> path, std::span<const Rendere
   return tsv_of(table);
 }
 
+Table tool_table(std::span<const ProbeState> path, const ToolAlongPath& along) {
+  Table table{.columns = {"time_s", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz", "rx_rad", "ry_rad",
+                          "rz_rad", "fx_N", "fy_N", "fz_N", "tx_N_m", "ty_N_m", "tz_N_m",
+                          "penetration_m"}};
+  table.rows.reserve(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const TipPose& tool = along.tools[i];
+    const glm::dvec3 turn_rad = small_turn_rad(glm::dquat{1.0, 0.0, 0.0, 0.0}, tool.orientation);
+    const Wrench& wrench = along.ticks[i].wrench;
+    table.rows.push_back({static_cast<double>(path[i].time_ns) / kNanoseconds_per_s,
+                          tool.position_m.x, tool.position_m.y, tool.position_m.z,
+                          tool.orientation.w, tool.orientation.x, tool.orientation.y,
+                          tool.orientation.z, turn_rad.x, turn_rad.y, turn_rad.z, wrench.force_N.x,
+                          wrench.force_N.y, wrench.force_N.z, wrench.torque_N_m.x,
+                          wrench.torque_N_m.y, wrench.torque_N_m.z, along.ticks[i].penetration_m});
+  }
+  return table;
+}
+
 double rate_Hz_of(std::span<const ProbeState> path) {
   std::vector<std::int64_t> steps_ns{};
   for (std::size_t i = 1; i < path.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderers/force/force_renderer.h"
+#include "renderers/force/simulated_tool.h"
 
 namespace asperity {
 
@@ -15,5 +16,16 @@ namespace asperity {
 /// Errors: std::invalid_argument for a rate that is not positive.
 std::vector<RenderedTick> along_path(ForceRenderer& renderer, std::span<const ProbeState> path,
                                      double rate_Hz);
+
+/// The results along a path, with the tool.
+struct ToolAlongPath {
+  std::vector<RenderedTick> ticks{};
+  /// The tool after each tick: the simulated one (SimulatesTool), otherwise the probe of the sample.
+  std::vector<TipPose> tools{};
+};
+
+/// The same, with the pose of the tool. Errors: as `along_path`.
+ToolAlongPath tool_along_path(ForceRenderer& renderer, std::span<const ProbeState> path,
+                              double rate_Hz);
 
 }  // namespace asperity

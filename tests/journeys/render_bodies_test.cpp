@@ -77,6 +77,55 @@ TEST_F(RenderBodies, ABallOnAPlateIsASpring) {
   EXPECT_NEAR(last("fx_N"), 0.0, 0.002);
 }
 
+// The ball sinks until both springs have the same force: the tool is above the device by F/k_t.
+TEST_F(RenderBodies, TheToolOfAVirtualCouplingHasATableWithItsPose) {
+  std::vector<Sample> samples(600, Sample{.z_m = 0.0026});
+  samples.front().z_m = 0.0035;
+  const Outcome outcome =
+      render(samples, {"--stimulus", "plane:0.02,0.02", "--tool", "sphere:0.006", "--coupling",
+                       "virtual", "--tool-out", place_ / "tool.tsv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string text = text_of(place_ / "tool.tsv");
+  EXPECT_TRUE(
+      text.starts_with("time_s\tx_m\ty_m\tz_m\tqw\tqx\tqy\tqz\trx_rad\try_rad\trz_rad\t"
+                       "fx_N\tfy_N\tfz_N\ttx_N_m\tty_N_m\ttz_N_m\tpenetration_m\n"));
+  const Tsv tool = tsv(text);
+  ASSERT_EQ(tool.rows.size(), samples.size());
+  EXPECT_EQ(tool.column("fz_N"), tsv(text_of(place_ / "forces.tsv")).column("fz_N"));
+  const double z_m = number_in(tool.column("z_m").back()).value();
+  EXPECT_NEAR(last("fz_N"), 1000.0 * (z_m - 0.0026), 1e-4);
+  EXPECT_NEAR(z_m, 0.003 - last("fz_N") / kStiffness_N_per_m, 1e-5);
+  // Without a coupling the tool is where the path is.
+  ASSERT_EQ(render({{.z_m = 0.0035}, {.z_m = 0.0028, .turn_about_y_rad = 0.3}},
+                   {"--stimulus", "plane:0.02,0.02", "--tool", "sphere:0.006", "--tool-out",
+                    place_ / "tool.tsv"})
+                .status,
+            0);
+  const Tsv direct = tsv(text_of(place_ / "tool.tsv"));
+  EXPECT_EQ(direct.column("z_m").back(), "0.0028");
+  EXPECT_NEAR(number_in(direct.column("ry_rad").back()).value(), 0.3, 1e-9);
+}
+
+#ifdef ASPERITY_WITH_WINDOWS
+TEST_F(RenderBodies, DrawsColumnsOfTheTool) {
+  const std::vector<Sample> samples{{.z_m = 0.0035}, {.z_m = 0.0028}, {.z_m = 0.0026}};
+  std::vector<std::string> order{"--stimulus", "plane:0.02,0.02",    "--tool",   "sphere:0.006",
+                                 "--plot",     place_ / "force.svg", "--plot-x", "z_m",
+                                 "--plot-y",   "fx_N,fz_N"};
+  const Outcome outcome = render(samples, order);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(text_of(place_ / "force.svg"), HasSubstr("fx, fz (N)"));
+  const auto refused = [&](const std::string& columns) {
+    order.back() = columns;
+    const Outcome answer = render(samples, order);
+    EXPECT_EQ(answer.status, 2);
+    return answer.err;
+  };
+  EXPECT_THAT(refused("fx_N,tz_N_m"), HasSubstr("--plot: the columns fx_N and tz_N_m have"));
+  EXPECT_THAT(refused("f_N"), HasSubstr("there is no column \"f_N\"; write one of time_s, x_m"));
+}
+#endif
+
 TEST_F(RenderBodies, NamesAModelThatIsNearlyCalledThat) {
   const Outcome outcome = asperity(
       {"render", "--model", "pd_gradiant", "--path", "path.tsv", "--out", place_ / "forces.tsv"});

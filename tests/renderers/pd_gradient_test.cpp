@@ -16,6 +16,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "device/small_turn.h"
+#include "renderers/offline/along_path.h"
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/textured_bodies.h"
 #include "tests/support/allocation_guard.h"
@@ -191,6 +193,33 @@ TEST(PdGradient, SharesAPressBetweenCouplingAndContact) {
   // 1000 N/m and 1000 N/m in series; the tool is half way in.
   EXPECT_NEAR(tick.wrench.force_N.z, 0.2, kSampled_N);
   EXPECT_NEAR(tick.penetration_m, tick.wrench.force_N.z / 1000.0, 1e-7);
+}
+
+TEST(PdGradient, ReportsThePoseOfTheSimulatedTool) {
+  // At rest the force on the hand is that of the spring, k_t·(p_tool − p_device), and the torque k_r times the rotation vector.
+  RendererInputs inputs = ball_on_plate({{"texture_gain", 0.0}});
+  inputs.tool = shared(bare(box({0.018, 0.003, 0.003})));
+  std::vector<ProbeState> path(4000, probe_at({}));
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    path[i].time_ns = static_cast<std::int64_t>(i) * 1'000'000;
+    path[i].orientation = glm::angleAxis(0.1, glm::dvec3{0.0, 1.0, 0.0});
+    path[i].position_m.z = 3e-3 - 1e-6 * std::min(1500.0, static_cast<double>(i));
+  }
+  const auto coupled = renderer_of(inputs);
+  const ToolAlongPath along = tool_along_path(*coupled, path, 1000.0);
+  const Wrench wrench = along.ticks.back().wrench;
+  const TipPose& tool = along.tools.back();
+  ASSERT_GT(wrench.force_N.z, 0.05);
+  EXPECT_NEAR(tool.position_m.z - path.back().position_m.z, wrench.force_N.z / 1000.0, 1e-6);
+  const glm::dvec3 turn_rad = small_turn_rad(path.back().orientation, tool.orientation);
+  EXPECT_LT(turn_rad.y, -1e-3);  // the end that is pressed up
+  EXPECT_NEAR(wrench.torque_N_m.y, 0.3 * turn_rad.y, 0.02 * std::abs(wrench.torque_N_m.y));
+  // Without a coupling the tool is where the path is.
+  inputs.parameters["coupling"] = std::string("none");
+  const auto direct_one = renderer_of(inputs);
+  const ToolAlongPath same = tool_along_path(*direct_one, path, 1000.0);
+  EXPECT_EQ(same.tools.back().position_m, path.back().position_m);
+  EXPECT_EQ(same.tools.back().orientation, path.back().orientation);
 }
 
 TEST(PdGradient, StandsTheSurfaceInTheMiddleOfThePatch) {

@@ -122,6 +122,13 @@ RenderedTick PdGradient::tick(const ProbeState& probe, double dt_s) noexcept {
   return answer;
 }
 
+std::optional<TipPose> PdGradient::simulated_tool() const noexcept {
+  if (!tool_) return {};
+  const ToolPose& pose = tool_->pose();
+  return TipPose{.position_m = pose.centre_m - pose.orientation * centre_in_tool_m_,
+                 .orientation = pose.orientation};
+}
+
 Pose PdGradient::pose_of(const ProbeState& probe) const noexcept {
   if (!tool_) {
     return {.rotation = glm::mat3_cast(probe.orientation), .position_m = probe.position_m};

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "renderers/force/force_model.h"
+#include "renderers/force/simulated_tool.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/pd_gradient/contact/coupled_tool.h"
 #include "renderers/pd_gradient/contact/textured_contacts.h"
@@ -62,7 +63,7 @@ namespace asperity {
 /// Limits: those of TexturedContacts and of Penetration; see `limits`.
 ///
 /// Real-time: `reset` and `tick` do not allocate, lock or throw.
-class PdGradient final : public ForceRenderer {
+class PdGradient final : public ForceRenderer, public SimulatesTool {
  public:
   /// Requires complete, checked parameters.
   PdGradient(const RendererInputs& inputs, InstructionSet instructions);
@@ -87,6 +88,8 @@ class PdGradient final : public ForceRenderer {
   ///                  no force: the tool began there, or moved there within a tick
   ///                  (TexturedContacts::is_inside)
   std::span<const NamedCount> limits() const noexcept override { return limits_; }
+
+  std::optional<TipPose> simulated_tool() const noexcept override;
 
   /// The contacts of the last tick, for the benchmark and for pictures of a contact.
   std::span<const TexturedContact> contacts() const noexcept { return found_; }
