@@ -15,27 +15,33 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/number_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/sweep_options.h"
 #include "app/cli/sweep_summary.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
+#include "app/plugins/plugin_files.h"
 #include "app/words/text_parts.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/cli/sweep_study.h"
 #include "app/figures/figure_files.h"
 #include "app/figures/sweep_figure.h"
 #endif
-#include "renderers/built_in_models.h"
 
 namespace asperity {
 
 namespace {
 
 int run_sweep(SweepOptions options) {
-  const ModelRegistry models = built_in_models();
+  const ModelRegistry models = models_with(options.plugins);
   complete_order(options, models);
   const SweepOrder& order = options.order;
+  if (entry_of(options.measure).is_of_turning && !order.stroke.turning) {
+    throw WrongUsage(std::string("--measure ") + text_of(options.measure) +
+                     " is a measure of a tool that turns; add --turning-rad or --vary turning_rad, "
+                     "or choose another measure");
+  }
   const SweepFile file{
       .out = options.out,
       .overwrite = options.force ? Overwrite::allow : Overwrite::refuse,
@@ -102,7 +108,8 @@ void add_sweep(CLI::App& program, Job& job) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* command = program.add_subcommand(
       "sweep",
-      "Predict roughness over texture spacing, by probe diameter, applied force or speed.");
+      "Predict roughness over texture spacing, by probe diameter, applied force, speed or "
+      "amplitude of turning.");
   command->add_option("--model", options->model, "A force model; see: asperity models")->required();
   command->add_option("--param", options->parameters, "Parameter of the model, NAME=VALUE");
   command->add_option(
@@ -112,16 +119,17 @@ void add_sweep(CLI::App& program, Job& job) {
   const std::map<std::string, VariedQuantity> varied{
       {"probe_diameter", VariedQuantity::probe_diameter},
       {"applied_force", VariedQuantity::applied_force},
-      {"exploratory_speed", VariedQuantity::exploratory_speed}};
+      {"exploratory_speed", VariedQuantity::exploratory_speed},
+      {"turning_rad", VariedQuantity::turning}};
   command
       ->add_option("--vary", options->order.varied,
                    "Quantity that is varied, with one curve for each value")
       ->required()
       ->transform(word_of(varied))
-      ->option_text("probe_diameter|applied_force|exploratory_speed REQUIRED");
+      ->option_text("probe_diameter|applied_force|exploratory_speed|turning_rad REQUIRED");
   command->add_option(
       "--values", options->values,
-      "Values of the varied quantity, V,V,…, in m, N or m/s (default: three typical values)");
+      "Values of the varied quantity, V,V,…, in m, N, m/s or rad (default: three typical values)");
   command
       ->add_option("--spacings", options->spacings,
                    "Spacings of the texture, FROM:TO:COUNT in metres, logarithmically spaced")
@@ -134,6 +142,11 @@ void add_sweep(CLI::App& program, Job& job) {
   command->add_option("--tool", options->tool,
                       "For a model with two bodies: sphere (the default), disc (upright, along the "
                       "stroke), point, or the file of a textured mesh");
+  command->add_option(
+      "--stimulus", options->stimulus,
+      "For a model of a point: the body under the texture, along whose upper side the stroke leads "
+      "(default: a plane): a textured mesh, or box:X_m,Y_m,Z_m, cylinder:D_m,L_m, sphere:D_m, "
+      "plane:X_m,Y_m");
   const std::map<std::string, DragMode> modes{{"constant_height", DragMode::constant_height},
                                               {"constant_force", DragMode::constant_force}};
   command
@@ -164,6 +177,13 @@ void add_sweep(CLI::App& program, Job& job) {
       ->add_option("--exploratory-speed-m-per-s", options->exploratory_speed_m_per_s,
                    "Exploratory speed, unless --vary varies it")
       ->default_str(number_text(options->order.stroke.speed_m_per_s));
+  command->add_option("--turning-rad", options->turning_rad,
+                      "Let the tool turn to and fro about an axis normal to the surface, with this "
+                      "amplitude, instead of a straight stroke");
+  command
+      ->add_option("--turning-radius-m", options->turning_radius_m,
+                   "Distance of the tip from the axis of a tool that turns")
+      ->default_str(number_text(Turning{}.radius_m));
   command
       ->add_option("--jobs", options->jobs,
                    "Number of spacings computed in parallel (default: one for each processor); "
@@ -174,18 +194,19 @@ void add_sweep(CLI::App& program, Job& job) {
                    "Table of the results, one row per spacing and level (TSV)")
       ->required();
   std::map<std::string, SweepMeasure> measures{};
-  for (const SweepMeasure measure :
-       {SweepMeasure::max_accel, SweepMeasure::rms_accel, SweepMeasure::fa1, SweepMeasure::fa2,
-        SweepMeasure::pacinian}) {
-    measures[text_of(measure)] = measure;
+  std::string measure_names{};
+  for (const MeasureEntry& entry : sweep_measures()) {
+    measures[entry.name] = entry.measure;
+    measure_names += std::string(measure_names.empty() ? "" : "|") + entry.name;
   }
   command
       ->add_option(
           "--measure", options->measure,
           "Measure of the printed peaks and of the figure: the maximum acceleration (the default), "
-          "its RMS, the power in a band, or the power above the vibrotactile threshold")
+          "its RMS, the power in a band, or the power above the vibrotactile threshold; of a tool "
+          "that turns also the RMS torque and force and their powers in the bands")
       ->transform(word_of(measures))
-      ->option_text("max_accel|rms_accel|fa1|fa2|pacinian");
+      ->option_text(measure_names);
 #ifdef ASPERITY_WITH_WINDOWS
   auto* plot = command->add_option("--plot", options->plot,
                                    "Also write a figure of the measure, .svg, .png or .pdf");
@@ -203,6 +224,7 @@ void add_sweep(CLI::App& program, Job& job) {
       ->needs(beside);
 #endif
   command->add_flag("--force", options->force, "Replace the rows of another sweep");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] { job = [options] { return run_sweep(*options); }; });
 }
 

@@ -9,32 +9,22 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/asset_option.h"
+#include "app/cli/body_option.h"
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
+#include "app/cli/number_list.h"
 #include "app/cli/parameter_option.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "app/words/text_parts.h"
+#include "renderers/proxy/body_surface.h"
+#include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
 
 namespace {
-
-/// `expected`: the correct form, for the error.
-std::vector<double> numbers_of(const std::string& option, const std::string& text, char separator,
-                               const std::string& expected) {
-  std::vector<double> numbers{};
-  for (const std::string& piece : parts_of(text, separator)) {
-    const std::optional<double> number = number_in(piece);
-    if (!number) {
-      throw WrongUsage(option + " " + text + ": \"" + piece + "\" is not a number; " + expected);
-    }
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
 
 /// The unit of a quantity, and a value that no hand reaches: a greater number was meant in another unit.
 struct Given {
@@ -52,6 +42,8 @@ Given given_of(VariedQuantity quantity) {
       return {"a force", "N", 100.0, "write 500 mN as 0.5"};
     case VariedQuantity::exploratory_speed:
       return {"a speed", "m/s", 10.0, "write 60 mm/s as 0.06"};
+    case VariedQuantity::turning:
+      return {"an amplitude of turning", "rad", 3.14159, "write 10 degrees as 0.1745"};
   }
   return {};
 }
@@ -155,6 +147,33 @@ void take_tip(SweepOrder& order, const std::string& text) {
   order.tool_sha256 = loaded.sha256;
 }
 
+void take_turning(SweepOrder& order, const SweepOptions& options) {
+  if (order.varied != VariedQuantity::turning && !options.turning_rad) {
+    if (!options.turning_radius_m) return;
+    throw WrongUsage(
+        "--turning-radius-m is the radius of a tool that turns; add --turning-rad or --vary "
+        "turning_rad, or leave it out");
+  }
+  order.stroke.turning.emplace();
+  if (options.turning_radius_m) {
+    constexpr Given kRadius{"a radius", "m", 1.0, "write 20 mm as 0.02"};
+    require_unit("--turning-radius-m", *options.turning_radius_m, kRadius);
+    order.stroke.turning->radius_m = *options.turning_radius_m;
+  }
+}
+
+void take_body(SweepOrder& order, const std::string& text) {
+  const BodyOption body = body_option("--stimulus", text);
+  if (body.is_plain_height_field()) {
+    throw WrongUsage("--stimulus " + text +
+                     " is a height field, which the sweep takes as --texture " +
+                     body.file->string() + "; --stimulus is the body under the texture");
+  }
+  order.body = text;
+  if (body.file) order.body_sha256 = sha256_of(read_file(*body.file));
+  order.stroke.body = std::make_shared<const BodySurface>(*load_body(body));
+}
+
 /// A level that is constant in the sweep, which the varied quantity is not.
 void take_level(const SweepOrder& order, VariedQuantity quantity, const char* option,
                 std::optional<double> given, double& level) {
@@ -201,6 +220,12 @@ void complete_order(SweepOptions& options, const ModelRegistry& models) {
   order.spacings_m = spacings_of(options.spacings);
   take_texture(order, options.texture);
   if (options.tool) take_tip(order, *options.tool);
+  if (options.stimulus) take_body(order, *options.stimulus);
+  take_turning(order, options);
+  if (options.turning_rad) {
+    take_level(order, VariedQuantity::turning, "--turning-rad", options.turning_rad,
+               order.stroke.turning->amplitude_rad);
+  }
   take_level(order, VariedQuantity::probe_diameter, "--probe-diameter-m", options.probe_diameter_m,
              order.stroke.tip.diameter_m);
   take_level(order, VariedQuantity::applied_force, "--applied-force-n", options.applied_force_N,

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ struct SweepOptions {
   std::optional<double> probe_diameter_m{};
   std::optional<double> applied_force_N{};
   std::optional<double> exploratory_speed_m_per_s{};
+  std::optional<double> turning_rad{};
+  std::optional<double> turning_radius_m{};
+  std::optional<std::string> stimulus{};
+  std::vector<std::filesystem::path> plugins{};
   std::optional<DragMode> drag{};
   std::optional<double> stiffness_N_per_m{};
   std::string hand = "0.05,3,200";

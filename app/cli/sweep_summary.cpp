@@ -25,6 +25,8 @@ const char* varied_text(VariedQuantity varied) {
       return "the applied force";
     case VariedQuantity::exploratory_speed:
       return "the exploratory speed";
+    case VariedQuantity::turning:
+      return "the amplitude of turning";
   }
   return "";
 }
@@ -56,10 +58,10 @@ Table summary_table(const Sweep& sweep, SweepMeasure measure) {
         sweep.rows.begin(), sweep.rows.end(),
         [&](const SweepRow& row) { return row.value == value && row.status == status; }));
   };
-  const std::map<VariedQuantity, const char*> units{
-      {VariedQuantity::probe_diameter, "_m"},
-      {VariedQuantity::applied_force, "_N"},
-      {VariedQuantity::exploratory_speed, "_m_per_s"}};
+  const std::map<VariedQuantity, const char*> units{{VariedQuantity::probe_diameter, "_m"},
+                                                    {VariedQuantity::applied_force, "_N"},
+                                                    {VariedQuantity::exploratory_speed, "_m_per_s"},
+                                                    {VariedQuantity::turning, ""}};
   Table table{.columns = {text_of(sweep.order.varied) + std::string(units.at(sweep.order.varied)),
                           "rows_fitted", "stick_slip", "not_converged", "saturated",
                           "greatest_at_mm", "parabola_peak_mm", "low_mm", "high_mm", "r2"}};

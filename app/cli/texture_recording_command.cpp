@@ -16,13 +16,14 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/number_option.h"
+#include "app/cli/plugin_option.h"
 #include "app/cli/recording_warnings.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
+#include "app/plugins/plugin_files.h"
 #include "app/records/recorded_attempt.h"
 #include "app/records/recorded_strokes.h"
 #include "app/study_files/height_field_files.h"
-#include "renderers/built_in_models.h"
 #include "renderers/models/auto_regressive.h"
 #include "renderers/recordings/recorded_spectra.h"
 #include "renderers/recordings/relief_recording.h"
@@ -48,6 +49,7 @@ struct TextureRecordingOptions {
   std::optional<double> full_scale_N{};
   std::filesystem::path out{};
   bool force = false;
+  std::vector<std::filesystem::path> plugins{};
 };
 
 TextureRecording recording_of_wavs(const TextureRecordingOptions& options) {
@@ -81,7 +83,7 @@ TextureRecording recording_of_study(const TextureRecordingOptions& options) {
     throw WrongUsage("--study needs an attempt; add --attempt");
   }
   const Study study = Study::open(*options.study, Access::read_only);
-  const ModelRegistry models = built_in_models();
+  const ModelRegistry models = models_with(options.plugins);
   const AttemptRow attempt = find_attempt(study, *options.attempt);
   const SessionRow session = study.session(study.session_of(attempt.id));
   const Plan plan = plan_of(study, session, models);
@@ -111,6 +113,10 @@ TextureRecording recording_asked_for(const TextureRecordingOptions& options) {
     throw WrongUsage(
         "a recording is made from exactly one source; give one of --relief, --wav, --study and "
         "--table");
+  }
+  if (!options.plugins.empty() && !options.study) {
+    throw WrongUsage(
+        "--plugin loads the force models of a study; add --study, or leave out --plugin");
   }
   if (!options.wavs.empty()) return recording_of_wavs(options);
   if (options.study) return recording_of_study(options);
@@ -198,6 +204,7 @@ void add_texture_recording(CLI::App& program, Job& job) {
       ->check(number_within(1e-9, 1e6));
   command->add_option("--out", options->out, "The table of strokes (TSV)")->required();
   command->add_flag("--force", options->force, "Replace an existing file");
+  add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;

@@ -26,6 +26,7 @@ struct OptionUnit {
 constexpr std::array kOptionUnits{
     OptionUnit{"-m-per-s", "metres per second", "0.1"},
     OptionUnit{"-n-per-m", "newtons per metre", "1000"},
+    OptionUnit{"-rad", "radians", "0.2"},
     OptionUnit{"-hz", "hertz", "1000"},
     OptionUnit{"-n", "newtons", "0.5"},
     OptionUnit{"-m", "metres", "0.1"},

@@ -28,6 +28,8 @@ Phrase level_name(VariedQuantity varied, double value) {
       return phrase("Figures", "force %1 N").with(text_of_number(value));
     case VariedQuantity::exploratory_speed:
       return phrase("Figures", "speed %1 mm/s").with(text_of_number(kMillimetresPerMetre * value));
+    case VariedQuantity::turning:
+      return phrase("Figures", "turning %1 rad").with(text_of_number(value));
   }
   return {};
 }
@@ -50,6 +52,8 @@ Phrase sweep_title(VariedQuantity varied) {
       return phrase("Figures", "Predicted roughness by applied force");
     case VariedQuantity::exploratory_speed:
       return phrase("Figures", "Predicted roughness by exploratory speed");
+    case VariedQuantity::turning:
+      return phrase("Figures", "Predicted roughness by amplitude of turning");
   }
   return {};
 }
@@ -73,6 +77,30 @@ FigureAxis measure_axis(SweepMeasure measure) {
       break;
     case SweepMeasure::pacinian:
       axis = {.name = phrase("Figures", "power relative to the threshold"), .unit = "dB"};
+      break;
+    case SweepMeasure::rms_torque:
+      axis.name = phrase("Figures", "RMS torque");
+      axis.unit = "N m";
+      break;
+    case SweepMeasure::fa1_torque:
+      axis.name = phrase("Figures", "power of the torque from 5 to 50 Hz");
+      axis.unit = "N² m²";
+      break;
+    case SweepMeasure::fa2_torque:
+      axis.name = phrase("Figures", "power of the torque from 50 to 500 Hz");
+      axis.unit = "N² m²";
+      break;
+    case SweepMeasure::rms_force:
+      axis.name = phrase("Figures", "RMS force");
+      axis.unit = "N";
+      break;
+    case SweepMeasure::fa1_force:
+      axis.name = phrase("Figures", "power of the force from 5 to 50 Hz");
+      axis.unit = "N²";
+      break;
+    case SweepMeasure::fa2_force:
+      axis.name = phrase("Figures", "power of the force from 50 to 500 Hz");
+      axis.unit = "N²";
       break;
   }
   return axis;

@@ -48,6 +48,9 @@ RoughnessStroke at_level(const SweepOrder& order, double value) {
     case VariedQuantity::exploratory_speed:
       stroke.speed_m_per_s = value;
       break;
+    case VariedQuantity::turning:
+      stroke.turning->amplitude_rad = value;
+      break;
   }
   return stroke;
 }
@@ -139,7 +142,10 @@ class SweepWork final {
       const std::optional<DragResult> result = dragged(order_.stroke, texture, stop_);
       if (!result) return;
       SweepRow row{.spacing_m = spacing_m, .status = kNoEffectByConstruction};
-      if (result->status == DragStatus::ok) row.roughness = result->roughness;
+      if (result->status == DragStatus::ok) {
+        row.roughness = result->roughness;
+        row.turning = result->turning;
+      }
       for (const std::size_t value : missing) {
         row.value = order_.values[value];
         keep(value, spacing, row);
@@ -154,6 +160,7 @@ class SweepWork final {
            {.value = order_.values[value],
             .spacing_m = spacing_m,
             .roughness = result->roughness,
+            .turning = result->turning,
             .status = text_of(result->status)});
     }
   }
@@ -214,7 +221,9 @@ class SweepWork final {
   std::exception_ptr failure_{};
 };
 
-Cell cell_of_measure(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+bool is_shown(const MeasureEntry& entry, const SweepOrder& order) {
+  return !entry.is_of_turning || order.stroke.turning;
+}
 
 /// The rows of a table that `table_of` made.
 Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::string& name) {
@@ -224,25 +233,28 @@ Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::stri
     throw std::runtime_error(name +
                              " does not have the columns of a sweep; use --force to replace it");
   }
-  const auto number = [&](const std::vector<Cell>& row, std::size_t column) {
-    const auto* words = std::get_if<std::string>(&row[column]);
+  const auto cell = [&table](const std::vector<Cell>& row, const char* column) -> const Cell& {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+    return row[static_cast<std::size_t>(found - table.columns.begin())];
+  };
+  const auto number = [&](const std::vector<Cell>& row, const char* column) {
+    const auto* words = std::get_if<std::string>(&cell(row, column));
     return words != nullptr ? number_in(*words) : std::nullopt;
   };
   for (const std::vector<Cell>& row : table.rows) {
-    const std::optional<double> value = number(row, 2);
-    const std::optional<double> spacing_m = number(row, 3);
-    const auto* status = std::get_if<std::string>(&row[10]);
+    const std::optional<double> value = number(row, "value");
+    const std::optional<double> spacing_m = number(row, "spacing_m");
+    const auto* status = std::get_if<std::string>(&cell(row, "status"));
     if (!value || !spacing_m || status == nullptr) {
       throw std::runtime_error(
           name + " has a row that was not written by a sweep; use --force to replace it");
     }
     SweepRow read{.value = *value, .spacing_m = *spacing_m, .status = *status};
-    if (const std::optional<double> greatest = number(row, 5)) {
-      read.roughness = HeldToolRoughness{.max_accel_m_per_s2 = *greatest,
-                                         .rms_accel_m_per_s2 = number(row, 6).value_or(0.0),
-                                         .fa1_m2_per_s4 = number(row, 7).value_or(0.0),
-                                         .fa2_m2_per_s4 = number(row, 8).value_or(0.0),
-                                         .pacinian_dB = number(row, 9)};
+    for (const MeasureEntry& entry : sweep_measures()) {
+      if (!is_shown(entry, order)) continue;
+      if (const std::optional<double> measured = number(row, entry.column)) {
+        entry.set(read, *measured);
+      }
     }
     sweep.rows.push_back(std::move(read));
   }
@@ -256,43 +268,6 @@ const SweepRow* Sweep::find(double value, double spacing_m) const noexcept {
     return row.value == value && row.spacing_m == spacing_m;
   });
   return found == rows.end() ? nullptr : &*found;
-}
-
-const char* text_of(SweepMeasure measure) noexcept {
-  switch (measure) {
-    case SweepMeasure::max_accel:
-      return "max_accel";
-    case SweepMeasure::rms_accel:
-      return "rms_accel";
-    case SweepMeasure::fa1:
-      return "fa1";
-    case SweepMeasure::fa2:
-      return "fa2";
-    case SweepMeasure::pacinian:
-      return "pacinian";
-  }
-  return "";
-}
-
-std::optional<double> log10_of(const SweepRow& row, SweepMeasure measure) {
-  if (!row.roughness) return {};
-  const auto of_positive = [](double value) {
-    return value > 0.0 ? std::optional(std::log10(value)) : std::nullopt;
-  };
-  const HeldToolRoughness& roughness = *row.roughness;
-  switch (measure) {
-    case SweepMeasure::max_accel:
-      return of_positive(roughness.max_accel_m_per_s2);
-    case SweepMeasure::rms_accel:
-      return of_positive(roughness.rms_accel_m_per_s2);
-    case SweepMeasure::fa1:
-      return of_positive(roughness.fa1_m2_per_s4);
-    case SweepMeasure::fa2:
-      return of_positive(roughness.fa2_m2_per_s4);
-    case SweepMeasure::pacinian:
-      return roughness.pacinian_dB ? std::optional(0.1 * *roughness.pacinian_dB) : std::nullopt;
-  }
-  return {};
 }
 
 bool spacing_has_effect(const SweepOrder& order) {
@@ -342,6 +317,8 @@ std::vector<double> usual_values(VariedQuantity varied) {
       return {0.25, 0.5, 1.0};
     case VariedQuantity::exploratory_speed:
       return {0.05, 0.1, 0.2};
+    case VariedQuantity::turning:
+      return {0.1, 0.2, 0.4};
   }
   return {};
 }
@@ -363,21 +340,21 @@ std::vector<double> logarithmic_spacings(double from_m, double to_m, int count) 
 }
 
 Table table_of(const Sweep& sweep) {
-  Table table{.columns = {"model", "varied", "value", "spacing_m", "drag",
-                          "roughness_max_accel_m_per_s2", "roughness_rms_accel_m_per_s2",
-                          "roughness_fa1_m2_per_s4", "roughness_fa2_m2_per_s4",
-                          "roughness_pacinian_dB", "status"}};
+  Table table{.columns = {"model", "varied", "value", "spacing_m", "drag"}};
+  for (const MeasureEntry& entry : sweep_measures()) {
+    if (is_shown(entry, sweep.order)) table.columns.push_back(entry.column);
+  }
+  table.columns.push_back("status");
   for (const SweepRow& row : sweep.rows) {
-    const auto measure = [&row](double HeldToolRoughness::*one) {
-      return row.roughness ? Cell((*row.roughness).*one) : Cell();
-    };
-    table.rows.push_back(
-        {sweep.order.stroke.model->declaration.id, text_of(sweep.order.varied), row.value,
-         row.spacing_m, text_of(sweep.order.stroke.mode),
-         measure(&HeldToolRoughness::max_accel_m_per_s2),
-         measure(&HeldToolRoughness::rms_accel_m_per_s2),
-         measure(&HeldToolRoughness::fa1_m2_per_s4), measure(&HeldToolRoughness::fa2_m2_per_s4),
-         cell_of_measure(row.roughness ? row.roughness->pacinian_dB : std::nullopt), row.status});
+    std::vector<Cell>& cells = table.rows.emplace_back(
+        std::vector<Cell>{sweep.order.stroke.model->declaration.id, text_of(sweep.order.varied),
+                          row.value, row.spacing_m, text_of(sweep.order.stroke.mode)});
+    for (const MeasureEntry& entry : sweep_measures()) {
+      if (!is_shown(entry, sweep.order)) continue;
+      const std::optional<double> value = entry.value(row);
+      cells.push_back(value ? Cell(*value) : Cell());
+    }
+    cells.push_back(row.status);
   }
   return table;
 }
@@ -407,6 +384,11 @@ std::string declaration_of(const SweepOrder& order) {
     json["tip"] = text_of_tip(stroke.tip.form);
   }
   if (!order.asset_sha256.empty()) json["assets_sha256"] = order.asset_sha256;
+  if (stroke.model->plugin) json["plugin_sha256"] = stroke.model->plugin->sha256;
+  if (stroke.body) {
+    json["body"] = order.body;
+    json["body_sha256"] = order.body_sha256;
+  }
   json["drag"] = text_of(stroke.mode);
   json["hand"] = {{"mass_kg", stroke.hand.mass_kg},
                   {"damping_N_s_per_m", stroke.hand.damping_N_s_per_m},
@@ -421,6 +403,12 @@ std::string declaration_of(const SweepOrder& order) {
   if (order.varied != VariedQuantity::applied_force) json["applied_force_N"] = stroke.force_N;
   if (order.varied != VariedQuantity::exploratory_speed) {
     json["exploratory_speed_m_per_s"] = stroke.speed_m_per_s;
+  }
+  if (stroke.turning) {
+    json["turning_radius_m"] = stroke.turning->radius_m;
+    if (order.varied != VariedQuantity::turning) {
+      json["turning_rad"] = stroke.turning->amplitude_rad;
+    }
   }
   json["seed"] = stroke.seed;
   return json.dump(2) + '\n';
@@ -447,6 +435,9 @@ void require_sweep(const SweepOrder& order) {
   };
   require(order.values, "the values");
   require(order.spacings_m, "the spacings");
+  if (order.varied == VariedQuantity::turning && !order.stroke.turning) {
+    throw std::invalid_argument("the tool does not turn; give the radius of its arc");
+  }
   const bool has_size = order.stroke.tip.form != TipForm::point && !order.stroke.tool;
   if (order.varied == VariedQuantity::probe_diameter &&
       order.stroke.model->declaration.needs_bodies && !has_size) {

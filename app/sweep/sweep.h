@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/magnitude.h"
+#include "app/sweep/sweep_measure.h"
 #include "renderers/offline/roughness_stroke.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
@@ -29,6 +30,8 @@ struct SweepOrder {
   std::string relief_sha256{};                        ///< of the texture's relief, if it has one
   std::string tool_sha256{};                          ///< of the stroke's tool, if it is a mesh
   std::map<std::string, std::string> asset_sha256{};  ///< of the given files of the model, by role
+  std::string body{};                                 ///< the stroked body as it was given
+  std::string body_sha256{};                          ///< of its mesh
 };
 
 /// Whether the texture of the model is that of the spacing. It is not where a file is given to a model without a height
@@ -38,14 +41,6 @@ bool spacing_has_effect(const SweepOrder& order);
 /// The status of a row where the model cannot depend on the level.
 inline constexpr const char* kNoEffectByConstruction = "no_effect_by_construction";
 
-/// One cell: a level of the varied quantity at one spacing.
-struct SweepRow {
-  double value = 0.0;
-  double spacing_m = 0.0;
-  std::optional<HeldToolRoughness> roughness{};
-  std::string status{};  ///< as in drag.h, or `no_effect_by_construction`
-};
-
 struct Sweep {
   SweepOrder order{};
   std::vector<SweepRow> rows{};  ///< level by level, each in the order of the spacings
@@ -53,14 +48,6 @@ struct Sweep {
 
   const SweepRow* find(double value, double spacing_m) const noexcept;
 };
-
-/// A measure of a row.
-enum class SweepMeasure { max_accel, rms_accel, fa1, fa2, pacinian };
-/// As in the name of its column, without the unit.
-const char* text_of(SweepMeasure measure) noexcept;
-/// The decimal logarithm of the measure, for the Pacinian power that of P_w, a tenth of the
-/// decibels; nothing where the tool did not move, or not in that band.
-std::optional<double> log10_of(const SweepRow& row, SweepMeasure measure);
 
 /// The curve of one level of the varied quantity, as in the figures of the source: a parabola of
 /// log₁₀ roughness over log₁₀ texture frequency (1/spacing), through the rows whose status is `ok`
@@ -87,7 +74,8 @@ std::vector<double> usual_values(VariedQuantity varied);
 /// not positive and for fewer than two.
 std::vector<double> logarithmic_spacings(double from_m, double to_m, int count);
 
-/// The table to be written: the columns of a sweep, a row for each computed row.
+/// The table to be written: the columns of a sweep, a row for each computed row. The measures of turning are absent where
+/// the tool does not turn.
 Table table_of(const Sweep& sweep);
 /// The content of the file next to the table that declares how it was made, JSON,
 /// `asperity.sweep/1`.

@@ -44,6 +44,8 @@ std::string quantity_text(VariedQuantity quantity, double value) {
       return rounded_text(value) + " N";
     case VariedQuantity::exploratory_speed:
       return rounded_text(kMillimetres_per_m * value) + " mm/s";
+    case VariedQuantity::turning:
+      return rounded_text(value) + " rad";
   }
   return {};
 }
@@ -73,6 +75,8 @@ const char* words_of(VariedQuantity quantity) {
       return "the instructed force";
     case VariedQuantity::exploratory_speed:
       return "the instructed speed";
+    case VariedQuantity::turning:
+      return "the turning of the tool";
   }
   return "";
 }
@@ -85,6 +89,8 @@ const char* option_of(VariedQuantity quantity) {
       return "--applied-force-n";
     case VariedQuantity::exploratory_speed:
       return "--exploratory-speed-m-per-s";
+    case VariedQuantity::turning:
+      return "--turning-rad";
   }
   return "";
 }
@@ -97,6 +103,8 @@ double fixed_level(const SweepOrder& order, VariedQuantity quantity) {
       return order.stroke.force_N;
     case VariedQuantity::exploratory_speed:
       return order.stroke.speed_m_per_s;
+    case VariedQuantity::turning:
+      return order.stroke.turning ? order.stroke.turning->amplitude_rad : 0.0;
   }
   return 0.0;
 }
@@ -139,6 +147,8 @@ QuantityLevel quantity_level(const Protocol& protocol, const Trial& trial,
       return band_level(exploration_of(protocol, trial).normal_force_N);
     case VariedQuantity::exploratory_speed:
       return band_level(exploration_of(protocol, trial).speed_m_per_s);
+    case VariedQuantity::turning:
+      return {};  // no protocol instructs it
   }
   return {};
 }

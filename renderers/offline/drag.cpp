@@ -8,9 +8,13 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "analysis/number_text.h"
 #include "device/refusal.h"
@@ -34,8 +38,10 @@ constexpr double kCaught = 0.05;
 constexpr double kDeeper_m = 10e-6;
 constexpr double kYielding = 0.1;
 constexpr std::size_t kBetweenStops = 4096;
+constexpr std::size_t kFewestPeriods = 4;
+constexpr double kFast = 0.5;  // of the greatest speed: where a tool to and fro can be caught
 
-// The length of the record, in spacings and in time.
+// The length of the record, in spacings (to and fro: in periods) and in time.
 struct Length {
   std::size_t spacings = 0;
   double spacing_s = 0.0;
@@ -43,12 +49,16 @@ struct Length {
 };
 
 Length length_of(const Drag& stroke) {
-  Length length{.spacing_s = stroke.spacing_m / stroke.speed_m_per_s};
+  const bool is_to_and_fro = stroke.swing_m > 0.0;
+  Length length{.spacing_s =
+                    (is_to_and_fro ? 2.0 * std::numbers::pi * stroke.swing_m : stroke.spacing_m) /
+                    stroke.speed_m_per_s};
   length.dropped_s = beginning_s(stroke.hand, stroke.mode == DragMode::constant_force
                                                   ? std::optional<double>(stroke.stiffness_N_per_m)
                                                   : std::nullopt);
-  length.spacings = std::bit_ceil(std::max(
-      kFewestSpacings, static_cast<std::size_t>(std::ceil(kShortestRecord_s / length.spacing_s))));
+  length.spacings = std::bit_ceil(
+      std::max(is_to_and_fro ? kFewestPeriods : kFewestSpacings,
+               static_cast<std::size_t>(std::ceil(kShortestRecord_s / length.spacing_s))));
   if (stroke.reach_m > 0.0) {
     const auto takes_m = [&] {
       return stroke.speed_m_per_s *
@@ -65,25 +75,41 @@ Length length_of(const Drag& stroke) {
   return length;
 }
 
+// The probe at a place of the guide and a height above it.
+ProbeState probe_on(const StrokeGuide& guide, const glm::dvec2& place_m,
+                    const glm::dvec2& velocity_m_per_s, std::int64_t time_ns) noexcept {
+  const GuidePlace at = guide.at(place_m.x);
+  ProbeState probe{};
+  probe.time_ns = time_ns;
+  probe.position_m = at.origin_m + place_m.y * at.normal;
+  probe.velocity_m_per_s = velocity_m_per_s.x * at.along + velocity_m_per_s.y * at.normal;
+  probe.orientation = at.orientation;
+  probe.angular_velocity_rad_per_s.z = velocity_m_per_s.x * guide.turn_rad_per_m();
+  return probe;
+}
+
 // Normal forces along the texture at a constant height, without yielding.
 class StillHeight {
  public:
-  StillHeight(ForceRenderer& renderer, const Drag& stroke) : renderer_(renderer), stroke_(stroke) {
-    const double spacings = std::max(1.0, std::round(stroke.repeats_after_m / stroke.spacing_m));
+  StillHeight(ForceRenderer& renderer, const Drag& stroke, const StrokeGuide& guide)
+      : renderer_(renderer), guide_(guide), stroke_(stroke) {
+    start_m_ = stroke.swing_m > 0.0 ? -stroke.swing_m : stroke.start_x_m;
+    const double length_m = stroke.swing_m > 0.0 ? 2.0 * stroke.swing_m : stroke.repeats_after_m;
+    const double spacings = std::max(1.0, std::round(length_m / stroke.spacing_m));
     samples_ = static_cast<std::size_t>(spacings) * kDragSamplesPerSpacing;
-    pitch_m_ = stroke.repeats_after_m / static_cast<double>(samples_);
+    pitch_m_ = length_m / static_cast<double>(samples_);
   }
 
   const std::vector<double>& normal_N(double height_m) {
     normal_N_.resize(samples_);
     const double dt_s = pitch_m_ / stroke_.speed_m_per_s;
     for (std::size_t i = 0; i < samples_; ++i) {
-      ProbeState probe{};
-      probe.time_ns = std::llround(static_cast<double>(i) * dt_s * 1e9);
-      probe.position_m = {stroke_.start_x_m + static_cast<double>(i) * pitch_m_, 0.0, height_m};
-      probe.velocity_m_per_s = {stroke_.speed_m_per_s, 0.0, 0.0};
+      const double place_m = start_m_ + static_cast<double>(i) * pitch_m_;
+      const ProbeState probe = probe_on(guide_, {place_m, height_m}, {stroke_.speed_m_per_s, 0.0},
+                                        std::llround(static_cast<double>(i) * dt_s * 1e9));
       if (i == 0) renderer_.reset(probe);
-      normal_N_[i] = renderer_.tick(probe, dt_s).wrench.force_N.z;
+      normal_N_[i] =
+          glm::dot(renderer_.tick(probe, dt_s).wrench.force_N, guide_.at(place_m).normal);
     }
     return normal_N_;
   }
@@ -108,7 +134,9 @@ class StillHeight {
 
  private:
   ForceRenderer& renderer_;
+  const StrokeGuide& guide_;
   const Drag& stroke_;
+  double start_m_ = 0.0;
   std::size_t samples_ = 0;
   double pitch_m_ = 0.0;
   std::vector<double> normal_N_{};
@@ -117,6 +145,7 @@ class StillHeight {
 // The result of a simulation with one time step.
 struct Run {
   HeldToolRoughness roughness{};
+  std::optional<TurningRoughness> turning{};
   double slowest_m_per_s = 0.0;
   double lowest_m = 0.0;
 };
@@ -126,31 +155,116 @@ struct Steps {
   double height_m = 0.0;
 };
 
-std::optional<Run> simulated(ForceRenderer& renderer, const Drag& stroke, const Length& length,
-                             const Steps& steps, const std::stop_token& stop) {
+// The motion of the tool without a surface, less that of the hand of HeldTool: to and fro, HeldTool integrates the deviation.
+class FreeMotion {
+ public:
+  explicit FreeMotion(const Drag& stroke) noexcept
+      : swing_m_(stroke.swing_m),
+        rate_rad_per_s_(swing_m_ > 0.0 ? stroke.speed_m_per_s / swing_m_ : 0.0) {}
+
+  double place_m(double time_s) const noexcept {
+    return swing_m_ * std::sin(rate_rad_per_s_ * time_s);
+  }
+  double speed_m_per_s(double time_s) const noexcept {
+    return swing_m_ * rate_rad_per_s_ * std::cos(rate_rad_per_s_ * time_s);
+  }
+
+ private:
+  double swing_m_ = 0.0;
+  double rate_rad_per_s_ = 0.0;
+};
+
+// Records of the torque and of the components of the force.
+class TurningRecord {
+ public:
+  void add(double torque_N_m, const glm::dvec3& force_N) {
+    torque_N_m_.push_back(torque_N_m);
+    for (int axis = 0; axis < 3; ++axis) {
+      force_N_[static_cast<std::size_t>(axis)].push_back(force_N[axis]);
+    }
+  }
+
+  TurningRoughness roughness(double rate_Hz) const {
+    const RecordRoughness torque = record_roughness(torque_N_m_, rate_Hz);
+    TurningRoughness sum{.rms_torque_N_m = torque.rms,
+                         .fa1_torque_N2_m2 = torque.fa1_power,
+                         .fa2_torque_N2_m2 = torque.fa2_power};
+    double square_N2 = 0.0;
+    for (const std::vector<double>& component_N : force_N_) {
+      const RecordRoughness force = record_roughness(component_N, rate_Hz);
+      square_N2 += force.rms * force.rms;
+      sum.fa1_force_N2 += force.fa1_power;
+      sum.fa2_force_N2 += force.fa2_power;
+    }
+    sum.rms_force_N = std::sqrt(square_N2);
+    return sum;
+  }
+
+ private:
+  std::vector<double> torque_N_m_{};
+  std::array<std::vector<double>, 3> force_N_{};
+};
+
+// The forces along the guide and along its normal.
+glm::dvec2 forces_on(const StrokeGuide& guide, const GuidePlace& at,
+                     const Wrench& wrench) noexcept {
+  return {glm::dot(wrench.force_N, at.along) + wrench.torque_N_m.z * guide.turn_rad_per_m(),
+          glm::dot(wrench.force_N, at.normal)};
+}
+
+std::optional<Run> simulated(ForceRenderer& renderer, const Drag& stroke, const StrokeGuide& guide,
+                             const Length& length, const Steps& steps,
+                             const std::stop_token& stop) {
   const double dt_s = length.spacing_s / static_cast<double>(steps.in_a_spacing);
   const auto dropped = static_cast<std::size_t>(std::ceil(length.dropped_s / dt_s));
   const std::size_t kept = length.spacings * steps.in_a_spacing;
-  HeldTool tool(stroke.hand, {.speed_m_per_s = stroke.speed_m_per_s,
+  const bool is_to_and_fro = stroke.swing_m > 0.0;
+  const FreeMotion free(stroke);
+  HeldTool tool(stroke.hand, {.speed_m_per_s = is_to_and_fro ? 0.0 : stroke.speed_m_per_s,
                               .press_N = stroke.mode == DragMode::constant_force
                                              ? std::optional<double>(stroke.force_N)
                                              : std::nullopt,
                               .start_m = {stroke.start_x_m, 0.0, steps.height_m}});
   HeldToolRecord record(1.0 / dt_s);
   record.reserve(kept);
+  TurningRecord turning{};
   Run run{.slowest_m_per_s = stroke.speed_m_per_s, .lowest_m = steps.height_m};
-  renderer.reset(tool.state());
-  tool.feel(renderer.tick(tool.state(), dt_s).wrench.force_N);
+  double time_s = 0.0;
+  const auto feel = [&](bool is_first) {
+    const double place_m = tool.state().position_m.x + free.place_m(time_s);
+    const double speed_m_per_s = tool.state().velocity_m_per_s.x + free.speed_m_per_s(time_s);
+    const ProbeState probe =
+        probe_on(guide, {place_m, tool.state().position_m.z},
+                 {speed_m_per_s, tool.state().velocity_m_per_s.z}, tool.state().time_ns);
+    if (is_first) renderer.reset(probe);
+    const Wrench wrench = renderer.tick(probe, dt_s).wrench;
+    const glm::dvec2 force_N = forces_on(guide, guide.at(place_m), wrench);
+    tool.feel({force_N.x, 0.0, force_N.y});
+    return std::pair{force_N.x, wrench.force_N};
+  };
+  feel(true);
   for (std::size_t i = 0; i < dropped + kept; ++i) {
     if (i % kBetweenStops == 0 && stop.stop_requested()) return std::nullopt;
-    tool.feel(renderer.tick(tool.advance(dt_s), dt_s).wrench.force_N);
+    time_s = static_cast<double>(i + 1) * dt_s;
+    tool.advance(dt_s);
+    const auto [along_N, force_N] = feel(false);
     if (i < dropped) continue;
     record.add(tool.acceleration_m_per_s2().x, tool.acceleration_m_per_s2().y);
-    run.slowest_m_per_s = std::min(run.slowest_m_per_s, tool.state().velocity_m_per_s.x);
+    if (guide.turn_rad_per_m() > 0.0) turning.add(along_N / guide.turn_rad_per_m(), force_N);
     run.lowest_m = std::min(run.lowest_m, tool.state().position_m.z);
+    const double free_m_per_s = free.speed_m_per_s(time_s);
+    const double forwards_m_per_s =
+        tool.state().velocity_m_per_s.x + (is_to_and_fro ? free_m_per_s : 0.0);
+    if (!is_to_and_fro) {
+      run.slowest_m_per_s = std::min(run.slowest_m_per_s, forwards_m_per_s);
+    } else if (std::abs(free_m_per_s) > kFast * stroke.speed_m_per_s) {
+      run.slowest_m_per_s =
+          std::min(run.slowest_m_per_s, std::copysign(1.0, free_m_per_s) * forwards_m_per_s);
+    }
   }
   run.roughness = record.roughness();
   if (run.roughness.max_accel_m_per_s2 < kRounding_m_per_s2) run.roughness = {};
+  if (guide.turn_rad_per_m() > 0.0) run.turning = turning.roughness(1.0 / dt_s);
   return run;
 }
 
@@ -215,8 +329,11 @@ std::optional<DragResult> drag(ForceRenderer& renderer, const Drag& stroke,
   require_positive("Drag::spacing_m", stroke.spacing_m);
   require_positive("Drag::repeats_after_m", stroke.repeats_after_m);
   require_positive("Drag::stiffness_N_per_m", stroke.stiffness_N_per_m);
+  require_not_negative("Drag::swing_m", stroke.swing_m);
   const Length length = length_of(stroke);
-  StillHeight still(renderer, stroke);
+  const StraightGuide straight{};
+  const StrokeGuide& guide = stroke.guide ? *stroke.guide : straight;
+  StillHeight still(renderer, stroke, guide);
   const ConstantHeight found =
       constant_height([&](double height_m) { return still.mean_normal_N(height_m); },
                       {.force_N = stroke.force_N,
@@ -228,11 +345,11 @@ std::optional<DragResult> drag(ForceRenderer& renderer, const Drag& stroke,
   Steps steps{.in_a_spacing = std::bit_ceil(
                   static_cast<std::size_t>(std::ceil(length.spacing_s / kLongestStep_s))),
               .height_m = *found.height_m};
-  std::optional<Run> last = simulated(renderer, stroke, length, steps, stop);
+  std::optional<Run> last = simulated(renderer, stroke, guide, length, steps, stop);
   DragResult result{.status = DragStatus::not_converged, .height_m = *found.height_m};
   for (int halving = 0; last && halving < kStepHalvings; ++halving) {
     steps.in_a_spacing *= 2;
-    const std::optional<Run> finer = simulated(renderer, stroke, length, steps, stop);
+    const std::optional<Run> finer = simulated(renderer, stroke, guide, length, steps, stop);
     const bool is_same = finer && agree(last->roughness, finer->roughness);
     last = finer;
     if (is_same) {
@@ -242,6 +359,7 @@ std::optional<DragResult> drag(ForceRenderer& renderer, const Drag& stroke,
   }
   if (!last) return std::nullopt;
   result.roughness = last->roughness;
+  result.turning = last->turning;
   result.time_step_s = length.spacing_s / static_cast<double>(steps.in_a_spacing);
   result.slowest_m_per_s = last->slowest_m_per_s;
   if (still.yields_at(last->lowest_m)) {

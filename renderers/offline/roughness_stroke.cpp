@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -74,12 +75,56 @@ bool declares(const std::vector<Parameter>& parameters, std::string_view name) {
                      [name](const Parameter& one) { return one.name == name; });
 }
 
-// The length of the stroke with a record of a quarter of a second or sixteen spacings.
+// The length of the stroke with a record of a quarter of a second or sixteen spacings; that of the arc.
 double plate_length_m(const RoughnessStroke& stroke, const TextureAtSpacing& texture) {
+  if (stroke.turning) {
+    const double quarter_rad = 0.5 * std::numbers::pi;
+    return 2.0 * stroke.turning->radius_m *
+               std::sin(std::min(stroke.turning->amplitude_rad, quarter_rad)) +
+           2.0 * kPlateBeyond_m;
+  }
   const double beginning_m =
       stroke.speed_m_per_s * beginning_s(stroke.hand, stroke.material.stiffness_N_per_m);
   const double record_m = std::max(0.25 * stroke.speed_m_per_s, 16.0 * texture.spacing_m);
   return std::min(kLongestPlate_m, beginning_m + record_m + 2.0 * kPlateBeyond_m);
+}
+
+// About the line of the stroke. An arc bends to one side of it.
+double plate_width_m(const RoughnessStroke& stroke) {
+  if (!stroke.turning) return kPlateWidth_m;
+  return kPlateWidth_m +
+         2.0 * stroke.turning->radius_m * (1.0 - std::cos(stroke.turning->amplitude_rad));
+}
+
+bool is_constant_across(const HeightField& field) {
+  const HeightField::Grid& grid = field.grid();
+  const std::vector<float>& heights_m = field.heights_m();
+  return std::equal(heights_m.begin() + static_cast<std::ptrdiff_t>(grid.columns), heights_m.end(),
+                    heights_m.begin());
+}
+
+void require_stroke(const RoughnessStroke& stroke, const TextureAtSpacing& texture) {
+  const ModelDeclaration& declaration = stroke.model->declaration;
+  if (stroke.body && declaration.needs_bodies) {
+    throw std::invalid_argument("the force model " + declaration.id +
+                                " is dragged over a plate with the texture; leave out the body, or "
+                                "choose a model of a point");
+  }
+  if (!stroke.turning) return;
+  const double amplitude_rad = stroke.turning->amplitude_rad;
+  if (!(amplitude_rad > 0.0 && amplitude_rad <= std::numbers::pi)) {
+    throw std::invalid_argument("Turning::amplitude_rad is " + number_text(amplitude_rad) +
+                                "; it must be above 0 and at most pi");
+  }
+  if (stroke.body) {
+    throw std::invalid_argument("a tool turns on a plane only; leave out the body or the turning");
+  }
+  if (declaration.needs_bodies && !stroke.tool && !is_constant_across(*texture.field)) {
+    throw std::invalid_argument(
+        "the texture varies across the stroke, where a turning tip of " + declaration.id +
+        " is computed on one line only; choose a texture that is constant across the stroke, such "
+        "as sinusoid, or a textured mesh as tool");
+  }
 }
 
 }  // namespace
@@ -140,9 +185,9 @@ HeightField recorded_relief(const TextureAtSpacing& texture) {
   return {wide, std::move(heights_m)};
 }
 
-std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
-                                                const TextureAtSpacing& texture) {
+RendererInputs stroked_inputs(const RoughnessStroke& stroke, const TextureAtSpacing& texture) {
   const ForceModel& model = *stroke.model;
+  require_stroke(stroke, texture);
   RendererInputs inputs{.parameters = stroke.parameters,
                         .material = stroke.material,
                         .patch = {.centre_m = {0.0, -texture.line_m, 0.0},
@@ -158,16 +203,25 @@ std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
     add_files_of_relief(inputs, model, recorded_relief(texture));
     for (const auto& [role, content] : stroke.assets) inputs.assets[role] = content;
   }
-  if (!model.declaration.needs_bodies) {
-    if (model.suggested_by) {
-      ParameterValues suggested = model.suggested_by(*texture.field, stroke.material);
-      if (declares(model.declaration.parameters, "wavelength_m")) {
-        suggested["wavelength_m"] = texture.spacing_m;
-      }
-      inputs.parameters.merge(suggested);  // given values are kept
-    }
-    return make_renderer(model, inputs);
+  if (stroke.body) {
+    inputs.body = stroke.body;
+    inputs.patch.centre_m = BodyGuide(stroke.body, texture.line_m).body_origin_m();
   }
+  if (model.suggested_by) {
+    ParameterValues suggested = model.suggested_by(*texture.field, stroke.material);
+    if (declares(model.declaration.parameters, "wavelength_m")) {
+      suggested["wavelength_m"] = texture.spacing_m;
+    }
+    inputs.parameters.merge(suggested);  // given values are kept
+  }
+  return inputs;
+}
+
+std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
+                                                const TextureAtSpacing& texture) {
+  const ForceModel& model = *stroke.model;
+  RendererInputs inputs = stroked_inputs(stroke, texture);
+  if (!model.declaration.needs_bodies) return make_renderer(model, inputs);
   const double step_m = std::min(kLongestStep_m, texture.spacing_m / kStepsPerSpacing);
   inputs.parameters.try_emplace("step_m", step_m);
   if (!stroke.tool) return make_tip_renderer(model, inputs, stroke.tip);
@@ -175,7 +229,7 @@ std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
   inputs.parameters.try_emplace("coupling", std::string("none"));
   inputs.tool = stroke.tool;
   inputs.surface = std::make_shared<const TexturedMesh>(textured_shape(
-      PlateShape{{plate_length_m(stroke, texture), kPlateWidth_m, kPlateThickness_m}},
+      PlateShape{{plate_length_m(stroke, texture), plate_width_m(stroke), kPlateThickness_m}},
       *texture.field,
       {.tiling = texture.tiling, .rim_m = kPlateRim_m, .samples_per_wavelength = kTexelsPerWave}));
   return make_renderer(model, inputs);
@@ -191,14 +245,23 @@ std::optional<DragResult> dragged(const RoughnessStroke& stroke, const TextureAt
                .spacing_m = texture.spacing_m,
                .repeats_after_m = texture.repeats_after_m,
                .stiffness_N_per_m = stroke.material.stiffness_N_per_m};
-  if (stroke.model->declaration.needs_bodies && stroke.tool) {
+  const auto whole_spacings_m = [&texture](double length_m) {
+    return std::max(1.0, std::floor(length_m / texture.spacing_m)) * texture.spacing_m;
+  };
+  if (stroke.turning) {
+    drag_of.guide = std::make_shared<const TurningGuide>(stroke.turning->radius_m);
+    drag_of.swing_m = stroke.turning->radius_m * stroke.turning->amplitude_rad;
+  } else if (stroke.body) {
+    const auto guide = std::make_shared<const BodyGuide>(stroke.body, texture.line_m);
+    drag_of.start_x_m = guide->from_m();
+    drag_of.reach_m = guide->to_m() - guide->from_m();
+    drag_of.repeats_after_m = whole_spacings_m(std::min(texture.repeats_after_m, drag_of.reach_m));
+    drag_of.guide = guide;
+  } else if (stroke.model->declaration.needs_bodies && stroke.tool) {
     const double length_m = plate_length_m(stroke, texture);
     drag_of.start_x_m = -0.5 * length_m + kPlateBeyond_m;
     drag_of.reach_m = length_m - 2.0 * kPlateBeyond_m;
-    drag_of.repeats_after_m =
-        std::max(1.0, std::floor(std::min(texture.repeats_after_m, drag_of.reach_m) /
-                                 texture.spacing_m)) *
-        texture.spacing_m;
+    drag_of.repeats_after_m = whole_spacings_m(std::min(texture.repeats_after_m, drag_of.reach_m));
   }
   return drag(*renderer, drag_of, stop);
 }
@@ -211,6 +274,8 @@ const char* text_of(VariedQuantity varied) noexcept {
       return "applied_force";
     case VariedQuantity::exploratory_speed:
       return "exploratory_speed";
+    case VariedQuantity::turning:
+      return "turning_rad";
   }
   return "";
 }
@@ -222,6 +287,7 @@ bool depends_on(const ForceModel& model, const ParameterValues& given, VariedQua
     case VariedQuantity::applied_force:
       return feels_applied_force(model, given);
     case VariedQuantity::exploratory_speed:
+    case VariedQuantity::turning:
       return true;
   }
   return true;

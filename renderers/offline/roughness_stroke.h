@@ -48,6 +48,12 @@ TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing
 HeightField recorded_relief(const TextureAtSpacing& texture);
 inline constexpr double kRecordedWidth_m = 0.05;
 
+/// A tool that the hand turns to and fro about an axis normal to the surface, at a distance from its tip.
+struct Turning {
+  double amplitude_rad = 0.2;  ///< to either side; at most π
+  double radius_m = 0.02;      ///< of the arc of the tip
+};
+
 /// The parameters of a stroke, without the texture.
 struct RoughnessStroke {
   const ForceModel* model = nullptr;
@@ -61,6 +67,10 @@ struct RoughnessStroke {
   double speed_m_per_s = 0.1;
   decltype(RendererInputs::assets) assets{};  ///< the given files of the model
   std::uint64_t seed = 1;                     ///< of a model that draws random numbers
+  /// Instead of a straight stroke. `speed_m_per_s` is then the greatest speed of the tip.
+  std::optional<Turning> turning{};
+  /// Of a point model: the body that is stroked, instead of a plane (BodyGuide).
+  std::shared_ptr<const BodySurface> body{};
 };
 
 /// Simulates the stroke over the texture.
@@ -72,19 +82,27 @@ struct RoughnessStroke {
 /// sessions with `coupling = none`, on a plate with the texture that is as long as the stroke. Their `step_m`, unless
 /// given, is a fortieth of the spacing and at most 0.1 mm: a longer step removes fine textures.
 ///
-/// nullopt if stopped by `stop`. Errors: std::invalid_argument in the cases of the model and `drag`.
+/// A turning tool starts in the middle of its arc, on the line of the texture; the directions of a model with bodies are
+/// those of the surface, and a tip of a simple form requires a texture that is constant across the line. On a body the stroke
+/// follows its upper side, from one end to the other.
+///
+/// nullopt if stopped by `stop`. Errors: std::invalid_argument in the cases of the model, of the guide and of `drag`, for an
+/// amplitude of turning that is not above 0 and at most π, for a body and a model of bodies, and for a body and turning.
 std::optional<DragResult> dragged(const RoughnessStroke& stroke, const TextureAtSpacing& texture,
                                   const std::stop_token& stop = {});
+
+/// The inputs of the renderer of a stroke; for a model with bodies without the bodies.
+RendererInputs stroked_inputs(const RoughnessStroke& stroke, const TextureAtSpacing& texture);
 
 /// The renderer that `dragged` uses, for an inspection of its forces.
 std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
                                                 const TextureAtSpacing& texture);
 
 /// The quantities that can be varied.
-enum class VariedQuantity { probe_diameter, applied_force, exploratory_speed };
+enum class VariedQuantity { probe_diameter, applied_force, exploratory_speed, turning };
 const char* text_of(VariedQuantity varied) noexcept;
-/// Whether a model's texture can depend on the quantity, by its declaration and the given parameters. Speed always has an
-/// effect: it determines the temporal frequency of the texture.
+/// Whether a model's texture can depend on the quantity, by its declaration and the given parameters. Speed and the amplitude
+/// of turning always have an effect: they determine the temporal frequency of the texture and the part of it that is touched.
 ///
 /// Errors: std::invalid_argument for parameters that the model does not have.
 bool depends_on(const ForceModel& model, const ParameterValues& given, VariedQuantity varied);

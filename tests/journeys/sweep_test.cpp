@@ -160,6 +160,84 @@ TEST(Sweep, TakesTheFilesOfAModelOrThoseOfTheTexture) {
   EXPECT_THAT(refused.err, HasSubstr("needs no asset \"recording\""));
 }
 
+TEST(Sweep, MeasuresTheTorqueOfAToolThatTurns) {
+  const TemporaryFolder place{};
+  const std::vector<std::string> order{
+      "--model",    "pd_gradient",   "--vary",    "turning_rad", "--values",           "0.1,0.3",
+      "--spacings", "0.001:0.004:3", "--measure", "rms_torque",  "--turning-radius-m", "0.01"};
+  const fs::path out = place / "turning.tsv";
+  const Outcome outcome = asperity(sweep_into(out, order));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("6 rows, constant_height, rms_torque"));
+  const std::string whole = text_of(out);
+  const Tsv table = tsv(whole);
+  EXPECT_THAT(whole, HasSubstr("roughness_pacinian_dB\troughness_rms_torque_N_m\t"
+                               "roughness_fa1_torque_N2_m2\troughness_fa2_torque_N2_m2\t"
+                               "roughness_rms_force_N\troughness_fa1_force_N2\t"
+                               "roughness_fa2_force_N2\tstatus\n"));
+  for (const std::string& torque : table.column("roughness_rms_torque_N_m")) {
+    EXPECT_GT(number_in(torque).value(), 1e-4);
+  }
+  EXPECT_THAT(text_of(place / "turning.tsv.json"), HasSubstr("\"turning_radius_m\": 0.01"));
+  // The rows that are read again are those that were written.
+  std::string part = whole;
+  part.erase(part.rfind('\n', part.size() - 2) + 1);
+  write_text(out, part);
+  ASSERT_EQ(asperity(sweep_into(out, order)).status, 0);
+  EXPECT_EQ(text_of(out), whole);
+
+  // Another quantity of a tool that turns, and what has no meaning without turning.
+  const Outcome fixed = asperity(sweep_into(
+      place / "force.tsv", {"--model", "pd_gradient", "--vary", "applied_force", "--values", "0.5",
+                            "--spacings", "0.001:0.004:2", "--turning-rad", "0.2"}));
+  ASSERT_EQ(fixed.status, 0) << fixed.err;
+  EXPECT_THAT(text_of(place / "force.tsv.json"), HasSubstr("\"turning_rad\": 0.2"));
+  const auto refused = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--model", "pd_gradient", "--vary", "applied_force"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome answer = asperity(sweep_into(place / "no.tsv", all));
+    EXPECT_EQ(answer.status, 2);
+    return answer.err;
+  };
+  EXPECT_THAT(refused({"--measure", "rms_torque"}), HasSubstr("add --turning-rad or --vary"));
+  EXPECT_THAT(refused({"--turning-radius-m", "0.02"}), HasSubstr("add --turning-rad or --vary"));
+  EXPECT_THAT(refused({"--turning-rad", "10"}), HasSubstr("write 10 degrees as 0.1745"));
+  EXPECT_FALSE(fs::exists(place / "no.tsv"));
+}
+
+TEST(Sweep, StrokesABodyWithAModelOfAPoint) {
+  const TemporaryFolder place{};
+  const auto rms_on = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--model",  "height_map",    "--vary",     "applied_force",
+                                 "--values", "0.5",           "--spacings", "0.001:0.002:2",
+                                 "--drag",   "constant_force"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome outcome = asperity(sweep_into(place / name, all));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return number_in(tsv(text_of(place / name)).column("roughness_rms_accel_m_per_s2").front())
+        .value();
+  };
+  const double plane = rms_on("plane.tsv", {});
+  const double box = rms_on("box.tsv", {"--stimulus", "box:0.12,0.02,0.01"});
+  EXPECT_NEAR(box, plane, 0.01 * plane);
+  EXPECT_THAT(text_of(place / "box.tsv.json"), HasSubstr("\"body\": \"box:0.12,0.02,0.01\""));
+  EXPECT_THAT(text_of(place / "plane.tsv.json"), Not(HasSubstr("\"body\"")));
+
+  const auto refused = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--vary", "applied_force"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome answer = asperity(sweep_into(place / "no.tsv", all));
+    EXPECT_NE(answer.status, 0);
+    return answer.err;
+  };
+  EXPECT_THAT(refused({"--model", "pd_gradient", "--stimulus", "box:0.12,0.02,0.01"}),
+              HasSubstr("leave out the body"));
+  EXPECT_THAT(refused({"--model", "height_map", "--stimulus", "grain.png"}),
+              HasSubstr("takes as --texture grain.png"));
+  EXPECT_THAT(refused({"--model", "height_map", "--stimulus", "sphere:0.02"}),
+              HasSubstr("it must be at least the length of the stroke"));
+}
+
 TEST(Sweep, SaysWhatCannotHaveAnEffect) {
   const TemporaryFolder place{};
   const Outcome outcome =

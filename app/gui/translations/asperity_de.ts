@@ -5622,6 +5622,38 @@
         <source>ROC of the confidence ratings of participant %1</source>
         <translation>ROC der Sicherheitsurteile der Versuchsperson %1</translation>
     </message>
+    <message>
+        <source>turning %1 rad</source>
+        <translation>Drehung %1 rad</translation>
+    </message>
+    <message>
+        <source>Predicted roughness by amplitude of turning</source>
+        <translation>Vorhergesagte Rauheit nach der Amplitude der Drehung</translation>
+    </message>
+    <message>
+        <source>RMS torque</source>
+        <translation>Effektivwert des Drehmoments</translation>
+    </message>
+    <message>
+        <source>power of the torque from 5 to 50 Hz</source>
+        <translation>Leistung des Drehmoments von 5 bis 50 Hz</translation>
+    </message>
+    <message>
+        <source>power of the torque from 50 to 500 Hz</source>
+        <translation>Leistung des Drehmoments von 50 bis 500 Hz</translation>
+    </message>
+    <message>
+        <source>RMS force</source>
+        <translation>Effektivwert der Kraft</translation>
+    </message>
+    <message>
+        <source>power of the force from 5 to 50 Hz</source>
+        <translation>Leistung der Kraft von 5 bis 50 Hz</translation>
+    </message>
+    <message>
+        <source>power of the force from 50 to 500 Hz</source>
+        <translation>Leistung der Kraft von 50 bis 500 Hz</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>
