@@ -17,6 +17,7 @@ using Job = std::function<int()>;
 void add_analyze(CLI::App& program, Job& job);
 void add_bake(CLI::App& program, Job& job);
 void add_check(CLI::App& program, Job& job);
+void add_clean_stiffness(CLI::App& program, Job& job);
 void add_copy(CLI::App& program, Job& job);
 void add_devices(CLI::App& program, Job& job);
 void add_device_test(CLI::App& program, Job& job);
