@@ -99,16 +99,22 @@ void SurfaceProxy::reset() noexcept {
 }
 
 std::optional<ProxyPlace> SurfaceProxy::follow(const glm::dvec3& probe_m) noexcept {
+  if (last_ && glm::distance(probe_m, last_probe_m_) > kLongestMove_m) reset();
   Found found{};
   if (last_) {
     const double farthest_m =
         std::abs(last_->height_m) + 2.0 * glm::distance(probe_m, last_probe_m_) + kSlack_m;
     const std::optional<Found> walked = walk(probe_m, last_->facet);
-    found = walked && std::abs(walked->height_m) <= farthest_m ? *walked
-                                                               : descend(probe_m, last_->facet);
+    if (walked && std::abs(walked->height_m) <= farthest_m) {
+      found = *walked;
+    } else {
+      const std::optional<Found> descended = descend(probe_m, last_->facet);
+      found = descended ? *descended : search(probe_m).found;
+    }
   } else {
     if (clear_m_ > 0.0 && glm::distance(probe_m, clear_of_m_) < clear_m_) return {};
-    found = search(probe_m);
+    const Searched searched = search(probe_m);
+    found = searched.found;
     clear_of_m_ = probe_m;
     clear_m_ = found.height_m - kReach_m;
   }
@@ -146,8 +152,8 @@ std::optional<SurfaceProxy::Found> SurfaceProxy::walk(const glm::dvec3& probe_m,
   return {};
 }
 
-SurfaceProxy::Found SurfaceProxy::descend(const glm::dvec3& probe_m,
-                                          std::uint32_t from) const noexcept {
+std::optional<SurfaceProxy::Found> SurfaceProxy::descend(const glm::dvec3& probe_m,
+                                                         std::uint32_t from) const noexcept {
   struct Nearest {
     std::uint32_t facet = 0;
     glm::dvec3 barycentric{0.0};
@@ -160,8 +166,8 @@ SurfaceProxy::Found SurfaceProxy::descend(const glm::dvec3& probe_m,
   };
   Nearest best = nearest_in(from);
   int visited = 1;
-  for (bool nearer = true; nearer && visited < kMostFacets;) {
-    nearer = false;
+  for (bool nearer = true; nearer;) {
+    if (visited >= kMostFacets) return {};
     Nearest next = best;
     const auto consider = [&](std::uint32_t facet) {
       ++visited;
@@ -178,7 +184,8 @@ SurfaceProxy::Found SurfaceProxy::descend(const glm::dvec3& probe_m,
       if (best.barycentric[static_cast<int>(corner)] < 1.0) continue;
       const std::uint32_t vertex = surface_->corners(best.facet)[corner];
       std::uint32_t facet = surface_->beyond(best.facet, (corner + 2) % 3);
-      while (facet != kNoHalfEdge && facet != best.facet && visited < kMostFacets) {
+      while (facet != kNoHalfEdge && facet != best.facet) {
+        if (visited >= kMostFacets) return {};
         consider(facet);
         const auto& corners = surface_->corners(facet);
         const std::size_t at = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
@@ -188,19 +195,19 @@ SurfaceProxy::Found SurfaceProxy::descend(const glm::dvec3& probe_m,
     nearer = next.distance_m < best.distance_m;
     best = next;
   }
-  return {.facet = best.facet,
-          .barycentric = best.barycentric,
-          .height_m = height_m(probe_m, best.facet, best.barycentric)};
+  return Found{.facet = best.facet,
+               .barycentric = best.barycentric,
+               .height_m = height_m(probe_m, best.facet, best.barycentric)};
 }
 
-SurfaceProxy::Found SurfaceProxy::search(const glm::dvec3& probe_m) const noexcept {
+SurfaceProxy::Searched SurfaceProxy::search(const glm::dvec3& probe_m) const noexcept {
   const SurfaceSearch::Nearest nearest = surface_->search().nearest(probe_m);
   const Found found{.facet = nearest.triangle,
                     .barycentric = nearest.barycentric,
                     .height_m = height_m(probe_m, nearest.triangle, nearest.barycentric)};
   const std::optional<Found> walked = walk(probe_m, found.facet);
   const double farthest_m = kInclined * std::abs(found.height_m) + kSlack_m;
-  return walked && std::abs(walked->height_m) <= farthest_m ? *walked : found;
+  return {walked && std::abs(walked->height_m) <= farthest_m ? *walked : found, nearest.distance_m};
 }
 
 /// The sign is that of the side on which the probe is of the facets that meet at the nearest point.

@@ -27,7 +27,7 @@ struct ProxyPlace {
 ///
 /// with the barycentric coordinates bᵢ of a facet, its corners pᵢ and their normals nᵢ [Panozzo 2013]. For a facet this is
 /// a cubic in w. Unlike the nearest point, x does not jump or halt where p passes an edge of a facet: on an edge both
-/// facets give the same x, w and n. The height is ± the distance of p from this facet, by the sign of w, so that
+/// facets give the same x, w and n. The height has a step there (docs/meshes.md gives its measured size). It is ± the distance of p from this facet, by the sign of w, so that
 /// it does not exceed the distance of the surface by more than the facets are inclined to each other.
 ///
 /// From tick to tick the proxy walks over neighbouring facets. It is the constrained point of a god-object [Zilles 1995] in
@@ -40,8 +40,12 @@ struct ProxyPlace {
 /// A probe beyond `kReach_m` has no place. The search there is repeated only after the probe has moved by the distance that
 /// was free.
 ///
-/// Bounds: the height grows by at most 2·|Δp| + 1 µm in a tick in which p moves by |Δp|; otherwise the proxy descends. A
-/// tick visits at most 64 facets on each of the two ways.
+/// Gaps: where p moves so far in a tick that the nearest point is more than 64 facets away, and where it moves by more than
+/// `kLongestMove_m`, the proxy is found anew with the search tree, without the constraint to the side from which it came.
+/// A probe that has left the body in a gap of its path therefore has a height above the surface that it is next to.
+///
+/// Bounds: the walk is accepted if the size of the height grows by at most 2·|Δp| + 1 µm in a tick in which p moves by |Δp|.
+/// A tick visits at most 64 facets on the walk and about as many on the descent, and searches the tree at most once.
 ///
 /// Units and frame: metres, in the body's own frame.
 ///
@@ -53,6 +57,9 @@ class SurfaceProxy final {
  public:
   /// Within this distance outside a body the probe has a place: a texture may rise this high above the body.
   static constexpr double kReach_m = 0.010;
+
+  /// A probe that moves farther than this in a tick (5 m/s at 1 kHz) is found anew.
+  static constexpr double kLongestMove_m = 0.005;
 
   explicit SurfaceProxy(std::shared_ptr<const BodySurface> surface);
 
@@ -68,9 +75,15 @@ class SurfaceProxy final {
     double height_m = 0.0;
   };
 
+  struct Searched {
+    Found found{};
+    double distance_m = 0.0;  ///< from the nearest point of the surface
+  };
+
   std::optional<Found> walk(const glm::dvec3& probe_m, std::uint32_t from) const noexcept;
-  Found descend(const glm::dvec3& probe_m, std::uint32_t from) const noexcept;
-  Found search(const glm::dvec3& probe_m) const noexcept;
+  /// nullopt where the nearest point is farther away than a tick may descend.
+  std::optional<Found> descend(const glm::dvec3& probe_m, std::uint32_t from) const noexcept;
+  Searched search(const glm::dvec3& probe_m) const noexcept;
   double height_m(const glm::dvec3& probe_m, std::uint32_t facet,
                   const glm::dvec3& nearest) const noexcept;
 

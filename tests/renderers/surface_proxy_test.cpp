@@ -295,6 +295,55 @@ TEST(SurfaceProxy, KeepsUpWithAFastHandOnSixHundredThousandTriangles) {
   expect_bounded_force(775, 388);
 }
 
+/// A motion past the edge of a box with a part of the way in one tick.
+struct Gap {
+  const char* name = "";
+  double depth_m = 0.0;
+  double from_x_m = 0.0;
+  double way_m = 0.0;  ///< in one tick
+  double speed_m_per_s = kFast_m_per_s;
+};
+
+TEST(SurfaceProxy, NoForceInFreeAirAfterAGapPastTheEdgeOfABox) {
+  constexpr double kHalfSide_m = 0.015;
+  const auto surface = proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}});
+  ASSERT_GT(surface->facets(), 500'000U);
+  for (const Gap& gap :
+       {Gap{.name = "1 m/s",
+       .depth_m = 0.003,
+       .from_x_m = 0.0,
+       .way_m = 0.001,
+       .speed_m_per_s = 1.0},
+        Gap{.name = "5 ms", .depth_m = 0.003, .from_x_m = 0.0142, .way_m = 0.001},
+        Gap{.name = "25 ms", .depth_m = 0.006, .from_x_m = 0.0142, .way_m = 0.005},
+        Gap{.name = "50 ms", .depth_m = 0.0105, .from_x_m = 0.0142, .way_m = 0.010},
+        Gap{.name = "100 ms", .depth_m = 0.001, .from_x_m = 0.0142, .way_m = 0.020}}) {
+    SurfaceProxy proxy(surface);
+    const glm::dvec3 over_m{0.0, 0.001, 0.001};
+    const glm::dvec3 in_m{0.0, 0.001, -gap.depth_m};
+    const glm::dvec3 before_m{gap.from_x_m, 0.001, -gap.depth_m};
+    for (const glm::dvec3& probe_m : path_m({over_m, in_m, before_m})) proxy.follow(probe_m);
+    const glm::dvec3 after_m = before_m + glm::dvec3(gap.way_m, 0.0, 0.0);
+    for (const glm::dvec3& probe_m :
+         path_m({after_m, after_m + glm::dvec3(0.02, 0.0, 0.0)}, gap.speed_m_per_s)) {
+      const auto place = proxy.follow(probe_m);
+      if (probe_m.x <= kHalfSide_m || !place) continue;
+      EXPECT_NEAR(place->height_m, probe_m.x - kHalfSide_m, 1e-4) << gap.name;
+    }
+  }
+}
+
+TEST(SurfaceProxy, NoForceInFreeAirBehindABodyAfterAGap) {
+  SurfaceProxy proxy(proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}}));
+  for (const glm::dvec3& probe_m : path_m({{0.001, 0.002, 0.002}, {0.001, 0.002, -0.001}})) {
+    proxy.follow(probe_m);
+  }
+  const auto behind = proxy.follow({0.001, 0.002, -0.032});
+  ASSERT_TRUE(behind.has_value());
+  EXPECT_NEAR(behind->height_m, 0.002, 1e-9);
+  EXPECT_NEAR(behind->normal.z, -1.0, 1e-9);
+}
+
 TEST(SurfaceProxy, DoesNotTouchTheHeap) {
   if (!AllocationGuard::kCounts) GTEST_SKIP() << "the sanitizer owns the heap";
   SurfaceProxy proxy(grooved_block());
