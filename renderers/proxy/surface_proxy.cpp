@@ -116,7 +116,7 @@ std::optional<ProxyPlace> SurfaceProxy::follow(const glm::dvec3& probe_m) noexce
     const Searched searched = search(probe_m);
     found = searched.found;
     clear_of_m_ = probe_m;
-    clear_m_ = found.height_m - kReach_m;
+    clear_m_ = searched.distance_m - kReach_m;
   }
   if (found.height_m > kReach_m) {
     if (last_) clear_m_ = 0.0;
