@@ -30,7 +30,7 @@ namespace asperity {
 /// Threads: any number at a time after construction.
 class BodySurface final {
  public:
-  /// The displaced surface in facets (displaced_facets.h), up to 600 000.
+  /// The displaced surface in facets (displaced_facets.h): at most 600 000, or the triangles of a mesh that has more.
   explicit BodySurface(const TexturedMesh& mesh);
   explicit BodySurface(TriangleMesh facets);
   BodySurface(const BodySurface&) = delete;
