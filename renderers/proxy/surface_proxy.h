@@ -27,8 +27,9 @@ struct ProxyPlace {
 ///
 /// with the barycentric coordinates bᵢ of a facet, its corners pᵢ and their normals nᵢ [Panozzo 2013]. For a facet this is
 /// a cubic in w. Unlike the nearest point, x does not jump or halt where p passes an edge of a facet: on an edge both
-/// facets give the same x, w and n. The height has a step there (docs/meshes.md gives its measured size). It is ± the distance of p from this facet, by the sign of w, so that
-/// it does not exceed the distance of the surface by more than the facets are inclined to each other.
+/// facets give the same x, w and n. The height is ± the distance of p from this facet, by the sign of w, so that it does not
+/// exceed the distance of the surface by more than the facets are inclined to each other. It has a step at an edge, whose
+/// measured size docs/meshes.md states.
 ///
 /// From tick to tick the proxy walks over neighbouring facets. It is the constrained point of a god-object [Zilles 1995] in
 /// this sense: it moves only along the surface, so that a probe that is pressed through a thin wall is still pushed
