@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -16,8 +17,8 @@ namespace asperity {
 namespace {
 
 constexpr double kBlend = 0.15;  // of components of the normal
-// The height of a texture is examined at as many places along each side of a square of this size.
-constexpr int kExaminedPlaces = 64;
+// The height of a texture is examined at as many places of a square of at least this size.
+constexpr int kExaminedPlaces = 4096;
 constexpr double kExamined_m = 0.1;
 
 /// Inputs of the model on the plane of a chart.
@@ -49,28 +50,67 @@ glm::dvec3 turned(const glm::dvec3& vector, const glm::dvec3& from, const glm::d
   return vector + across + glm::cross(axis, across) / (1.0 + glm::dot(from, to));
 }
 
-}  // namespace
-
-PointOnBody::PointOnBody(const ForceModel& model, const RendererInputs& inputs)
-    : border_(inputs.patch, inputs.material, inputs.parameters), proxy_(inputs.body) {
-  for (Chart& chart : charts_) chart.renderer = make_renderer(model, on_chart(inputs));
-  require_low_texture();
+/// The place of a sample of a height field on a patch about the origin.
+glm::dvec2 place_of_sample(const HeightField& field, std::size_t sample,
+                           const SurfacePatch& patch) noexcept {
+  const HeightField::Grid& grid = field.grid();
+  const double column = static_cast<double>(sample % grid.columns);
+  const double row = static_cast<double>(sample / grid.columns);
+  const glm::dvec2 on_texture_m =
+      grid.pitch_m * glm::dvec2(column - 0.5 * (static_cast<double>(grid.columns) - 1.0),
+                                0.5 * (static_cast<double>(grid.rows) - 1.0) - row);
+  return (on_texture_m - glm::dvec2(patch.texture_origin_m)) / patch.motion_scale;
 }
 
-void PointOnBody::require_low_texture() {
-  ForceRenderer& renderer = *charts_.front().renderer;
-  ProbeState probe{};
-  probe.position_m.z = SurfaceProxy::kReach_m;
-  for (int i = 0; i < kExaminedPlaces * kExaminedPlaces; ++i) {
-    probe.position_m.x = kExamined_m * ((i % kExaminedPlaces + 0.5) / kExaminedPlaces - 0.5);
-    probe.position_m.y = kExamined_m * ((i / kExaminedPlaces + 0.5) / kExaminedPlaces - 0.5);
+/// `renderer` is one of a chart; its state and its counts change.
+void require_low_texture(ForceRenderer& renderer, const RendererInputs& inputs) {
+  const auto require_low_at = [&](const glm::dvec2& place_m) {
+    ProbeState probe{};
+    probe.position_m = {place_m, SurfaceProxy::kReach_m};
     renderer.reset(probe);
-    if (renderer.tick(probe, 1e-3).penetration_m > 0.0) {
+    const RenderedTick tick = renderer.tick(probe, 1e-3);
+    const glm::dvec3& force_N = tick.wrench.force_N;
+    if (!std::isfinite(tick.penetration_m + force_N.x + force_N.y + force_N.z)) {
+      std::string problem = "the model computes no finite force above the body";
+      if (!renderer.error().empty()) problem += " (" + std::string(renderer.error()) + ')';
+      throw std::invalid_argument(problem + "; correct the model or its parameters");
+    }
+    if (tick.penetration_m > 0.0) {
       throw std::invalid_argument("the texture rises more than " +
                                   number_text(SurfaceProxy::kReach_m) +
                                   " m above the body; reduce its amplitude");
     }
+  };
+  double side_m = kExamined_m;
+  if (inputs.height_field) {
+    const HeightField& field = *inputs.height_field;
+    const auto [lowest, highest] =
+        std::minmax_element(field.heights_m().begin(), field.heights_m().end());
+    for (const auto& at : {lowest, highest}) {
+      const auto sample = static_cast<std::size_t>(at - field.heights_m().begin());
+      require_low_at(place_of_sample(field, sample, inputs.patch));
+    }
+    side_m = std::max({side_m, field.width_m() / inputs.patch.motion_scale,
+                       field.length_m() / inputs.patch.motion_scale});
   }
+  // The multiples of 1/g and 1/g² modulo 1, with g³ = g + 1, are spread evenly and repeat in no texture.
+  constexpr double kPlastic = 1.32471795724474602596;
+  double whole = 0.0;
+  for (int i = 0; i < kExaminedPlaces; ++i) {
+    require_low_at(side_m * glm::dvec2(std::modf(i / kPlastic, &whole) - 0.5,
+                                       std::modf(i / (kPlastic * kPlastic), &whole) - 0.5));
+  }
+}
+
+}  // namespace
+
+PointOnBody::PointOnBody(const ForceModel& model, const RendererInputs& inputs)
+    : border_(inputs.patch, inputs.material, inputs.parameters), proxy_(inputs.body) {
+  const RendererInputs plane = on_chart(inputs);
+  require_low_texture(*make_renderer(model, plane), plane);
+  for (Chart& chart : charts_) chart.renderer = make_renderer(model, plane);
+  const std::span<const NamedCount> counts = charts_.front().renderer->limits();
+  counts_.assign(counts.begin(), counts.end());
 }
 
 void PointOnBody::reset(const ProbeState&) noexcept {
@@ -97,20 +137,39 @@ PointOnBody::Tangents PointOnBody::tangents_of(int axis, const ProxyPlace& place
           .texture_m = {glm::dot(x, place.point_m), place.point_m[upright]}};
 }
 
-void PointOnBody::enter(Chart& chart, const ProbeState& local) noexcept {
+/// The state of the last chart is that of the previous tick, in coordinates of the texture. They are converted at the
+/// present place, and this tick's motion follows when the entered chart is called.
+void PointOnBody::enter(Chart& chart, const ProxyPlace& place, const ProbeState& local) noexcept {
   chart.renderer->reset(local);
   const auto last = std::max_element(
       charts_.begin(), charts_.end(),
       [](const Chart& one, const Chart& other) { return one.weight < other.weight; });
   Friction* const friction = chart.renderer->friction();
   if (!(last->weight > 0.0) || friction == nullptr) return;
-  const Tangents& from = last->tangents;
+  const Tangents from = tangents_of(static_cast<int>(last - charts_.begin()), place);
   const Tangents& to = chart.tangents;
   friction->continue_contact_of(*last->renderer->friction(),
                                 {.from_m = from.texture_m,
                                  .to_m = to.texture_m,
                                  .turn = {{glm::dot(from.x, to.x), glm::dot(from.x, to.y)},
                                           {glm::dot(from.y, to.x), glm::dot(from.y, to.y)}}});
+}
+
+std::string_view PointOnBody::error() const noexcept {
+  for (const Chart& chart : charts_) {
+    if (!chart.renderer->error().empty()) return chart.renderer->error();
+  }
+  return {};
+}
+
+void PointOnBody::count_limits() noexcept {
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    counts_[i].ticks = 0;
+    for (const Chart& chart : charts_) {
+      const std::span<const NamedCount> counts = chart.renderer->limits();
+      if (i < counts.size()) counts_[i].ticks += counts[i].ticks;
+    }
+  }
 }
 
 RenderedTick PointOnBody::tick(const ProbeState& probe, double dt_s) noexcept {
@@ -123,24 +182,33 @@ RenderedTick PointOnBody::tick(const ProbeState& probe, double dt_s) noexcept {
       proxy_.follow(probe.position_m - border_.patch().centre_m);
   if (!place) return no_contact();
   const std::array<double, 3> weights = projection_weights_of(place->normal);
-  RenderedTick blend{};
+  std::array<ProbeState, 3> local{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    Chart& chart = charts_[axis];
     if (!(weights[axis] > 0.0)) continue;
     const Tangents tangents = tangents_of(static_cast<int>(axis), *place);
-    ProbeState local = probe;
-    local.position_m = {tangents.texture_m, place->height_m};
-    local.velocity_m_per_s = {glm::dot(probe.velocity_m_per_s, tangents.x),
-                              glm::dot(probe.velocity_m_per_s, tangents.y),
-                              glm::dot(probe.velocity_m_per_s, place->normal)};
-    chart.tangents = tangents;
-    if (!(chart.weight > 0.0)) enter(chart, local);
-    const RenderedTick of_chart = chart.renderer->tick(local, dt_s);
+    local[axis] = probe;
+    local[axis].position_m = {tangents.texture_m, place->height_m};
+    local[axis].velocity_m_per_s = {glm::dot(probe.velocity_m_per_s, tangents.x),
+                                    glm::dot(probe.velocity_m_per_s, tangents.y),
+                                    glm::dot(probe.velocity_m_per_s, place->normal)};
+    charts_[axis].tangents = tangents;
+  }
+  // All charts are entered before one is called, so that the result does not depend on the order of the axes.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Chart& chart = charts_[axis];
+    if (weights[axis] > 0.0 && !(chart.weight > 0.0)) enter(chart, *place, local[axis]);
+  }
+  RenderedTick blend{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(weights[axis] > 0.0)) continue;
+    const Tangents& tangents = charts_[axis].tangents;
+    const RenderedTick of_chart = charts_[axis].renderer->tick(local[axis], dt_s);
     const glm::dvec3& force_N = of_chart.wrench.force_N;
     blend.wrench.force_N += weights[axis] * (force_N.x * tangents.x + force_N.y * tangents.y +
                                              force_N.z * place->normal);
     blend.penetration_m += weights[axis] * of_chart.penetration_m;
   }
+  count_limits();
   for (std::size_t axis = 0; axis < 3; ++axis) charts_[axis].weight = weights[axis];
   if (blend.penetration_m > 0.0) blend.wrench.force_N += glm::dvec3(border.wall_N, 0.0);
   blend.wrench.force_N *= border.gain;

@@ -3,9 +3,17 @@
 #include "renderers/force/point_on_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -156,15 +164,15 @@ TEST(PointOnBody, FrictionContinuesFromChartToChart) {
 TEST(PointOnBody, TextureOnAnInclinedSideIsLongerByTheInverseCosine) {
   // The crest at x = 2.5 L of the chart lies at the angle θ with R sin θ = 2.5 L.
   constexpr double kWavelength_m = 0.003;
-  constexpr double kAmplitude_m = 1e-4;
+  constexpr double kBodyAmplitude_m = 1e-4;
   RendererInputs inputs = inputs_on_body(sphere());
-  inputs.parameters = {{"amplitude_m", kAmplitude_m}, {"wavelength_m", kWavelength_m}};
+  inputs.parameters = {{"amplitude_m", kBodyAmplitude_m}, {"wavelength_m", kWavelength_m}};
   const auto renderer = renderer_on_body("sinusoid", inputs);
   const auto depth_at = [&](double x_m) {
     const double z_m = std::sqrt(kGlobeRadius_m * kGlobeRadius_m - x_m * x_m) - kGlobeRadius_m;
     return answer(*renderer, probe_at({x_m, 0.0, z_m})).penetration_m;
   };
-  EXPECT_NEAR(depth_at(2.25 * kWavelength_m), 2.0 * kAmplitude_m, 1e-6);
+  EXPECT_NEAR(depth_at(2.25 * kWavelength_m), 2.0 * kBodyAmplitude_m, 1e-6);
   EXPECT_NEAR(depth_at(2.75 * kWavelength_m), 0.0, 1e-6);
 }
 
@@ -192,6 +200,132 @@ TEST(PointOnBody, RefusesATextureThatRisesBeyondItsReach) {
   inputs.height_field = level(0.02F);
   EXPECT_THAT(refusal_of([&] { renderer_on_body("height_map", inputs); }),
               testing::HasSubstr("rises more than"));
+}
+
+/// A probe at an angle from one axis of the globe's frame to another one.
+ProbeState between_axes(int from, int to, double angle_rad, double radius_m) {
+  ProbeState probe;
+  probe.position_m[from] = radius_m * std::cos(angle_rad);
+  probe.position_m[to] = radius_m * std::sin(angle_rad);
+  probe.position_m.z -= kGlobeRadius_m;
+  return probe;
+}
+
+/// The drag of a hand that is moved over a seam between two charts while it sticks, and then is held.
+double drag_after_seam_N(ForceRenderer& renderer, int from, int to, double radius_m) {
+  constexpr double kFrom_rad = std::numbers::pi / 4 - 0.15;
+  constexpr double kTo_rad = std::numbers::pi / 4 + 0.15;
+  constexpr int kMoving = 60;  // 0.1 mm per tick
+  constexpr int kHeld = 60;
+  glm::dvec3 force_N(0.0);
+  for (int i = 0; i <= kMoving + kHeld; ++i) {
+    const double part = std::min(1.0, static_cast<double>(i) / kMoving);
+    const ProbeState probe = between_axes(from, to, std::lerp(kFrom_rad, kTo_rad, part), radius_m);
+    if (i == 0) renderer.reset(probe);
+    force_N = renderer.tick(probe, kTick_s).wrench.force_N;
+  }
+  glm::dvec3 along(0.0);
+  along[from] = -std::sin(kTo_rad);
+  along[to] = std::cos(kTo_rad);
+  return -glm::dot(force_N, along);
+}
+
+TEST(PointOnBody, StickingFrictionContinuesOverEverySeamInBothDirections) {
+  constexpr double kDepth_m = 0.003;
+  for (const char* const law : {"proxy", "dahl"}) {
+    RendererInputs inputs = inputs_on_body(sphere());
+    inputs.material.friction = 0.8;
+    inputs.parameters = {{"amplitude_m", 0.0}, {"friction_law", std::string(law)}};
+    const auto renderer = renderer_on_body("sinusoid", inputs);
+    const double first_N = drag_after_seam_N(*renderer, 2, 0, kGlobeRadius_m - kDepth_m);
+    if (std::string_view(law) == "proxy") {
+      // The stiffness times the path in the coordinates of the chart that was the last one to be entered or, before, the
+      // only one: to 0.04 mm, a part of the motion of a tick.
+      constexpr double kSeamAdhesion_N_per_m = 120.0;
+      const double half = std::numbers::pi / 4;
+      double entered = half - 0.15;
+      while (std::cos(entered + 0.005) - std::sin(entered + 0.005) >= 0.15) entered += 0.005;
+      const double path_m = kGlobeRadius_m * (std::sin(entered) - std::sin(half - 0.15) +
+                                              std::cos(entered) - std::cos(half + 0.15));
+      EXPECT_NEAR(first_N, kSeamAdhesion_N_per_m * path_m, 0.003);
+    }
+    for (const auto& [from, to] : {std::pair{0, 2}, {2, 1}, {1, 2}, {0, 1}, {1, 0}}) {
+      EXPECT_NEAR(drag_after_seam_N(*renderer, from, to, kGlobeRadius_m - kDepth_m), first_N, 0.001)
+          << law << " from " << from << " to " << to;
+    }
+    EXPECT_GT(first_N, 0.3) << law;
+  }
+}
+
+/// Counts its contacts, and fails at a place.
+class FailingRenderer final : public ForceRenderer {
+ public:
+  void reset(const ProbeState&) noexcept override {}
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    ++counts_[0].ticks;
+    if (probe.position_m.z < -0.001) {
+      ++counts_[1].ticks;
+      failed_ = true;
+    }
+    return {};
+  }
+  std::span<const NamedCount> limits() const noexcept override { return counts_; }
+  std::string_view error() const noexcept override { return failed_ ? "too deep" : ""; }
+
+ private:
+  std::array<NamedCount, 2> counts_{NamedCount{.name = "called"}, NamedCount{.name = "deep"}};
+  bool failed_ = false;
+};
+
+TEST(PointOnBody, HasTheErrorAndTheLimitsOfItsModel) {
+  ForceModel model = point_models().front();
+  model.make = [](const RendererInputs&) { return std::make_unique<FailingRenderer>(); };
+  const auto renderer = make_renderer(model, inputs_on_body(sphere()));
+  ASSERT_EQ(renderer->limits().size(), 2U);
+  EXPECT_EQ(renderer->limits()[0].name, "called");
+  EXPECT_EQ(renderer->limits()[0].ticks, 0U);
+  EXPECT_EQ(renderer->error(), "");
+  // One chart on the upper side, one at the equator.
+  renderer->tick(between_axes(2, 0, 0.1, kGlobeRadius_m - 0.0005), kTick_s);
+  renderer->tick(between_axes(2, 0, 1.5, kGlobeRadius_m - 0.0005), kTick_s);
+  EXPECT_EQ(renderer->limits()[0].ticks, 2U);
+  EXPECT_EQ(renderer->limits()[1].ticks, 0U);
+  EXPECT_EQ(renderer->error(), "");
+  renderer->tick(between_axes(2, 0, 0.1, kGlobeRadius_m - 0.002), kTick_s);
+  EXPECT_EQ(renderer->limits()[0].ticks, 3U);
+  EXPECT_EQ(renderer->limits()[1].ticks, 1U);
+  EXPECT_EQ(renderer->error(), "too deep");
+}
+
+TEST(PointOnBody, RefusesASingleHighSampleAnywhereOfItsHeightField) {
+  constexpr std::size_t kSide = 300;
+  for (const std::size_t at : {std::size_t{0}, std::size_t{10'150}, kSide * kSide - 1}) {
+    std::vector<float> heights_m(kSide * kSide, 0.0F);
+    heights_m[at] = 0.012F;
+    RendererInputs inputs = inputs_on_body(sphere());
+    inputs.patch.motion_scale = 1.5;
+    inputs.patch.texture_origin_m = {0.003, -0.002};
+    inputs.height_field = std::make_shared<const HeightField>(
+        HeightField::Grid{kSide, kSide, 0.001}, std::move(heights_m));
+    EXPECT_THAT(refusal_of([&] { renderer_on_body("height_map", inputs); }),
+                testing::HasSubstr("rises more than"))
+        << at;
+  }
+}
+
+TEST(PointOnBody, RefusesAModelWithoutAFiniteForce) {
+  class NotANumber final : public ForceRenderer {
+   public:
+    void reset(const ProbeState&) noexcept override {}
+    RenderedTick tick(const ProbeState&, double) noexcept override {
+      return {.penetration_m = std::numeric_limits<double>::quiet_NaN()};
+    }
+    std::string_view error() const noexcept override { return "no memory"; }
+  };
+  ForceModel model = point_models().front();
+  model.make = [](const RendererInputs&) { return std::make_unique<NotANumber>(); };
+  EXPECT_THAT(refusal_of([&] { make_renderer(model, inputs_on_body(sphere())); }),
+              testing::HasSubstr("no finite force above the body (no memory)"));
 }
 
 TEST(PointOnBody, IsNotForAModelOfTwoBodies) {
