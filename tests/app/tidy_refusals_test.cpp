@@ -470,6 +470,19 @@ TEST(TidyRefusals, SayThatAFixedLapseRateMovesTheThreshold) {
               HasSubstr("\"bootstrap\" is 2.5; it must be a whole number of draws"));
 }
 
+// Responses "cannot tell" can be split only between a known number of alternatives.
+TEST(TidyRefusals, NeedTheNumberOfAlternativesOfUnforcedChoices) {
+  const char* options = R"({"shape": "normal", "gamma": 0, "lambda": 0, "pt": 0.5})";
+  EXPECT_THAT(family_refusal("psyfit", "condition,x,n,k,unsure\nc,1,10,2,3\nc,2,10,8,0\n", options),
+              HasSubstr("t.csv:2:5: responses \"cannot tell\" count as 1/m of a hit; state m"));
+  EXPECT_THAT(
+      family_refusal("psyfit", "condition,x,n,k,unsure,m\nc,1,10,2,3,2\nc,2,10,8,1,3\n", options),
+      HasSubstr("t.csv:3:6"));
+  EXPECT_THAT(
+      family_refusal("psyfit", "condition,x,n,k,unsure,m\nc,1,10,8,3,2\nc,2,10,8,0,2\n", options),
+      HasSubstr("t.csv:2:5: k and unsure together exceed n"));
+}
+
 // A threshold outside the levels rests on the form of the function alone.
 TEST(TidyRefusals, SayWhereAThresholdIsNotAmongTheLevels) {
   const char* options = R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})";

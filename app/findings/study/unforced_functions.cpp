@@ -1,23 +1,16 @@
 #include "app/findings/study/unforced_functions.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "analysis/psychometric_fit.h"
 #include "analysis/psychometric_maximum.h"
-#include "analysis/unforced_bootstrap.h"
+#include "app/findings/tidy/unforced_estimates.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr double kConfidenceOfResamples = 0.95;
-
-Basis with_percentiles(Basis basis, const std::optional<ConfidenceInterval>& interval) {
-  basis.interval = interval;
-  if (interval) basis.confidence = kConfidenceOfResamples;
-  return basis;
-}
 
 }  // namespace
 
@@ -68,32 +61,14 @@ void add_unforced_function(const DiscriminationTask& task, const DiscriminationD
     }
   }
   if (!maximum.increases) return;
-  const PsychometricFunction& f = maximum.function;
-  UnforcedBootstrap resampled{};
-  resampled.thresholds.resize(performances.size());
-  if (data.needs_intervals) {
-    resampled = bootstrap_unforced(unforced_blocks(task, data.hits), task.design->alternatives(),
-                                   {.model = model,
-                                    .performances = {performances.begin(), performances.end()},
-                                    .confidence = kConfidenceOfResamples},
-                                   kUnforcedResamples);
-  }
-  const Basis fixed{.n = basis.n, .method = "fixed"};
-  for (std::size_t i = 0; i < performances.size(); ++i) {
-    FindingList& list = lists[i];
-    list.number("fit.alpha", data.key, f.alpha, basis);
-    list.number("fit.beta", data.key, f.beta, with_percentiles(basis, resampled.beta));
-    list.number("fit.gamma", data.key, f.gamma, fixed);
-    list.number("fit.lambda", data.key, f.lambda, model.lambda ? fixed : basis);
-    list.truth("bound.beta", data.key, maximum.beta_at_bound,
-               {.n = basis.n, .method = "whether the slope is at its bound"});
-    list.number("loglik", data.key, maximum.log_likelihood,
-                {.n = basis.n, .method = "of split counts, binomial coefficients included"});
-    const double threshold = f.inverse(performances[i]);
-    list.number("threshold", data.key, threshold, with_percentiles(basis, resampled.thresholds[i]));
-    list.number("slope.at.threshold", data.key, f.slope(threshold),
-                {.n = basis.n, .method = "dψ/dx"});
-  }
+  add_unforced_estimates({.key = data.key,
+                          .blocks = unforced_blocks(task, data.hits),
+                          .alternatives = task.design->alternatives()},
+                         maximum,
+                         {.model = model,
+                          .performances = {performances.begin(), performances.end()},
+                          .confidence = kConfidenceOfResamples},
+                         data.needs_intervals ? kUnforcedResamples : 0, lists);
 }
 
 }  // namespace asperity

@@ -24,9 +24,7 @@ bool add_fit_status(const std::vector<PsychometricBlock>& blocks, const Psychome
                     const std::string& key, const Basis& basis, FindingList& list);
 
 /// The function of data whose levels did not depend on the responses, fitted to split counts (`split_hits`) by maximum
-/// likelihood, under the names of the family `psyfit`: `fit.…`, `bound.beta`, `loglik`, `threshold` and
-/// `slope.at.threshold`. `threshold` and `fit.beta` have the intervals of `bootstrap_unforced`, if the data need any. There
-/// are no numbers of the goodness of fit: split counts are not binomial.
+/// likelihood: the status and `add_unforced_estimates`, with intervals if the data need any.
 ///
 /// `lists`: one for each of the proportions of hits, to which the findings with the threshold at this proportion are added.
 void add_unforced_function(const DiscriminationTask& task, const DiscriminationData& data,

@@ -14,43 +14,15 @@
 #include "analysis/psychometric_maximum.h"
 #include "analysis/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/psychometric_conditions.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "app/findings/tidy/unforced_estimates.h"
 
 namespace asperity {
 namespace {
 
 using Blocks = std::vector<PsychometricBlock>;
-
-struct Condition {
-  std::string name{};
-  Blocks blocks{};
-};
-
-std::vector<Condition> read_conditions(const TidyTable& table, const PsychometricModel& model) {
-  const LabelColumn names = table.all_labels("condition");
-  const std::vector<double> levels = table.all_numbers("x");
-  const std::vector<std::uint64_t> trials = table.counts("n");
-  const std::vector<std::uint64_t> hits = table.counts("k");
-  std::vector<Condition> conditions{};
-  for (const std::string& name : names.names) conditions.push_back({.name = name});
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (hits[row] > trials[row]) {
-      table.refuse(row, "k",
-                   "k is " + std::to_string(hits[row]) + " and n is " +
-                       std::to_string(trials[row]) + "; k must be at most n");
-    }
-    const PsychometricBlock block{.x = levels[row], .trials = trials[row], .hits = hits[row]};
-    if (is_impossible(block, model)) {
-      table.refuse(
-          row, "k",
-          "k is " + std::to_string(block.hits) +
-              " at x 0, where a Weibull function with gamma 0 has no hits; set gamma to the rate "
-              "of hits without a stimulus, or to free, or correct the row");
-    }
-    conditions[names.codes[row]].blocks.push_back(block);
-  }
-  return conditions;
-}
+using Condition = PsychometricCondition;
 
 PsychometricShape shape_of(const std::string& name) {
   for (const auto& [known, shape] : {std::pair{"logistic", PsychometricShape::logistic},
@@ -142,13 +114,29 @@ class PsychometricList final {
   PsychometricList(PsychometricQuestion question, std::size_t draws)
       : question_(std::move(question)), draws_(draws) {}
 
+  /// The function of a condition with responses "cannot tell".
+  void unforced(const Condition& condition) {
+    begin(condition);
+    PsychometricStatus status = judge(condition.blocks, question_.model).status;
+    std::optional<PsychometricMaximum> maximum{};
+    if (status == PsychometricStatus::ok) {
+      maximum = maximise_psychometric(condition.blocks, question_.model);
+      if (!maximum->increases) status = PsychometricStatus::not_increasing;
+    }
+    const auto [word, sentence] = word_of(status);
+    list_.word("status", key_, word, sentence, basis("whether a function can be fitted"));
+    if (status != PsychometricStatus::ok) return;
+    add_unforced_estimates(condition.unforced, *maximum,
+                           {.model = question_.model,
+                            .performances = {question_.performance},
+                            .confidence = question_.confidence},
+                           draws_, {&list_, 1});
+    say_where_outside(maximum->function.inverse(question_.performance), condition.blocks);
+  }
+
   /// The fit, where there is one.
   std::optional<PsychometricFit> condition(const Condition& condition) {
-    key_ = condition.name;
-    n_ = 0;
-    for (const PsychometricBlock& block : condition.blocks) {
-      n_ += static_cast<std::size_t>(block.trials);
-    }
+    begin(condition);
     const PsychometricJudgement judgement = judge(condition.blocks, question_.model);
     std::optional<PsychometricFit> fit{};
     PsychometricStatus status = judgement.status;
@@ -210,6 +198,14 @@ class PsychometricList final {
   std::vector<Finding> take() { return list_.take(); }
 
  private:
+  void begin(const Condition& condition) {
+    key_ = condition.name;
+    n_ = 0;
+    for (const PsychometricBlock& block : condition.blocks) {
+      n_ += static_cast<std::size_t>(block.trials);
+    }
+  }
+
   Basis basis(std::string method) const { return {.n = n_, .method = std::move(method)}; }
   void number(const char* quantity, double value, std::string method) {
     list_.number(quantity, key_, value, basis(std::move(method)));
@@ -385,11 +381,15 @@ std::vector<std::vector<std::uint64_t>> read_resampled_hits(const TidyTable& tab
 
 std::vector<Finding> psyfit_findings(const TidyInput& input) {
   const PsychometricQuestion question = question_of(input.options);
-  const std::vector<Condition> conditions = read_conditions(input.table(), question.model);
+  const std::vector<Condition> conditions = psychometric_conditions(input.table(), question.model);
   PsychometricList list(question, draws_of(input.options));
   std::vector<const Condition*> fitted{};
   double separate = 0.0;
   for (const Condition& condition : conditions) {
+    if (has_unsure(condition.unforced)) {
+      list.unforced(condition);
+      continue;
+    }
     if (const std::optional<PsychometricFit> fit = list.condition(condition)) {
       fitted.push_back(&condition);
       separate += fit->log_likelihood;

@@ -110,8 +110,9 @@ constexpr std::array kFamilies{
         "is marginalised",
         psi_findings, "shape,stim,alpha,beta,gamma,lambda,nuisance"},
     TidyFamily{"psyfit",
-               "condition,x,n,k: k correct of n trials at level x; and b,k1,k2,...: resampled k of "
-               "the first condition",
+               "condition,x,n,k: k correct of n trials at level x; optionally unsure: responses "
+               "\"cannot tell\" among n, and m: number of alternatives; and b,k1,k2,...: resampled "
+               "k of the first condition",
                "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
                "lambda_max; pt: performance at the threshold, between gamma and 1 - lambda; "
                "bootstrap: draws of the parametric bootstrap, 1000 where absent, 0 for none; conf",
