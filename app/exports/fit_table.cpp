@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exports/columns/column_making.h"
+#include "app/exports/detection_table.h"
 #include "app/findings/study/gathered_answers.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/table_file.h"
@@ -22,17 +23,23 @@ std::string factor_level_text(const nlohmann::json& level) {
   return level.is_string() ? level.get<std::string>() : level.dump();
 }
 
-/// "order = first, texture = stone": all factors but one and the repetition.
-std::string others_text(const nlohmann::json& factors, const std::string& but) {
+}  // namespace
+
+bool is_counted_for_fits(const ExportPlace& at) {
+  return at.session->state == SessionState::completed && !at.response->answer_number &&
+         use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted;
+}
+
+std::string levels_text_of_factors(const nlohmann::json& factors,
+                                   const std::vector<std::string>& without) {
   std::string text{};
   for (const auto& [name, level] : factors.items()) {
-    if (name == but || name == kColumnFactor) continue;
+    if (name == kColumnFactor) continue;
+    if (std::find(without.begin(), without.end(), name) != without.end()) continue;
     text += (text.empty() ? "" : ", ") + name + " = " + factor_level_text(level);
   }
   return text;
 }
-
-}  // namespace
 
 Columns FitTable::columns() {
   Columns columns{};
@@ -47,6 +54,14 @@ Columns FitTable::columns() {
       "responses at this level that are counted (see the column counted), in completed sessions; "
       "the other sessions contain only some of the conditions");
   add("n", "integer", "responses at this level, in completed sessions");
+  add("unsure", "integer",
+      "responses \"cannot tell\" of a discrimination among n; none of them is in k, and each "
+      "counts "
+      "as 1/m of a counted response when a function is fitted");
+  columns.push_back(missing("not a discrimination", column("m", "integer", "",
+                                                           "number of surfaces of which one is "
+                                                           "chosen",
+                                                           {})));
   add("participant", "text", "label of the participant");
   add("protocol", "text", "name of the protocol");
   add("protocol_version", "text", "version of the protocol");
@@ -55,21 +70,34 @@ Columns FitTable::columns() {
   add("counted", "text", "responses counted in k: the correct ones, or those with this value");
   columns[2].minimum = 0.0;
   columns[3].minimum = 1.0;
+  columns[4].minimum = 0.0;
   return columns;
 }
 
 void FitTable::add(const ExportPlace& at) {
+  if (!is_counted_for_fits(at)) return;
   const ResponseRow& response = *at.response;
-  if (at.session->state != SessionState::completed || response.answer_number ||
-      use_in_analyses(*at.trial, *at.attempt) != AnalysisUse::counted) {
+  has_choices_ = true;
+  const auto* const discrimination = discrimination_of(vocabulary_, at);
+  const DiscriminationDesign* const design =
+      discrimination == nullptr ? nullptr : discrimination->task.design;
+  if (design != nullptr && design->has_noise()) {
+    has_detections_ = true;
     return;
   }
-  has_choices_ = true;
   for (const auto& [name, level] : at.factors->items()) {
     if (!level.is_number() || name == kColumnFactor) continue;
-    Count& count = curves_[{at.participant->label, at.protocol->name, at.protocol->version,
-                            at.protocol->source_sha256, response.question, name,
-                            others_text(*at.factors, name)}][level.get<double>()];
+    Levels& levels = curves_[{at.participant->label, at.protocol->name, at.protocol->version,
+                              at.protocol->source_sha256, response.question, name,
+                              levels_text_of_factors(*at.factors, {name})}];
+    Count& count = levels.counts[level.get<double>()];
+    if (design != nullptr) {
+      levels.alternatives = design->alternatives();
+      if (response.answer == kCannotTell) {
+        ++count.unsure;
+        continue;
+      }
+    }
     ++count.responses;
     ++count.chosen[response.answer];
     if (response.correct) {
@@ -86,6 +114,12 @@ std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
                   "Complete a session, then export again.")
         .with(name);
   }
+  if (curves_.empty() && has_detections_) {
+    return phrase("FitTable",
+                  "%1 was not written: the responses are those of yes/no or same–different tasks, "
+                  "whose hits and false alarms are in detection.tsv.")
+        .with(name);
+  }
   if (curves_.empty()) {
     return phrase("FitTable",
                   "%1 was not written: no factor of the trials has numeric levels (those of the "
@@ -94,7 +128,7 @@ std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
         .with(name);
   }
   if (std::none_of(curves_.begin(), curves_.end(),
-                   [](const auto& curve) { return curve.second.size() > 1; })) {
+                   [](const auto& curve) { return curve.second.counts.size() > 1; })) {
     return phrase("FitTable",
                   "%1 was not written: no participant has choices at two levels of a numeric "
                   "factor. Complete more trials, then export again.")
@@ -106,10 +140,10 @@ std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
 void FitTable::write(ExportFolder& folder, const std::string& name) const {
   TableFile file(folder.path_of(name), TableFile::Format::tsv, column_names(columns()));
   for (const auto& [curve, levels] : curves_) {
-    if (levels.size() < 2) continue;
+    if (levels.counts.size() < 2) continue;
     std::set<std::string> counted{};
     bool is_judged = false;
-    for (const auto& [x, count] : levels) {
+    for (const auto& [x, count] : levels.counts) {
       is_judged = is_judged || count.judged > 0;
       for (const auto& [answer, times] : count.chosen) counted.insert(answer);
     }
@@ -118,13 +152,17 @@ void FitTable::write(ExportFolder& folder, const std::string& name) const {
       const std::string condition = curve.participant + ": " + curve.protocol + ' ' +
                                     curve.version + ", " + curve.question + ", " + what +
                                     (curve.others.empty() ? "" : ", " + curve.others);
-      for (const auto& [x, count] : levels) {
+      for (const auto& [x, count] : levels.counts) {
         const auto chosen = count.chosen.find(what);
         const std::int64_t k = is_judged                      ? count.correct
                                : chosen == count.chosen.end() ? 0
                                                               : chosen->second;
-        file.add({condition, x, k, is_judged ? count.judged : count.responses, curve.participant,
-                  curve.protocol, curve.version, curve.question, curve.factor, what});
+        const std::int64_t n = (is_judged ? count.judged : count.responses) + count.unsure;
+        file.add({condition, x, k, n, count.unsure,
+                  levels.alternatives == 0 ? Cell{}
+                                           : Cell{static_cast<std::int64_t>(levels.alternatives)},
+                  curve.participant, curve.protocol, curve.version, curve.question, curve.factor,
+                  what});
       }
     }
   }

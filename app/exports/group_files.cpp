@@ -61,7 +61,10 @@ GroupFiles::GroupFiles(ExportFolder& folder, SessionGroup group, const std::stri
   if (wants(ExportFormat::wide) || wants(ExportFormat::sav)) {
     wide_.emplace(vocabulary, options.audience);
   }
-  if (wants(ExportFormat::fit)) fit_.emplace();
+  if (wants(ExportFormat::fit)) {
+    fit_.emplace(vocabulary);
+    detection_.emplace(vocabulary);
+  }
   columns_ = columns_for(options.audience, answered_trial_columns(vocabulary), left_out_);
   if (wants(ExportFormat::sav)) trials_.emplace(columns_, folder.path_of(""));
   recordings_ = wants(ExportFormat::physio) ? BidsDataset::Recordings::written
@@ -108,6 +111,7 @@ void GroupFiles::begin_attempt(const Study& study, const ExportPlace& at) {
 void GroupFiles::add_row(const ExportPlace& at) {
   if (wide_ && at.response != nullptr) wide_->add_answer(at);
   if (fit_ && at.response != nullptr) fit_->add(at);
+  if (detection_ && at.response != nullptr) detection_->add(at);
   if (!bids_ && !psych_ && !trials_) return;
   std::vector<Cell> row{};
   row.reserve(columns_.size());
@@ -123,6 +127,11 @@ void GroupFiles::finish(const StudyVocabulary& vocabulary, CodebookFile& codeboo
                         std::vector<Phrase>& not_written) {
   if (wide_) finish_wide(codebook);
   if (fit_) finish_fit(codebook, not_written);
+  if (detection_ && !detection_->is_empty()) {
+    const std::string name = root_ + "detection.tsv";
+    detection_->write(folder_, name);
+    codebook.add(name, DetectionTable::columns());
+  }
   if (trials_) {
     const std::string name = root_ + "trials.sav";
     folder_.add(name, trials_->write(folder_.path_of(name), title_), left_out_);

@@ -10,6 +10,7 @@
 #include "app/exports/codebook_file.h"
 #include "app/exports/columns/export_column.h"
 #include "app/exports/columns/study_vocabulary.h"
+#include "app/exports/detection_table.h"
 #include "app/exports/export_options.h"
 #include "app/exports/fit_table.h"
 #include "app/exports/psych_ds.h"
@@ -59,6 +60,7 @@ class GroupFiles final {
   BidsDataset::Recordings recordings_ = BidsDataset::Recordings::left_out;
   std::optional<WideTable> wide_{};
   std::optional<FitTable> fit_{};
+  std::optional<DetectionTable> detection_{};
   std::optional<SavTable> trials_{};
   std::optional<BidsDataset> bids_{};
   std::optional<PsychDataset> psych_{};

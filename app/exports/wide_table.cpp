@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exports/columns/export_tables.h"
+#include "app/exports/detection_table.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/sav_file.h"
 
@@ -119,6 +120,7 @@ void WideTable::add_answer(const ExportPlace& at) {
                                                                   : level.dump()});
   }
   if (add_discrimination(at, condition)) return;
+  mark_signal(at, condition);
   const ResponseRow& response = *at.response;
   Tally& tally = person.tallies[asked_of(at)][condition];
   ++tally.answers;
@@ -131,6 +133,24 @@ void WideTable::add_answer(const ExportPlace& at) {
     ++tally.judged;
     tally.right += *response.correct ? 1 : 0;
   }
+}
+
+void WideTable::mark_signal(const ExportPlace& at, Condition& condition) const {
+  const auto block =
+      vocabulary_.discriminations.find({at.protocol->source_sha256, at.trial->block});
+  if (block == vocabulary_.discriminations.end()) return;
+  const DiscriminationTask& task = block->second.task;
+  if (!task.design->has_noise()) return;
+  const bool is_signal = task.design->is_signal(comparisons_in(*at.attempt));
+  if (!is_signal) {  // the levels of the others are those of trials with a signal
+    std::erase_if(condition,
+                  [&task](const auto& each) { return each.first == task.varied.factor; });
+  }
+  const bool is_pair = task.design->surfaces() > 1;
+  condition.insert(condition.begin(), {"trials", Level{is_signal ? 1.0 : 0.0,
+                                                       is_signal ? is_pair ? "different" : "signal"
+                                                       : is_pair ? "same"
+                                                                 : "noise"}});
 }
 
 bool WideTable::is_level_of_procedure(const ExportPlace& at) const {
@@ -158,10 +178,7 @@ bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condi
     }
   }
   if (!value) return false;
-  const auto& surfaces = at.attempt->presentations;
-  const auto comparisons = static_cast<std::size_t>(
-      std::count_if(surfaces.begin(), surfaces.end(),
-                    [](const PresentationRow& surface) { return surface.role == "comparison"; }));
+  const std::size_t comparisons = comparisons_in(*at.attempt);
   if (task.design->has_noise() && !task.design->is_signal(comparisons)) value = task.standard();
   discriminations_[asked_of(at)].add(
       people_.size() - 1, block->second, at.trial->block, others,

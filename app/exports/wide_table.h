@@ -65,6 +65,9 @@ class WideTable final {
   class ProtocolNames;
   Asked asked_of(const ExportPlace& at) const;  ///< with a response
   const StudyVocabulary::AnswerMeaning* meaning_of(const Asked& asked) const;
+  /// In a yes/no or same–different task, in which responses to trials with and without a signal must not be averaged
+  /// together: adds whether there was a signal, and removes the level of a trial without one.
+  void mark_signal(const ExportPlace& at, Condition& condition) const;
   /// False where the response does not belong to a discrimination.
   bool add_discrimination(const ExportPlace& at, const Condition& condition);
   struct Tally {

@@ -246,6 +246,10 @@ Phrase mean_sensitivities(const DiscriminationResults& results, const LevelsOfCo
 
 }  // namespace
 
+std::string_view name_in_family(const DiscriminationDesign& design) {
+  return named_design(design).in_family;
+}
+
 std::string id_of_level(const DiscriminationResults& results,
                         const std::pair<std::size_t, double>& place) {
   return both(results.conditions[place.first], number_text(place.second));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,9 @@ inline constexpr const char* kResponsesByPair = "responses_by_pair";
 
 /// Conditions of DiscriminationResults and values of the parameter.
 using LevelsOfConditions = std::set<std::pair<std::size_t, double>>;
+
+/// The name in the family `dprime` of a design that is not a choice of three.
+std::string_view name_in_family(const DiscriminationDesign& design);
 
 /// The id of a level in the family `dprime`: "wood|7.5e-05".
 std::string id_of_level(const DiscriminationResults& results,

@@ -5669,6 +5669,10 @@
         <source>%1 was not written: no participant has choices at two levels of a numeric factor. Complete more trials, then export again.</source>
         <translation>%1 wurde nicht geschrieben: Keine Versuchsperson hat Wahlen auf zwei Stufen eines numerischen Faktors. Mehr Durchgänge abschließen, dann erneut exportieren.</translation>
     </message>
+    <message>
+        <source>%1 was not written: the responses are those of yes/no or same–different tasks, whose hits and false alarms are in detection.tsv.</source>
+        <translation>%1 wurde nicht geschrieben: Die Antworten gehören zu Ja/Nein- oder Gleich-verschieden-Aufgaben, deren Treffer und falsche Alarme in detection.tsv stehen.</translation>
+    </message>
 </context>
 <context>
     <name>FormWords</name>
