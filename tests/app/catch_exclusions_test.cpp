@@ -3,6 +3,7 @@
 #include "app/findings/study/catch_exclusions.h"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -14,6 +15,7 @@
 #include "app/findings/study/discrimination_questions.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/study_analysis.h"
+#include "app/report/text/study_report.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 
@@ -42,10 +44,10 @@ MadeUpTrial caught_without_signal(const std::string& answer) {
 }
 
 /// Participants p1, p2, … with these numbers of errors in 10 easy catch trials. The last one guesses in all trials.
-AnalysisOutcome outcome_with_errors(const std::vector<int>& errors, const json& rule) {
+void add_participants_with_errors(const std::vector<int>& errors, const json& rule,
+                                  MadeUpStudy& made) {
   json protocol = discrimination_protocol("performance");
   if (!rule.is_null()) protocol["analysis"]["exclude"] = rule;
-  MadeUpStudy made;
   const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
   for (std::size_t person = 0; person < errors.size(); ++person) {
     const std::string label = "p" + std::to_string(person + 1);
@@ -57,7 +59,25 @@ AnalysisOutcome outcome_with_errors(const std::vector<int>& errors, const json& 
     made.add_person(label, "");
     made.add_session(label, id, trials);
   }
+}
+
+AnalysisOutcome outcome_with_errors(const std::vector<int>& errors, const json& rule) {
+  MadeUpStudy made;
+  add_participants_with_errors(errors, rule, made);
   return outcome_of_discrimination(made);
+}
+
+/// The texts of the section for a paper.
+std::string paper_of(MadeUpStudy& made) {
+  const Report report = study_report(made.study(), {});
+  std::string text{};
+  for (const ReportSection& section : report.chapters.at(1).sections) {
+    if (section.heading != "Text for a paper") continue;
+    for (const ReportPart& part : section.parts) {
+      if (const auto* const words = std::get_if<ReportText>(&part)) text += words->text + ' ';
+    }
+  }
+  return text;
 }
 
 std::size_t rows_of(const AnalysisOutcome& outcome, const std::string& table) {
@@ -103,6 +123,20 @@ TEST(CatchExclusions, GiveTheResultsWithAndWithoutALapsingParticipant) {
                                                  "errors) excludes: 1 of 4 (p4).") == 0;
   }
   EXPECT_TRUE(names_participant);
+}
+
+// 4 × 200 attempts in levels.
+TEST(CatchExclusions, AreNotAmongTheAnalysedAttemptsOfAPaper) {
+  MadeUpStudy made;
+  add_participants_with_errors({0, 1, 2, 5}, {{"more_catch_errors_than", 2}}, made);
+  const std::string paper = paper_of(made);
+  EXPECT_THAT(paper, HasSubstr("600 of the 800 attempts at trials were analysed (of the others, "
+                               "200 were made by one participant whom the rule of the protocol "
+                               "for errors in catch trials excludes)"));
+  EXPECT_THAT(paper, HasSubstr("They were made by three of the four participants."));
+  MadeUpStudy without_rule;
+  add_participants_with_errors({0, 1, 2, 5}, {}, without_rule);
+  EXPECT_THAT(paper_of(without_rule), HasSubstr("The 800 attempts at trials were analysed"));
 }
 
 TEST(CatchExclusions, AreThoseOfTheOtherParticipantsAlone) {

@@ -323,8 +323,8 @@ TEST(ChoiceOfThreeAnalysis, IsDescribedInTheReportAndInAPaper) {
                           "are presented one after the other, two standards and a comparison"));
     EXPECT_THAT(analysis.task_for_paper(protocol),
                 HasSubstr("(three-alternative forced choice, 3AFC)"));
-    EXPECT_THAT(analysis.fit_for_paper(protocol), HasSubstr("guess rate fixed at 33.3 %"));
-    EXPECT_THAT(analysis.fit_for_paper(protocol), HasSubstr("at 66.7 % correct responses"));
+    EXPECT_THAT(analysis.fit_for_paper(protocol, {}), HasSubstr("guess rate fixed at 33.3 %"));
+    EXPECT_THAT(analysis.fit_for_paper(protocol, {}), HasSubstr("at 66.7 % correct responses"));
     block.design = &oddity_task();
     EXPECT_THAT(analysis.task(protocol), HasSubstr("Task: oddity task. In each trial, three"));
     EXPECT_THAT(analysis.task(protocol), HasSubstr("The odd surface is the correct response."));

@@ -19,6 +19,7 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/discrimination_tasks.h"
+#include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/study_tests.h"
 #include "app/words/text_parts.h"
@@ -406,6 +407,31 @@ TEST(Discrimination, StatesWhyThereAreNoThresholds) {
   EXPECT_THAT(outcome.remarks.back().english(), HasSubstr("thresholds cannot be estimated"));
 }
 
+// The estimable participants are a selection: their mean is biased.
+TEST(Discrimination, StatesThatAMeanWithoutThresholdsOnOneSideIsBiased) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+  PsychometricFunction always = kPerformer;
+  always.gamma = 1.0;
+  always.lambda = 0.0;
+  for (int person = 0; person < 4; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    MadeUpObserver observer(person == 0 ? always : kPerformer, static_cast<unsigned>(person + 1));
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials_of(observer.choices(kAbove_m, 60, true)));
+  }
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  EXPECT_THAT(answer_to(outcome, "threshold"),
+              HasSubstr("Left out: 1 of 4 participants, whose threshold is below the presented "
+                        "levels; the mean is too high."));
+  EXPECT_THAT(estimate_sentence(outcome).text,
+              HasSubstr("The mean JND is too high, because it does not include one of 4 JNDs, "
+                        "which is below the presented levels."));
+  EXPECT_THAT(answer_to(outcome_of_observers(kPerformer, 3, kAbove_m, true), "threshold"),
+              Not(HasSubstr("Left out")));
+}
+
 TEST(Discrimination, ShowsThresholdsWithTheirUnits) {
   const AnalysisOutcome outcome = outcome_of_observers(kPerformer, 3, kAbove_m, true);
   for (const char* const name : {"thresholds", "mean_thresholds", "psychometric"}) {
@@ -441,7 +467,7 @@ TEST(Discrimination, IsDescribedInTheReportAndInAPaper) {
     EXPECT_THAT(paper,
                 HasSubstr("could differ from it by 2 % to 100 % in 50 levels. The choice of the "
                           "comparison was correct. A 3-down/1-up staircase [Levitt 1971]"));
-    const std::string fit = analysis.fit_for_paper(protocol);
+    const std::string fit = analysis.fit_for_paper(protocol, {});
     EXPECT_THAT(fit, HasSubstr("guess rate fixed at 50 % and a lapse rate between 0 and 6 %"));
     EXPECT_THAT(fit, HasSubstr("with 500 simulated observers"));
     EXPECT_THAT(paper, Not(HasSubstr("subjective equality")));

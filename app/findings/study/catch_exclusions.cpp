@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/discrimination_results.h"
@@ -141,17 +142,27 @@ void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& o
   if (!all.empty()) add_exclusions(*rule, all, outcome);
 }
 
-std::string exclusions_sentence(const AnalysisOutcome& outcome) {
+std::set<std::string> excluded_participants(const AnalysisOutcome& outcome) {
   const auto made = std::find_if(outcome.tables.begin(), outcome.tables.end(),
                                  [](const NamedTable& each) { return each.name == kExclusions; });
-  if (made == outcome.tables.end()) return {};
-  const auto excluded = static_cast<std::size_t>(
-      std::count_if(made->table.rows.begin(), made->table.rows.end(),
-                    [](const auto& row) { return row.back() == Cell{std::string("yes")}; }));
-  const std::size_t all = made->table.rows.size();
-  if (excluded == 0 || excluded == all) return {};
+  const bool has_results_of_all =
+      std::any_of(outcome.tables.begin(), outcome.tables.end(),
+                  [](const NamedTable& each) { return each.name.ends_with(kWithExcluded); });
+  std::set<std::string> excluded{};
+  if (made == outcome.tables.end() || !has_results_of_all) return excluded;
+  for (const std::vector<Cell>& row : made->table.rows) {
+    if (row.back() == Cell{std::string("yes")}) excluded.insert(std::get<std::string>(row.front()));
+  }
+  return excluded;
+}
+
+std::string exclusions_sentence(const AnalysisOutcome& outcome) {
+  const std::size_t excluded = excluded_participants(outcome).size();
+  if (excluded == 0) return {};
+  const auto made = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                 [](const NamedTable& each) { return each.name == kExclusions; });
   return " By the rule that the protocol declares for errors in catch trials, " +
-         std::to_string(excluded) + " of " + std::to_string(all) +
+         std::to_string(excluded) + " of " + std::to_string(made->table.rows.size()) +
          (excluded == 1 ? " participants was" : " participants were") +
          " excluded; the results with all participants are reported in separate tables.";
 }

@@ -39,6 +39,10 @@ GatheredAnswers without_participants(GatheredAnswers gathered,
 void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& outcome,
                              void (*analyze)(const GatheredAnswers&, AnalysisOutcome&));
 
+/// The participants whom the declared rule excluded from the results, from the table `kExclusions`; none where the results are
+/// those of all participants.
+std::set<std::string> excluded_participants(const AnalysisOutcome& outcome);
+
 /// " The rule that the protocol declares (more than 2 errors in catch trials) excluded 2 of 12 participants, …", from the table
 /// `kExclusions`; empty without it and without an excluded participant.
 std::string exclusions_sentence(const AnalysisOutcome& outcome);

@@ -179,11 +179,12 @@ void ask_roc(const DiscriminationResults& results, const RatedLevels& levels,
   add_question(
       outcome, name.c_str(),
       phrase("Analysis", "How large is the area under the ROC of the confidence ratings?"),
-      text.empty() ? phrase("Analysis",
-                            "It could not be estimated: signal and noise trials share too few "
-                            "categories of response and confidence.")
-                   : phrase("Analysis", "By the %1 of the comparison, over all participants: %2.")
-                         .with(words_of_parameter(results.study.task.varied.parameter), text),
+      text.empty()
+          ? phrase("Analysis",
+                   "It could not be estimated: signal and noise trials share too few "
+                   "categories of response and confidence.")
+          : phrase("Analysis", "ROC by the %1 of the comparison, over all participants: %2.")
+                .with(words_of_parameter(results.study.task.varied.parameter), text),
       phrase("Analysis",
              "Normal model with unequal variances of the categories of response and confidence, by "
              "maximum likelihood over the responses of all participants; CIs by expanded "

@@ -15,6 +15,8 @@
 #include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/detection_thresholds.h"
+#include "app/findings/study/discrimination_methods.h"
+#include "app/findings/study/left_out_thresholds.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
 #include "app/words/text_parts.h"
@@ -169,7 +171,7 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
   const FoundNumbers found(results.means);
   const std::string quantity = "geomean." + results.quantity_of_threshold();
   const Phrase means = mean_thresholds_text(results, quantity, "geomean.weber");
-  const Phrase answer =
+  Phrase answer =
       means.empty()
           ? phrase("Analysis",
                    "It could not be estimated: no participant has a threshold within the presented "
@@ -178,6 +180,7 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                  ? phrase("Analysis", "Geometric mean of the detection thresholds: %1.")
                  : phrase("Analysis", "Geometric mean of the just-noticeable differences: %1."))
                 .with(means);
+  if (!means.empty()) answer = with_left_out_thresholds(answer, results);
   add_question(outcome, name_of_question("threshold", results).c_str(), question,
                with_unfinished_tracks(answer, results, results.quantity_of_threshold(), means),
                method_of_thresholds(results), means.empty() ? kThresholds : kMeanThresholds,
@@ -659,11 +662,15 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
     if (is_same_n) text += ", N = " + reading_count(shown.front()->n);
   }
   if (!text.empty()) text += '.';
+  const std::string of_difference = detections.empty() ? "JND" : "threshold";
+  const std::vector<Finding> at_unit_sensitivity = thresholds_at_unit_sensitivity(outcome.findings);
   text += missing_sentences(outcome.findings, "pse", "PSE") +
-          missing_sentences(outcome.findings, "jnd", detections.empty() ? "JND" : "threshold") +
-          missing_sentences(thresholds_at_unit_sensitivity(outcome.findings), "jnd.dprime1",
-                            detections.empty() ? "JND" : "threshold") +
-          unfinished_sentence(outcome.findings) + catch_trials_sentence(outcome) + exclusions_sentence(outcome);
+          missing_sentences(outcome.findings, "jnd", of_difference) +
+          missing_sentences(at_unit_sensitivity, "jnd.dprime1", of_difference) +
+          bias_sentences(outcome.findings, "jnd", of_difference) +
+          bias_sentences(at_unit_sensitivity, "jnd.dprime1", of_difference) +
+          unfinished_sentence(outcome.findings) + sensitivity_sentences(outcome) +
+          catch_trials_sentence(outcome) + exclusions_sentence(outcome);
   if (text.starts_with(' ')) text.erase(0, 1);
   return {.text = text};
 }

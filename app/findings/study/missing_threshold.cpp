@@ -4,14 +4,15 @@ namespace asperity {
 
 namespace {
 
+WhyNoThreshold every_response_correct() {
+  return {"below_levels",
+          phrase("MissingThreshold",
+                 "every response is correct: the threshold is below the presented levels; present "
+                 "smaller differences")};
+}
+
 WhyNoThreshold why_not_performance(const Finding& status) {
-  if (status.word == "all_correct") {
-    return {
-        "below_levels",
-        phrase("MissingThreshold",
-               "every response is correct: the threshold is below the presented levels; present "
-               "smaller differences")};
-  }
+  if (status.word == "all_correct") return every_response_correct();
   if (status.word == "all_wrong") {
     return {status.word, phrase("MissingThreshold",
                                 "no response is correct: check the question and its correct "
@@ -52,6 +53,16 @@ WhyNoThreshold why_not_comparison(const Finding& status) {
 }
 
 }  // namespace
+
+SideOfThreshold side_of_threshold(const Finding& threshold) {
+  const auto is_for = [&threshold](const WhyNoThreshold& why) {
+    return threshold.word == why.word && threshold.status == why.sentence.english();
+  };
+  if (is_for(every_response_correct()) || is_for(threshold_below_levels())) {
+    return SideOfThreshold::below;
+  }
+  return is_for(threshold_above_levels()) ? SideOfThreshold::above : SideOfThreshold::unknown;
+}
 
 WhyNoThreshold threshold_above_levels() {
   return {"outside_levels",

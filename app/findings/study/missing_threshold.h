@@ -17,6 +17,11 @@ struct WhyNoThreshold {
   Phrase sentence{};
 };
 
+/// The side of the presented levels on which a missing threshold lies.
+enum class SideOfThreshold { unknown, below, above };
+/// `threshold`: a finding without a number.
+SideOfThreshold side_of_threshold(const Finding& threshold);
+
 /// The fitted threshold of a performance is greater, or smaller, than all presented differences.
 WhyNoThreshold threshold_above_levels();
 WhyNoThreshold threshold_below_levels();

@@ -23,6 +23,10 @@ constexpr std::array kReferences{
     Reference{"Cohen 1988", "Cohen, 1988",
               "Cohen, J. (1988). Statistical power analysis for the behavioral sciences (2nd ed.). "
               "Lawrence Erlbaum."},
+    Reference{"Dorfman 1969", "Dorfman & Alf, 1969",
+              "Dorfman, D. D., & Alf, E. (1969). Maximum-likelihood estimation of parameters of "
+              "signal-detection theory and determination of confidence intervals: Rating-method "
+              "data. Journal of Mathematical Psychology, 6(3), 487–496."},
     Reference{"Ernst 2004", "Ernst, 2004",
               "Ernst, M. D. (2004). Permutation methods: A basis for exact inference. Statistical "
               "Science, 19(4), 676–685."},
@@ -33,15 +37,31 @@ constexpr std::array kReferences{
               "Friedman, M. (1937). The use of ranks to avoid the assumption of normality implicit "
               "in the analysis of variance. Journal of the American Statistical Association, "
               "32(200), 675–701."},
+    Reference{"Frijters 1979", "Frijters, 1979",
+              "Frijters, J. E. R. (1979). Variations of the triangular method and the relationship "
+              "of its unidimensional probabilistic models to three-alternative forced-choice "
+              "signal detection theory models. British Journal of Mathematical and Statistical "
+              "Psychology, 32(2), 229–241."},
     Reference{"Gower 1975", "Gower, 1975",
               "Gower, J. C. (1975). Generalized Procrustes analysis. Psychometrika, 40(1), "
               "33–51."},
     Reference{"Greenhouse 1959", "Greenhouse & Geisser, 1959",
               "Greenhouse, S. W., & Geisser, S. (1959). On methods in the analysis of profile "
               "data. Psychometrika, 24(2), 95–112."},
+    Reference{"Hacker 1979", "Hacker & Ratcliff, 1979",
+              "Hacker, M. J., & Ratcliff, R. (1979). A revised table of d′ for M-alternative "
+              "forced choice. Perception & Psychophysics, 26(2), 168–170."},
+    Reference{"Hautus 1995", "Hautus, 1995",
+              "Hautus, M. J. (1995). Corrections for extreme proportions and their biasing effects "
+              "on estimated values of d′. Behavior Research Methods, Instruments, & Computers, "
+              "27(1), 46–51."},
     Reference{"Hedges 1981", "Hedges, 1981",
               "Hedges, L. V. (1981). Distribution theory for Glass’s estimator of effect size and "
               "related estimators. Journal of Educational Statistics, 6(2), 107–128."},
+    Reference{"Hesterberg 2015", "Hesterberg, 2015",
+              "Hesterberg, T. C. (2015). What teachers should know about the bootstrap: Resampling "
+              "in the undergraduate statistics curriculum. The American Statistician, 69(4), "
+              "371–386."},
     Reference{"Holm 1979", "Holm, 1979",
               "Holm, S. (1979). A simple sequentially rejective multiple test procedure. "
               "Scandinavian Journal of Statistics, 6(2), 65–70."},
@@ -66,6 +86,9 @@ constexpr std::array kReferences{
     Reference{"Levitt 1971", "Levitt, 1971",
               "Levitt, H. (1971). Transformed up-down methods in psychoacoustics. The Journal of "
               "the Acoustical Society of America, 49(2B), 467–477."},
+    Reference{"Macmillan 2005", "Macmillan & Creelman, 2005",
+              "Macmillan, N. A., & Creelman, C. D. (2005). Detection theory: A user’s guide (2nd "
+              "ed.). Lawrence Erlbaum."},
     Reference{"McCullagh 1980", "McCullagh, 1980",
               "McCullagh, P. (1980). Regression models for ordinal data. Journal of the Royal "
               "Statistical Society: Series B, 42(2), 109–142."},
@@ -79,6 +102,9 @@ constexpr std::array kReferences{
     Reference{"Satterthwaite 1946", "Satterthwaite, 1946",
               "Satterthwaite, F. E. (1946). An approximate distribution of estimates of variance "
               "components. Biometrics Bulletin, 2(6), 110–114."},
+    Reference{"Simpson 1973", "Simpson & Fitter, 1973",
+              "Simpson, A. J., & Fitter, M. J. (1973). What is the best index of detectability? "
+              "Psychological Bulletin, 80(6), 481–488."},
     Reference{"Watson 2017", "Watson, 2017",
               "Watson, A. B. (2017). QUEST+: A general multidimensional Bayesian adaptive "
               "psychometric method. Journal of Vision, 17(3), Article 10."},

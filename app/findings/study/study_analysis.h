@@ -41,8 +41,8 @@ struct StudyAnalysis {
   /// their keys in brackets: "[Levitt 1971]" (Reference::key).
   std::string (*task_for_paper)(const Protocol& protocol) = nullptr;
   /// The model that is fitted to the responses and its intervals, in sentences of a text for a paper; null where the
-  /// methods of the tests state all.
-  std::string (*fit_for_paper)(const Protocol& protocol) = nullptr;
+  /// methods of the tests state all. Sentences on what not every outcome contains depend on the outcome.
+  std::string (*fit_for_paper)(const Protocol& protocol, const AnalysisOutcome& outcome) = nullptr;
   /// How responses were transformed before the analysis, as a sentence of a text for a paper; or empty.
   std::string_view transformation{};
   /// The same where it depends on the protocol; null where it does not.

@@ -2420,10 +2420,6 @@
         <translation>Sie konnte nicht geschätzt werden: Durchgänge mit und ohne Signal haben zu wenige Kategorien von Antwort und Sicherheit gemeinsam.</translation>
     </message>
     <message>
-        <source>By the %1 of the comparison, over all participants: %2.</source>
-        <translation>Nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2.</translation>
-    </message>
-    <message>
         <source>Normal model with unequal variances of the categories of response and confidence, by maximum likelihood over the responses of all participants; CIs by expanded percentiles of a bootstrap over participants, with six participants or more; likelihood-ratio test of equal variances [Dorfman 1969].</source>
         <translation>Normalverteilungsmodell mit ungleichen Varianzen der Kategorien von Antwort und Sicherheit, nach der Maximum-Likelihood-Methode über die Antworten aller Versuchspersonen; KIs aus erweiterten Perzentilen eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen; Likelihood-Quotienten-Test gleicher Varianzen [Dorfman 1969].</translation>
     </message>
@@ -2554,6 +2550,30 @@
     <message>
         <source>Mean over the participants of d′ of (correct responses + 1/3)/(trials + 1), which is finite; CIs by expanded percentiles of a bootstrap over participants, with six participants or more.</source>
         <translation>Mittelwert über die Versuchspersonen von d′ aus (richtige Antworten + 1/3)/(Durchgänge + 1) und daher endlich; KI durch erweiterte Perzentile eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>ROC by the %1 of the comparison, over all participants: %2.</source>
+        <translation>ROC nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2.</translation>
+    </message>
+    <message>
+        <source>In simulations of responses “cannot tell” (36 to 144 trials at five levels, 400 tables per setting), the 95 % CI of the JND of a comparison contained the true JND in 84 to 93 % of the tables; with 36 to 60 trials it is too narrow (84 to 90 %).</source>
+        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 400 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 84 bis 93 % der Tabellen; bei 36 bis 60 Durchgängen ist es zu schmal (84 bis 90 %).</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 thresholds (participants by conditions), which are below the presented levels; the means are too high.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Schwellen (Versuchspersonen mal Bedingungen), die unter den dargebotenen Stufen liegen; die Mittelwerte sind zu hoch.</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 participants, whose threshold is below the presented levels; the mean is too high.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, deren Schwelle unter den dargebotenen Stufen liegt; der Mittelwert ist zu hoch.</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 thresholds (participants by conditions), which are above the presented levels; the means are too low.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Schwellen (Versuchspersonen mal Bedingungen), die über den dargebotenen Stufen liegen; die Mittelwerte sind zu niedrig.</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 participants, whose threshold is above the presented levels; the mean is too low.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, deren Schwelle über den dargebotenen Stufen liegt; der Mittelwert ist zu niedrig.</translation>
     </message>
 </context>
 <context>

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <span>
 
 #include "app/findings/reading_number.h"
+#include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/references.h"
@@ -46,7 +48,8 @@ std::string withheld_text(const ReportFacts& facts) {
 }
 
 /// "The 18 attempts at trials were analysed", "Two of the 18 …", "None of the 18 …"
-std::string analysed_text(const ReportFacts& facts) {
+/// `excluded`: participants without attempts in the results, by a rule of the protocol.
+std::string analysed_text(const ReportFacts& facts, const std::set<std::string>& excluded) {
   const std::string all = facts.attempts == 1
                               ? "the only attempt at a trial"
                               : "the " + reading_count(facts.attempts) + " attempts at trials";
@@ -54,18 +57,39 @@ std::string analysed_text(const ReportFacts& facts) {
     return facts.attempts == 1 ? "The only attempt at a trial was not included in the analysis."
                                : "None of " + all + " was included in the analysis.";
   }
-  const bool is_all = facts.counted == facts.attempts;
-  const std::string others =
-      is_all ? "" : " (of the others, " + listed(fates_of_attempts(facts)) + ')';
-  const std::size_t analysed = facts.counted_participants.size();
+  std::vector<std::string> fates = fates_of_attempts(facts);
+  std::size_t of_excluded = 0;
+  for (const ReportedSession& session : facts.sessions) {
+    if (excluded.contains(session.row.participant)) of_excluded += session.counted_attempts;
+  }
+  if (of_excluded > 0) {
+    fates.push_back(count_in_words(of_excluded) + (of_excluded == 1 ? " was" : " were") +
+                    " made by " + participants_text(facts.group, excluded.size()) +
+                    " whom the rule of the protocol for errors in catch trials excludes");
+  }
+  const std::size_t counted = facts.counted - of_excluded;
+  const bool is_all = counted == facts.attempts;
+  const std::string others = is_all ? "" : " (of the others, " + listed(fates) + ')';
+  const auto analysed = static_cast<std::size_t>(
+      std::count_if(facts.counted_participants.begin(), facts.counted_participants.end(),
+                    [&excluded](const std::string& each) { return !excluded.contains(each); }));
   const std::string of_participants =
       analysed == facts.participants.size()
           ? ""
           : " They were made by " + count_in_words(analysed) + " of the " +
                 participants_text(facts.group, facts.participants.size()) + '.';
-  return (is_all ? capitalised(all) : capitalised(count_in_words(facts.counted)) + " of " + all) +
-         (facts.counted == 1 ? " was" : " were") + " analysed" + others + ", with Asperity " +
+  return (is_all ? capitalised(all) : capitalised(count_in_words(counted)) + " of " + all) +
+         (counted == 1 ? " was" : " were") + " analysed" + others + ", with Asperity " +
          program_version() + '.' + of_participants;
+}
+
+/// Of one of several kinds of responses: that its results leave out the participants whom a rule excludes.
+std::string excluded_text(const ReportFacts& facts, const AnalysisOutcome& outcome) {
+  const std::size_t excluded = excluded_participants(outcome).size();
+  if (excluded == 0) return {};
+  return "The analysis of the " + name_of_kind(outcome.kind) +
+         " does not include the attempts of " + participants_text(facts.group, excluded) +
+         " whom the rule of the protocol for errors in catch trials excludes.";
 }
 
 std::string declaration_text(FamilyDeclaration family) {
@@ -148,7 +172,8 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
   std::vector<std::string> sentences{};
   const StudyAnalysis* const analysis = find_analysis(outcome.kind);
   if (analysis != nullptr && analysis->fit_for_paper != nullptr && facts.file.protocol) {
-    sentences.push_back(with_citations(analysis->fit_for_paper(*facts.file.protocol), sources));
+    sentences.push_back(
+        with_citations(analysis->fit_for_paper(*facts.file.protocol, outcome), sources));
   }
   sentences.push_back(correction_text(outcome, sources));
   const auto is_any = [&printed](const auto& is_so) {
@@ -304,7 +329,14 @@ ReportSection paper_section(const ReportFacts& facts,
   std::vector<std::string> methods = paper_procedure(facts, metadata, sources);
   std::vector<std::string> analysis{};
   if (outcomes.empty()) analysis.push_back(withheld_text(facts));
-  if (!outcomes.empty() && facts.attempts > 0) analysis.push_back(analysed_text(facts));
+  if (!outcomes.empty() && facts.attempts > 0) {
+    analysis.push_back(analysed_text(facts, outcomes.size() == 1
+                                                ? excluded_participants(*outcomes.front())
+                                                : std::set<std::string>{}));
+    for (const AnalysisOutcome* const outcome : outcomes) {
+      if (outcomes.size() > 1) analysis.push_back(excluded_text(facts, *outcome));
+    }
+  }
   if (outcomes.size() == 1) {
     analysis.push_back(
         paper_statistics(facts, *outcomes.front(), printed_sentences(*outcomes.front()), sources));

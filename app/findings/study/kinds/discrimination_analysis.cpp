@@ -9,6 +9,7 @@
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/discrimination_methods.h"
 #include "app/findings/study/discrimination_questions.h"
 #include "app/findings/study/discrimination_thresholds.h"
 #include "app/findings/study/discrimination_tracks.h"
@@ -42,21 +43,6 @@ constexpr std::array kDiscriminationClaims{
               "The point of subjective equality of the %1 was significantly below the standard",
               "The point of subjective equality of the %1 was not significantly different from the "
               "standard"}};
-
-/// The main blocks of this kind that vary a parameter relative to a stated standard.
-std::vector<const Block*> discrimination_blocks(const Protocol& protocol) {
-  std::vector<const Block*> blocks{};
-  for (const auto& [name, block] : protocol.blocks) {
-    if (block.phase != Phase::main || block.kind != discrimination_kind().id) continue;
-    if (block.vary && block.vary->standard) blocks.push_back(&block);
-  }
-  return blocks;
-}
-
-bool is_performance(const Block& block) {
-  const auto* const asked = judged_question(block);
-  return asked != nullptr && asked->judgement == DiscriminationJudgement::performance;
-}
 
 std::string apart_from_catch_trials(const Block& block) {
   return has_catch_trials(block) ? ", apart from catch trials" : "";
@@ -178,7 +164,7 @@ std::string task_of_block(const Block& block) {
            (block.design->surfaces() == 1 ? "to the comparison." : "to different surfaces.");
   }
   if (block.design->asks_for_odd_one) return text + "The odd surface is the correct response.";
-  return text + (is_performance(block)
+  return text + (asks_for_performance(block)
                      ? "The comparison is the correct response (judgement of performance)."
                      : "No response is correct or incorrect" + apart_from_catch_trials(block) +
                            " (judgement of comparison).");
@@ -225,118 +211,11 @@ std::string paper_task_of_discrimination(const Protocol& protocol) {
                                                    : "to different surfaces. ")
          : block->design->asks_for_odd_one
              ? std::string("The choice of the odd surface was correct. ")
-         : is_performance(*block)
+         : asks_for_performance(*block)
              ? std::string("The choice of the comparison was correct. ")
              : "No response was correct or incorrect" + apart_from_catch_trials(*block) + ". ") +
         procedure_sentences(*block);
     if (text.find(details) == std::string::npos) text += details;
-  }
-  return text;
-}
-
-/// How the intervals of single participants are made, and how the slope is limited where a procedure chose the levels.
-std::string interval_sentence(const Block& block) {
-  if (block.design->has_noise()) {
-    return " Confidence intervals (CI) of single participants are Wald intervals on the "
-           "logarithmic "
-           "scale.";
-  }
-  if (!chooses_levels_from_answers(block)) {
-    return is_performance(block)
-               ? " Confidence intervals (CI) of single participants are by the delta method."
-               : " Confidence intervals (CI) of single participants are by the delta method, for "
-                 "the JND on the logarithmic scale.";
-  }
-  const ProcedureSettings& first = block.procedure->tracks.front();
-  const bool has_prior = posterior_track_of(first) != nullptr;
-  const bool is_external = std::holds_alternative<External>(first);
-  return (is_performance(block) ? " The slope of the function was limited to " +
-                                      reading_number(kSlopesOfProcedures.least) + " to " +
-                                      reading_number(kSlopesOfProcedures.greatest) + '.'
-                                : std::string()) +
-         (is_external
-              ? " Confidence intervals of single participants were not computed: the levels "
-                "that the program would have stated after other responses are unknown."
-          : has_prior ? std::string()
-                      : " Confidence intervals (CI) of single participants are likelihood-ratio "
-                        "intervals whose critical value was found by running the procedure again "
-                        "with " +
-                            std::to_string(kRepetitionsOfProcedures) + " simulated observers.");
-}
-
-/// Empty where the procedure has no prior.
-std::string posterior_sentence(const Block& block) {
-  if (!block.procedure || posterior_track_of(block.procedure->tracks.front()) == nullptr) return {};
-  return std::string(" In addition, the posterior mean of the ") +
-         (*block.vary->standard == 0.0 ? "detection threshold" : "JND") +
-         " on the logarithmic scale was computed with the prior of the procedure and the responses "
-         "of all trials; its 95 % credible interval (CrI) has equal tails.";
-}
-
-std::string mean_sentence(const Block& block) {
-  return is_performance(block)
-             ? " Means over participants are geometric, with CIs based on Student's t on the "
-               "logarithmic scale."
-             : " Mean PSEs are arithmetic and mean JNDs geometric, with CIs based on Student's t, "
-               "of JNDs on the logarithmic scale.";
-}
-
-/// The model of a design with options in words, and its decision rule.
-std::string fit_in_words(const Block& block) {
-  const std::string threshold =
-      std::string(*block.vary->standard == 0.0 ? "detection threshold"
-                                               : "just-noticeable difference (JND)") +
-      " is the difference from the standard with d′ = 1";
-  const std::string model =
-      "d′ as a power function of the difference from the standard and lapse rates fixed at 2 % in "
-      "both directions. The ";
-  return block.design->surfaces() == 1
-             ? "For each participant and condition, the responses “yes” were modelled by signal "
-               "detection [Macmillan 2005] by maximum likelihood, with " +
-                   model + threshold + "."
-             : "For each participant and condition, the responses “different” were modelled by "
-               "signal detection with the differencing rule [Macmillan 2005] by maximum "
-               "likelihood, with " +
-                   model + threshold +
-                   "; an observer with this rule compares the difference of two impressions with a "
-                   "criterion.";
-}
-
-/// "50 %", "33.3 %"
-std::string per_cent_of(double proportion) {
-  return number_text(std::round(1000.0 * proportion) / 10.0) + " %";
-}
-
-std::string fit_of_block(const Block& block) {
-  if (block.design->has_noise()) return fit_in_words(block);
-  if (!is_performance(block)) {
-    return "For each participant and condition, a cumulative normal function was fitted to the "
-           "choices by maximum likelihood, with lapse rates fixed at 2 % in both directions. The "
-           "point of subjective equality (PSE) is the value at which both responses are equally "
-           "frequent, and the just-noticeable difference (JND) is half the distance between the "
-           "values at 25 % and 75 %.";
-  }
-  const std::string fit =
-      std::string(
-          "For each participant and condition, a Weibull function of the difference from "
-          "the standard ") +
-      "was fitted to the correct responses by maximum likelihood, with the guess rate fixed at " +
-      per_cent_of(block.design->guess_rate()) + " and a lapse rate between 0 and 6 %. The ";
-  return fit +
-         (*block.vary->standard == 0.0 ? "detection threshold is the value"
-                                       : "just-noticeable difference (JND) is the difference") +
-         " at " + per_cent_of(proportion_at_threshold(*block.design)) + " correct responses.";
-}
-
-std::string paper_fit_of_discrimination(const Protocol& protocol) {
-  std::string text{};
-  for (const Block* const block : discrimination_blocks(protocol)) {
-    if (matches_roughness(protocol, *block)) continue;  // its matches are reported instead
-    for (const std::string& sentence : {fit_of_block(*block), interval_sentence(*block),
-                                        posterior_sentence(*block), mean_sentence(*block)}) {
-      if (text.find(sentence) != std::string::npos) continue;
-      text += (text.empty() || sentence.starts_with(' ') ? "" : " ") + sentence;
-    }
   }
   return text;
 }

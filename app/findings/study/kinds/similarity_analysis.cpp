@@ -48,7 +48,7 @@ std::string paper_task_of_similarity(const Protocol& protocol) {
          scales_of_blocks(protocol, "similarity") + '.';
 }
 
-std::string fit_of_similarity(const Protocol& protocol) {
+std::string fit_of_similarity(const Protocol& protocol, const AnalysisOutcome&) {
   return std::string(asks_for_similarity(protocol)
                          ? "Ratings of similarity were subtracted from the maximum of the scale. "
                          : "") +

@@ -1,0 +1,231 @@
+// The text for a paper of discriminations with the response "cannot tell", with d′ and with ratings of confidence.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/random.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/discrimination_coverage.h"
+#include "app/findings/study/estimate_sentences.h"
+#include "app/findings/study/references.h"
+#include "app/findings/study/study_analysis.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
+#include "tests/app/made_up_choices.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The block of the library's protocol with constant levels and the option "cannot tell".
+Protocol unforced_library_protocol(DiscriminationJudgement judgement) {
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name != "amplitude_jnd") continue;
+    Protocol protocol =
+        read_protocol(each.text, "amplitude_jnd.json", declarations_of(built_in_models()));
+    Protocol::Block& block = protocol.blocks.at("comparisons");
+    block.procedure.reset();
+    for (auto& question : block.questions) {
+      question.allow_cannot_tell = true;
+      if (question.judgement) question.judgement = judgement;
+    }
+    return protocol;
+  }
+  ADD_FAILURE() << "the library has no such protocol";
+  return {};
+}
+
+/// p1, p2, …: `unsure` of 20 responses at each level are "cannot tell".
+AnalysisOutcome outcome_with_unsure(const std::vector<int>& unsure, bool is_performance) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol(
+      "jnd", "discrimination",
+      discrimination_protocol(is_performance ? "performance" : "comparison").dump());
+  const std::vector<double>& values_m = is_performance ? kAbove_m : kAround_m;
+  for (std::size_t person = 0; person < unsure.size(); ++person) {
+    MadeUpObserver observer(is_performance ? kPerformer : kComparer,
+                            static_cast<unsigned>(person + 1));
+    std::vector<MadeUpTrial> trials = trials_of(observer.choices(values_m, 20, is_performance));
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      trials[i].options = {"standard", "comparison", "cannot_tell"};
+      if (static_cast<int>(i % 20) < unsure[person]) trials[i].answers = {"cannot_tell"};
+    }
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials);
+  }
+  return outcome_of_discrimination(made);
+}
+
+std::string methods_of(const AnalysisOutcome& outcome, DiscriminationJudgement judgement) {
+  return find_analysis("discrimination")
+      ->fit_for_paper(unforced_library_protocol(judgement), outcome);
+}
+
+TEST(DiscriminationMethods, StateTheBootstrapWhereResponsesAreCannotTell) {
+  const auto performance = DiscriminationJudgement::performance;
+  const std::string all = methods_of(outcome_with_unsure({4, 2}, true), performance);
+  EXPECT_THAT(all, HasSubstr("Each response “cannot tell” counted as the mean of a guess, one half "
+                             "of a correct response [Kaernbach 2001]."));
+  EXPECT_THAT(all, HasSubstr("Confidence intervals (CI) of single participants are bootstrap "
+                             "percentiles (400 resamples of the three outcomes at each level)."));
+  EXPECT_THAT(all, Not(HasSubstr("delta method")));
+  const std::string mixed = methods_of(outcome_with_unsure({4, 0}, true), performance);
+  EXPECT_THAT(mixed, HasSubstr("single participants with responses “cannot tell” are bootstrap"));
+  EXPECT_THAT(mixed, HasSubstr("those of the other participants are by the delta method."));
+  const std::string none = methods_of(outcome_with_unsure({0, 0}, true), performance);
+  EXPECT_THAT(none, HasSubstr("single participants are by the delta method."));
+  EXPECT_THAT(none, Not(HasSubstr("cannot tell")));
+}
+
+TEST(DiscriminationMethods, StateTheRateOfCannotTell) {
+  const std::string text = estimate_sentence(outcome_with_unsure({4, 2}, true)).text;
+  EXPECT_THAT(text, HasSubstr("The rate of the response “cannot tell” was 15 % (10 % to 20 % for "
+                              "single participants)."));
+  EXPECT_THAT(estimate_sentence(outcome_with_unsure({0, 0}, true)).text,
+              Not(HasSubstr("cannot tell")));
+}
+
+TEST(DiscriminationMethods, StateTheCoverageOfTheJndOfAComparisonWithSplitCounts) {
+  const AnalysisOutcome outcome = outcome_with_unsure({4, 2}, false);
+  const std::string coverage =
+      "the 95 % CI of the JND of a comparison contained the true JND in 84 "
+      "to 93 % of the tables";
+  EXPECT_THAT(methods_of(outcome, DiscriminationJudgement::comparison), HasSubstr(coverage));
+  EXPECT_THAT(discrimination_table(outcome, "thresholds").note.english(), HasSubstr(coverage));
+  EXPECT_THAT(discrimination_table(outcome_with_unsure({4, 2}, true), "thresholds").note.english(),
+              Not(HasSubstr(coverage)));
+}
+
+// The stated percentages are those of the simulations.
+TEST(DiscriminationMethods, HaveTheCoverageOfTheSimulations) {
+  std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/data/coverage.tsv");
+  double least = 100.0;
+  double most = 0.0;
+  double most_of_few = 0.0;
+  for (std::string line{}; std::getline(file, line);) {
+    std::istringstream cells(line);
+    std::vector<std::string> row{};
+    for (std::string cell{}; std::getline(cells, cell, '\t');) row.push_back(cell);
+    if (row.size() < 13 || row[0] != "unforced_thresholds" || row[6] != "jnd" ||
+        row[7] != "comparison") {
+      continue;
+    }
+    EXPECT_EQ(row[9], "400");
+    const double covered =
+        100.0 * (1.0 - (std::stod(row[11]) + std::stod(row[12])) / std::stod(row[10]));
+    least = std::min(least, covered);
+    most = std::max(most, covered);
+    const int trials = std::stoi(row[1]) * std::stoi(row[2]);
+    if (trials <= 60) most_of_few = std::max(most_of_few, covered);
+  }
+  const std::string note = note_on_unforced_jnd().english();
+  EXPECT_THAT(note, HasSubstr(std::to_string(static_cast<int>(least)) + " to " +
+                              std::to_string(static_cast<int>(most)) + " % of the tables"));
+  EXPECT_THAT(note, HasSubstr("too narrow (" + std::to_string(static_cast<int>(least)) + " to " +
+                              std::to_string(static_cast<int>(most_of_few)) + " %)"));
+}
+
+/// A yes/no trial with a rating of confidence from 1 to 3.
+MadeUpTrial rated_detection(bool is_signal, double impression) {
+  MadeUpTrial trial{};
+  trial.factors_json = nlohmann::json{{"amplitude_m", is_signal ? 55e-6 : kStandard_m}}.dump();
+  const std::string role = is_signal ? "comparison" : "standard";
+  trial.surfaces = {surface_of(role, "sinusoid", "")};
+  trial.surfaces.back().role = role;
+  trial.options = {"yes", "no"};
+  const bool is_yes = impression > 0.5;
+  const double distance = std::abs(impression - 0.5);
+  trial.questions = {"which", "sure"};
+  trial.answers = {is_yes ? "yes" : "no", distance > 1.0 ? "3" : distance > 0.5 ? "2" : "1"};
+  trial.right = {is_signal ? "yes" : "no"};
+  return trial;
+}
+
+AnalysisOutcome outcome_of_rated_detections() {
+  nlohmann::json protocol = discrimination_protocol("performance");
+  nlohmann::json& block = protocol["blocks"]["only"];
+  block["design"] = "yes_no";
+  const nlohmann::json asked = block["question"];
+  block.erase("question");
+  block["questions"] = {asked,
+                        {{"name", "sure"},
+                         {"prompt", "How sure?"},
+                         {"scale", {{"minimum", 1}, {"maximum", 3}, {"points", 3}}},
+                         {"confidence_of", asked.at("name")}}};
+  MadeUpStudy made;
+  const std::int64_t id = made.add_protocol("sure", "discrimination", protocol.dump());
+  for (int person = 0; person < 6; ++person) {
+    Random random(static_cast<std::uint64_t>(300 + person));
+    std::vector<MadeUpTrial> trials{};
+    for (int i = 0; i < 60; ++i) {
+      trials.push_back(rated_detection(false, random.normal()));
+      trials.push_back(rated_detection(true, 1.0 + random.normal()));
+    }
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    made.add_session(label, id, trials);
+  }
+  for (AnalysisOutcome& outcome : analyze_study(made.study(), std::nullopt, {})) {
+    if (outcome.kind == "discrimination") return std::move(outcome);
+  }
+  ADD_FAILURE() << "no discrimination";
+  return {};
+}
+
+TEST(DiscriminationMethods, StateSensitivityAndRocWithTheirSources) {
+  const AnalysisOutcome outcome = outcome_of_rated_detections();
+  Protocol protocol = unforced_library_protocol(DiscriminationJudgement::performance);
+  protocol.blocks.at("comparisons").design = &yes_no_task();
+  const std::string methods = find_analysis("discrimination")->fit_for_paper(protocol, outcome);
+  EXPECT_THAT(methods, HasSubstr("with the log-linear correction [Hautus 1995]"));
+  EXPECT_THAT(methods, HasSubstr("expanded percentiles of a bootstrap over participants "
+                                 "[Hesterberg 2015]"));
+  EXPECT_THAT(methods, HasSubstr("unequal variances was fitted by maximum likelihood over the "
+                                 "responses of all participants [Dorfman 1969]"));
+  EXPECT_THAT(methods, HasSubstr("[Simpson 1973]"));
+  for (const char* const key : {"Dorfman 1969", "Frijters 1979", "Hacker 1979", "Hautus 1995",
+                                "Hesterberg 2015", "Macmillan 2005", "Simpson 1973"}) {
+    EXPECT_FALSE(reference(key).entry.empty());
+  }
+  const std::string results = estimate_sentence(outcome).text;
+  EXPECT_THAT(results, HasSubstr("Mean d′ by the amplitude of the comparison: 55 µm: "));
+  EXPECT_THAT(results, HasSubstr("A_z = 0."));
+  EXPECT_THAT(results, HasSubstr("d_a = "));
+  // Without such results their methods are not described.
+  EXPECT_THAT(find_analysis("discrimination")->fit_for_paper(protocol, {}),
+              Not(HasSubstr("Hautus")));
+}
+
+// d′ of three alternatives and of an oddity task: the means are those of a column of the table.
+TEST(DiscriminationMethods, StateTheSensitivityOfChoicesAmongThree) {
+  Protocol protocol = unforced_library_protocol(DiscriminationJudgement::performance);
+  AnalysisOutcome outcome{};
+  AnsweredQuestion& asked = outcome.questions.emplace_back();
+  asked.name = "sensitivity";
+  asked.answer = Phrase("Mean d′ by the amplitude of the comparison: 55 µm: 1.2.");
+  asked.finding.value = 1.2;
+  for (const auto& [design, source] : {std::pair{&three_alternatives(), "[Hacker 1979]"},
+                                       std::pair{&oddity_task(), "[Frijters 1979]"}}) {
+    protocol.blocks.at("comparisons").design = design;
+    const std::string methods = find_analysis("discrimination")->fit_for_paper(protocol, outcome);
+    EXPECT_THAT(methods, HasSubstr(source));
+    EXPECT_THAT(methods, HasSubstr("(correct responses + 1/3)/(trials + 1)"));
+  }
+}
+
+}  // namespace
+}  // namespace asperity
