@@ -188,6 +188,25 @@ TEST(DetectionAnalysis, StatesThatSensitivityWithoutAnyYesFollowsFromTheNumbersO
   EXPECT_THAT(table_of(other, "sensitivity")->note.english(), Not(HasSubstr("Their d′")));
 }
 
+// With 10 trials of each kind at a level and no error, d′ = z(10.5/11) − z(0.5/51) for every participant: its spread is no
+// measure of precision.
+TEST(DetectionAnalysis, StatesThatAMeanSensitivityAtTheCeilingIsALowerBound) {
+  const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), as_step, 7, 10);
+  const FoundNumbers found(outcome.findings);
+  const std::vector<const Finding*> means = found.all("dprime.mean");
+  ASSERT_EQ(means.size(), kDifferences_m.size());
+  for (const Finding* const mean : means) {
+    EXPECT_TRUE(mean->value);
+    EXPECT_FALSE(mean->low) << mean->key;
+    EXPECT_THAT(mean->method, HasSubstr("d′ of 7 of 7 participants"));
+  }
+  EXPECT_THAT(answer_of(outcome, "sensitivity"), HasSubstr("(at least; ceiling: 7 of 7 "));
+  EXPECT_THAT(answer_of(outcome, "sensitivity"), HasSubstr("is a lower bound and has no CI"));
+  const AnalysisOutcome other = outcome_of_detections(yes_no_task(), as_coin, 7, 10);
+  EXPECT_THAT(answer_of(other, "sensitivity"), Not(HasSubstr("ceiling")));
+  EXPECT_TRUE(FoundNumbers(other.findings).all("dprime.mean").front()->low);
+}
+
 TEST(DetectionAnalysis, HasNoThresholdOfAnObserverWithoutErrors) {
   for (const DiscriminationDesign* const design : designs_in_words()) {
     const AnalysisOutcome outcome = outcome_of_detections(*design, as_step, 2, 10);

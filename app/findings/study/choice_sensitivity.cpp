@@ -69,7 +69,8 @@ void add_rows(const GatheredAnswers& gathered, const DiscriminationResults& resu
     table.rows.push_back({participant, results.conditions[condition], task.varied.parameter, value,
                           value - task.standard(), static_cast<std::int64_t>(count.trials),
                           static_cast<std::int64_t>(count.hits), proportion(count),
-                          found.cell("dprime", key), low, high, found.cell("dprime.io", key),
+                          found.cell("dprime", key), low, high,
+                          found.cell("dprime.with.guess", key), found.cell("dprime.io", key),
                           task.varied.unit.empty() ? Cell{} : Cell{task.varied.unit}});
   }
 }
@@ -96,7 +97,9 @@ Phrase note_on_choices(const ShownDesigns& shown) {
   }
   add(phrase("Analysis",
              "95 % CI of d′: Wilson limits of the proportion correct. d′ is missing where every "
-             "response or no response is correct."));
+             "response or no response is correct. Corrected d′: that of (correct responses + "
+             "1/3)/(trials + 1), which is finite for every number of correct responses; the means "
+             "over the participants are means of the corrected d′."));
   return note;
 }
 
@@ -118,26 +121,29 @@ Phrase method_of_mean(const DiscriminationDesign& design) {
 void add_choice_sensitivity(const GatheredAnswers& gathered,
                             const std::vector<DiscriminationResults>& all,
                             AnalysisOutcome& outcome) {
-  NamedTable choices{
-      kSensitivityOfChoices,
-      phrase("Analysis", "Sensitivity by level, from the proportion correct"),
-      {{"participant", "condition", "parameter", "level", "difference", "responses", "hits",
-        "share", "d_prime", "d_prime_low", "d_prime_high", "d_prime_independent", "unit"},
-       {}},
-      {}};
+  NamedTable choices{kSensitivityOfChoices,
+                     phrase("Analysis", "Sensitivity by level, from the proportion correct"),
+                     {{"participant", "condition", "parameter", "level", "difference", "responses",
+                       "hits", "share", "d_prime", "d_prime_low", "d_prime_high",
+                       "d_prime_corrected", "d_prime_independent", "unit"},
+                      {}},
+                     {}};
   ShownDesigns shown{};
   for (const DiscriminationResults& results : all) {
     const DiscriminationDesign& design = *results.study.task.design;
     if (!design.is_choice_of_three() || results.study.has_levels_of_procedure) continue;
     const CorrectByLevel correct = correct_by_level(results.study);
-    const std::vector<Finding> findings = sensitivities_of_choices(gathered, results, correct);
+    CeilingOfLevels levels{};
+    for (const auto& [place, count] : correct) {
+      ParticipantsAtCeiling& of = levels[{std::get<std::size_t>(place), std::get<double>(place)}];
+      ++of.participants;
+      of.at_ceiling += count.hits == count.trials ? 1 : 0;
+    }
+    std::vector<Finding> findings = sensitivities_of_choices(gathered, results, correct);
+    mark_lower_bounds(results, levels, findings);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     add_rows(gathered, results, correct, found, choices.table);
-    LevelsOfConditions levels{};
-    for (const auto& [place, count] : correct) {
-      levels.emplace(std::get<std::size_t>(place), std::get<double>(place));
-    }
     if (!levels.empty()) {
       ask_mean_sensitivity(results, levels, found,
                            {.table = kSensitivityOfChoices, .method = method_of_mean(design)},

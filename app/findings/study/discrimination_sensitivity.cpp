@@ -221,11 +221,18 @@ Phrase note_on_sensitivity(const std::vector<DiscriminationResults>& all,
   return note;
 }
 
+/// Whether d′ without a correction would be positive and infinite.
+bool is_at_ceiling(const DetectionCounts& counts) {
+  const auto& [signal, noise] = counts;
+  const bool has_all_hits = signal.hits == signal.trials && noise.hits < noise.trials;
+  return has_all_hits || (noise.hits == 0 && signal.hits > 0);
+}
+
 /// "7.5 µm: 1.2 (95 % CI [0.9, 1.5])", for all conditions and levels.
-Phrase mean_sensitivities(const DiscriminationResults& results, const LevelsOfConditions& levels,
+Phrase mean_sensitivities(const DiscriminationResults& results, const CeilingOfLevels& levels,
                           const FoundNumbers& found) {
   Phrase all{};
-  for (const std::pair<std::size_t, double>& place : levels) {
+  for (const auto& [place, of] : levels) {
     const Finding* const mean = found.find("dprime.mean", id_of_level(results, place));
     if (mean == nullptr || !mean->value) continue;
     Phrase one = phrase("Analysis", "%1: %2")
@@ -234,6 +241,10 @@ Phrase mean_sensitivities(const DiscriminationResults& results, const LevelsOfCo
     if (mean->low && mean->high) {
       one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
                 .with(one, reading_number(*mean->low), reading_number(*mean->high));
+    }
+    if (of.at_ceiling > 0) {
+      one = phrase("Analysis", "%1 (at least; ceiling: %2 of %3 participants)")
+                .with(one, std::to_string(of.at_ceiling), std::to_string(of.participants));
     }
     if (results.conditions.size() > 1) {
       one = phrase("Analysis", "%1, %2")
@@ -255,18 +266,46 @@ std::string id_of_level(const DiscriminationResults& results,
   return both(results.conditions[place.first], number_text(place.second));
 }
 
-void ask_mean_sensitivity(const DiscriminationResults& results, const LevelsOfConditions& levels,
+void mark_lower_bounds(const DiscriminationResults& results, const CeilingOfLevels& levels,
+                       std::vector<Finding>& findings) {
+  std::map<std::string, ParticipantsAtCeiling> by_id{};
+  for (const auto& [place, of] : levels) {
+    if (of.at_ceiling > 0) by_id[id_of_level(results, place)] = of;
+  }
+  for (Finding& finding : findings) {
+    const auto of = by_id.find(finding.key);
+    if (finding.quantity != "dprime.mean" || of == by_id.end()) continue;
+    finding.low.reset();
+    finding.high.reset();
+    finding.confidence.reset();
+    finding.method += "; a lower bound without an interval: d′ of " +
+                      std::to_string(of->second.at_ceiling) + " of " +
+                      std::to_string(of->second.participants) +
+                      " participants depends on their numbers of trials, because a proportion is "
+                      "0 or 1";
+  }
+}
+
+void ask_mean_sensitivity(const DiscriminationResults& results, const CeilingOfLevels& levels,
                           const FoundNumbers& found, const MeanSensitivity& mean,
                           AnalysisOutcome& outcome) {
   const Phrase means = mean_sensitivities(results, levels, found);
   if (means.empty()) return;
+  Phrase answer = phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
+                      .with(words_of_parameter(results.study.task.varied.parameter), means);
+  if (std::any_of(levels.begin(), levels.end(),
+                  [](const auto& each) { return each.second.at_ceiling > 0; })) {
+    answer = phrase("Analysis",
+                    "%1 Ceiling: a proportion is 0 or 1, so that d′ of these participants depends "
+                    "on their numbers of trials; the mean is a lower bound and has no CI.")
+                 .with(answer);
+  }
   const std::string name =
       results.name.empty() ? kSensitivity : std::string(kSensitivity) + ':' + results.name;
-  add_question(
-      outcome, name.c_str(), phrase("Analysis", "How large is the sensitivity (d′) at each level?"),
-      phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
-          .with(words_of_parameter(results.study.task.varied.parameter), means),
-      mean.method, mean.table, found.find("dprime.mean", id_of_level(results, *levels.begin())));
+  add_question(outcome, name.c_str(),
+               phrase("Analysis", "How large is the sensitivity (d′) at each level?"), answer,
+               mean.method, mean.table,
+               found.find("dprime.mean", id_of_level(results, levels.begin()->first)));
 }
 
 void add_sensitivity(const GatheredAnswers& gathered, const std::vector<DiscriminationResults>& all,
@@ -293,14 +332,19 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
     of_correction += static_cast<std::size_t>(std::count_if(
         levels.begin(), levels.end(),
         [](const CountsAtLevel& level) { return has_sensitivity_of_correction(level.counts); }));
-    const std::vector<Finding> findings = sensitivity_of(gathered, results, levels);
+    CeilingOfLevels places{};
+    for (const CountsAtLevel& level : levels) {
+      ParticipantsAtCeiling& of = places[{level.condition, level.value}];
+      ++of.participants;
+      of.at_ceiling += is_at_ceiling(level.counts) ? 1 : 0;
+    }
+    std::vector<Finding> findings = sensitivity_of(gathered, results, levels);
+    mark_lower_bounds(results, places, findings);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     add_level_rows(gathered, results, levels, found, sensitivity.table);
     add_pair_rows(gathered, results, pairs.table);
     if (!results.study.task.design->has_noise()) continue;
-    LevelsOfConditions places{};
-    for (const CountsAtLevel& level : levels) places.emplace(level.condition, level.value);
     ask_mean_sensitivity(
         results, places, found,
         {.table = kSensitivity,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,8 +19,18 @@ namespace asperity {
 inline constexpr const char* kSensitivity = "sensitivity";
 inline constexpr const char* kResponsesByPair = "responses_by_pair";
 
-/// Conditions of DiscriminationResults and values of the parameter.
-using LevelsOfConditions = std::set<std::pair<std::size_t, double>>;
+/// The participants with trials at a level, and those at the ceiling of d′: without a correction it would be infinite (each
+/// response to a signal is a hit, or none without a signal is a false alarm), so that it depends on the number of trials.
+struct ParticipantsAtCeiling {
+  std::size_t participants = 0;
+  std::size_t at_ceiling = 0;
+};
+/// By condition of DiscriminationResults and value of the parameter.
+using CeilingOfLevels = std::map<std::pair<std::size_t, double>, ParticipantsAtCeiling>;
+/// Removes the interval of every mean d′ (`dprime.mean`) that includes a participant at the ceiling: the mean is a lower bound,
+/// as its method then states.
+void mark_lower_bounds(const DiscriminationResults& results, const CeilingOfLevels& levels,
+                       std::vector<Finding>& findings);
 
 /// The name in the family `dprime` of a design that is not a choice of three.
 std::string_view name_in_family(const DiscriminationDesign& design);
@@ -34,7 +44,7 @@ struct MeanSensitivity {
   Phrase method{};
 };
 /// Adds the question about the mean d′ at each level, from the findings `dprime.mean`. Nothing without such a mean.
-void ask_mean_sensitivity(const DiscriminationResults& results, const LevelsOfConditions& levels,
+void ask_mean_sensitivity(const DiscriminationResults& results, const CeilingOfLevels& levels,
                           const FoundNumbers& found, const MeanSensitivity& mean,
                           AnalysisOutcome& outcome);
 

@@ -172,21 +172,6 @@ void add_proportion(const CountedTask& task, FindingList& findings) {
                   basis_of(task, "proportion correct"));
 }
 
-void add_forced_choice(const CountedTask& task, FindingList& findings) {
-  add_proportion(task, findings);
-  add_choice(task, "dprime", ForcedChoice{.alternatives = task.alternatives}, &ForcedChoice::dprime,
-             "d′ of a choice among " + std::to_string(task.alternatives) + " without bias",
-             findings);
-}
-
-void add_oddity(const CountedTask& task, FindingList& findings) {
-  add_proportion(task, findings);
-  add_choice(task, "dprime", Oddity{.rule = DecisionRule::differencing}, &Oddity::dprime,
-             "d′ by the differencing rule", findings);
-  add_choice(task, "dprime.io", Oddity{.rule = DecisionRule::independent}, &Oddity::dprime,
-             "d′ by the rule of independent observations", findings);
-}
-
 using FiniteSensitivity = double (*)(const CountedTask&);
 
 double loglinear_yes_no(const CountedTask& task) {
@@ -216,6 +201,27 @@ double forced_choice_with_guess(const CountedTask& task) {
 double oddity_with_guess(const CountedTask& task) {
   return Oddity{.rule = DecisionRule::differencing}.dprime(
       proportion_with_guess(task.counts.signal, 3));
+}
+
+void add_forced_choice(const CountedTask& task, FindingList& findings) {
+  add_proportion(task, findings);
+  const std::string method =
+      "d′ of a choice among " + std::to_string(task.alternatives) + " without bias";
+  add_choice(task, "dprime", ForcedChoice{.alternatives = task.alternatives}, &ForcedChoice::dprime,
+             method, findings);
+  findings.number("dprime.with.guess", task.key, forced_choice_with_guess(task),
+                  basis_of(task, method + ", of (correct responses + 1/m)/(trials + 1)"));
+}
+
+void add_oddity(const CountedTask& task, FindingList& findings) {
+  add_proportion(task, findings);
+  add_choice(task, "dprime", Oddity{.rule = DecisionRule::differencing}, &Oddity::dprime,
+             "d′ by the differencing rule", findings);
+  findings.number(
+      "dprime.with.guess", task.key, oddity_with_guess(task),
+      basis_of(task, "d′ by the differencing rule, of (correct responses + 1/3)/(trials + 1)"));
+  add_choice(task, "dprime.io", Oddity{.rule = DecisionRule::independent}, &Oddity::dprime,
+             "d′ by the rule of independent observations", findings);
 }
 
 constexpr const char* kLoglinearMean =

@@ -62,6 +62,7 @@ constexpr std::array kHeadings{
     Word{"criterion_k", QT_TRANSLATE_NOOP("AnalysisWords", "criterion k, differencing")},
     Word{"d_prime", QT_TRANSLATE_NOOP("AnalysisWords", "d′")},
     Word{"d_prime 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "d′, 95 % CI")},
+    Word{"d_prime_corrected", QT_TRANSLATE_NOOP("AnalysisWords", "d′, corrected")},
     Word{"d_prime_independent", QT_TRANSLATE_NOOP("AnalysisWords", "d′, independent observations")},
     Word{"descending", QT_TRANSLATE_NOOP("AnalysisWords", "descending")},
     Word{"deviance", QT_TRANSLATE_NOOP("AnalysisWords", "deviance")},

@@ -2356,10 +2356,6 @@
         <translation>Oddity: d′ nach der Differenzregel [Frijters 1979] und d′ nach der Regel unabhängiger Beobachtungen [Versfeld 1996]; 0 bei Anteilen bis 1/3.</translation>
     </message>
     <message>
-        <source>95 % CI of d′: Wilson limits of the proportion correct. d′ is missing where every response or no response is correct.</source>
-        <translation>95-%-KI von d′: Wilson-Grenzen des Anteils richtiger Antworten. d′ fehlt, wo jede oder keine Antwort richtig ist.</translation>
-    </message>
-    <message>
         <source>Sensitivity by level, from the proportion correct</source>
         <translation>Sensitivität nach Stufe, aus dem Anteil richtiger Antworten</translation>
     </message>
@@ -2552,12 +2548,24 @@
         <translation>Mittelwert über die Versuchspersonen von d′ aus (richtige Antworten + 1/3)/(Durchgänge + 1) und daher endlich; KI durch erweiterte Perzentile eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen.</translation>
     </message>
     <message>
+        <source>95 % CI of d′: Wilson limits of the proportion correct. d′ is missing where every response or no response is correct. Corrected d′: that of (correct responses + 1/3)/(trials + 1), which is finite for every number of correct responses; the means over the participants are means of the corrected d′.</source>
+        <translation>95-%-KI von d′: Wilson-Grenzen des Anteils richtiger Antworten. d′ fehlt, wo jede oder keine Antwort richtig ist. Korrigiertes d′: das von (richtige Antworten + 1/3)/(Durchgänge + 1), das bei jeder Anzahl richtiger Antworten endlich ist; die Mittelwerte über die Versuchspersonen sind solche des korrigierten d′.</translation>
+    </message>
+    <message>
         <source>ROC by the %1 of the comparison, over all participants: %2.</source>
         <translation>ROC nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2.</translation>
     </message>
     <message>
         <source>In simulations of responses “cannot tell” (36 to 144 trials at five levels, 400 tables per setting), the 95 % CI of the JND of a comparison contained the true JND in 84 to 93 % of the tables; with 36 to 60 trials it is too narrow (84 to 90 %).</source>
         <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 400 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 84 bis 93 % der Tabellen; bei 36 bis 60 Durchgängen ist es zu schmal (84 bis 90 %).</translation>
+    </message>
+    <message>
+        <source>%1 (at least; ceiling: %2 of %3 participants)</source>
+        <translation>%1 (mindestens; Deckeneffekt: %2 von %3 Versuchspersonen)</translation>
+    </message>
+    <message>
+        <source>%1 Ceiling: a proportion is 0 or 1, so that d′ of these participants depends on their numbers of trials; the mean is a lower bound and has no CI.</source>
+        <translation>%1 Deckeneffekt: Ein Anteil ist 0 oder 1, sodass d′ dieser Versuchspersonen von ihren Anzahlen von Durchgängen abhängt; der Mittelwert ist eine untere Schranke und hat kein KI.</translation>
     </message>
     <message>
         <source>%1 Left out: %2 of %3 thresholds (participants by conditions), which are below the presented levels; the means are too high.</source>
@@ -3404,6 +3412,10 @@
     <message>
         <source>type</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>d′, corrected</source>
+        <translation>d′, korrigiert</translation>
     </message>
 </context>
 <context>

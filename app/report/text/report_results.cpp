@@ -8,6 +8,7 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/discrimination_sensitivity.h"
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/exploration_model.h"
 #include "app/findings/study/study_findings.h"
@@ -154,6 +155,7 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"epsilon", "ε"},
       {"criterion_k", "criterion k, differencing"},
       {"d_prime", "d′"},
+      {"d_prime_corrected", "d′, corrected"},
       {"d_prime_independent", "d′, independent observations"},
       {"different", "responses “different”"},
       {"false_alarm_rate", "false-alarm rate"},
@@ -379,6 +381,8 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
   for (const Finding& finding : outcome.findings) {
     if (finding.status == "ok" || is_said_in_remarks(finding)) continue;
     if (finding.analysis == StudyTests::kTable) continue;  // the table of tests contains the reason
+    // A d′ that is infinite without a correction: the corrected one is in the table and the answer.
+    if (finding.analysis == kSensitivity && finding.quantity.starts_with("dprime")) continue;
     std::string subject = subject_of(finding);
     if (subject.empty() && finding.status == kNotDefined) {
       ++further;
