@@ -18,6 +18,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/study_analysis.h"
@@ -33,9 +34,9 @@
 namespace asperity {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using nlohmann::json;
 
 TEST(Discrimination, RecoversTheThresholdOfObserversWithinItsInterval) {
   const AnalysisOutcome outcome = outcome_of_observers(kPerformer, 12, kAbove_m, true);
@@ -204,7 +205,10 @@ TEST(Discrimination, ReportsAThresholdOutsideTheLevelsAsAStatus) {
   EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("could not be estimated"));
   const NamedTable& table = discrimination_table(outcome, "thresholds");
   const Table shown = reading_table(table);
-  EXPECT_EQ(shown.rows[0].back(), Cell(std::string("below_levels")));
+  EXPECT_EQ(shown.rows[0].back(), Cell(std::string("jnd, jnd_dprime1, weber: below_levels")));
+  EXPECT_EQ(words_of_cell("status", "jnd, jnd_dprime1: below_levels; weber: not_defined").english(),
+            "just-noticeable difference (JND), JND at d′ = 1: below the presented levels; Weber "
+            "fraction: not defined");
   // The same remedies as in the list of the report, which has the statuses of the findings.
   EXPECT_EQ(found.find("jnd", "poor|all")->status,
             "the threshold is above the presented levels: present larger differences");

@@ -316,6 +316,27 @@ const CellWords& words_in_any_column() {
   return kWords;
 }
 
+/// "outside_levels", "jnd, weber: outside_levels; pse: not_increasing".
+Phrase words_of_status(const std::string& text) {
+  if (text.find(": ") == std::string::npos) return cell_word_in(words_of_reasons(), text);
+  Phrase all{};
+  for (const std::string& part : parts_of(text, ';')) {
+    const std::size_t colon = part.find(": ");
+    if (colon == std::string::npos) return text;
+    Phrase measures{};
+    for (std::string measure : parts_of(part.substr(0, colon), ',')) {
+      measure.erase(0, measure.find_first_not_of(' '));
+      const Phrase one = cell_word_in(words_of_measures(), measure);
+      measures = measures.empty() ? one : phrase("CellWords", "%1, %2").with(measures, one);
+    }
+    const Phrase one =
+        phrase("CellWords", "%1: %2")
+            .with(measures, cell_word_in(words_of_reasons(), part.substr(colon + 2)));
+    all = all.empty() ? one : phrase("CellWords", "%1; %2").with(all, one);
+  }
+  return all;
+}
+
 const CellWords& words_of_catch_types() {
   static const CellWords kWords{{"easy", phrase("CellWords", "easy")},
                                 {"identical_pair", phrase("CellWords", "identical pair")},
@@ -401,7 +422,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "unit") return cell_word_in(words_of_units(), text);
   if (column == "by") return cell_word_in(words_of_trial_groups(), text);
   if (column == "level") return cell_word_in(words_of_levels(), text);
-  if (column == "status") return cell_word_in(words_of_reasons(), text);
+  if (column == "status") return words_of_status(text);
   if (column == "type") return cell_word_in(words_of_catch_types(), text);
   if (column == "method") return words_of_method(text);
   if (column == "role") {

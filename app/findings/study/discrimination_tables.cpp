@@ -25,6 +25,29 @@ namespace {
 
 Cell text_or_none(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
 
+/// A threshold without a number, and the word of the reason.
+struct MissingMeasure {
+  std::string measure{};  ///< its column
+  std::string word{};
+};
+
+/// "jnd, weber: below_levels; jnd_dprime1: outside_levels"; missing where no number is.
+Cell reasons_cell(const std::vector<MissingMeasure>& missing) {
+  std::vector<std::pair<std::string, std::string>> measures{};  // word → measures
+  for (const MissingMeasure& each : missing) {
+    const auto known = std::find_if(measures.begin(), measures.end(),
+                                    [&each](const auto& one) { return one.first == each.word; });
+    if (known == measures.end()) {
+      measures.emplace_back(each.word, each.measure);
+    } else {
+      known->second += ", " + each.measure;
+    }
+  }
+  std::string text{};
+  for (const auto& [word, of] : measures) text += (text.empty() ? "" : "; ") + of + ": " + word;
+  return text_or_none(text);
+}
+
 void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
                         Table& table) {
   const FoundNumbers thresholds(results.fit.thresholds);
@@ -33,16 +56,16 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
     const std::string& key = function.data.key;
     std::vector<Cell> row{gathered.people[function.person].label,
                           results.conditions[function.condition]};
-    Cell why{};
+    std::vector<MissingMeasure> missing{};
     for (const ThresholdColumn& column : kThresholdColumns) {
       const auto [low, high] = thresholds.interval(column.quantity, key);
       row.push_back(thresholds.cell(column.quantity, key));
       row.push_back(low);
       row.push_back(high);
       const Finding* const finding = thresholds.find(column.quantity, key);
-      const bool is_missing = finding != nullptr && !finding->value;
-      if (is_missing && why == Cell{}) why = finding->word;
+      if (finding != nullptr && !finding->value) missing.push_back({column.column, finding->word});
     }
+    Cell why = reasons_cell(missing);
     const Finding* const at_bound = functions.find("bound.beta", key);
     const bool has_limits = results.study.task.is_performance && function.data.by_procedure;
     if (why == Cell{} && !has_limits && at_bound != nullptr && at_bound->word == "TRUE") {

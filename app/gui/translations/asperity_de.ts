@@ -4247,6 +4247,10 @@
         <source>no signal</source>
         <translation>kein Signal</translation>
     </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceSurvey</name>
