@@ -1,5 +1,7 @@
 // Ratings of confidence next to a discrimination, from the rows of a study to the ROC.
 
+#include "app/findings/study/confidence_roc.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -158,9 +160,13 @@ TEST(ConfidenceRoc, HasATableAndAnAnswer) {
       outcome_with_confidence(yes_no_task(), {.mean = 1.4, .deviation = 1.6});
   const Table& table = discrimination_table(outcome, "confidence_roc").table;
   EXPECT_EQ(table.rows.size(), 9U) << "all participants, and each one";
-  EXPECT_EQ(table.rows.front().front(), Cell{std::string("all")});
+  EXPECT_EQ(table.rows.front().front(), Cell{std::string("all participants")});
   EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("55 µm: A_z = 0.7"));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("test of equal variances χ²(1) = "));
+}
+
+TEST(ConfidenceRoc, DistinguishesAParticipantWithTheLabelAllFromAllParticipants) {
+  EXPECT_THAT(std::string(kAllParticipants), HasSubstr(" ")) << "labels have no blanks";
 }
 
 TEST(ConfidenceRoc, IsAbsentWhereAScaleDoesNotRateConfidence) {

@@ -187,7 +187,8 @@ TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
   EXPECT_THAT(family_refusal("roc", "condition,rating,noise,signal\nx,1,2,3\nx,1,2,3\n", "{}"),
               HasSubstr("the rating 1 occurs a second time in the condition x"));
   EXPECT_EQ(family_refusal("icc", "target,rater,score\nx,A,1\nx,A,2\n", "{}"),
-            "t.csv:3:3: x has already been rated by the rater A; remove one of the rows: a target is rated once "
+            "t.csv:3:3: x has already been rated by the rater A; remove one of the rows: a target "
+            "is rated once "
             "by each rater");
   EXPECT_EQ(word_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,1\ny,A,1\n", "{}"), "icc"),
             "too_few");
@@ -239,9 +240,10 @@ TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
                     "glmm.status"),
             "no_item_variance");
   EXPECT_EQ(word_of(findings_of("glmm", columns, "{}"), "glmm.status"), "no_data");
-  EXPECT_EQ(family_refusal("glmm", columns + "A,x,4,3\n", "{}"),
-            "t.csv:2:3: correct is 4 and trials is 3; trials must be at least 1, and correct at most "
-            "trials: correct the counts, or leave out rows without trials");
+  EXPECT_EQ(
+      family_refusal("glmm", columns + "A,x,4,3\n", "{}"),
+      "t.csv:2:3: correct is 4 and trials is 3; trials must be at least 1, and correct at most "
+      "trials: correct the counts, or leave out rows without trials");
   EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"random": ["texture"]})"),
               HasSubstr("\"random\" names \"texture\"; it must be subject, item, or both"));
   EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"link": "log"})"),
@@ -641,6 +643,19 @@ TEST(TidyRefusals, NameTheFileAndTheNumberThatIsTooLarge) {
   }
   EXPECT_EQ(refusal_of([&] { tidy_family("seedpaper").findings(input); }),
             "1.csv:2:3: count is 2147483648; it must be a whole number from 0 to 1000000");
+}
+
+// The interval of DeLong exceeds 1 for this area, which no area can.
+TEST(TidyRefusals, TruncateTheIntervalOfAnAreaUnderTheRoc) {
+  const std::vector<Finding> findings =
+      findings_of("roc", "condition,rating,noise,signal\nc,1,9,0\nc,2,1,1\nc,3,0,9\n", "{}");
+  for (const Finding& finding : findings) {
+    if (finding.quantity != "auc") continue;
+    ASSERT_TRUE(finding.value && finding.low && finding.high);
+    EXPECT_LT(*finding.value, 1.0);
+    EXPECT_EQ(*finding.high, 1.0);
+    EXPECT_THAT(finding.method, HasSubstr("truncated"));
+  }
 }
 
 }  // namespace

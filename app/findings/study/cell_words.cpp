@@ -211,6 +211,8 @@ const CellWords& words_of_reasons() {
       {"one_level", phrase("CellWords", "only one level was presented")},
       {"one_order",
        phrase("CellWords", "too few participants felt the comparison in both positions")},
+      {"no_interval",
+       phrase("CellWords", "no CI, because the responses hardly determine the threshold")},
       {"outside_levels", phrase("CellWords", "outside the presented levels")},
       {"quasi_separated", phrase("CellWords", "only one level has both responses")},
       {"separated", phrase("CellWords", "no level has both responses")},
@@ -312,6 +314,7 @@ const CellWords& words_in_any_column() {
   static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
                                 {"Inf", phrase("CellWords", "∞")},
                                 {"Other or not told", phrase("CellWords", "Other or not reported")},
+                                {"all participants", phrase("CellWords", "all participants")},
                                 {"cannot_tell", phrase("CellWords", "cannot tell")}};
   return kWords;
 }

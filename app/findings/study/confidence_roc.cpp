@@ -193,6 +193,36 @@ void ask_roc(const DiscriminationResults& results, const RatedLevels& levels,
       kConfidenceRoc, found.find("uv.az", id_of_rated(results, levels.begin()->first)));
 }
 
+Phrase note_on_roc(const std::vector<DiscriminationResults>& all) {
+  Phrase note = phrase(
+      "Analysis",
+      "Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI "
+      "[DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of "
+      "the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal "
+      "variances. The rows of all participants assume equal criteria of the participants.");
+  const auto add = [&note](const Phrase& sentence) {
+    note = phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  const auto has = [&all](const DiscriminationDesign& design) {
+    return std::any_of(all.begin(), all.end(), [&design](const DiscriminationResults& results) {
+      return results.study.task.design == &design && !rated_levels(results.study).empty();
+    });
+  };
+  if (has(two_alternatives())) {
+    add(phrase("Analysis",
+               "With two alternatives the comparison as surface A is the signal, and d′ = "
+               "d_a/√2."));
+  }
+  if (has(same_different_task())) {
+    add(phrase("Analysis",
+               "Same–different: d_a is not the d′ of the differencing rule but describes the "
+               "distributions of the judged difference between the surfaces. Unequal variances are "
+               "expected, because equal pairs and different pairs in both orders are judged by "
+               "the absolute difference of two impressions."));
+  }
+  return note;
+}
+
 }  // namespace
 
 void add_confidence_roc(const GatheredAnswers& gathered,
@@ -203,13 +233,7 @@ void add_confidence_roc(const GatheredAnswers& gathered,
                    "signal_trials", "roc_area", "roc_area_low", "roc_area_high", "a_z", "a_z_low",
                    "a_z_high", "d_a", "sd_ratio", "chi_squared", "p", "unit"},
                   {}},
-                 phrase("Analysis",
-                        "Response and confidence together are ordered categories. Area: by "
-                        "trapezoids, 95 % CI [DeLong 1988]. A_z, d_a and the SD of the signal "
-                        "divided by that of the noise: normal model with unequal variances. χ²(1) "
-                        "and p: likelihood-ratio test of equal variances. With two alternatives "
-                        "the comparison as surface A is the signal, and d′ = d_a/√2. The rows of "
-                        "all participants assume equal criteria of the participants.")};
+                 note_on_roc(all)};
   for (const DiscriminationResults& results : all) {
     const DiscriminationTask& task = results.study.task;
     if (!task.is_performance || task.design->is_choice_of_three() ||

@@ -10,8 +10,8 @@ namespace asperity {
 
 /// The table, and the analysis of its findings.
 inline constexpr const char* kConfidenceRoc = "confidence_roc";
-/// In place of the label of a participant, the row of the responses of all participants.
-inline constexpr const char* kAllParticipants = "all";
+/// In place of the label of a participant, the row of the responses of all participants. Labels have no blanks.
+inline constexpr const char* kAllParticipants = "all participants";
 
 /// Response and confidence together are ordered categories, from "no" with the greatest confidence to "yes" with the greatest
 /// confidence. Noise and signal are

@@ -15,6 +15,9 @@ namespace asperity {
 namespace {
 
 constexpr double kConfidenceOfDetections = 0.95;
+/// Wald's interval assumes that the log likelihood is quadratic over it. Where it is wider, the responses hardly determine the
+/// threshold, and its ends are arbitrary.
+constexpr double kGreatestRatioOfLimits = 100.0;
 
 WhyNoThreshold why_no_detection(DetectionStatus status) {
   switch (status) {
@@ -78,7 +81,11 @@ class DetectionList final {
     if (alpha > blocks.back().x) return none(data.key, threshold_above_levels());
     if (alpha < least) return none(data.key, threshold_below_levels());
     Basis estimate = basis("difference with d′ = 1, maximum likelihood", task_.varied.unit);
-    if (found.alpha) {
+    if (found.alpha && found.alpha->high > kGreatestRatioOfLimits * found.alpha->low) {
+      estimate.method +=
+          "; no interval, because the limits of the Wald interval would differ by a factor of more "
+          "than 100: the responses hardly determine the threshold";
+    } else if (found.alpha) {
       estimate.method += "; Wald interval of its logarithm";
       estimate.interval = found.alpha;
       estimate.confidence = kConfidenceOfDetections;

@@ -71,6 +71,11 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
     if (why == Cell{} && !has_limits && at_bound != nullptr && at_bound->word == "TRUE") {
       why = std::string("slope_at_bound");  // and therefore without an interval
     }
+    const Finding* const at_unit = thresholds.find("jnd.dprime1", key);
+    if (why == Cell{} && results.study.task.design->has_noise() && at_unit != nullptr &&
+        at_unit->value && !at_unit->low) {
+      why = std::string("jnd_dprime1: no_interval");
+    }
     std::int64_t responses = 0;
     for (const auto& [value, count] : function.data.hits) {
       responses += static_cast<std::int64_t>(count.trials);
@@ -316,6 +321,11 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
                "Φ((d′ − k)/√2) + Φ((−d′ − k)/√2) with d′ = (x/α)^β, x the difference from the "
                "standard and 2 % lapses in both directions, by maximum likelihood. JND at d′ = 1: "
                "α [Macmillan 2005]; 95 % CI: Wald, on the logarithmic scale."));
+  }
+  if (shown.has_yes_no || shown.has_same_different) {
+    add(phrase("Analysis",
+               "There is no CI where its limits would differ by a factor of more than 100, because "
+               "the responses hardly determine such a threshold."));
   }
   if (shown.has_delta_performance) {
     add(phrase("Analysis", "95 % CI: delta method, truncated at 0."));

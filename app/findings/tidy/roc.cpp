@@ -153,15 +153,18 @@ class RocList final {
     ConfidenceInterval ends{.low = kUndefined, .high = kUndefined};
     if (area.standard_error) {
       const double reach = normal_limit(confidence_) * *area.standard_error;
-      ends = {.low = area.area - reach, .high = area.area + reach};
+      ends = {.low = std::max(0.0, area.area - reach), .high = std::min(1.0, area.area + reach)};
+      trapezoids.method += "; normal interval with DeLong's standard error, truncated to 0 to 1";
       trapezoids.interval = ends;
       trapezoids.confidence = confidence_;
     }
     list_.number("auc", condition_.name, area.area, trapezoids);
     list_.number("auc.se.delong", condition_.name, area.standard_error.value_or(kUndefined),
                  basis("standard error of DeLong, DeLong and Clarke-Pearson"));
-    list_.number("auc.lower", condition_.name, ends.low, basis("normal interval, DeLong"));
-    list_.number("auc.upper", condition_.name, ends.high, basis("normal interval, DeLong"));
+    list_.number("auc.lower", condition_.name, ends.low,
+                 basis("normal interval, DeLong, at least 0"));
+    list_.number("auc.upper", condition_.name, ends.high,
+                 basis("normal interval, DeLong, at most 1"));
     list_.number("auc.se.hanley", condition_.name, area.hanley_error,
                  basis("standard error of Hanley and McNeil"));
   }

@@ -2424,10 +2424,6 @@
         <translation>ROC der Sicherheitsurteile</translation>
     </message>
     <message>
-        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988]. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances. With two alternatives the comparison as surface A is the signal, and d′ = d_a/√2. The rows of all participants assume equal criteria of the participants.</source>
-        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: mit Trapezen, 95-%-KI [DeLong 1988]. A_z, d_a und die SD des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test gleicher Varianzen. Bei zwei Alternativen ist der Vergleichsreiz als Oberfläche A das Signal, und d′ = d_a/√2. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien der Versuchspersonen voraus.</translation>
-    </message>
-    <message>
         <source>Responses left out because they are not numbers above 0: %1.</source>
         <translation>Ausgelassene Antworten, die keine Zahlen über 0 sind: %1.</translation>
     </message>
@@ -2556,6 +2552,18 @@
         <translation>ROC nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2.</translation>
     </message>
     <message>
+        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances. The rows of all participants assume equal criteria of the participants.</source>
+        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: mit Trapezen, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt. A_z, d_a und die SD des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test gleicher Varianzen. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien der Versuchspersonen voraus.</translation>
+    </message>
+    <message>
+        <source>With two alternatives the comparison as surface A is the signal, and d′ = d_a/√2.</source>
+        <translation>Bei zwei Alternativen ist der Vergleichsreiz als Oberfläche A das Signal, und d′ = d_a/√2.</translation>
+    </message>
+    <message>
+        <source>Same–different: d_a is not the d′ of the differencing rule but describes the distributions of the judged difference between the surfaces. Unequal variances are expected, because equal pairs and different pairs in both orders are judged by the absolute difference of two impressions.</source>
+        <translation>Gleich–verschieden: d_a ist nicht das d′ der Differenzregel, sondern beschreibt die Verteilungen des beurteilten Unterschieds der Oberflächen. Ungleiche Varianzen sind zu erwarten, weil gleiche Paare und verschiedene Paare in beiden Reihenfolgen nach der absoluten Differenz zweier Eindrücke beurteilt werden.</translation>
+    </message>
+    <message>
         <source>In simulations of responses “cannot tell” (36 to 144 trials at five levels, 400 tables per setting), the 95 % CI of the JND of a comparison contained the true JND in 84 to 93 % of the tables; with 36 to 60 trials it is too narrow (84 to 90 %).</source>
         <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 400 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 84 bis 93 % der Tabellen; bei 36 bis 60 Durchgängen ist es zu schmal (84 bis 90 %).</translation>
     </message>
@@ -2566,6 +2574,10 @@
     <message>
         <source>%1 Ceiling: a proportion is 0 or 1, so that d′ of these participants depends on their numbers of trials; the mean is a lower bound and has no CI.</source>
         <translation>%1 Deckeneffekt: Ein Anteil ist 0 oder 1, sodass d′ dieser Versuchspersonen von ihren Anzahlen von Durchgängen abhängt; der Mittelwert ist eine untere Schranke und hat kein KI.</translation>
+    </message>
+    <message>
+        <source>There is no CI where its limits would differ by a factor of more than 100, because the responses hardly determine such a threshold.</source>
+        <translation>Kein KI gibt es, wo sich seine Grenzen um mehr als den Faktor 100 unterscheiden würden, weil die Antworten eine solche Schwelle kaum bestimmen.</translation>
     </message>
     <message>
         <source>%1 Left out: %2 of %3 thresholds (participants by conditions), which are below the presented levels; the means are too high.</source>
@@ -4246,6 +4258,14 @@
     <message>
         <source>no signal</source>
         <translation>kein Signal</translation>
+    </message>
+    <message>
+        <source>no CI, because the responses hardly determine the threshold</source>
+        <translation>kein KI, weil die Antworten die Schwelle kaum bestimmen</translation>
+    </message>
+    <message>
+        <source>all participants</source>
+        <translation>alle Versuchspersonen</translation>
     </message>
     <message>
         <source>%1; %2</source>

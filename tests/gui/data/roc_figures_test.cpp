@@ -68,14 +68,14 @@ TidyInput planted_ratings(const std::vector<PlantedRoc>& planted) {
 /// A study with two levels in a condition, and the ROC of one participant at the first.
 AnalysisOutcome outcome_with_roc(const std::string& condition) {
   AnalysisOutcome outcome{};
-  outcome.tables.push_back(
-      {.name = kConfidenceRoc,
-       .table = {
-           {"participant", "condition", "parameter", "level", "unit"},
-           {{std::string("all"), condition, std::string("amplitude_m"), 5.5e-05, std::string("m")},
-            {std::string("p1"), condition, std::string("amplitude_m"), 5.5e-05, std::string("m")},
-            {std::string("all"), condition, std::string("amplitude_m"), 6.5e-05,
-             std::string("m")}}}});
+  outcome.tables.push_back({.name = kConfidenceRoc,
+                            .table = {{"participant", "condition", "parameter", "level", "unit"},
+                                      {{std::string("all participants"), condition,
+                                        std::string("amplitude_m"), 5.5e-05, std::string("m")},
+                                       {std::string("p1"), condition, std::string("amplitude_m"),
+                                        5.5e-05, std::string("m")},
+                                       {std::string("all participants"), condition,
+                                        std::string("amplitude_m"), 6.5e-05, std::string("m")}}}});
   outcome.questions.push_back({.name = kConfidenceRoc, .table = kConfidenceRoc});
   outcome.findings = roc_findings(planted_ratings({{condition + "|5.5e-05", 0.8},
                                                    {condition + "|5.5e-05|p1", 1.2},
