@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -25,7 +26,7 @@ bool is_bounded(const std::string& column) {
 }
 
 /// A proportion to two decimals, a force to a millinewton, a length to ten micrometres, a p as in
-/// running text.
+/// running text. Numbers that two decimals do not show have three significant digits.
 std::string reading_cell_number(const std::string& column, double value) {
   if (column == "p" || column == "p_holm" || column == "p_smallest" || column == "p_interior")
     return reading_p_cell(value);
@@ -33,6 +34,10 @@ std::string reading_cell_number(const std::string& column, double value) {
   if (is_bounded(column)) return reading_bounded(value);
   if (column.ends_with("_N")) return reading_signed(value, 3);
   if (column.ends_with("_m") || column.ends_with("_m_low")) return reading_signed(value, 5);
+  constexpr double kRounding = 1e-12;  // of sums
+  const double size = std::abs(value);
+  const bool is_estimate = column.starts_with("raw") || column.starts_with("normalised");
+  if (size > kRounding && size < (is_estimate ? 0.095 : 0.005)) return reading_quantity(value, "1");
   return reading_signed(value, 2);
 }
 

@@ -442,6 +442,10 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "about" && words_of_properties().contains(text)) {
     return words_of_properties().at(text);
   }
+  if (column == "about" && !unit_of_parameter(text).empty() &&
+      text.find_first_of(" |") == std::string::npos) {
+    return words_of_parameter(text);
+  }
   if (column == "about") return words_of_condition(with_strokes(text));
   if (column != "family") return text;
   // Names of tests, separated by commas.

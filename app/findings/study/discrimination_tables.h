@@ -14,8 +14,4 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
                                const std::vector<DiscriminationResults>& all,
                                AnalysisOutcome& outcome);
 
-/// For display: quantities with the prefix of their unit, "12.3 µm", and without the columns of units and parameters; a
-/// table of another name is unchanged.
-Table with_quantities(const NamedTable& table);
-
 }  // namespace asperity

@@ -13,6 +13,7 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/estimates.h"
@@ -121,6 +122,8 @@ double mean_logarithm(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
+Cell text_or_no_cell(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
+
 /// What the tables are made from.
 struct Compared {
   const GatheredAnswers& gathered;
@@ -156,16 +159,21 @@ void add_stimulus_means(const Compared& compared, const FoundNumbers& found,
   NamedTable means{kStimulusEstimates,
                    phrase("Analysis", "Estimates by stimulus and condition"),
                    {{"condition", "stimulus", "predictor", "persons", "left_out", "normalised",
-                     "normalised_low", "normalised_high", "raw"},
+                     "normalised_low", "normalised_high", "raw", "stimulus_unit", "predictor_unit"},
                     {}},
                    note_on_stimulus_means(compared)};
   NamedTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
-      {{"person", "condition", "stimulus", "answers", "raw", "normalised"}, {}},
+      {{"person", "condition", "stimulus", "answers", "raw", "normalised", "stimulus_unit"}, {}},
       phrase("Analysis",
              "Geometric means over repetitions. The estimates of participants with an empty cell "
              "are not normalised and are left out of curves and tests.")};
+  const EstimationDeclaration& estimation = compared.gathered.estimation;
+  const Cell unit_of_stimulus = text_or_no_cell(unit_of_parameter(estimation.items));
+  const Cell unit_of_values =
+      text_or_no_cell(is_stated_predictor(estimation) ? unit_of_predictor(estimation)
+                                                      : unit_of_parameter(estimation.predictor));
   const std::vector<AnsweringPerson>& people = compared.gathered.people;
   for (const std::string& condition : compared.conditions) {
     for (const std::string& stimulus : compared.stimuli) {
@@ -178,7 +186,7 @@ void add_stimulus_means(const Compared& compared, const FoundNumbers& found,
         persons.table.rows.push_back(
             {people[person].label, condition, stimulus,
              static_cast<std::int64_t>(cell->second.size()), std::pow(10.0, raw.back()),
-             found.cell("norm.estimate", people[person].label + '|' + key)});
+             found.cell("norm.estimate", people[person].label + '|' + key), unit_of_stimulus});
       }
       if (raw.empty()) continue;
       const auto [low, high] = found.interval("geomean", key);
@@ -189,9 +197,12 @@ void add_stimulus_means(const Compared& compared, const FoundNumbers& found,
           {condition, stimulus, value == compared.predictor.end() ? Cell{} : Cell{value->second},
            static_cast<std::int64_t>(raw.size()),
            static_cast<std::int64_t>(raw.size() - std::min(counted, raw.size())),
-           found.cell("geomean", key), low, high, std::pow(10.0, mean_logarithm(raw))});
+           found.cell("geomean", key), low, high, std::pow(10.0, mean_logarithm(raw)),
+           unit_of_stimulus, unit_of_values});
     }
   }
+  drop_empty_columns(means.table, 9);
+  drop_empty_columns(persons.table, 6);
   outcome.tables.push_back(std::move(means));
   outcome.tables.push_back(std::move(persons));
 }

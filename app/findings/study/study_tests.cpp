@@ -12,9 +12,9 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
-#include "app/findings/study/discrimination_tables.h"
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/exploration_model.h"
+#include "app/findings/study/table_quantities.h"
 #include "app/findings/study/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -563,7 +563,8 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
 }
 
 Table reading_table(const NamedTable& table) {
-  if (name_without_ending(table.name) == StudyTests::kTable) return reading_table(with_joined_cells(table.table));
+  if (name_without_ending(table.name) == StudyTests::kTable)
+    return reading_table(with_joined_cells(table.table));
   const bool is_of_exploration = table.name == kExploration || table.name == kExplorationForces ||
                                  table.name == kExplorationModel;
   return reading_table(is_of_exploration ? with_exploration_as_read(table)
