@@ -12,7 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/found_numbers.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/tidy/tidy_families.h"
@@ -128,6 +130,9 @@ TEST(StimulusEstimates, KeepTheUnitOfThePredictorApartFromItsName) {
   EXPECT_THAT(question_of(outcome, "exponent").question.english(), HasSubstr("(surface (m))"));
   EXPECT_EQ(outcome.name_of_predictor.english(), "surface");
   EXPECT_EQ(outcome.unit_of_predictor, "m");
+  const Table shown = reading_table(table_of(outcome, "stimulus_estimates"));
+  EXPECT_EQ(shown.rows.back().at(*column_of(shown, "predictor")), Cell{std::string("20 µm")});
+  EXPECT_FALSE(column_of(shown, "predictor_unit"));
 }
 
 TEST(StimulusEstimates, TakeAMeasuredPropertyAsPredictor) {
@@ -136,6 +141,17 @@ TEST(StimulusEstimates, TakeAMeasuredPropertyAsPredictor) {
   EXPECT_NEAR(exponent_of(outcome), 0.5, 1e-5);
   EXPECT_NEAR(FoundNumbers(outcome.findings).value("predictor", "oak").value(), 0.16, 1e-12);
   EXPECT_THAT(outcome.name_of_predictor.english(), HasSubstr("texture force"));
+}
+
+// The names of parameters and properties are those of programs.
+TEST(StimulusEstimates, NameThePredictorInASentenceByWords) {
+  const AnalysisOutcome outcome = outcome_of(
+      protocol_with(R"({"factor": "surface", "predictor": "texture_force_N"})"), kFreeScales);
+  std::string sentences{};
+  for (const TestSentence& each : outcome.test_sentences) sentences += each.text + ' ';
+  EXPECT_THAT(sentences, HasSubstr("xponent for RMS of the texture force was"));
+  EXPECT_EQ(words_of_cell("about", "amplitude_m").english(), "amplitude");
+  EXPECT_EQ(words_of_cell("factor", "amplitude_m").english(), "amplitude");
 }
 
 TEST(StimulusEstimates, StateThatAPropertyWasNotMeasured) {

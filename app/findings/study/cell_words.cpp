@@ -421,6 +421,10 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "condition") {
     return text == "all" ? phrase("CellWords", "all trials") : Phrase(words_of_condition(text));
   }
+  if (column == "factor" && !words_of_trial_factors().contains(text) &&
+      !unit_of_parameter(text).empty()) {
+    return words_of_parameter(text);
+  }
   if (column == "factor") return cell_word_in(words_of_trial_factors(), text);
   if (column == "unit") return cell_word_in(words_of_units(), text);
   if (column == "by") return cell_word_in(words_of_trial_groups(), text);

@@ -54,8 +54,13 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::string chosen = test.role == TestRole::confirmatory
                                  ? std::string(words)
                                  : exploratory_claim(std::string(words), test.is_significant());
-  const std::string named =
+  std::string named =
       test.name == "properties" ? words_of_cell("property", first).english() : first;
+  // The predictor: a parameter, or a property, whose unit follows a comma.
+  if (test.name == "exponent") named = words_of_cell("about", first).english();
+  for (const std::string_view unit : {", N", ", m/s"}) {
+    if (test.name == "exponent" && named.ends_with(unit)) named.erase(named.size() - unit.size());
+  }
   return Phrase(chosen).with(named, second, chance, on_scale).english();
 }
 
