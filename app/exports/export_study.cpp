@@ -19,6 +19,7 @@
 #include "app/exports/publication.h"
 #include "app/exports/sidecar.h"
 #include "app/exports/stimulus_table.h"
+#include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/own_scales.h"
 #include "app/records/session_timeline.h"
 #include "app/study_files/study_condition.h"
@@ -68,9 +69,11 @@ class ReadJson final {
 class StudyExport final {
  public:
   StudyExport(const Study& study, const ModelRegistry& models, ExportFolder& folder,
-              const ExportOptions& options, const OwnScales& own_scales)
+              const ExportOptions& options, const OwnScales& own_scales,
+              const CatchDecisions& decisions)
       : study_(study),
         own_scales_(own_scales),
+        decisions_(decisions),
         folder_(folder),
         options_(options),
         vocabulary_(vocabulary_of(study, models)),
@@ -236,6 +239,7 @@ class StudyExport final {
   }
 
   void add_session(ExportPlace at, GroupFiles& files) {
+    at.is_excluded_by_catch = decisions_.of(*at.participant, *at.session, *at.protocol);
     add("sessions", at);
     stimuli_.begin_session(at);
     std::vector<AttemptRow> attempts = study_.attempts(at.session->id);
@@ -334,6 +338,7 @@ class StudyExport final {
 
   const Study& study_;
   const OwnScales& own_scales_;
+  const CatchDecisions& decisions_;
   std::optional<double> own_scale_{};  ///< of the session
   ExportFolder& folder_;
   ExportOptions options_;
@@ -357,6 +362,7 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
                            const std::function<void(double)>& progress) {
   ExportFolder making(folder, options.overwrite);
   const OwnScales own_scales(study, stop);
+  const CatchDecisions decisions(study, stop);
   if (stop.stop_requested()) return {};
   bool stopped = false;
   ExportOutcome outcome{};
@@ -364,7 +370,7 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
   read_unless_broken(
       study,
       [&] {
-        StudyExport walk(study, models, making, options, own_scales);
+        StudyExport walk(study, models, making, options, own_scales, decisions);
         stopped = !walk.walk(stop, progress);
         if (stopped) return;
         walk.finish(outcome);

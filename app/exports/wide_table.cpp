@@ -74,9 +74,17 @@ WideTable::WideTable(const StudyVocabulary& vocabulary, ExportAudience audience)
   std::erase_if(about_, [](const ExportColumn& column) { return !is_about_the_person(column); });
 }
 
+WideTable::Asked WideTable::protocol_of(const ExportPlace& at) const {
+  return {at.protocol->name,
+          at.protocol->version,
+          vocabulary_.first_wording.at(at.protocol->source_sha256),
+          {}};
+}
+
 WideTable::Asked WideTable::asked_of(const ExportPlace& at) const {
-  return {at.protocol->name, at.protocol->version,
-          vocabulary_.first_wording.at(at.protocol->source_sha256), at.response->question};
+  Asked asked = protocol_of(at);
+  asked.question = at.response->question;
+  return asked;
 }
 
 void WideTable::begin_participant(const ExportPlace& at) {
@@ -88,6 +96,7 @@ void WideTable::begin_participant(const ExportPlace& at) {
 
 void WideTable::begin_session(const ExportPlace& at) {
   if (at.session->state != SessionState::completed) ++people_.back().unfinished;
+  if (at.is_excluded_by_catch) people_.back().excluded[protocol_of(at)] = *at.is_excluded_by_catch;
 }
 
 void WideTable::add_answer(const ExportPlace& at) {
@@ -309,7 +318,15 @@ WideTable::Made WideTable::make() const {
   all_asked.insert(chosen_from.begin(), chosen_from.end());
   all_asked.insert(conditional.begin(), conditional.end());
   for (const auto& asked_and_columns : discriminations_) all_asked.insert(asked_and_columns.first);
-  const ProtocolNames names_of(all_asked);
+  std::set<Asked> with_rule{};
+  for (const Person& person : people_) {
+    for (const auto& protocol_and_decision : person.excluded) {
+      with_rule.insert(protocol_and_decision.first);
+    }
+  }
+  std::set<Asked> all_protocols = all_asked;
+  all_protocols.insert(with_rule.begin(), with_rule.end());
+  const ProtocolNames names_of(all_protocols);
   const auto is_asked_elsewhere = [&all_asked](const Asked& asked) {
     return std::any_of(all_asked.begin(), all_asked.end(), [&asked](const Asked& other) {
       return other != asked && other.question == asked.question;
@@ -370,6 +387,21 @@ WideTable::Made WideTable::make() const {
     add(std::move(column), [&asked](const Person& person) {
       const auto found = person.was_asked.find(asked);
       if (found == person.was_asked.end()) return Cell{};
+      return Cell{std::int64_t{found->second ? 1 : 0}};
+    });
+  }
+  for (const Asked& protocol : with_rule) {
+    ExportColumn column{};
+    column.name = names_of.in_names(protocol) + "_excluded";
+    column.description =
+        "1: the rule for errors in catch trials that " + names_of.in_words(protocol) +
+        " declares excludes the participant from the results of the discrimination; the columns of "
+        "this participant contain all responses nevertheless";
+    column.type = "boolean";
+    column.missing = "no catch trial";
+    add(std::move(column), [&protocol](const Person& person) {
+      const auto found = person.excluded.find(protocol);
+      if (found == person.excluded.end()) return Cell{};
       return Cell{std::int64_t{found->second ? 1 : 0}};
     });
   }

@@ -63,7 +63,8 @@ class WideTable final {
     auto operator<=>(const Asked&) const = default;
   };
   class ProtocolNames;
-  Asked asked_of(const ExportPlace& at) const;  ///< with a response
+  Asked asked_of(const ExportPlace& at) const;     ///< with a response
+  Asked protocol_of(const ExportPlace& at) const;  ///< without a question
   const StudyVocabulary::AnswerMeaning* meaning_of(const Asked& asked) const;
   /// In a yes/no or same–different task, in which responses to trials with and without a signal must not be averaged
   /// together: adds whether there was a signal, and removes the level of a trial without one.
@@ -92,6 +93,8 @@ class WideTable final {
       bool is_answered = false;
     };
     std::map<Asked, Chosen> chosen{};
+    /// By protocol, with an empty question: whether its rule for errors in catch trials excludes the participant.
+    std::map<Asked, bool> excluded{};
     std::map<Asked, bool> was_asked{};  ///< of the questions with a condition
     std::int64_t answers = 0;
     std::int64_t flagged = 0;

@@ -139,6 +139,18 @@ TEST(CatchExclusions, AreNotAmongTheAnalysedAttemptsOfAPaper) {
   EXPECT_THAT(paper_of(without_rule), HasSubstr("The 800 attempts at trials were analysed"));
 }
 
+TEST(CatchExclusions, AreMarkedInTheWideTable) {
+  MadeUpStudy made;
+  add_participants_with_errors({0, 5}, {{"more_catch_errors_than", 2}}, made);
+  EXPECT_EQ(wide_row(made, 0).at("jnd_excluded"), "0");
+  MadeUpStudy excluded;
+  add_participants_with_errors({0, 5}, {{"more_catch_errors_than", 2}}, excluded);
+  EXPECT_EQ(wide_row(excluded, 1).at("jnd_excluded"), "1");
+  MadeUpStudy without_rule;
+  add_participants_with_errors({0, 5}, {}, without_rule);
+  EXPECT_FALSE(wide_row(without_rule, 0).contains("jnd_excluded"));
+}
+
 TEST(CatchExclusions, AreThoseOfTheOtherParticipantsAlone) {
   const AnalysisOutcome outcome =
       outcome_with_errors({0, 1, 2, 5}, {{"catch_error_rate_above", 0.4}});

@@ -23,7 +23,7 @@ struct TimedEvent;
 /// are null.
 struct ExportPlace {
   const ParticipantRow* participant = nullptr;
-  const std::string* participant_mode = nullptr;  ///< of all sessions together
+  const std::string* participant_mode = nullptr;    ///< of all sessions together
   const std::string* participant_groups = nullptr;  ///< of all sessions; empty: none
   const SessionRow* session = nullptr;
   const ProtocolRow* protocol = nullptr;
@@ -36,6 +36,8 @@ struct ExportPlace {
   std::optional<double> doubted_estimate{};
   /// The factor that removes the participant's own scale from an estimate (OwnScales).
   std::optional<double> own_scale{};
+  /// Of the session: whether the declared rule excludes the participant by errors in catch trials (CatchDecisions).
+  std::optional<bool> is_excluded_by_catch{};
   std::size_t attempts_of_trial = 0;
   // The JSON of these rows, parsed.
   const nlohmann::json* answers = nullptr;     ///< of the participant
