@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/found_numbers.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
 
@@ -142,6 +143,11 @@ TEST(RatedDissimilarities, AreTheMeansOfBothOrdersFromTheEndForIdenticalSurfaces
     EXPECT_NEAR(found.value("dissimilarity", "brick|slate").value(), sum / 4.0, 1e-9) << rates;
     EXPECT_NEAR(found.value("identical.mean").value(), 0.5, 1e-9) << rates;
     EXPECT_EQ(ratings_table(outcome, "dissimilarities").rows.size(), 15U);
+    const Table& identical = ratings_table(outcome, "identical_pairs");
+    EXPECT_NEAR(*number_of(identical.rows.at(0).at(*column_of(identical, "mean"))), 0.5, 1e-9);
+    const bool is_one = found.value("cv.chosen").value_or(2.0) < 2.0;
+    EXPECT_EQ(answer_about_configuration(outcome).find("chose one dimension") != std::string::npos,
+              is_one);
   }
 }
 

@@ -27,6 +27,7 @@ namespace {
 /// The name of the findings, of the table of the configuration, and of its test.
 constexpr const char* kConfiguration = "configuration";
 constexpr const char* kDissimilarities = "dissimilarities";
+constexpr const char* kIdenticalPairs = "identical_pairs";
 
 /// The distance of a rating from the end of the scale for identical surfaces.
 std::optional<double> dissimilarity_of(const GatheredAnswers& gathered,
@@ -106,6 +107,24 @@ void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& 
     }
   }
   if (!pairs.table.rows.empty()) outcome.tables.push_back(std::move(pairs));
+}
+
+void add_identical_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  const Finding* const mean = found.find("identical.mean");
+  if (mean == nullptr || !mean->value) return;
+  const auto [low, high] = found.interval("identical.mean");
+  const auto [difference_low, difference_high] = found.interval("identical.difference");
+  outcome.tables.push_back(
+      {kIdenticalPairs,
+       phrase("Analysis", "Dissimilarity of identical pairs"),
+       {{"persons", "mean", "mean_low", "mean_high", "difference", "difference_low",
+         "difference_high"},
+        {{static_cast<std::int64_t>(mean->n), cell_of(mean->value), low, high,
+          found.cell("identical.difference"), difference_low, difference_high}}},
+       phrase("Analysis",
+              "Mean dissimilarity of a surface and itself; 0 is the end of the scale for identical "
+              "surfaces. Difference: mean dissimilarity of different surfaces minus that of "
+              "identical ones. Means over participants with t-based 95 % CIs.")});
 }
 
 void add_configuration_table(const std::vector<std::string>& items, const FoundNumbers& found,
@@ -274,6 +293,11 @@ void remark_on_degenerate_solution(const FoundNumbers& found, AnalysisOutcome& o
           .with(std::to_string(different_disparities(found))));
 }
 
+/// The configuration has at least two dimensions.
+bool has_one_chosen_dimension(const FoundNumbers& found) {
+  return found.value("cv.chosen").value_or(2.0) < 2.0;
+}
+
 void add_remarks(const FoundNumbers& found, std::size_t items, AnalysisOutcome& outcome) {
   remark_on_degenerate_solution(found, outcome);
   const Finding* const too_many = found.find("dimensions.too.many");
@@ -285,7 +309,7 @@ void add_remarks(const FoundNumbers& found, std::size_t items, AnalysisOutcome& 
             .with(std::to_string(dimensions_in(found)),
                   fixed(found.value("dimensions.items").value_or(0.0), 0), std::to_string(items)));
   }
-  if (found.value("cv.chosen").value_or(2.0) < 2.0) {
+  if (has_one_chosen_dimension(found)) {
     outcome.remarks.push_back(
         phrase("Analysis",
                "Cross-validation chooses one dimension; the configuration is shown in two, and the "
@@ -321,12 +345,16 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
     const Phrase said =
         words.with(std::to_string(dimensions_in(found)), stress_text(*stress->value),
                    stress_text(found.value("stress.perm.mean").value_or(0.0)), p_text(*test));
-    return is_degenerate(found)
-               ? phrase("Analysis", "%1 %2")
-                     .with(said, phrase("Analysis",
-                                        "The configuration is degenerate: a low stress then shows "
-                                        "clusters, and not a number of dimensions."))
-               : said;
+    if (is_degenerate(found)) {
+      return phrase("Analysis", "%1 %2")
+          .with(said, phrase("Analysis",
+                             "The configuration is degenerate: a low stress then shows clusters, "
+                             "and not a number of dimensions."));
+    }
+    if (!has_one_chosen_dimension(found)) return said;
+    return phrase("Analysis", "%1 %2")
+        .with(said,
+              phrase("Analysis", "Cross-validation chose one dimension; at least two are shown."));
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",
@@ -357,6 +385,7 @@ void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcom
   const FoundNumbers found(findings);
   keep_findings(findings, outcome);
   add_pairs_table(items, found, outcome);
+  add_identical_table(found, outcome);
   add_configuration_table(items, found, outcome);
   add_stress_table(found, outcome);
   add_tree_table(found, outcome);

@@ -2595,6 +2595,18 @@
         <source>%1 Left out: %2 of %3 participants, whose threshold is above the presented levels; the mean is too low.</source>
         <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, deren Schwelle über den dargebotenen Stufen liegt; der Mittelwert ist zu niedrig.</translation>
     </message>
+    <message>
+        <source>Dissimilarity of identical pairs</source>
+        <translation>Unähnlichkeit identischer Paare</translation>
+    </message>
+    <message>
+        <source>Mean dissimilarity of a surface and itself; 0 is the end of the scale for identical surfaces. Difference: mean dissimilarity of different surfaces minus that of identical ones. Means over participants with t-based 95 % CIs.</source>
+        <translation>Mittlere Unähnlichkeit einer Oberfläche mit sich selbst; 0 ist das Ende der Skala für identische Oberflächen. Differenz: mittlere Unähnlichkeit verschiedener Oberflächen minus die identischer. Mittelwerte über die Versuchspersonen mit t-basierten 95-%-KIs.</translation>
+    </message>
+    <message>
+        <source>Cross-validation chose one dimension; at least two are shown.</source>
+        <translation>Die Kreuzvalidierung wählt eine Dimension; dargestellt werden mindestens zwei.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
