@@ -247,6 +247,8 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
     const bool is_performance = results.study.task.is_performance;
     const DiscriminationDesign& design = *results.study.task.design;
     const FoundNumbers thresholds(results.fit.thresholds);
+    shown.has_deviance =
+        shown.has_deviance || !FoundNumbers(results.fit.functions).all("deviance").empty();
     if (const auto detection = detection_task(*results.study.task.design)) {
       shown.has_yes_no = shown.has_yes_no || *detection == DetectionTask::yes_no;
       shown.has_same_different =
@@ -383,8 +385,12 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
   }
   add(phrase("Analysis",
              "Weber fraction: JND divided by the standard. Thresholds outside the presented levels "
-             "are not reported. Deviance with its degrees of freedom and p (χ²): goodness of fit, "
-             "indicative only with few trials per level."));
+             "are not reported."));
+  if (shown.has_deviance) {
+    add(phrase("Analysis",
+               "Deviance with its degrees of freedom and p (χ²): goodness of fit, indicative only "
+               "with few trials per level."));
+  }
   std::vector<Phrase> reasons{};
   for (const DiscriminationResults& results : all) {
     for (const Phrase& reason : results.fit.reasons) {

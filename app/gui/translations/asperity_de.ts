@@ -1744,10 +1744,6 @@
         <translation>Im Mittel gilt: %1 (%2).</translation>
     </message>
     <message>
-        <source>Weber fraction: JND divided by the standard. Thresholds outside the presented levels are not reported. Deviance with its degrees of freedom and p (χ²): goodness of fit, indicative only with few trials per level.</source>
-        <translation>Weber-Bruch: JND geteilt durch den Standardreiz. Schwellen außerhalb der dargebotenen Stufen werden nicht berichtet. Devianz mit Freiheitsgraden und p (χ²): Anpassungsgüte, bei wenigen Durchgängen je Stufe nur ein Anhaltspunkt.</translation>
-    </message>
-    <message>
         <source>Mean thresholds</source>
         <translation>Mittlere Schwellen</translation>
     </message>
@@ -2578,6 +2574,14 @@
     <message>
         <source>There is no CI where its limits would differ by a factor of more than 100, because the responses hardly determine such a threshold.</source>
         <translation>Kein KI gibt es, wo sich seine Grenzen um mehr als den Faktor 100 unterscheiden würden, weil die Antworten eine solche Schwelle kaum bestimmen.</translation>
+    </message>
+    <message>
+        <source>Weber fraction: JND divided by the standard. Thresholds outside the presented levels are not reported.</source>
+        <translation>Weber-Bruch: JND geteilt durch den Standardreiz. Schwellen außerhalb der dargebotenen Stufen werden nicht berichtet.</translation>
+    </message>
+    <message>
+        <source>Deviance with its degrees of freedom and p (χ²): goodness of fit, indicative only with few trials per level.</source>
+        <translation>Devianz mit Freiheitsgraden und p (χ²): Anpassungsgüte, bei wenigen Durchgängen je Stufe nur ein Anhaltspunkt.</translation>
     </message>
     <message>
         <source>%1 Left out: %2 of %3 thresholds (participants by conditions), which are below the presented levels; the means are too high.</source>

@@ -6,6 +6,7 @@
 
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
+#include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/discrimination_sensitivity.h"
@@ -383,6 +384,10 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
     if (finding.analysis == StudyTests::kTable) continue;  // the table of tests contains the reason
     // A d′ that is infinite without a correction: the corrected one is in the table and the answer.
     if (finding.analysis == kSensitivity && finding.quantity.starts_with("dprime")) continue;
+    // Stimuli without spacings have no peak, and the tables with the excluded participants contain their reasons.
+    const bool is_of_stimuli = finding.analysis == kStimulusEstimates;
+    if (is_of_stimuli && finding.quantity.starts_with("peak")) continue;
+    if (finding.analysis.ends_with(kWithExcluded)) continue;
     std::string subject = subject_of(finding);
     if (subject.empty() && finding.status == kNotDefined) {
       ++further;
