@@ -16,6 +16,9 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kLongestStep_ns = 1'000'000;
+// Nearer to a resting hand than this and slower, the probe rests with it.
+constexpr double kResting_m = 1e-9;
+constexpr double kResting_m_per_s = 1e-7;
 
 DeviceCapability simulated_capability(const SimulatedDeviceSettings& settings) {
   DeviceCapability capability =
@@ -188,6 +191,14 @@ void SimulatedDevice::move_until(std::int64_t now_ns) noexcept {
       v = velocity_against(settings_.friction_N, drag, drag * v);
     }
     x += step_s * v;
+  }
+  // Without this the probe would come ever closer to a resting hand, and every contact would begin a little differently.
+  const bool hand_rests = intent_.lifted && intent_.position_m == before.position_m &&
+                          intent_.velocity_m_per_s == glm::dvec3(0.0);
+  if (hand_rests && glm::distance(x, intent_.position_m) < kResting_m &&
+      glm::length(v) < kResting_m_per_s) {
+    x = intent_.position_m;
+    v = glm::dvec3(0.0);
   }
 }
 

@@ -61,7 +61,7 @@ struct SimulatedDeviceSettings {
 /// contact, so that the hand presses with a force rather than to a depth, with the damping b_z. A
 /// hand that meets nothing sinks at press / b_z until `reach` below the surface, where its spring
 /// holds again. Without a push and with the hand at rest, the energy m v²/2 + k (x_hand − x)²/2
-/// only falls.
+/// only falls. Within 1 nm of a resting hand in the air and slower than 0.1 µm/s the probe rests exactly with it.
 ///
 /// The friction of the device's joints is f against the velocity, and up to f whatever keeps a resting
 /// probe at rest: a force below f moves no resting hand, and a moving one has its probe f/k behind. It

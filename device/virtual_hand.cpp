@@ -20,6 +20,9 @@ constexpr double kFarthest = 2.5;          // standard deviations; see HandHabit
 constexpr double kDriftTime_s = 5.0;       // how long the centre of the strokes remembers
 constexpr double kShortestMove_s = 0.050;  // nobody turns round sooner
 constexpr double kLargestVariation = 0.3;  // 2.5 of these leave a quarter
+constexpr double kCrossing_m_per_s = 0.2;  // in the air
+// The probe is then within a nanometre of the hand, where SimulatedDevice lets it rest.
+constexpr double kSettling_s = 0.3;
 
 double seconds(std::int64_t duration_ns) noexcept {
   return static_cast<double>(duration_ns) * 1e-9;
@@ -109,19 +112,21 @@ void check_habits(const HandHabits& habits) {
 }  // namespace
 
 VirtualHand::VirtualHand(const HandHabits& habits, Random random)
-    : habits_(habits), random_(random) {
+    : habits_(habits), random_(random), first_random_(random), next_random_(random) {
   check_habits(habits);
-  move_.from_m = stroke_end_m(-direction_) + glm::dvec3(0.0, 0.0, habits.lift_height_m);
+  move_.from_m = above_start_m();
   move_.to_m = move_.from_m;
+  move_.began_ns = -move_.duration_ns;  // at rest from the beginning
 }
 
-void VirtualHand::set_habits(const HandHabits& habits) {
+void VirtualHand::set_habits(const HandHabits& habits, const Random& random) {
   check_habits(habits);
   // The other side holds this flag for the time of one copy and never waits for it.
   while (next_habits_in_use_.test_and_set(std::memory_order_acquire)) {
     std::this_thread::yield();
   }
   next_habits_ = habits;
+  next_random_ = random;
   has_next_habits_.store(true, std::memory_order_relaxed);
   next_habits_in_use_.clear(std::memory_order_release);
 }
@@ -133,10 +138,20 @@ bool VirtualHand::takes_up_new_habits() noexcept {
   }
   if (has_next_habits_.exchange(false, std::memory_order_relaxed)) {
     habits_ = next_habits_;
+    first_random_ = next_random_;
     centre_ = 0;
+    start_over();
   }
   next_habits_in_use_.clear(std::memory_order_release);
   return true;
+}
+
+// What the hand does next does not depend on its earlier strokes.
+void VirtualHand::start_over() noexcept {
+  random_ = first_random_;
+  direction_ = 1.0;
+  drift_along_m_ = 0.0;
+  drift_across_m_ = 0.0;
 }
 
 void VirtualHand::press(int button) {
@@ -169,6 +184,7 @@ HandIntent VirtualHand::intent(std::int64_t time_ns) noexcept {
     grip_ = std::clamp(presses ? grip_ + change : grip_ - change, 0.0, 1.0);
   }
   advance_phase();
+  is_ready_.store(rests_above_start(), std::memory_order_release);
   return moving();
 }
 
@@ -179,10 +195,16 @@ void VirtualHand::advance_phase() noexcept {
     const std::int64_t end_ns = move_.began_ns + move_.duration_ns;
     switch (phase_) {
       case Phase::waiting:
-        if (!wants_contact || !takes_up_new_habits()) {
+        if (!takes_up_new_habits()) {
           return;
         }
-        begin_lowering();
+        if (move_.to_m != above_start_m()) {
+          begin_crossing();
+        } else if (wants_contact && rests_above_start()) {
+          begin_lowering();
+        } else {
+          return;
+        }
         break;
       case Phase::lowering:
         if (!wants_contact) {
@@ -213,7 +235,14 @@ void VirtualHand::advance_phase() noexcept {
         if (clock_ns_ < end_ns) {
           return;
         }
-        begin(Phase::waiting, move_.to_m, move_.to_m, kShortestMove_s, end_ns);
+        start_over();
+        begin(Phase::waiting, move_.to_m, move_.to_m, kSettling_s, end_ns);
+        break;
+      case Phase::crossing:
+        if (clock_ns_ < end_ns) {
+          return;
+        }
+        begin(Phase::waiting, move_.to_m, move_.to_m, kSettling_s, end_ns);
         break;
     }
   }
@@ -230,15 +259,10 @@ void VirtualHand::begin(Phase phase, const glm::dvec3& from_m, const glm::dvec3&
 
 void VirtualHand::begin_lowering() noexcept {
   strokes_here_ = 0;
-  const glm::dvec3 from_m = moving().position_m;
-  const glm::dvec3 to_m = stroke_end_m(-direction_);
-  const glm::dvec3 aside_m(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
   stroke_force_N_ = 0.0;
   grip_ = 0.0;
-  begin(Phase::lowering, from_m, to_m,
-        std::max(duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s,
-                            habits_.gathering),
-                 duration_s(glm::length(aside_m), habits_.speed_m_per_s, habits_.gathering)),
+  begin(Phase::lowering, move_.to_m, stroke_end_m(-direction_),
+        duration_s(habits_.lift_height_m, habits_.approach_speed_m_per_s, habits_.gathering),
         clock_ns_);
 }
 
@@ -271,6 +295,13 @@ void VirtualHand::begin_raising() noexcept {
         clock_ns_);
 }
 
+void VirtualHand::begin_crossing() noexcept {
+  const glm::dvec3 from_m = moving().position_m;
+  const glm::dvec3 to_m = above_start_m();
+  begin(Phase::crossing, from_m, to_m,
+        duration_s(glm::length(to_m - from_m), kCrossing_m_per_s, habits_.gathering), clock_ns_);
+}
+
 // The Ornstein–Uhlenbeck process seen at the strokes' beginnings: memory m and fresh noise
 // √(1 − m²) keep the standard deviation. m = 1/(1 + T/τ) stands for e^(−T/τ), which libm rounds
 // differently from one platform to the next.
@@ -299,6 +330,15 @@ glm::dvec3 VirtualHand::stroke_end_m(double direction) const noexcept {
           std::clamp(drift_along_m_, -farthest_m, farthest_m)) *
              along +
          std::clamp(drift_across_m_, -farthest_m, farthest_m) * across;
+}
+
+glm::dvec3 VirtualHand::above_start_m() const noexcept {
+  return stroke_end_m(-direction_) + glm::dvec3(0.0, 0.0, habits_.lift_height_m);
+}
+
+bool VirtualHand::rests_above_start() const noexcept {
+  return phase_ == Phase::waiting && move_.to_m == above_start_m() &&
+         clock_ns_ >= move_.began_ns + move_.duration_ns;
 }
 
 HandIntent VirtualHand::moving() const noexcept {

@@ -50,15 +50,20 @@ struct HandIntent {
 /// the program is stopped.
 inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
 
-/// Waits above the start of its first stroke, comes down, strokes to and fro along a line, and
-/// lifts again.
+/// Waits above the start of its first stroke, comes down, strokes to and fro along a line, lifts
+/// again and returns above the start.
+///
+/// Each time that it comes down, it does so from rest above the start of the first stroke and with the same random
+/// numbers, until `set_habits` gives others: its motion does not depend on what it did before. Surfaces that are
+/// felt in one attempt are therefore felt in the same way, whatever their order.
 ///
 /// A stroke starts and ends at rest and keeps its speed in between (`gathering`), as a rule for 70 % of
 /// its time; its acceleration has no jumps. Each stroke draws its speed and force; the force changes over from
-/// the last stroke's while the hand gathers speed. Coming down, the hand moves to the start of the
-/// next stroke, touches at rest and then presses, within 0.15 s; when it is to lift, it releases the
-/// surface within 0.15 s and rises. When it is to stroke while it rises, it rises to the end first. With further
-/// centres it lifts in the same way after its strokes about each of them, and comes down over the next one.
+/// the last stroke's while the hand gathers speed. The hand comes down straight, touches at rest and then
+/// presses, within 0.15 s; when it is to lift, it releases the surface within 0.15 s and rises, crosses to the
+/// start and rests there for 0.3 s, in which the probe comes to rest. When it is to stroke earlier, it
+/// does so after that. With further centres it lifts in the same way after its strokes about each of them,
+/// and comes down over the next one.
 ///
 /// What the caller may rely on: in contact, along the stroke the hand is never farther from the centre than
 /// half the stroke's length and 2.5 drifts, across it never farther than 2.5 drifts (with
@@ -67,7 +72,7 @@ inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
 ///
 /// It also holds down the requested buttons of the handle, on which nothing of its motion depends.
 ///
-/// Threads: `stroke`, `lift`, `press`, `release` and `set_habits` from any thread; `intent` and
+/// Threads: `stroke`, `is_ready`, `lift`, `press`, `release` and `set_habits` from any thread; `intent` and
 /// `take_buttons` from the one that reads the device.
 ///
 /// Real-time: `intent` and `take_buttons` do not allocate, lock or throw.
@@ -80,9 +85,11 @@ class VirtualHand final {
   VirtualHand(const HandHabits& habits, Random random);
 
   void stroke() noexcept { wants_contact_.store(true, std::memory_order_release); }
+  /// Whether the hand rests above the start of its first stroke, from where `stroke` begins at once.
+  bool is_ready() const noexcept { return is_ready_.load(std::memory_order_acquire); }
   void lift() noexcept { wants_contact_.store(false, std::memory_order_release); }
   /// Taken up when the hand next waits above the surface. Errors: as the constructor's.
-  void set_habits(const HandHabits& habits);
+  void set_habits(const HandHabits& habits, const Random& random);
 
   /// `button` counts from 1. Errors: std::invalid_argument where there is no such button.
   void press(int button);
@@ -95,7 +102,7 @@ class VirtualHand final {
   HandIntent intent(std::int64_t time_ns) noexcept;
 
  private:
-  enum class Phase { waiting, lowering, stroking, raising };
+  enum class Phase { waiting, lowering, stroking, raising, crossing };
   /// From rest to rest along a straight line.
   struct Move {
     glm::dvec3 from_m{0.0};
@@ -106,15 +113,19 @@ class VirtualHand final {
 
   void advance_phase() noexcept;
   bool takes_up_new_habits() noexcept;
+  void start_over() noexcept;
   void begin(Phase phase, const glm::dvec3& from_m, const glm::dvec3& to_m, double duration_s,
              std::int64_t began_ns) noexcept;
   void begin_lowering() noexcept;
   void begin_stroke(std::int64_t began_ns) noexcept;
   void begin_raising() noexcept;
+  void begin_crossing() noexcept;
   void drift(double duration_s) noexcept;
   double variation(double standard_deviation) noexcept;
   const glm::dvec3& centre_m() const noexcept;
   glm::dvec3 stroke_end_m(double direction) const noexcept;
+  glm::dvec3 above_start_m() const noexcept;
+  bool rests_above_start() const noexcept;
   HandIntent moving() const noexcept;
 
   HandHabits habits_{};
@@ -141,6 +152,9 @@ class VirtualHand final {
   double grip_ = 0.0;  ///< 0 hovering, 1 pressing
   double last_force_N_ = 0.0;
   double stroke_force_N_ = 0.0;
+  std::atomic<bool> is_ready_{true};
+  Random first_random_;  ///< as it is when the hand comes down
+  Random next_random_;   ///< of `next_habits_`
 };
 
 }  // namespace asperity

@@ -340,7 +340,6 @@ void TrialAttempt::feel(std::size_t index) {
   Rig& rig = course_.rig();
   course_.recorder().watch(surfaces_.id_of(index), all ? surfaces_.size() : 0);
   rig.loop().present(surfaces_.take(index));
-  rig.hand().stroke();
   course_.set_guiding_tones(exploration_.guidance == Exploration::Guidance::tones);
   if (all) {
     explore_patches();
@@ -395,6 +394,13 @@ void TrialAttempt::read_visits(const std::vector<TickRecord>& records) {
   for (; records_read_ < records.size(); ++records_read_) visits_.take(records[records_read_]);
 }
 
+/// A virtual hand comes down at the beginning of a slice, so that the slices in which its visits end do not depend on
+/// when it was ready.
+void TrialAttempt::let_hand_stroke() {
+  VirtualHand& hand = course_.rig().hand();
+  if (hand.is_ready()) hand.stroke();
+}
+
 /// Waits until the surface was felt for long enough, or the participant wants to continue.
 void TrialAttempt::explore(int position) {
   const Arrangement& arrangement = trial_.arrangement;
@@ -404,6 +410,7 @@ void TrialAttempt::explore(int position) {
                       course_.recorder().records().size());
   double passed_s = 0.0;
   for (;;) {
+    let_hand_stroke();
     const double contact_s = course_.recorder().live().contact_s;
     if (contact_s > 0.0) course_.enter(SessionPhase::contact);
     if (passed_s >= exploration_.maximum_contact_s + kPatience_s) break;
@@ -431,6 +438,7 @@ void TrialAttempt::explore_patches() {
   const double longest_s = surfaces * exploration_.maximum_contact_s - kLifting_s;
   double passed_s = 0.0;
   for (;;) {
+    let_hand_stroke();
     const double contact_s = course_.recorder().live().contact_s;
     if (contact_s > 0.0) course_.enter(SessionPhase::contact);
     if (contact_s >= longest_s || passed_s >= longest_s + kPatience_s) return;

@@ -102,6 +102,7 @@ class TrialAttempt final {
   void wait_between_surfaces();
   /// Presents a surface, or all of them side by side, until it was felt.
   void feel(std::size_t index);
+  void let_hand_stroke();
   void explore(int position);
   void explore_patches();
   void lift_and_take_back(std::size_t index);

@@ -289,6 +289,34 @@ TEST(SimulatedDevice, LeavesThePlateWhenTheHandLifts) {
   EXPECT_NEAR(samples.back().probe.position_m.z, 0.010, 1e-6);
 }
 
+TEST(SimulatedDevice, IsMovedInTheSameWayEachTimeThatTheHandComesDown) {
+  VirtualHand hand(HandHabits{}, Random(31));
+  SimulatedDevice device(hand, {});
+  std::int64_t tick = 0;
+  const auto moved = [&](int ticks) {
+    std::vector<ProbeState> states;
+    for (int i = 0; i < ticks; ++i) {
+      states.push_back(device.read(kTick_ns * ++tick).value());
+      device.push({.force_N = plate_N(states.back(), 500.0)}, 1e-3);
+    }
+    return states;
+  };
+  moved(1);
+  std::vector<ProbeState> first;
+  for (const int ticks : {900, 1430, 2777, 900}) {
+    while (!hand.is_ready()) moved(1);
+    hand.stroke();
+    const std::vector<ProbeState> visit = moved(ticks);
+    if (first.empty()) first = visit;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      ASSERT_EQ(visit[i].position_m, first[i].position_m) << i;
+      ASSERT_EQ(visit[i].velocity_m_per_s, first[i].velocity_m_per_s) << i;
+    }
+    hand.lift();
+    moved(1);
+  }
+}
+
 TEST(SimulatedDevice, MovesTheSameBitForBitFromTheSameSeedAndCalls) {
   const auto moved = [](std::uint64_t seed, std::int64_t epoch_ns) {
     VirtualHand hand(HandHabits{}, Random(seed));

@@ -364,7 +364,7 @@ TEST(VirtualHand, RisesToTheEndBeforeItComesDownAgain) {
   path.insert(path.end(), after.begin(), after.end());
   for (std::size_t i = 1; i < path.size(); ++i) {
     highest_m = std::max(highest_m, path[i].position_m.z);
-    ASSERT_LT(glm::distance(path[i].position_m, path[i - 1].position_m), 0.1 * kMillimetre_m);
+    ASSERT_LT(glm::distance(path[i].position_m, path[i - 1].position_m), 0.21 * kMillimetre_m);
   }
   EXPECT_NEAR(highest_m, 0.010, 1e-6);
   EXPECT_FALSE(path.back().lifted);
@@ -385,6 +385,42 @@ TEST(VirtualHand, StandsStillInALongGap) {
   }
 }
 
+/// The intents of the first second from rest above the start, and the time after it.
+std::vector<HandIntent> first_second_of_visit(VirtualHand& hand, std::int64_t& now_ns) {
+  while (!hand.is_ready()) hand.intent(now_ns += kMillisecond_ns);
+  hand.stroke();
+  const std::int64_t from_ns = now_ns + kMillisecond_ns;
+  now_ns = from_ns + seconds(1.0) - kMillisecond_ns;
+  return motion(hand, from_ns, from_ns + seconds(1.0));
+}
+
+TEST(VirtualHand, ComesDownInTheSameWayEachTime) {
+  VirtualHand hand(HandHabits{}, Random(21));
+  std::int64_t now_ns = 0;
+  const auto pass = [&hand, &now_ns](double duration_s) {
+    const std::int64_t from_ns = now_ns + kMillisecond_ns;
+    now_ns += seconds(duration_s);
+    motion(hand, from_ns, now_ns + kMillisecond_ns);
+  };
+  const std::vector<HandIntent> first = first_second_of_visit(hand, now_ns);
+  for (const double longer_s : {0.0, 0.13, 1.9, 7.0, 0.6}) {
+    pass(longer_s);
+    hand.lift();
+    hand.intent(now_ns += kMillisecond_ns);
+    EXPECT_FALSE(hand.is_ready());
+    const std::vector<HandIntent> again = first_second_of_visit(hand, now_ns);
+    ASSERT_EQ(again.size(), first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      ASSERT_TRUE(same(again[i], first[i])) << i << " ms";
+    }
+  }
+  hand.lift();
+  hand.set_habits(HandHabits{}, Random(22));
+  pass(3.0);
+  const std::vector<HandIntent> other = first_second_of_visit(hand, now_ns);
+  EXPECT_FALSE(same(other.back(), first.back())) << "the next attempt has its own strokes";
+}
+
 TEST(VirtualHand, TakesUpNewHabitsInTheAirWithoutAJump) {
   VirtualHand hand(kSteadyHabits, Random(12));
   hand.stroke();
@@ -393,7 +429,7 @@ TEST(VirtualHand, TakesUpNewHabitsInTheAirWithoutAJump) {
   next.centre_m = {0.02, 0.05, 0.001};
   next.direction_rad = std::numbers::pi / 2.0;
   next.normal_force_N = 0.5;
-  hand.set_habits(next);
+  hand.set_habits(next, Random(12));
   for (const HandIntent& intent : motion(hand, seconds(1.0), seconds(3.0))) {
     ASSERT_EQ(intent.position_m.y, 0.0);  // not before it has been lifted
   }
@@ -402,7 +438,7 @@ TEST(VirtualHand, TakesUpNewHabitsInTheAirWithoutAJump) {
   hand.stroke();
   const auto path = motion(hand, seconds(4.0), seconds(8.0));
   for (std::size_t i = 1; i < path.size(); ++i) {
-    ASSERT_LT(glm::distance(path[i].position_m, path[i - 1].position_m), 0.2 * kMillimetre_m);
+    ASSERT_LT(glm::distance(path[i].position_m, path[i - 1].position_m), 0.21 * kMillimetre_m);
   }
   EXPECT_NEAR(path.back().position_m.x, 0.02, 1e-12);
   EXPECT_EQ(path.back().position_m.z, 0.001);
@@ -418,7 +454,7 @@ TEST(VirtualHand, MayBeToldFromAnotherThread) {
       habits.normal_force_N = 0.001 * i;
       habits.centre_m = glm::dvec3(0.0, 1e-5 * i, 0.0);
       hand.lift();
-      hand.set_habits(habits);
+      hand.set_habits(habits, Random(13));
       hand.stroke();
     }
     done.store(true);
@@ -457,7 +493,7 @@ TEST(VirtualHand, RefusesAHabitThatIsOutOfRangeByName) {
   EXPECT_EQ(refused_field({.lift_height_m = 0.0}), "lift_height_m");
   EXPECT_EQ(refused_field({.approach_speed_m_per_s = kNan}), "approach_speed_m_per_s");
   VirtualHand hand(HandHabits{}, Random(1));
-  EXPECT_THROW(hand.set_habits({.normal_force_N = kNan}), std::invalid_argument);
+  EXPECT_THROW(hand.set_habits({.normal_force_N = kNan}, Random(1)), std::invalid_argument);
 }
 
 TEST(VirtualHand, DoesNotTouchTheHeap) {

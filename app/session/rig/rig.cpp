@@ -136,8 +136,8 @@ RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
 
 RealTimeRig::~RealTimeRig() = default;
 
-void RealTimeRig::prepare_attempt(const HandHabits& habits, const Random&) {
-  hand_.set_habits(habits);
+void RealTimeRig::prepare_attempt(const HandHabits& habits, const Random& random) {
+  hand_.set_habits(habits, random);
   device_->begin_attempt();
 }
 
