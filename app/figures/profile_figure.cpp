@@ -8,6 +8,7 @@
 
 #include "app/figures/figure_kinds.h"
 #include "app/findings/reading_table.h"
+#include "app/findings/study/cell_words.h"
 
 namespace asperity {
 
@@ -163,7 +164,7 @@ ProfileAxis lay_axis(const std::vector<ShownScale>& scales, const std::vector<Ra
 FigureSeries profile_of(const std::string& item, std::size_t number, double aside,
                         const std::vector<ShownScale>& scales, const std::vector<RatedMean>& means,
                         ProfileAxis drawn_on) {
-  FigureSeries series{.name = item,
+  FigureSeries series{.name = words_of_condition(item),
                       .style = static_cast<int>(number % kFilledStyles),
                       .hollow = number >= kFilledStyles};
   bool is_joined = false;

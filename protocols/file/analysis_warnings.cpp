@@ -15,6 +15,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/rating.h"
 #include "protocols/kinds/similarity.h"
 #include "protocols/plan/plan.h"
 #include "protocols/plan/roughness_matching.h"
@@ -34,14 +35,18 @@ class AnalysisWarnings final {
       if (block.phase != Phase::main || matches_roughness(protocol, block)) continue;
       if (block.kind == discrimination_kind().id) discriminations_.push_back(&block);
       if (block.kind == similarity_kind().id) similarities_.insert(name);
+      if (block.kind == rating_kind().id) ratings_.insert(name);
     }
   }
 
   std::vector<Diagnostic> all() {
-    if (!discriminations_.empty() || !similarities_.empty()) trials_ = possible_trials(protocol_);
+    if (!discriminations_.empty() || !similarities_.empty() || !ratings_.empty()) {
+      trials_ = possible_trials(protocol_);
+    }
     warn_of_tests();
     for (const Block* const block : discriminations_) warn_of_guesses(*block);
     warn_of_items();
+    warn_of_one_rated_surface();
     return std::move(found_);
   }
 
@@ -144,10 +149,26 @@ class AnalysisWarnings final {
              "; add surfaces, or interpret only the dissimilarities and the dendrogram");
   }
 
+  void warn_of_one_rated_surface() {
+    std::set<std::pair<std::string, std::string>> surfaces{};
+    std::string block{};
+    for (const Trial& trial : trials_) {
+      if (!ratings_.contains(trial.block)) continue;
+      block = trial.block;
+      const PlannedPresentation& rated = trial.presentations.front();
+      surfaces.emplace(rated.item, rated.stimulus.name);
+    }
+    if (surfaces.size() != 1) return;
+    warn(pointer_to("/blocks", block),
+         "every trial presents the same surface, so that no ratings can be compared; cross or list "
+         "a factor with the textures, models or parameters to be rated");
+  }
+
   const Protocol& protocol_;
   JsonDocument document_;
   std::vector<const Block*> discriminations_{};  ///< main blocks whose responses are analysed
   std::set<std::string, std::less<>> similarities_{};
+  std::set<std::string, std::less<>> ratings_{};
   std::vector<Trial> trials_{};
   std::vector<Diagnostic> found_{};
 };

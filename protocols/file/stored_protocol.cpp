@@ -92,6 +92,31 @@ Json presented_stimulus(const Json& protocol, const Json& surface) {
   return flat;
 }
 
+/// The factors whose levels determine the surfaces of a block, each once, by name.
+std::vector<std::string> surface_factors_in(const Json& protocol, const Json& block) {
+  std::set<std::string> factors{};
+  const Json& surfaces = member_of(block, "presented");
+  if (surfaces.is_array()) {
+    for (const Json& surface : surfaces) {
+      const Json& stimulus =
+          member_of(member_of(protocol, "stimuli"), text_in(surface, "stimulus"));
+      if (!stimulus.is_object()) continue;
+      const Json flat = stimulus.flatten();
+      for (const auto& [place, value] : flat.items()) {
+        if (!place.ends_with("/factor") || !value.is_string()) continue;
+        const auto factor = value.get<std::string>();
+        if (member_of(member_of(surface, "with"), factor).is_null()) factors.insert(factor);
+      }
+    }
+  }
+  const Json& vary = member_of(block, "vary");
+  if (const std::string parameter = text_in(vary, "parameter"); !parameter.empty()) {
+    const std::string factor = text_in(vary, "factor");
+    factors.insert(factor.empty() ? parameter : factor);
+  }
+  return {factors.begin(), factors.end()};
+}
+
 /// "friction" for "/parameters/friction" and "/parameters/friction/factor"; nullopt for what is not a parameter.
 std::optional<std::string> parameter_at(const std::string& place) {
   for (const std::string_view of : {"/parameters/", "/equal_force/"}) {
@@ -459,6 +484,7 @@ StoredProtocol stored_protocol(const std::string& source) {
     const std::string surfaces = text_in(member_of(block, "arrangement"), "surfaces");
     made.is_sequential = surfaces.empty() || surfaces == "sequential";
     made.drawn = texts_in(block, "drawn");
+    made.surface_factors = surface_factors_in(root, block);
     made.matched_in = text_in(member_of(block, "equal_roughness"), "matched_in");
     const Json& procedure = member_of(block, "procedure");
     made.has_procedure =

@@ -71,6 +71,8 @@ struct StoredProtocol {
     std::string matched_in{};
     /// Of this procedure, for every combination of the other factors; empty where they cannot be used.
     std::vector<ProcedureSettings> tracks{};
+    /// The factors whose levels determine its surfaces, each once, by name.
+    std::vector<std::string> surface_factors{};
   };
 
   std::string title{};

@@ -111,6 +111,66 @@ TEST_F(Ratings, HaveTablesAndAQuestionForEachScale) {
   EXPECT_THAT(ratings.questions[1].answer.english(), HasSubstr("lowest for stone, 2.00"));
 }
 
+/// Four participants rate one grating at two amplitudes and two wavelengths, whose levels the protocol crosses.
+AnalysisOutcome rated_levels(const std::string& stimulus) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("levels", "rating", R"({"kind": "rating",
+    "factors": {"amplitude_m": {"levels": [0.0001, 0.00005]}, "wavelength_m": {"levels": [0.01, 0.0025]},
+                "go": {"levels": [1, 2]}},
+    "stimuli": {"grating": )" + stimulus + R"(},
+    "blocks": {"only": {"crossed": ["amplitude_m", "wavelength_m", "go"],
+                        "presented": [{"stimulus": "grating"}],
+                        "question": {"name": "rough", "prompt": "How rough?", "scale": {"points": 7}}}}})");
+  for (int person = 0; person < 4; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials{};
+    for (const char* const levels : {R"("amplitude_m": 5e-05, "wavelength_m": 0.0025)",
+                                     R"("amplitude_m": 5e-05, "wavelength_m": 0.01)",
+                                     R"("amplitude_m": 0.0001, "wavelength_m": 0.0025)",
+                                     R"("amplitude_m": 0.0001, "wavelength_m": 0.01)"}) {
+      for (int go = 1; go <= 2; ++go) {
+        MadeUpTrial trial{};
+        trial.factors_json = std::string("{") + levels + ", \"go\": " + std::to_string(go) + "}";
+        trial.surfaces = {surface_of("sinusoid", "sinusoid", "")};
+        trial.questions = {"rough"};
+        trial.answers = {
+            std::to_string(1 + trials.size() / 2 + static_cast<std::size_t>(person % 2))};
+        trials.push_back(trial);
+      }
+    }
+    made.add_session(label, protocol, trials);
+  }
+  return analyze_study(made.study(), std::nullopt, {}).front();
+}
+
+TEST(RatedLevels, AreTheItemsWhereAllSurfacesCountAsOne) {
+  const AnalysisOutcome outcome = rated_levels(
+      R"({"model": "sinusoid", "parameters": {"amplitude_m": {"factor": "amplitude_m"}, "wavelength_m": {"factor": "wavelength_m"}}})");
+  const FoundNumbers found(outcome.findings);
+  EXPECT_DOUBLE_EQ(
+      found.value("mean.score", "rough|amplitude_m 5e-05, wavelength_m 0.0025").value(), 1.5);
+  EXPECT_DOUBLE_EQ(found.value("mean.score", "rough|amplitude_m 1e-04, wavelength_m 0.01").value(),
+                   4.5);
+  ASSERT_EQ(outcome.tables.front().name, "ratings");
+  std::vector<std::string> items{};
+  for (const auto& row : outcome.tables.front().table.rows) {
+    items.push_back(std::get<std::string>(row[1]));
+  }
+  EXPECT_THAT(items, testing::ElementsAre("amplitude_m 5e-05, wavelength_m 0.0025",
+                                          "amplitude_m 5e-05, wavelength_m 0.01",
+                                          "amplitude_m 1e-04, wavelength_m 0.0025",
+                                          "amplitude_m 1e-04, wavelength_m 0.01"))
+      << "by value, and without the factor that is no property of the surface";
+  EXPECT_THAT(outcome.questions.front().answer.english(),
+              HasSubstr("highest for amplitude 100 µm, wavelength 10 mm, 4.50"));
+}
+
+TEST(RatedLevels, AreNotItemsWhereTheyDoNotDetermineTheSurface) {
+  const AnalysisOutcome outcome = rated_levels(R"({"model": "sinusoid"})");
+  EXPECT_TRUE(FoundNumbers(outcome.findings).find("friedman.p", "rough") == nullptr);
+}
+
 /// Six participants rate stone above wood on one scale, in a session that also has a recognition.
 std::vector<AnalysisOutcome> six_who_agree(const std::string& analysis) {
   MadeUpStudy made{};

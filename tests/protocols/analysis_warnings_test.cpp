@@ -82,5 +82,12 @@ TEST(AnalysisWarnings, AreAboutTooFewSurfacesForAConfiguration) {
                                                    HasSubstr("compares 8"))));
 }
 
+TEST(AnalysisWarnings, AreAboutRatingsOfASingleSurface) {
+  json file = library_file("roughness_of_photographs");
+  EXPECT_THAT(warnings_of(file), testing::IsEmpty());
+  for (auto& [name, stimulus] : file["stimuli"].items()) stimulus["texture"] = "metal";
+  EXPECT_THAT(warnings_of(file), ElementsAre(HasSubstr("every trial presents the same surface")));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -421,6 +421,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "condition") {
     return text == "all" ? phrase("CellWords", "all trials") : Phrase(words_of_condition(text));
   }
+  if (column == "item" || column == "reference") return words_of_condition(text);
   if (column == "factor" && !words_of_trial_factors().contains(text) &&
       !unit_of_parameter(text).empty()) {
     return words_of_parameter(text);

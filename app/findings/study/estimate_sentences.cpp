@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/test_sentences.h"
 #include "app/words/text_parts.h"
@@ -87,7 +88,7 @@ void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
                    finding.key == key && finding.value;
           });
       if (found == outcome.findings.end()) return std::string();
-      parts.push_back(one_estimate(*found, item, means.shown));
+      parts.push_back(one_estimate(*found, words_of_condition(item), means.shown));
     }
     return "means: " + listed(parts);
   };

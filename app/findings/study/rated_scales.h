@@ -18,7 +18,8 @@ namespace asperity {
 /// The ratings on one scale: means of each participant for each item.
 struct RatedScale {
   std::string name{};
-  std::vector<std::string> items{};                                 ///< by name
+  /// By name. Where all surfaces count as one item, the levels of the factors that determine them, by value.
+  std::vector<std::string> items{};
   std::map<std::pair<std::uint32_t, std::string>, double> means{};  ///< by participant and item
   std::optional<double> points{};  ///< nothing for a line without points
   double minimum = 0.0;

@@ -12,6 +12,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/accompanying_scales.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/kinds/rating_analysis.h"
 #include "app/findings/study/rated_scales.h"
@@ -157,8 +158,8 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
   };
   const auto [low, high] = std::minmax_element(means.begin(), means.end(), by_value);
   const auto with_numbers = [&](const Phrase& words) {
-    return words.with(high->second, mean_text(*high->first), low->second, mean_text(*low->first),
-                      p_text(*test));
+    return words.with(words_of_condition(high->second), mean_text(*high->first),
+                      words_of_condition(low->second), mean_text(*low->first), p_text(*test));
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",
