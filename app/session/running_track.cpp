@@ -10,6 +10,7 @@
 #include "analysis/level_scale.h"
 #include "analysis/threshold_prior.h"
 #include "analysis/up_down.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {
@@ -118,7 +119,7 @@ void estimate(const ProcedureSettings& settings, RunningTrack& track) {
 }
 
 bool has_tracks(const Protocol::Block& block) noexcept {
-  return block.procedure && block.vary && !block.procedure->tracks.empty();
+  return block.vary && chooses_levels_from_answers(block);
 }
 
 }  // namespace

@@ -32,8 +32,7 @@ struct RunningTrack {
   std::string condition{};  ///< the levels of the other factors; names, hidden while blind
   std::vector<RunningTrial> trials{};
   std::size_t reversals = 0;  ///< of an up-down method
-  /// Nothing before the first reversal or answer, for constant stimuli, and where no function of the prior can give the
-  /// responses.
+  /// Nothing before the first reversal or answer, and where no function of the prior can give the responses.
   std::optional<RunningEstimate> estimate{};
 };
 
@@ -52,7 +51,7 @@ struct RunningTracks {
 /// the procedure (`posterior_rule`); its threshold is a difference from the standard, shown at the side of the levels that
 /// were presented.
 ///
-/// Nothing where the run of the block has no procedure.
+/// Nothing where no procedure chooses the levels of the block from the responses: constant stimuli have no tracks.
 std::optional<RunningTracks> running_tracks(const Protocol& protocol, const Plan& plan,
                                             std::span<const AttemptSummary> attempts,
                                             int block_ordinal);

@@ -30,9 +30,9 @@
 namespace asperity {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using nlohmann::json;
 
 TEST(Discrimination, CountsErrorsInCatchTrialsAndEstimatesNothingFromThem) {
   const auto outcome_with = [](bool with_catch_trials) {
@@ -100,8 +100,9 @@ TEST(Discrimination, NeverReportsProportionsOverLevelsOfAProcedure) {
 // Two interleaved tracks in each of two runs of a block, and one of a second session.
 TEST(Discrimination, ListsTheTrialsOfTracksInTheirOrder) {
   MadeUpStudy made;
-  const std::int64_t id =
-      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
+  json protocol = discrimination_protocol("performance");
+  protocol["blocks"]["only"]["procedure"] = {{"method", "transformed_up_down"}};
+  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
   made.add_person("p1", "");
   const auto run_of = [](int block_ordinal, int tracks) {
     std::vector<MadeUpTrial> trials{};
@@ -138,6 +139,26 @@ TEST(Discrimination, ListsTheTrialsOfTracksInTheirOrder) {
   }
   EXPECT_EQ(listed, expected);
   EXPECT_EQ(tracks.rows.back()[*column_of(tracks, "level")], Cell(kAbove_m.back()));
+}
+
+// The trials of constant stimuli are numbered like those of a track, but no level follows from a response.
+TEST(Discrimination, HasNoTracksOfConstantStimuli) {
+  MadeUpStudy made;
+  json protocol = discrimination_protocol("performance");
+  protocol["blocks"]["only"]["procedure"] = {{"method", "constant_stimuli"}, {"repetitions", 20}};
+  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
+  made.add_person("p1", "");
+  std::vector<MadeUpTrial> trials =
+      trials_of(MadeUpObserver(kPerformer, 5).choices(kAbove_m, 20, true));
+  int step = 0;
+  for (MadeUpTrial& trial : trials) {
+    trial.track = 1;
+    trial.step = ++step;
+  }
+  made.add_session("p1", id, trials);
+  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  EXPECT_THROW(discrimination_table(outcome, "tracks"), std::runtime_error);
+  EXPECT_FALSE(discrimination_table(outcome, "psychometric").table.rows.empty());
 }
 
 TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {

@@ -104,6 +104,12 @@ TEST(RunningTrack, HasTheLevelsAndTheMeanOfTheReversals) {
   EXPECT_EQ(track.trials[2].outcome, LevelOutcome::incorrect);
 }
 
+TEST(RunningTrack, IsNotMadeOfConstantStimuli) {
+  Tracked session(staircase(R"({"method": "constant_stimuli", "repetitions": 2})"));
+  session.answer(true);
+  EXPECT_FALSE(session.tracks());
+}
+
 TEST(RunningTrack, LeavesOutAttemptsThatDoNotCount) {
   Tracked session(staircase(kOneUpOneDown));
   AttemptSummary invalid{};

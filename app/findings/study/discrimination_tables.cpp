@@ -189,7 +189,7 @@ void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults
   const DiscriminationStudy& study = results.study;
   std::vector<const DiscriminationTrial*> of_tracks{};
   for (const DiscriminationTrial& trial : study.trials) {
-    if (trial.track != 0) of_tracks.push_back(&trial);
+    if (trial.by_procedure) of_tracks.push_back(&trial);
   }
   const auto place = [](const DiscriminationTrial& trial) {
     return std::tie(trial.person, trial.session, trial.block_ordinal, trial.track, trial.step);
