@@ -106,7 +106,8 @@ bool check_keys(const JsonDocument& document, const json& root, const json& sche
                                   (guess.empty() ? "; it could be " + one_of(known) : guess)));
       continue;
     }
-    if (schema.contains("propertyNames") && !is_id(key)) {
+    const auto names = schema.find("propertyNames");
+    if (names != schema.end() && names->contains("pattern") && !is_id(key)) {
       found.push_back(document.at_key(
           at, in_quotes(key) + " is not a name: use lower-case letters, digits and underscores, "
                                "starting with a letter, at most 64 characters"));

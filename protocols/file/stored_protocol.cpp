@@ -359,6 +359,12 @@ AnalysisDeclaration analysis_declared_in(const Json& protocol) {
 
 namespace {
 
+/// "5e-05" for "0.00005" and "5.0e-5"; other texts are unchanged.
+std::string with_usual_digits(const std::string& text) {
+  const Json number = Json::parse(text, nullptr, false);
+  return number.is_number() ? number_text(number.get<double>()) : text;
+}
+
 /// The keys of stimuli that are not compared by a spacing.
 void read_estimated_items(const Json& protocol, const Json& estimation,
                           EstimationDeclaration& declared) {
@@ -377,8 +383,11 @@ void read_estimated_items(const Json& protocol, const Json& estimation,
   }
   const Json& values = member_of(estimation, "values");
   if (declared.predictor != kValuePredictor || !values.is_object()) return;
-  for (const auto& [level, value] : values.items()) {
-    if (value.is_number()) declared.predictor_values.emplace(level, value.get<double>());
+  const std::vector<std::string>& levels = declared.item_levels;
+  for (const auto& [key, value] : values.items()) {
+    if (!value.is_number()) continue;
+    const bool is_level = std::find(levels.begin(), levels.end(), key) != levels.end();
+    declared.predictor_values.emplace(is_level ? key : with_usual_digits(key), value.get<double>());
   }
 }
 

@@ -143,6 +143,21 @@ TEST(Estimation, ReadsThePredictorFromLevelsAndFromStatedValues) {
   EXPECT_EQ(by_value.estimation->predictor_unit, "µm");
 }
 
+TEST(Estimation, TakesStatedValuesOfNumericLevelsInAnyNotation) {
+  const EstimatedModels numeric{
+      .estimation = R"("factor": "height", "predictor": "values", "unit": "mm",
+         "values": {"0.00005": 10, "1.0": 20, "2": 40})",
+      .factors = R"("height": {"levels": [0.00005, 1, 2]})",
+      .crossed = "height",
+      .stimulus =
+          R"("model": "height_map", "texture": "stone", "parameters": {"height_scale": {"factor": "height"}})"};
+  EXPECT_THAT(problems_of_models(numeric), IsEmpty());
+  const auto values = read_models(numeric).estimation->predictor_values;
+  EXPECT_EQ(values.at("5e-05"), 10.0);
+  EXPECT_EQ(values.at("1"), 20.0);
+  EXPECT_EQ(values.size(), 3U);
+}
+
 TEST(Estimation, TakesAParameterThatItsBlocksVary) {
   const EstimatedModels varied{.estimation = R"("factor": "amplitude_m", "predictor": "level")",
                                .block = R"("vary": {"parameter": "amplitude_m", "of": "target",
