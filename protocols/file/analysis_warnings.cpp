@@ -15,6 +15,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/estimation.h"
 #include "protocols/kinds/rating.h"
 #include "protocols/kinds/similarity.h"
 #include "protocols/plan/plan.h"
@@ -47,6 +48,7 @@ class AnalysisWarnings final {
     for (const Block* const block : discriminations_) warn_of_guesses(*block);
     warn_of_items();
     warn_of_one_rated_surface();
+    warn_of_predictor_without_recordings();
     return std::move(found_);
   }
 
@@ -162,6 +164,15 @@ class AnalysisWarnings final {
     warn(pointer_to("/blocks", block),
          "every trial presents the same surface, so that no ratings can be compared; cross or list "
          "a factor with the textures, models or parameters to be rated");
+  }
+
+  void warn_of_predictor_without_recordings() {
+    const auto& estimation = protocol_.estimation;
+    if (!estimation || !is_of_recordings(estimation->predictor) || protocol_.record) return;
+    warn("/recording/every_tick",
+         "the predictor " + in_quotes(estimation->predictor) +
+             " is computed from the recordings, so that there would be no exponent; set this to "
+             "true");
   }
 
   const Protocol& protocol_;

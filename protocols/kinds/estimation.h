@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <string_view>
+
 #include "protocols/design/problem_sink.h"
 #include "protocols/design/protocol.h"
 
@@ -10,5 +12,11 @@ namespace asperity {
 /// Whether the estimates of a protocol can be analysed as it states (EstimationDeclaration), and its main blocks present
 /// what that needs. Nothing where it states nothing.
 void check_estimation(const Protocol& protocol, ProblemSink& problems);
+
+/// Whether a predictor (EstimationDeclaration) is computed from the recordings of the attempts: the force in an octave of
+/// wavelength.
+inline bool is_of_recordings(std::string_view predictor) noexcept {
+  return predictor.starts_with("waves_");
+}
 
 }  // namespace asperity

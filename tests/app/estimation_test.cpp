@@ -164,6 +164,17 @@ TEST(StimulusEstimates, StateThatAPropertyWasNotMeasured) {
               HasSubstr("unknown or not above 0 for these stimuli: oak, felt, cork, brick"));
 }
 
+TEST(StimulusEstimates, StateThatThePredictorRequiresRecordings) {
+  const AnalysisOutcome outcome = outcome_of(
+      protocol_with(R"({"factor": "surface", "predictor": "waves_1.25_to_2.5_mm"})"), kFreeScales);
+  EXPECT_FALSE(has_table(outcome, "exponents"));
+  std::string remarks{};
+  for (const Phrase& remark : outcome.remarks) remarks += remark.english();
+  EXPECT_THAT(remarks, HasSubstr("is computed from recordings, and none can be read"));
+  EXPECT_THAT(remarks, HasSubstr("\"--recordings all\""));
+  EXPECT_THAT(remarks, testing::Not(HasSubstr("for these stimuli"))) << "one cause";
+}
+
 TEST(StimulusEstimates, HaveMeansByStimulusWithoutAPredictor) {
   const AnalysisOutcome outcome =
       outcome_of(protocol_with(R"({"factor": "surface"})"), kFreeScales);

@@ -20,7 +20,9 @@
 namespace asperity {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(FeltOctaves, AddThePowersOfTheTwoBandsOfAnOctave) {
   const auto feature = [](double ratio) {
@@ -84,14 +86,28 @@ TEST_F(RecordedGratings, ShowTheirWavelengthInItsOctave) {
   EXPECT_GT(fine.at("0.001"), 3.0 * fine.at("0.0035"));
 }
 
+std::string remarks_on(const Study& study) {
+  std::string remarks{};
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(study);
+  for (const Phrase& remark : outcomes.front().remarks) remarks += remark.english() + '\n';
+  return remarks;
+}
+
+TEST_F(RecordedGratings, AreStoredForOnlyOneOfTwoParticipants) {
+  EXPECT_THAT(remarks_on(*study_), Not(HasSubstr("recordings")));
+  start("p2", 8);
+  Conductor conductor(*study_, protocol_, *builder_, *rig_, person_, {.record = false});
+  EXPECT_EQ(conductor.run(session_).state, SessionState::completed);
+  EXPECT_THAT(remarks_on(*study_), AllOf(HasSubstr("these are stored for only 1 of 2 participants"),
+                                         HasSubstr("\"--recordings all\"")));
+}
+
 TEST_F(RecordedGratings, AreMissedWhereTheirFilesAreDamaged) {
   const AttemptRow damaged = attempts().front();
   std::ofstream(study_->folder() / damaged.recording->path, std::ios::trunc) << "no recording";
   EXPECT_EQ(gather_answers(*study_, {}, std::stop_token{}).front().unread_recordings, 1U);
-  std::string remarks{};
-  const std::vector<AnalysisOutcome> outcomes = analyze_study(*study_);
-  for (const Phrase& remark : outcomes.front().remarks) remarks += remark.english();
-  EXPECT_THAT(remarks, HasSubstr("their forces: 1. \"asperity verify\" names the files"));
+  EXPECT_THAT(remarks_on(*study_),
+              HasSubstr("their forces: 1. \"asperity verify\" names the files"));
 }
 
 }  // namespace

@@ -89,5 +89,21 @@ TEST(AnalysisWarnings, AreAboutRatingsOfASingleSurface) {
   EXPECT_THAT(warnings_of(file), ElementsAre(HasSubstr("every trial presents the same surface")));
 }
 
+TEST(AnalysisWarnings, AreAboutAPredictorWithoutRecordings) {
+  json file = library_file("roughness_diameter");
+  const std::string items = file["estimation"]["spacing"];
+  file["format"] = "asperity.protocol/2";
+  file["estimation"].erase("spacing");
+  file["estimation"]["factor"] = items;
+  file["estimation"]["predictor"] = "waves_1.25_to_2.5_mm";
+  file["analysis"].erase("family");
+  EXPECT_THAT(warnings_of(file), testing::IsEmpty());
+  file["recording"]["every_tick"] = false;
+  EXPECT_THAT(warnings_of(file),
+              ElementsAre(AllOf(HasSubstr("/recording/every_tick: the predictor "
+                                          "\"waves_1.25_to_2.5_mm\" is computed from"),
+                                HasSubstr("set this to true"))));
+}
+
 }  // namespace
 }  // namespace asperity

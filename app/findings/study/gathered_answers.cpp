@@ -229,6 +229,7 @@ class Gathering {
       if (attempt.use != AnalysisUse::counted || !asked.contains(attempt.trial)) continue;
       try {
         add_felt_octaves(study, rows[i], gathered.felt_octaves);
+        if (rows[i].recording) recorded_participants_.insert(session.participant);
       } catch (const ResultsError&) {
         ++gathered.unread_recordings;
       }
@@ -304,6 +305,7 @@ class Gathering {
                           [&group](const auto& person) { return person.group == group; });
     });
     gathered.count.participants = participants_.size();
+    gathered.recorded_participants = recorded_participants_.size();
     gathered.only_accompanies = has_accompanying_ones_ && !has_own_questions_;
     gathered.sources = count_protocols(texts_of_sources_);
     if (!gathered.declared_alike) gathered.declared = {};
@@ -511,6 +513,7 @@ class Gathering {
   }
 
   std::set<std::string> participants_{};
+  std::set<std::string> recorded_participants_{};
   std::set<std::string> sources_{};
   std::vector<std::string> texts_of_sources_{};
   std::map<std::string, std::uint32_t> option_lists_{};

@@ -206,6 +206,8 @@ struct GatheredAnswers {
   std::vector<ParticipantMatch> matches{};
   /// By participant, block and type. No other number contains these responses.
   std::vector<CatchResponses> catch_responses{};
+  /// With a recording of an attempt that counts which could be read; only for analyses that use them.
+  std::size_t recorded_participants = 0;
 
   /// Whether responses are numbers that are analysed as the protocol's key `estimation` specifies.
   bool has_estimates() const noexcept { return !estimation.factor().empty(); }

@@ -23,6 +23,7 @@
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/study/test_sentences.h"
+#include "protocols/kinds/estimation.h"
 
 namespace asperity {
 
@@ -64,12 +65,49 @@ std::map<std::string, double> stated_predictor(const GatheredAnswers& gathered,
   return values;
 }
 
+/// "amplitude" for the levels of a varied parameter `amplitude_m`, "hardness"
+std::string name_of_stated_predictor(const EstimationDeclaration& estimation) {
+  return estimation.predictor == kLevelPredictor ? words_of_parameter(estimation.items)
+                                                 : estimation.items;
+}
+
+/// "amplitude", "RMS of the texture force, N"
+Phrase predictor_name(const EstimationDeclaration& estimation) {
+  if (!is_stated_predictor(estimation)) return words_of_cell("property", estimation.predictor);
+  return name_of_stated_predictor(estimation);
+}
+
+/// Whether any recording is stored from which the predictor can be computed; a remark where recordings are missing.
+bool has_recordings(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  if (gathered.recorded_participants == 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "There is no exponent, because the predictor (%1) is computed from recordings, and "
+               "none can be read for these responses. Record every tick (key \"recording\" of the "
+               "protocol), and simulate participants with \"--recordings all\".")
+            .with(predictor_name(gathered.estimation)));
+    return false;
+  }
+  if (gathered.recorded_participants < gathered.count.participants) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The predictor (%1) is computed from recordings, and these are stored for only %2 "
+               "of %3 participants. \"--recordings all\" of \"asperity simulate\" stores those of "
+               "all virtual participants.")
+            .with(predictor_name(gathered.estimation),
+                  std::to_string(gathered.recorded_participants),
+                  std::to_string(gathered.count.participants)));
+  }
+  return true;
+}
+
 /// The predictor of every stimulus; empty, with a remark, where it is not above 0 for all of them.
 std::map<std::string, double> predictor_of(const GatheredAnswers& gathered,
                                            const std::vector<std::string>& stimuli,
                                            AnalysisOutcome& outcome) {
   const std::string& name = gathered.estimation.predictor;
   if (name.empty()) return {};
+  if (is_of_recordings(name) && !has_recordings(gathered, outcome)) return {};
   std::map<std::string, double> values = is_stated_predictor(gathered.estimation)
                                              ? stated_predictor(gathered, stimuli)
                                              : property_of_items(gathered, stimuli, name);
@@ -85,18 +123,6 @@ std::map<std::string, double> predictor_of(const GatheredAnswers& gathered,
                                    "above 0 for these stimuli: %1.")
                                 .with(missing));
   return {};
-}
-
-/// "amplitude" for the levels of a varied parameter `amplitude_m`, "hardness"
-std::string name_of_stated_predictor(const EstimationDeclaration& estimation) {
-  return estimation.predictor == kLevelPredictor ? words_of_parameter(estimation.items)
-                                                 : estimation.items;
-}
-
-/// "amplitude", "RMS of the texture force, N"
-Phrase predictor_name(const EstimationDeclaration& estimation) {
-  if (!is_stated_predictor(estimation)) return words_of_cell("property", estimation.predictor);
-  return name_of_stated_predictor(estimation);
 }
 
 /// Of levels and values: the declared unit, or that in which the name of the factor ends. Empty otherwise.

@@ -2611,6 +2611,14 @@
         <source>Cross-validation chose one dimension; at least two are shown.</source>
         <translation>Die Kreuzvalidierung wählt eine Dimension; dargestellt werden mindestens zwei.</translation>
     </message>
+    <message>
+        <source>There is no exponent, because the predictor (%1) is computed from recordings, and none can be read for these responses. Record every tick (key &quot;recording&quot; of the protocol), and simulate participants with &quot;--recordings all&quot;.</source>
+        <translation>Es gibt keinen Exponenten, weil der Prädiktor (%1) aus Aufzeichnungen berechnet wird und für diese Antworten keine lesbar ist. Jeden Takt aufzeichnen (Schlüssel „recording“ des Protokolls) und Teilnehmer mit „--recordings all“ simulieren.</translation>
+    </message>
+    <message>
+        <source>The predictor (%1) is computed from recordings, and these are stored for only %2 of %3 participants. &quot;--recordings all&quot; of &quot;asperity simulate&quot; stores those of all virtual participants.</source>
+        <translation>Der Prädiktor (%1) wird aus Aufzeichnungen berechnet, und diese sind nur für %2 von %3 Teilnehmern gespeichert. „--recordings all“ von „asperity simulate“ speichert die aller virtuellen Teilnehmer.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
