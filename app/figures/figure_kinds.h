@@ -145,8 +145,11 @@ struct TrackTrial {
   double step = 0.0;  ///< its number in the track
   double level = 0.0;
   bool is_correct = false;
+  bool is_unsure = false;    ///< the response "cannot tell"
   bool is_reversal = false;  ///< the level changes its direction after this trial
 };
+/// The note, which explains the symbol of the responses "cannot tell" if there are any.
+Phrase with_note_on_unsure(const Phrase& note, std::span<const TrackTrial> trials);
 /// Sets `is_reversal` from the levels; the trials are in order.
 void mark_reversals(std::span<TrackTrial> of_one_track);
 /// The trials with a response of the tables and the findings of the family `staircase`.

@@ -62,9 +62,11 @@ std::vector<DrawnTracks> drawn_tracks(const Table& table) {
     if (known == of->tracks.end()) known = of->tracks.insert(known, std::move(track));
     const double level = row.number("level").value_or(0.0);
     of->greatest = std::max(of->greatest, std::abs(level));
+    const double hit = row.number("hit").value_or(0.0);
     known->trials.push_back({.step = row.number("step").value_or(0.0),
                              .level = level,
-                             .is_correct = row.number("hit") == 1.0});
+                             .is_correct = hit == 1.0,
+                             .is_unsure = hit > 0.0 && hit < 1.0});
   }
   return all;
 }
@@ -154,10 +156,12 @@ std::vector<Figure> track_figures(const Table& table) {
     figure.name = figure_file_name("tracks_" + drawn.participant);
     figure.table = kTracks;
     figure.title = phrase("Figures", "Tracks of participant %1").with(drawn.participant);
-    figure.note = phrase("Figures",
-                         "Filled symbols: hits (correct responses, or choices of the comparison); "
-                         "open symbols: other responses. Rings: reversals, after which the level "
-                         "changes its direction.");
+    figure.note = with_note_on_unsure(
+        phrase("Figures",
+               "Filled symbols: hits (correct responses, or choices of the comparison); "
+               "open symbols: other responses. Rings: reversals, after which the level "
+               "changes its direction."),
+        trials);
     figures.push_back(std::move(figure));
   }
   share_axes(figures);

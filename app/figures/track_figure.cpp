@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kRoomAroundTrack = 0.06;    // as a fraction of the range of the levels
 constexpr double kRingAroundReversal = 2.2;  // relative to the mark of a trial
+constexpr double kDotOfUnsure = 0.4;         // the same
 
 /// By track, in the order of their first trials.
 std::vector<std::pair<std::string, std::vector<TrackTrial>>> by_track(
@@ -37,6 +38,9 @@ std::vector<std::pair<std::string, std::vector<TrackTrial>>> by_track(
   return tracks;
 }
 
+/// A part of a hit: the mean of a guess.
+bool is_unsure_response(double response) { return response > 0.0 && response < 1.0; }
+
 }  // namespace
 
 void mark_reversals(std::span<TrackTrial> of_one_track) {
@@ -49,13 +53,22 @@ void mark_reversals(std::span<TrackTrial> of_one_track) {
   }
 }
 
+Phrase with_note_on_unsure(const Phrase& note, std::span<const TrackTrial> trials) {
+  const bool has_unsure = std::any_of(trials.begin(), trials.end(),
+                                      [](const TrackTrial& trial) { return trial.is_unsure; });
+  if (!has_unsure) return note;
+  return phrase("Figures", "%1 Open symbols with a dot: responses “cannot tell”.").with(note);
+}
+
 Figure tracks_figure(std::span<const TrackTrial> trials, const std::string& unit) {
   Figure figure{
       .name = "tracks",
       .title = phrase("Figures", "Levels over the trials of each track"),
-      .note = phrase("Figures",
-                     "Filled symbols: correct responses; open symbols: incorrect ones. Rings: "
-                     "reversals, after which the level changes its direction.")};
+      .note = with_note_on_unsure(
+          phrase("Figures",
+                 "Filled symbols: correct responses; open symbols: incorrect ones. Rings: "
+                 "reversals, after which the level changes its direction."),
+          trials)};
   if (trials.empty()) {
     figure.instead = phrase("Figures", "No track has a trial; collect responses first.");
     return figure;
@@ -75,17 +88,21 @@ Figure tracks_figure(std::span<const TrackTrial> trials, const std::string& unit
     FigureSeries correct{.name = tracks.size() > 1 ? Phrase(tracks[i].first) : Phrase(),
                          .style = style};
     FigureSeries incorrect{.style = style, .hollow = true};
+    FigureSeries dots{.style = style};  // of the responses "cannot tell"
     FigureSeries reversals{.style = style, .hollow = true};
     std::vector<FigurePlace>& line = correct.lines.emplace_back();
     for (const TrackTrial& trial : tracks[i].second) {
       line.push_back({.x = trial.step, .y = trial.level});
       (trial.is_correct ? correct : incorrect)
           .points.push_back({.x = trial.step, .y = trial.level});
+      if (trial.is_unsure) {
+        dots.points.push_back({.x = trial.step, .y = trial.level, .size = kDotOfUnsure});
+      }
       if (!trial.is_reversal) continue;
       reversals.points.push_back({.x = trial.step, .y = trial.level, .size = kRingAroundReversal});
     }
     if (!reversals.points.empty()) rings.push_back(std::move(reversals));
-    for (FigureSeries* const series : {&correct, &incorrect}) {
+    for (FigureSeries* const series : {&correct, &incorrect, &dots}) {
       if (!series->points.empty() || !series->lines.empty()) {
         figure.series.push_back(std::move(*series));
       }
@@ -124,6 +141,7 @@ std::vector<TrackTrial> track_trials(const TidyInput& input, const FoundNumbers&
                       .step = static_cast<double>(numbers[row]),
                       .level = *level,
                       .is_correct = *responses[row] == 1.0,
+                      .is_unsure = is_unsure_response(*responses[row]),
                       .is_reversal = reversals[track].contains(trial)});
   }
   return trials;

@@ -5734,6 +5734,10 @@
         <source>power of the force from 50 to 500 Hz</source>
         <translation>Leistung der Kraft von 50 bis 500 Hz</translation>
     </message>
+    <message>
+        <source>%1 Open symbols with a dot: responses “cannot tell”.</source>
+        <translation>%1 Offene Symbole mit einem Punkt: Antworten „kann es nicht sagen“.</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>

@@ -197,6 +197,33 @@ TEST(TrackFigures, DrawTheTracksOfEachParticipantOfAStudy) {
   EXPECT_NEAR(figure.series[2].points[0].y, 60.0, 1e-9);
 }
 
+TEST(TrackFigures, HaveASymbolForResponsesThatCannotTell) {
+  AnalysisOutcome outcome{};
+  NamedTable tracks{
+      .name = "tracks",
+      .table = {{"participant", "condition", "track", "step", "level", "hit", "unit"}, {}}};
+  for (const auto& [person, third] : {std::pair{"p1", 0.5}, std::pair{"p2", 0.0}}) {
+    for (const auto& [step, hit] : {std::pair{1, 1.0}, std::pair{2, 0.0}, std::pair{3, third}}) {
+      tracks.table.rows.push_back({std::string(person), std::string("all"), std::int64_t{1},
+                                   std::int64_t{step}, 70e-6, hit, std::string("m")});
+    }
+  }
+  outcome.tables.push_back(tracks);
+  const std::vector<Figure> figures = figures_of(outcome);
+  const Figure& with = figure_named(figures, "tracks_p1");
+  EXPECT_THAT(with.note.english(), HasSubstr("Open symbols with a dot: responses “cannot tell”"));
+  ASSERT_EQ(with.series.size(), 3U);
+  EXPECT_EQ(with.series[1].points.size(), 2U);
+  EXPECT_TRUE(with.series[1].hollow);
+  ASSERT_EQ(with.series[2].points.size(), 1U) << "drawn last, into the open symbol";
+  EXPECT_FALSE(with.series[2].hollow);
+  EXPECT_EQ(with.series[2].points[0].x, 3.0);
+  EXPECT_LT(with.series[2].points[0].size, 0.5);
+  const Figure& without = figure_named(figures, "tracks_p2");
+  EXPECT_EQ(without.series.size(), 2U);
+  EXPECT_THAT(without.note.english(), testing::Not(HasSubstr("dot")));
+}
+
 TEST(TrackFigures, SeparateTheRunsOfABlock) {
   AnalysisOutcome outcome{};
   NamedTable tracks{.name = "tracks",
