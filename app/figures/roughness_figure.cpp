@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/figures/axis_ticks.h"
+#include "app/figures/drawn_table.h"
 #include "app/figures/figure_kinds.h"
 #include "app/figures/single_participants.h"
 #include "results_schema/table.h"
@@ -81,8 +82,10 @@ Phrase roughness_note(const FoundNumbers& found, const std::vector<FigureSeries>
 
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names) {
   Figure figure{.name = "roughness", .title = phrase("Figures", "Estimated roughness by spacing")};
-  // Spacings are displayed in millimetres: 0.5 and not 5e-04.
-  const double scale = unit == "m" ? kMillimetresPerMetre : 1.0;
+  // Spacings are drawn in millimetres, like those of a sweep beside them: 0.5 and not 5e-04.
+  constexpr double kMillimetre_m = 1.0 / kMillimetresPerMetre;
+  const DrawnUnit drawn = drawn_unit(unit, kMillimetre_m);
+  const double scale = 1.0 / drawn.size;
   Range x{};
   Range y{};
   std::vector<std::string> probes{};
@@ -164,7 +167,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
   if (probes.size() == 1) figure.series.front().name = {};
   figure.x = {.name = unit.empty() ? phrase("Figures", "spacing, in the unit of the table")
                                    : phrase("Figures", "spacing"),
-              .unit = unit == "m" ? "mm" : unit,
+              .unit = drawn.text,
               .scale = AxisScale::log10,
               .low = scale * x.low / kBeyondMarks,
               .high = scale * x.high * kBeyondMarks};

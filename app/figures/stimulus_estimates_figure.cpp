@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/figures/axis_ticks.h"
+#include "app/figures/drawn_table.h"
 #include "app/figures/figure_kinds.h"
 #include "results_schema/table.h"
 
@@ -73,7 +74,12 @@ void add_line(const FoundNumbers& found, const std::string& condition, const Pos
 
 Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predictor,
                                  const std::string& unit) {
-  const double scale = unit == "m" ? kMillimetresPerMetre : 1.0;
+  double greatest = 0.0;  // of the predictor
+  for (const Finding* value : found.all("predictor")) {
+    greatest = std::max(greatest, value->value.value_or(0.0));
+  }
+  const DrawnUnit drawn = drawn_unit(unit, greatest);
+  const double scale = 1.0 / drawn.size;
   Figure figure{.name = "stimulus_estimates",
                 .title = phrase("Figures", "Magnitude estimates by stimulus"),
                 .note = note_of(found)};
@@ -123,7 +129,7 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
       .high = estimates.high * kBeyondMarks};
   if (has_predictor) {
     figure.x = {.name = predictor,
-                .unit = unit == "m" ? "mm" : unit,
+                .unit = drawn.text,
                 .scale = AxisScale::log10,
                 .low = across.low / kBeyondMarks,
                 .high = across.high * kBeyondMarks};

@@ -342,6 +342,19 @@ TEST(BesidePrediction, SaysInTheDrawingWhoseEstimatesTheyAreAndWhatHasNoEffect) 
   EXPECT_EQ(sweep_figure(sweep).series[0].name.english(), "probe 1 mm (no effect by construction)");
 }
 
+TEST(FiguresOf, DrawSmallPredictorsInMicrometres) {
+  std::vector<Finding> findings{};
+  for (const auto& [stimulus, amplitude_m] : {std::pair{"fine", 2e-5}, std::pair{"coarse", 8e-5}}) {
+    findings.push_back({.quantity = "predictor", .key = stimulus, .value = amplitude_m});
+    findings.push_back(
+        {.quantity = "geomean", .key = std::string("all|") + stimulus, .value = 1e5 * amplitude_m});
+  }
+  const Figure figure = stimulus_estimates_figure(FoundNumbers(findings), "amplitude", "m");
+  EXPECT_EQ(figure.x.unit, "µm");
+  EXPECT_NEAR(figure.series.front().points.front().x, 20.0, 1e-9);
+  EXPECT_NEAR(figure.series.front().points.back().x, 80.0, 1e-9);
+}
+
 TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {
   const Analysed all = analysed("magnitude_01");
   const Figure& figure = all.figure("roughness");
