@@ -19,6 +19,7 @@
 #include "app/plugins/stored_plugins.h"
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/program.h"
+#include "app/tasks/verify_groups.h"
 #include "app/tasks/verify_instability.h"
 #include "app/tasks/verify_questionnaire.h"
 #include "protocols/plan/shown_options.h"
@@ -377,6 +378,14 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   if (stop.stop_requested()) return result;
   add_failure_of([&] { result.remarks = study.leftovers(); }, result.problems);
   add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
+  add_failure_of(
+      [&] {
+        PlansOfSessions plans(study, models);
+        for (const std::string& problem : group_problems(study, plans)) {
+          result.problems.push_back(problem);
+        }
+      },
+      result.problems);
   add_failure_of(
       [&] {
         for (const std::string& problem : plugin_problems(models, study)) {

@@ -1,5 +1,7 @@
 // Groups of participants, from the beginning of a session to the exported table.
 
+#include "protocols/plan/groups.h"
+
 #include <map>
 #include <set>
 
@@ -11,7 +13,6 @@
 #include "app/tasks/simulation.h"
 #include "app/tasks/verify_study.h"
 #include "protocols/file/protocol_reader.h"
-#include "protocols/plan/groups.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/exported_study.h"
@@ -209,6 +210,33 @@ TEST_F(GroupsOfASession, FollowThePermutedBlocksOfTheProtocol) {
   EXPECT_NE(expected["p1/1"], expected["p2/1"]) << "a block of two has both groups";
   EXPECT_THAT(problems(), IsEmpty());
   EXPECT_THAT(refused("p5", "haptic"), HasSubstr("the program assigns the groups"));
+}
+
+/// A participant with the plan of the other group, so that session and plan agree.
+TEST_F(GroupsOfASession, ThatAreNotThoseOfTheSequenceAreFound) {
+  std::string text = grouped_protocol("permuted_blocks");
+  text.replace(text.find("permuted_blocks\"") + 16, 0, R"(, "seed": 8, "block_sizes": [2])");
+  text.replace(text.find("asperity.protocol/1"), 19, "asperity.protocol/2");
+  write(text);
+  for (const char* const label : {"p1", "p2"}) EXPECT_EQ(run(label).state, SessionState::completed);
+  EXPECT_THAT(problems(), IsEmpty());
+  const Protocol protocol = read_protocol(text, "small.json", declarations_of(models_));
+  const std::string third = permuted_group(protocol, "pilot", 2);
+  const std::string other = third == "haptic" ? "visual" : "haptic";
+  {
+    Study opened = Study::open(inputs_.study, Access::read_write);
+    std::vector<SessionRow> rows = opened.sessions();
+    SessionRow row = rows[0].group_level == other ? rows[0] : rows[1];
+    const std::vector<PlannedTrialRow> plan = opened.plan(row.id);
+    row.session = 0;
+    row.participant = "p3";
+    row.state = SessionState::open;
+    opened.add_participant({.label = "p3", .created_utc = "2026-01-01T00:00:00.000Z"});
+    opened.add_session(row, plan);
+  }
+  EXPECT_THAT(problems(), ElementsAre("session 1 of participant p3: its group is " + other +
+                                      ", and that of place 3 in the permuted blocks is " + third +
+                                      "; restore the study from a copy"));
 }
 
 }  // namespace
