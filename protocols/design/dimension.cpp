@@ -3,37 +3,25 @@
 #include "protocols/design/dimension.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
+
+#include "analysis/rounded_text.h"
 
 namespace asperity {
 
-namespace {
-
-/// 12 significant digits: 50 µm + 50 % is stored as 7.5e-05, not as 7.500000000000001e-05.
-double rounded(double value) {
-  std::array<char, 32> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
-                                     std::chars_format::scientific, 11);
-  std::from_chars(text.data(), written.ptr, value);
-  return value;
-}
-
-}  // namespace
-
+// 50 µm + 50 % is stored as 7.5e-05, not as 7.500000000000001e-05.
 double value_at(LevelMeasure measure, double level, double standard) {
   switch (measure) {
     case LevelMeasure::value:
       break;
     case LevelMeasure::difference:
-      return rounded(standard + level);
+      return without_rounding_errors(standard + level);
     case LevelMeasure::percent:
-      return rounded(standard + standard * level / 100.0);
+      return without_rounding_errors(standard + standard * level / 100.0);
     case LevelMeasure::ratio:
-      return rounded(standard * level);
+      return without_rounding_errors(standard * level);
     case LevelMeasure::decibels:
-      return rounded(standard * std::pow(10.0, level / 20.0));
+      return without_rounding_errors(standard * std::pow(10.0, level / 20.0));
   }
   return level;
 }

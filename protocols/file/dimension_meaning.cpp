@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/rounded_text.h"
 #include "protocols/file/meaning_checks.h"
 
 namespace asperity {
@@ -39,8 +40,8 @@ std::string limits_as_levels(const Dimension& dimension, const Parameter& declar
   const double least = dimension.level_of(declared.minimum);
   const double greatest = dimension.level_of(declared.maximum);
   if (!std::isfinite(least) || !std::isfinite(greatest)) return {};
-  return "; as " + in_quotes(key_of(dimension.measure)) + " the limits are " + digits(least) +
-         " and " + digits(greatest);
+  return "; as " + in_quotes(key_of(dimension.measure)) + " the limits are " + rounded_text(least) +
+         " and " + rounded_text(greatest);
 }
 
 }  // namespace
@@ -187,8 +188,8 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
       const double value = dimension.value_of(level);
       const auto complaint = complaint_about(*declared, value);
       if (complaint) {
-        report(at, "the level " + digits(level) + " is a value of " + digits(value) + ": " +
-                       without_stop(*complaint) + limits_as_levels(dimension, *declared));
+        report(at, "the level " + rounded_text(level) + " is a value of " + rounded_text(value) +
+                       ": " + without_stop(*complaint) + limits_as_levels(dimension, *declared));
       }
     };
     if (dimension

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/number_text.h"
+#include "analysis/rounded_text.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/meaning_checks.h"
 #include "protocols/plan/level_tracks.h"
@@ -82,13 +83,13 @@ std::string easy_levels(const Dimension& dimension, bool is_performance) {
   const std::vector<double> levels = dimension.levels();
   const double below = standard - values.front();
   const double above = values.back() - standard;
-  const std::string more = digits(levels.back()) + " or more";
-  const std::string less = digits(levels.front()) + " or less";
+  const std::string more = rounded_text(levels.back()) + " or more";
+  const std::string less = rounded_text(levels.front()) + " or less";
   if (is_performance) return above > 0.0 ? more : less;
   const double farthest = std::max(below, above);
-  return digits(dimension.level_of(standard + farthest)) + " or more" +
+  return rounded_text(dimension.level_of(standard + farthest)) + " or more" +
          (standard - farthest > 0.0 || !needs_positive_standard(dimension.measure)
-              ? ", or " + digits(dimension.level_of(standard - farthest)) + " or less"
+              ? ", or " + rounded_text(dimension.level_of(standard - farthest)) + " or less"
               : "");
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/rounded_text.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
@@ -232,7 +233,7 @@ class Warnings final {
         const bool is_measured = std::any_of(measured.begin(), measured.end(), [&](double value) {
           return std::abs(value - trained[i]) <= 1e-9 * std::abs(trained[i]);
         });
-        if (is_measured) both.push_back(digits(levels[i]));
+        if (is_measured) both.push_back(rounded_text(levels[i]));
       }
       if (both.empty()) continue;
       const std::string at = both.size() == 1 ? "the level " + both.front() + ", which"

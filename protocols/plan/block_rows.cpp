@@ -3,8 +3,6 @@
 #include "protocols/plan/block_rows.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/rounded_text.h"
 #include "protocols/design/arithmetic.h"
 
 namespace asperity {
@@ -44,13 +43,7 @@ std::optional<double> derived_level(const FactorLevels& row, const std::string& 
     return number == nullptr ? std::numeric_limits<double>::quiet_NaN() : *number;
   });
   if (!std::isfinite(value)) return {};
-  constexpr int kDigits = 12;
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
-                                          std::chars_format::scientific, kDigits - 1);
-  double rounded = value;
-  if (error == std::errc()) std::from_chars(text.data(), end, rounded);
-  return rounded;
+  return without_rounding_errors(value);
 }
 
 std::vector<FactorLevels> combinations_of(const Protocol& protocol, const Protocol::Block& block) {

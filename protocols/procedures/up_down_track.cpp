@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/number_text.h"
+#include "analysis/rounded_text.h"
 
 namespace asperity {
 namespace {
@@ -49,7 +50,7 @@ void check_start(const LevelGrid& grid, double start, ProcedureProblems& problem
   const double nearest = level_of(grid, nearest_index(grid, start));
   problems.report("start", "the start " + number_text(start) +
                                " is not a level of the grid; use the nearest level, " +
-                               number_text(nearest));
+                               rounded_text(nearest));
 }
 
 void check_steps(const LevelGrid& grid, const StepList& steps, const std::string& setting,

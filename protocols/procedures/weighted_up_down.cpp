@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analysis/number_text.h"
+#include "analysis/rounded_text.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {
@@ -41,7 +42,7 @@ void check_unsure_steps(const WeightedUpDown& method, ProcedureProblems& problem
     return;
   }
   problems.report(
-      "target", "the step up after the response \"cannot tell\" is " + number_text(weight) +
+      "target", "the step up after the response \"cannot tell\" is " + rounded_text(weight) +
                     " times the step down for the target " + number_text(method.target) + " and " +
                     std::to_string(alternatives) +
                     " alternatives, the mean step of a guess, which is not a whole number of steps "
@@ -75,7 +76,7 @@ void check_weighted(const ProcedureSettings& settings, ProcedureProblems& proble
   const double weight = weight_of(method.target);
   problems.report(
       "target",
-      "a step up is " + number_text(weight) + " times the step down for the target " +
+      "a step up is " + rounded_text(weight) + " times the step down for the target " +
           number_text(method.target) +
           ", which is not a whole number of steps of the grid; use a target whose ratio is a whole "
           "number, such as 0.75 (ratio 3), a larger step down, or a finer grid");

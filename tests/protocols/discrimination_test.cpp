@@ -317,6 +317,20 @@ TEST(VariedParameters, RefuseNamesThatAreTakenOrUnknown) {
                   }}});
 }
 
+TEST(VariedParameters, AreReportedWithoutRoundingErrors) {
+  expect_faults(
+      amplitude_jnd(),
+      {{"/procedure/target", "a step up is 2.33333333333 times the step down", [](ProtocolJson& p) {
+          main_block(p).erase("repetitions");
+          main_block(p)["vary"]["levels_percent"] = {{"lowest", 2}, {"highest", 80}, {"step", 2}};
+          main_block(p)["procedure"] = {{"method", "weighted_up_down"},
+                                        {"target", 0.7},
+                                        {"steps_down", {2}},
+                                        {"start", 40},
+                                        {"stop", {{"trials", 20}}}};
+        }}});
+}
+
 TEST(VariedParameters, RefuseLevelsRelativeToNoStandardOrToZero) {
   expect_faults(amplitude_jnd(),
                 {{"/vary/levels_percent", "needs a standard; add \"relative_to\"",
