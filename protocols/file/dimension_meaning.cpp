@@ -84,7 +84,35 @@ void Meaning::check_dimension(const Block& block, const std::string& pointer) {
                               "; state the role of exactly one: " + one_of(roles_in(block)));
     return;
   }
-  if (check_standard(block, pointer)) check_values(block, pointer);
+  if (check_parameter(block, pointer) && check_standard(block, pointer)) {
+    check_values(block, pointer);
+  }
+}
+
+/// Whether all force models of the varied surface have the parameter.
+bool Meaning::check_parameter(const Block& block, const std::string& pointer) {
+  const Dimension& dimension = *block.vary;
+  const auto presented =
+      std::find_if(block.presented.begin(), block.presented.end(),
+                   [&dimension](const auto& each) { return each.role == dimension.role; });
+  const auto stimulus = protocol_.stimuli.find(presented->stimulus);
+  if (stimulus == protocol_.stimuli.end() || dimension.is_relative_amplitude()) return true;
+  bool all_have_it = true;
+  for (const auto& [id, place] :
+       texts_of(stimulus->second.model, pointer_to("/stimuli", stimulus->first) + "/model")) {
+    const auto model = models_.find(id);
+    if (model == models_.end()) continue;  // reported at its own location
+    std::map<std::string, int> names{};
+    for (const Parameter& each : model->second->parameters) {
+      if (each.kind != ParameterKind::choice) names[each.name] = 0;
+    }
+    if (names.contains(dimension.parameter)) continue;
+    all_have_it = false;
+    report(pointer + "/vary/parameter",
+           "the model " + in_quotes(id) + ": " +
+               unknown_name("numeric parameter", dimension.parameter, names));
+  }
+  return all_have_it;
 }
 
 /// The surface to which levels refer. False where the values of the levels cannot be computed.
@@ -170,15 +198,7 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
         std::find_if(parameters.begin(), parameters.end(), [&dimension](const Parameter& each) {
           return each.name == dimension.parameter && each.kind != ParameterKind::choice;
         });
-    if (declared == parameters.end()) {
-      std::map<std::string, int> names{};
-      for (const Parameter& each : parameters) {
-        if (each.kind != ParameterKind::choice) names[each.name] = 0;
-      }
-      report(at_parameter, "the model " + in_quotes(id) + ": " +
-                               unknown_name("numeric parameter", dimension.parameter, names));
-      continue;
-    }
+    if (declared == parameters.end()) continue;  // check_parameter
     if (stimulus->second.equal_force && model->second->amplitude_parameter == dimension.parameter) {
       report(at_parameter, "equal_force of the stimulus " + in_quotes(presented->stimulus) +
                                " determines this parameter; remove it there, or vary another "

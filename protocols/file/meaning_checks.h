@@ -110,6 +110,7 @@ class Meaning final : private ProblemSink {
   void check_anchor(const Protocol::Block& block, const std::string& pointer);
   void check_presented(const Protocol::Block& block, const std::string& pointer);
   void check_dimension(const Protocol::Block& block, const std::string& pointer);
+  bool check_parameter(const Protocol::Block& block, const std::string& pointer);
   bool check_standard(const Protocol::Block& block, const std::string& pointer);
   void check_values(const Protocol::Block& block, const std::string& pointer);
   void check_relative_amplitude(const Protocol::Block& block, const StimulusTemplate& stimulus,

@@ -112,6 +112,8 @@ void Meaning::check_procedure(const Block& block, const std::string& pointer) {
                "\"discrimination\"");
     return;
   }
+  if (block.design->has_noise())
+    return;  // no procedure is permitted, which is reported with the design
   for (const char* const key : {"repetitions", "repetitions_of", "maximum_in_a_row",
                                 "minimum_distance", "fixed_positions", "until"}) {
     if (!object.contains(key)) continue;

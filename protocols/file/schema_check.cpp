@@ -68,6 +68,11 @@ std::string type_in_words(const std::string& type) {
   return "a number";
 }
 
+bool is_quoted_number(const json& value) {
+  return value.is_string() &&
+         json::parse(value.get_ref<const std::string&>(), nullptr, false).is_number();
+}
+
 /// Checks keys without valijson, which reports only one per object and does not name unknown keys. Returns false if a
 /// name is too long for valijson: it matches names with std::regex, which recurses once per character.
 bool check_keys(const JsonDocument& document, const json& root, const json& schema,
@@ -168,7 +173,9 @@ std::string sentence(const std::string& description, const json& schema, const j
     } else {
       wanted = type_in_words(type.get<std::string>());
     }
-    return shown(value) + " is not permitted here: write " + wanted + purpose;
+    const bool is_number = wanted.find("number") != std::string::npos && is_quoted_number(value);
+    return shown(value) + " is not permitted here: write " + wanted +
+           (is_number ? ", without quotation marks" : "") + purpose;
   }
   if (starts("Expected number")) {
     const bool low = description.find("greater") != std::string::npos;
@@ -196,6 +203,16 @@ std::string sentence(const std::string& description, const json& schema, const j
     return "this text is longer than " + schema.at("maxLength").dump() + " characters; shorten it";
   }
   if (starts("Object should have no fewer")) return "this object is empty; add an entry" + purpose;
+  if (starts("Object should have no more")) {
+    const json& most = schema.at("maxProperties");
+    const auto properties = schema.find("properties");
+    if (most == json(1) && properties != schema.end()) {
+      return "write exactly one of the keys " + one_of(keys_of(*properties)) +
+             " here; remove the other" + purpose;
+    }
+    return std::to_string(value.size()) + " entries are too many: write at most " + most.dump() +
+           purpose;
+  }
   return description + purpose;
 }
 

@@ -86,6 +86,7 @@ bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
                     "\"relative_to\" to \"standard\"");
     return false;
   }
+  if (!vary->standard && is_relative(vary->measure)) return false;  // reported with the levels
   if (!vary->standard) {
     problems.report(checked.pointer + "/vary/relative_to",
                     "the stimulus of the standard does not state a number for " +

@@ -3,8 +3,10 @@
 #include "stimuli/properties/parameter.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 
 #include "analysis/number_text.h"
 
@@ -50,7 +52,12 @@ std::optional<std::string> complaint_about(const Parameter& parameter,
       number_text(parameter.minimum) + " to " + with_unit(parameter, parameter.maximum) + ".";
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr) {
-    return parameter.name + " is \"" + std::get<std::string>(value) + "\"; it must be " + right;
+    const std::string& text = std::get<std::string>(value);
+    double quoted = 0.0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), quoted);
+    const bool is_quoted_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
+    return parameter.name + " is \"" + text + "\"; it must be " +
+           (is_quoted_number ? "written without quotation marks, as " : "") + right;
   }
   const bool whole = parameter.kind != ParameterKind::integer || *number == std::floor(*number);
   // In this form the condition rejects NaN, for which all comparisons are false.

@@ -191,8 +191,8 @@ TEST(DetectionDesigns, RefuseWhatTheyCannotAsk) {
        }},
       {"same_different", "/repetitions_of/0", "would no longer be equally frequent",
        [](DesignJson& p) {
-         design_block(p)["repetitions_of"] = {{{"levels", {{"amplitude_m", 55e-6}}},
-                                               {"repetitions", 8}}};
+         design_block(p)["repetitions_of"] = {
+             {{"levels", {{"amplitude_m", 55e-6}}}, {"repetitions", 8}}};
        }},
       {"same_different", "/question/options", "the options are the surfaces felt",
        [](DesignJson& p) { design_block(p).erase("design"); }}};
@@ -319,6 +319,15 @@ TEST(DetectionDesigns, RecoverThePlantedDifferenceOfAnObserverWithNoise) {
     EXPECT_GT(fit.alpha->high, planted) << design.design;
     EXPECT_LT(fit.alpha->high - fit.alpha->low, 2.0 * planted) << "the interval is of use";
   }
+}
+
+TEST(DetectionDesigns, HaveOneProblemWithAProcedure) {
+  DesignJson protocol = with_design("yes_no");
+  design_block(protocol)["procedure"] = {{"method", "psi"}, {"stop", {{"trials", 40}}}};
+  const std::vector<Diagnostic> problems = reading_of_design(protocol).problems;
+  ASSERT_EQ(problems.size(), 1U) << "the key is to be removed, whatever it states";
+  EXPECT_THAT(problems.front().message,
+              HasSubstr("presents every level equally often, because a proportion correct"));
 }
 
 }  // namespace

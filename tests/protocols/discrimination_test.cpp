@@ -294,6 +294,9 @@ TEST(VariedParameters, RefuseNamesThatAreTakenOrUnknown) {
                   [](ProtocolJson& p) { main_block(p)["vary"]["of"] = "target"; }},
                  {"/vary/relative_to", "no other surface of the block has the role",
                   [](ProtocolJson& p) { main_block(p)["vary"]["relative_to"] = "comparison"; }},
+                 {"/vary/parameter",
+                  "there is no numeric parameter \"amplitude\"; did you mean \"amplitude_m\"?",
+                  [](ProtocolJson& p) { main_block(p)["vary"]["parameter"] = "amplitude"; }},
                  {"/vary/parameter", "amplitude",
                   [](ProtocolJson& p) {
                     for (const char* const block : {"practice", "comparisons"}) {

@@ -204,7 +204,7 @@ const Fault kForm[] = {
     {"missing_key", R"(  "title": "Which rendering feels most like the picture?",)", "", "{", "",
      R"(the key "title" is missing)"},
     {"wrong_type", R"("rate_Hz": 1000)", R"("rate_Hz": "1000")", R"("1000")", "/device/rate_Hz",
-     R"("1000" is not permitted here: write a number)"},
+     R"("1000" is not permitted here: write a number, without quotation marks)"},
     {"negative", R"("rate_Hz": 1000)", R"("rate_Hz": -1)", "-1,", "/device/rate_Hz",
      "at least 100"},
     {"zero_force", R"("force_limit_N": 5)", R"("force_limit_N": 0)", "0}", "/device/force_limit_N",
