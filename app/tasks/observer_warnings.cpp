@@ -23,15 +23,23 @@ namespace {
 constexpr double kLeastChange = 0.02;  // of the natural logarithm
 constexpr int kStrokes = 3;            // with other random numbers, as in other presentations
 
-/// The presentations with the smallest and the largest value of the varied parameter, among which may be the standard, and
-/// the standard.
+/// The presentations with the smallest and the largest value of the varied parameter, among which may be the standard, that
+/// of its level nearest to the standard, and the standard.
 struct Extremes {
   std::optional<double> least{};
   std::optional<double> greatest{};
   PlannedPresentation of_least{};
   PlannedPresentation of_greatest{};
   std::optional<PlannedPresentation> of_standard{};
+  std::optional<double> distance{};  ///< of the nearest level
+  PlannedPresentation of_nearest{};
 
+  void add_level(double value, double standard, const PlannedPresentation& planned) {
+    add(value, planned);
+    if (distance && std::abs(value - standard) >= *distance) return;
+    distance = std::abs(value - standard);
+    of_nearest = planned;
+  }
   void add(double value, const PlannedPresentation& planned) {
     if (!least || value < *least) {
       least = value;
@@ -59,7 +67,9 @@ Extremes extremes_of(const std::vector<Trial>& trials, const Protocol::Block& bl
     if (!others) others = own;
     if (own != *others) continue;
     for (const PlannedPresentation& planned : trial.presentations) {
-      if (planned.role == varied.role) found.add(*value, planned);
+      if (planned.role == varied.role) {
+        found.add_level(*value, varied.standard.value_or(0.0), planned);
+      }
       if (planned.role == varied.standard_role && varied.standard) {
         found.add(*varied.standard, planned);
         found.of_standard = planned;
@@ -156,11 +166,14 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
     const double to = std::max(*greatest, *standard);
     if (block.design->surfaces() == 1 && observer.yes_above &&
         (std::log(*observer.yes_above) <= from || std::log(*observer.yes_above) >= to)) {
+      const double nearest = magnitude_of(extremes.of_nearest).value_or(*standard);
+      const double farthest =
+          std::abs(*least - *standard) > std::abs(*greatest - *standard) ? *least : *greatest;
       warnings.push_back(document.at(
           "/observer/yes_above",
           "the virtual observer judges " + judged + ", which is " + magnitude_text(*standard) +
-              " at the standard and " + magnitude_text(*least) + " to " +
-              magnitude_text(*greatest) + " at the levels of " + parameter +
+              " at the standard and " + magnitude_text(nearest) + " to " +
+              magnitude_text(farthest) + " at the levels of " + parameter +
               ": with this criterion nearly all simulated responses are the same. State a value "
               "between that of the standard and those of the levels"));
     } else if (std::abs(change) < kLeastChange) {

@@ -8,9 +8,11 @@
 #include <set>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "analysis/multidimensional_scaling.h"
 #include "analysis/number_text.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
@@ -18,6 +20,7 @@
 #include "protocols/kinds/estimation.h"
 #include "protocols/kinds/rating.h"
 #include "protocols/kinds/similarity.h"
+#include "protocols/plan/level_tracks.h"
 #include "protocols/plan/plan.h"
 #include "protocols/plan/roughness_matching.h"
 #include "protocols/procedures/procedure.h"
@@ -27,6 +30,17 @@ namespace asperity {
 namespace {
 
 using Block = Protocol::Block;
+
+/// Of a binomial number of errors.
+double probability_of_at_most(double errors, std::size_t trials, double of_error) {
+  const auto n = static_cast<double>(trials);
+  double sum = 0.0;
+  for (double i = 0.0; i <= std::min(errors, n); ++i) {
+    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0) +
+                    i * std::log(of_error) + (n - i) * std::log1p(-of_error));
+  }
+  return std::min(sum, 1.0);
+}
 
 class AnalysisWarnings final {
  public:
@@ -45,7 +59,12 @@ class AnalysisWarnings final {
       trials_ = possible_trials(protocol_);
     }
     warn_of_tests();
-    for (const Block* const block : discriminations_) warn_of_guesses(*block);
+    for (const Block* const block : discriminations_) {
+      warn_of_guesses(*block);
+      warn_of_confidence(*block);
+      warn_of_unused_option(*block);
+    }
+    warn_of_exclusion();
     warn_of_items();
     warn_of_one_rated_surface();
     warn_of_predictor_without_recordings();
@@ -129,6 +148,106 @@ class AnalysisWarnings final {
              " correct responses, but guesses are correct in " + percent(chance) +
              ", so that no level is reached; require more correct responses for a lower level "
              "(\"down\": 2 or 3), or state a higher \"target\"");
+  }
+
+  static std::string place_of_question(const Block& block, std::size_t question) {
+    const std::string pointer = pointer_to("/blocks", block.name);
+    return block.has_question_list ? pointer_to(pointer + "/questions", question)
+                                   : pointer + "/question";
+  }
+
+  /// A scale after a choice is usually meant to rate the confidence in it.
+  void warn_of_confidence(const Block& block) {
+    const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+    const auto& questions = block.questions;
+    const bool has_confidence =
+        std::any_of(questions.begin(), questions.end(),
+                    [](const auto& each) { return !each.confidence_of.empty(); });
+    const bool can_have_roc = judged != nullptr && has_correct_responses(&block) &&
+                              !judged->allow_cannot_tell && !block.design->is_choice_of_three() &&
+                              !chooses_levels_from_answers(block);
+    if (has_confidence || !can_have_roc) return;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      const auto* const scale = std::get_if<ScaleForm>(&questions[i].form);
+      if (scale == nullptr || scale->points == 0) continue;
+      warn(place_of_question(block, i),
+           "this scale does not state whether it rates the confidence in a response: there is no "
+           "ROC, and virtual participants rate the first surface. If it does, add "
+           "\"confidence_of\": " +
+               in_quotes(judged->name));
+    }
+  }
+
+  void warn_of_unused_option(const Block& block) {
+    const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
+    const ObserverDeclaration& observer = protocol_.observer;
+    if (judged == nullptr || !judged->allow_cannot_tell || observer.unsure_within ||
+        observer.deaf) {
+      return;
+    }
+    const auto index = static_cast<std::size_t>(judged - block.questions.data());
+    warn(place_of_question(block, index) + "/allow_cannot_tell",
+         "virtual participants never give the response \"cannot tell\"; state \"unsure_within\" "
+         "under \"observer\", the relative difference below which they do");
+  }
+
+  /// The catch trials of a session, at most, and the probability that a guess is correct in them.
+  struct CatchTrialsOfSession {
+    std::size_t trials = 0;
+    double guess_rate = 0.0;  ///< the highest of all blocks
+  };
+  CatchTrialsOfSession catch_trials() const {
+    CatchTrialsOfSession all{};
+    for (const Block* const block : discriminations_) {
+      if (!block->procedure || !block->procedure->catch_trials) continue;
+      Block without = *block;
+      without.procedure->catch_trials.reset();
+      const std::size_t of_run =
+          most_trials_of(protocol_, *block) - most_trials_of(protocol_, without);
+      for (const Protocol::Run* const run : runs_of(protocol_, *block)) {
+        all.trials +=
+            of_run *
+            (run->for_each.empty() ? 1 : protocol_.factors.at(run->for_each).levels.size());
+      }
+      // Of two standards, "cannot tell" is the correct one of all options.
+      const bool is_easy = block->procedure->catch_trials->type == CatchType::easy;
+      all.guess_rate = std::max(
+          all.guess_rate, is_easy ? block->design->guess_rate()
+                                  : 1.0 / static_cast<double>(block->design->alternatives() + 1));
+    }
+    return all;
+  }
+
+  void warn_of_exclusion() {
+    const auto& rule = protocol_.analysis.exclude;
+    const CatchTrialsOfSession caught = catch_trials();
+    if (!rule || caught.trials == 0) return;
+    constexpr double kErrorsOfAttentive = 0.05;
+    constexpr double kSmall = 0.05;
+    const auto trials = static_cast<double>(caught.trials);
+    const double most_errors =
+        rule->more_errors_than
+            ? static_cast<double>(*rule->more_errors_than)
+            : std::floor(rule->error_rate_above.value_or(0.0) * trials * (1.0 + 1e-9));
+    const double guesser_stays =
+        probability_of_at_most(most_errors, caught.trials, 1.0 - caught.guess_rate);
+    const double attentive_leaves =
+        1.0 - probability_of_at_most(most_errors, caught.trials, kErrorsOfAttentive);
+    if (guesser_stays <= kSmall && attentive_leaves <= kSmall) return;
+    const auto percent = [](double probability) {
+      const double in_percent = 100.0 * probability;
+      return (in_percent < 0.1 ? std::string("less than 0.1") : fixed(in_percent, 1)) + " %";
+    };
+    warn("/analysis/exclude",
+         "a session has at most " + counted(caught.trials, "catch trial", "catch trials") +
+             ": a participant who guesses in all of them stays in the analysis with a probability "
+             "of " +
+             percent(guesser_stays) +
+             ", and an attentive participant with errors in 5 % of them is excluded with a "
+             "probability of " +
+             percent(attentive_leaves) +
+             "; state another limit, or more catch trials (a smaller "
+             "\"every\")");
   }
 
   void warn_of_items() {

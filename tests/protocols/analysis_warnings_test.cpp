@@ -105,5 +105,48 @@ TEST(AnalysisWarnings, AreAboutAPredictorWithoutRecordings) {
                                 HasSubstr("set this to true"))));
 }
 
+TEST(AnalysisWarnings, StateWhomALimitOfCatchErrorsExcludes) {
+  json file = library_file("amplitude_jnd_psi");
+  file["analysis"]["exclude"] = {{"catch_error_rate_above", 0.5}};
+  // 5 catch trials: a guesser makes at most 2 errors in half of all sessions; 3 of 5 errors at 5 % have p = 0.00116.
+  EXPECT_THAT(
+      warnings_of(file),
+      ElementsAre(AllOf(HasSubstr("/analysis/exclude: a session has at most 5 catch trials"),
+                        HasSubstr("stays in the analysis with a probability of 50.0 %"),
+                        HasSubstr("excluded with a probability of 0.1 %"))));
+  // 1 − 0.95⁵ = 0.226.
+  file["analysis"]["exclude"] = {{"more_catch_errors_than", 0}};
+  EXPECT_THAT(warnings_of(file), ElementsAre(HasSubstr("with a probability of 22.6 %")));
+  for (auto& [name, block] : file["blocks"].items()) {
+    if (block.contains("procedure")) block["procedure"]["catch_trials"]["every"] = 5;
+  }
+  file["analysis"]["exclude"] = {{"more_catch_errors_than", 4}};
+  EXPECT_THAT(warnings_of(file), testing::IsEmpty());
+}
+
+TEST(AnalysisWarnings, AreAboutAResponseThatVirtualParticipantsNeverGive) {
+  json file = library_file("amplitude_jnd_psi");
+  file["blocks"]["comparisons"]["question"]["allow_cannot_tell"] = true;
+  EXPECT_THAT(warnings_of(file),
+              ElementsAre(AllOf(HasSubstr("/blocks/comparisons/question/allow_cannot_tell"),
+                                HasSubstr("state \"unsure_within\" under \"observer\""))));
+  file["observer"]["unsure_within"] = 0.1;
+  EXPECT_THAT(warnings_of(file), testing::IsEmpty());
+}
+
+TEST(AnalysisWarnings, AreAboutAScaleThatMayRateConfidence) {
+  json file = library_file("amplitude_same_different");
+  json& block = file["blocks"]["comparisons"];
+  const std::string judged = block["question"]["name"];
+  block["questions"] = {block["question"],
+                        {{"name", "sure"}, {"prompt", "How sure?"}, {"scale", {{"points", 4}}}}};
+  block.erase("question");
+  EXPECT_THAT(warnings_of(file),
+              ElementsAre(AllOf(HasSubstr("/blocks/comparisons/questions/1: this scale"),
+                                HasSubstr("add \"confidence_of\": \"" + judged + '"'))));
+  block["questions"][1]["confidence_of"] = judged;
+  EXPECT_THAT(warnings_of(file), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace asperity
