@@ -1,7 +1,9 @@
 // A questionnaire with conditions in a session: what is asked and stored, resumed, verified and exported.
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 
 #include "app/exports/export_study.h"
 #include "app/session/questionnaire_rows.h"
+#include "app/session/respondents/virtual_participant.h"
 #include "app/tasks/verify_questionnaire.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/scripted_session.h"
@@ -188,6 +191,41 @@ TEST_F(ExportedQuestionnaire, GivesNothingAwayInPublic) {
     ++rows["kinds"];
   }
   EXPECT_EQ(rows["kinds"], 2) << "one row per participant";
+}
+
+/// All answers of 100 virtual participants, each of whom gives the same one again.
+std::set<FormAnswer> virtual_answers(const Question& question) {
+  const Protocol protocol{};
+  std::set<FormAnswer> answers{};
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    VirtualParticipant participant(protocol, {}, {}, Random(seed));
+    VirtualParticipant again(protocol, {}, {}, Random(seed));
+    const FormAnswer answer = participant.answer(question, [](double) {});
+    EXPECT_EQ(again.answer(question, [](double) {}), answer);
+    EXPECT_TRUE(problems_with(question, answer).empty());
+    answers.insert(answer);
+  }
+  return answers;
+}
+
+TEST(VirtualAnswers, AreRandomAndReproducible) {
+  const auto of = [](Question question) {
+    question.name = "asked";
+    question.options = {"a", "b", "c"};
+    return virtual_answers(question);
+  };
+  using Form = Question::Form;
+  EXPECT_EQ(of({.form = Form::choice}).size(), 3U);
+  EXPECT_EQ(of({.form = Form::multiple_choice}).size(), 7U) << "every subset but the empty one";
+  EXPECT_EQ(virtual_answers({.name = "age", .form = Form::number, .minimum = 18, .maximum = 20}),
+            (std::set<FormAnswer>{{"18"}, {"19"}, {"20"}}));
+  EXPECT_EQ(
+      virtual_answers({.name = "share", .form = Form::number, .minimum = 0.2, .maximum = 0.4}),
+      (std::set<FormAnswer>{{"0.3"}}));
+  EXPECT_EQ(virtual_answers({.name = "tired",
+                             .form = Form::scale,
+                             .scale = {.minimum = 1, .maximum = 4, .points = 4}}),
+            (std::set<FormAnswer>{{"1"}, {"2"}, {"3"}, {"4"}}));
 }
 
 }  // namespace

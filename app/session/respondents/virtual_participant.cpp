@@ -1,12 +1,15 @@
 #include "app/session/respondents/virtual_participant.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "analysis/number_text.h"
+#include "analysis/rounded_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/respondents/felt_surface.h"
 #include "protocols/design/block_factors.h"
@@ -16,7 +19,8 @@ namespace asperity {
 namespace {
 
 constexpr double kReading_s = 2.0;
-constexpr double kChoosing_s = 0.5;  // which surface to feel next
+constexpr double kChoosing_s = 0.5;   // which surface to feel next
+constexpr double kMostNumbers = 1e6;  // that a question of the questionnaire is answered with
 
 /// A sample of a texture whose heights are known: a plate that has these heights.
 struct Sample {
@@ -186,17 +190,33 @@ const VirtualResponse* VirtualParticipant::response_rated_by(const Trial& trial,
 FormAnswer VirtualParticipant::answer(const Question& question, const Wait& wait) {
   wait(kReading_s);
   source_ = "virtual";
+  // A resumed session gives the same answers.
+  Random draws = random_.split("questionnaire").split(question.name);
   switch (question.form) {
     case Question::Form::choice:
-    case Question::Form::multiple_choice:
-      return question.options.empty() ? FormAnswer{} : FormAnswer{question.options.front()};
+      if (question.options.empty()) return {};
+      return {question.options[static_cast<std::size_t>(draws.below(question.options.size()))]};
+    case Question::Form::multiple_choice: {
+      FormAnswer chosen{};
+      for (const std::string& option : question.options) {
+        if (draws.below(2) == 0) chosen.push_back(option);
+      }
+      if (chosen.empty() && !question.options.empty()) chosen.push_back(question.options.back());
+      return chosen;
+    }
     case Question::Form::number: {
       const double low = question.minimum.value_or(0.0);
       const double high = question.maximum.value_or(low + 10.0);
-      return {std::to_string(static_cast<int>(0.5 * (low + high)))};
+      const double first = std::ceil(low);
+      const double last = std::floor(high);
+      if (first > last) return {rounded_text(0.5 * (low + high))};
+      const auto count = static_cast<std::uint64_t>(std::min(last - first, kMostNumbers)) + 1;
+      return {number_text(first + static_cast<double>(draws.below(count)))};
     }
-    case Question::Form::scale:
-      return {number_text(question.scale.value_at(question.scale.steps() / 2))};
+    case Question::Form::scale: {
+      const auto points = static_cast<std::uint64_t>(question.scale.steps()) + 1;
+      return {number_text(question.scale.value_at(static_cast<int>(draws.below(points))))};
+    }
     case Question::Form::text:
       return {};
   }

@@ -51,6 +51,10 @@ ExpectationsByExploration expectations_of(const Protocol& protocol, StimulusBuil
 /// participant's habit of choosing numbers; when asked again, it gives the same number. It requires
 /// no expectation, and is a guess only for a deaf observer.
 ///
+/// Questions of the questionnaire have random answers, which depend on the participant and the name of the question
+/// alone: an option, each option of a multiple choice with the probability ½ (at least one), a whole number in the
+/// range, a point of the scale. Texts are left empty.
+///
 /// Virtual results test the software and are no evidence of which model participants prefer.
 class VirtualParticipant final : public Respondent {
  public:
