@@ -2,12 +2,17 @@
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"
+#include "renderers/built_in_models.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {
@@ -70,6 +75,44 @@ TEST(AuthoringGuide, ShowsACompleteProtocolWithBlocksOfTwoKindsThatIsAccepted) {
   EXPECT_EQ(protocol.blocks.at("attributes").questions.size(), 2U);
   // 3 textures, twice in each block.
   EXPECT_EQ(make_plan(protocol, {1, 0}).trials.size(), 12U);
+}
+
+/// The indented fragments of a document, each as an object.
+std::vector<nlohmann::json> indented_fragments(const std::string& text) {
+  std::vector<nlohmann::json> fragments{};
+  std::string fragment{};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("    ")) {
+      fragment += line;
+      continue;
+    }
+    const auto read = nlohmann::json::parse('{' + fragment + '}', nullptr, false);
+    if (!fragment.empty() && !read.is_discarded()) fragments.push_back(read);
+    fragment.clear();
+  }
+  return fragments;
+}
+
+TEST(ProceduresGuide, ShowsProceduresThatAreAccepted) {
+  std::vector<std::string> methods{};
+  nlohmann::json vary{};
+  for (const nlohmann::json& fragment : indented_fragments(contents("docs/procedures.md"))) {
+    if (fragment.contains("vary")) vary = fragment.at("vary");
+    if (!fragment.contains("procedure")) continue;
+    auto whole = nlohmann::json::parse(contents("protocols/library/amplitude_jnd.json"));
+    whole["blocks"]["comparisons"]["vary"] = vary;
+    whole["blocks"]["comparisons"]["procedure"] = fragment.at("procedure");
+    methods.push_back(fragment.at("procedure").at("method"));
+    SCOPED_TRACE(methods.back());
+    try {
+      (void)read_protocol(whole.dump(1), "docs/procedures.md", declarations_of(built_in_models()));
+    } catch (const ProtocolError& error) {
+      ADD_FAILURE() << error.what();
+    }
+  }
+  EXPECT_EQ(methods, (std::vector<std::string>{"transformed_up_down", "weighted_up_down", "psi",
+                                               "external"}));
 }
 
 void expect_keys(const nlohmann::json& node, const std::string& reference) {
