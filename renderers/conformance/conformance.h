@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,12 @@ struct ConformanceCheck {
 /// device and for ticks with cold caches.
 inline constexpr double kLongestMedianTick_s = 5e-4;
 
+/// How a run of the suite can be followed and stopped.
+struct ConformanceCourse {
+  std::stop_token stop{};
+  std::function<void(double)> progress{};  ///< receives 0 to 1; may be empty
+};
+
 /// Checks a force model, built-in or of a plug-in, against what every part of the program relies on. One row per check, in
 /// this order:
 ///
@@ -36,7 +44,8 @@ inline constexpr double kLongestMedianTick_s = 5e-4;
 ///   deterministic   two renderers with the same inputs, and one that is reset, give the same bits on the same path
 ///   finite          force, torque and penetration are finite, the penetration is not negative, and there is no force without
 ///                   contact: on a path into and out of contact and across the border of the patch, up to 1 m/s, with every
-///                   parameter of the model at its lower and its upper limit
+///                   parameter of the model at its lower and its upper limit, and with 16 combinations of limits of all
+///                   parameters; a point model also on a sphere
 ///   no_allocation   `reset` and `tick` make no heap calls
 ///   band            at 40 mm/s at least 85 % of the power of the varying force lies below twice the declared band. The rest is
 ///                   left for harmonics and for the side lobes of held noise, which a band does not include
@@ -46,8 +55,10 @@ inline constexpr double kLongestMedianTick_s = 5e-4;
 /// that the model makes of that grating, or a ball of 2 mm on a plate with it. A check that cannot make or run a renderer is
 /// violated and states the error.
 ///
-/// The time is measured with the monotonic clock; all other rows are deterministic. Threads: one at a time.
-std::vector<ConformanceCheck> conformance_of(const ForceModel& model);
+/// The time is measured with the monotonic clock; all other rows are deterministic. When a stop is requested, the checks made until
+/// then are returned, of which the last one may be incomplete. Threads: one at a time.
+std::vector<ConformanceCheck> conformance_of(const ForceModel& model,
+                                             const ConformanceCourse& course = {});
 
 /// Whether no check is violated.
 bool is_conformant(const std::vector<ConformanceCheck>& checks);

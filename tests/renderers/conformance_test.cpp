@@ -2,10 +2,13 @@
 
 #include "renderers/conformance/conformance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -110,6 +113,69 @@ TEST(Conformance, IsViolatedByANumberThatIsNotFiniteAndByAForceInFreeSpace) {
     if (result.penetration_m == 0.0) result.wrench.force_N.z = 0.1;
   };
   EXPECT_THAT(violated_by(with_fault(pull)), testing::ElementsAre("finite"));
+}
+
+ConformanceCheck finite_of(const ForceModel& model) {
+  for (ConformanceCheck& check : conformance_of(model)) {
+    if (check.name == "finite") return check;
+  }
+  throw std::runtime_error("the suite has no check finite");
+}
+
+TEST(Conformance, IsViolatedByLimitsOfSeveralParametersTogether) {
+  ForceModel model = sinusoid_model();
+  model.make = [sound = model.make](const RendererInputs& inputs) {
+    const auto limit_of = [&](const std::string& name, double Parameter::*limit) {
+      for (const Parameter& parameter : sinusoid_model().declaration.parameters) {
+        if (parameter.name == name) return parameter.*limit;
+      }
+      throw std::runtime_error("no parameter " + name);
+    };
+    const bool is_steepest = number_of(inputs.parameters, "amplitude_m") ==
+                                 limit_of("amplitude_m", &Parameter::maximum) &&
+                             number_of(inputs.parameters, "wavelength_m") ==
+                                 limit_of("wavelength_m", &Parameter::minimum);
+    return std::make_unique<FaultyRenderer>(
+        sound(inputs), [is_steepest](RenderedTick& result, int, double) {
+          if (is_steepest) result.wrench.force_N.x = std::numeric_limits<double>::quiet_NaN();
+        });
+  };
+  const ConformanceCheck check = finite_of(model);
+  EXPECT_EQ(check.result, Conformance::violated);
+  EXPECT_THAT(
+      check.measured,
+      testing::AllOf(testing::HasSubstr("a number that is not finite with "),
+                     testing::HasSubstr("amplitude_m="), testing::HasSubstr("wavelength_m=")));
+}
+
+TEST(Conformance, IsViolatedByAFailureOnABody) {
+  // On the plane of `finite` a contact begins above the surface, and on a body also where another projection comes into use.
+  const auto begins_in_contact = [](RenderedTick& result, int tick, double) {
+    if (tick == 0 && result.penetration_m > 0.0) {
+      result.wrench.force_N.x = std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  const ConformanceCheck check = finite_of(with_fault(begins_in_contact));
+  EXPECT_EQ(check.result, Conformance::violated);
+  EXPECT_THAT(check.measured, testing::HasSubstr("with default parameters on a sphere"));
+}
+
+TEST(Conformance, CanBeFollowedAndStopped) {
+  std::stop_source source{};
+  std::vector<double> progress{};
+  const ForceModel model = sinusoid_model();
+  EXPECT_EQ(
+      conformance_of(model, {.progress = [&](double done) { progress.push_back(done); }}).size(),
+      progress.size());
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.front(), 0.0);
+  EXPECT_LT(progress.back(), 1.0);
+  std::size_t begun = 0;
+  const std::vector<ConformanceCheck> checks =
+      conformance_of(model, {.stop = source.get_token(), .progress = [&](double) {
+                               if (++begun == 2) source.request_stop();
+                             }});
+  EXPECT_EQ(checks.size(), 2U);
 }
 
 TEST(Conformance, IsViolatedByAnAllocationInATick) {
