@@ -23,6 +23,7 @@
 #include "app/plugins/plugin_files.h"
 #include "app/session/rig/clock.h"
 #include "app/session/study_friction.h"
+#include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/stimulus_warnings.h"
 #include "app/tasks/texture_warnings.h"
@@ -184,9 +185,13 @@ void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
       if (auto warning = warning_about_version(*check.protocol, check.file, own)) {
         warnings.push_back(std::move(*warning));
       }
+      for (Diagnostic& warning :
+           warnings_about_plugins(*check.protocol, check.file, own, models, std::nullopt)) {
+        warnings.push_back(std::move(warning));
+      }
     } catch (const std::exception& error) {  // the protocol can be checked all the same
-      say("asperity: warning: whether the study has sessions with another text of this version "
-          "could not be determined: " +
+      say("asperity: warning: whether the study has sessions with another text of this version, or "
+          "with another build of a plug-in, could not be determined: " +
           std::string(error.what()));
     }
   }

@@ -22,6 +22,7 @@
 #include "app/plugins/plugin_files.h"
 #include "app/session/respondents/terminal_respondent.h"
 #include "app/session/session_setup.h"
+#include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 
@@ -45,6 +46,17 @@ void tell_what_a_terminal_lacks(const Protocol& protocol) {
     say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
         "terminal cannot present them, and the report states this. To present them, run the "
         "session in the program's windows");
+  }
+}
+
+/// Of builds of the plug-ins whose attempts would be analysed together with those of this session.
+void warn_of_other_builds(const RunInputs& inputs, const Study& study,
+                          const ModelRegistry& models) {
+  const Protocol protocol = load_protocol(inputs.protocol, models, inputs.study);
+  const SessionMode mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
+  for (const Diagnostic& warning :
+       warnings_about_plugins(protocol, inputs.protocol.string(), study, models, mode)) {
+    say(warning_text(warning));
   }
 }
 
@@ -130,8 +142,9 @@ void add_run(CLI::App& program, Job& job) {
       const InterruptWatch interrupt("stopping after this trial",
                                      [&requests] { requests.emergency_stop(); });
       // Before the protocol's files are missed in what is no study.
-      (void)Study::open(inputs.study, Access::read_only);
+      const Study before = Study::open(inputs.study, Access::read_only);
       const ModelRegistry models = models_with(options->plugins);
+      if (!options->plugins.empty()) warn_of_other_builds(inputs, before, models);
       inputs.rehearsed = [](const RehearsedDevice& device) {
         for (const RehearsalWarning& warning : device.warnings) {
           say("asperity: warning: " + warning.text.english());

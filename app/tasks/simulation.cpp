@@ -15,6 +15,7 @@
 #include "app/profiles/device_kind.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/session_setup.h"
+#include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
 #include "app/tasks/stimulus_warnings.h"
@@ -340,6 +341,10 @@ void Simulation::prepare(Study& study) {
     const std::string file = inputs_.protocols[i].string();
     if (const auto warning = warning_about_version(protocols_[i], file, study)) {
       inputs_.warned(*warning);
+    }
+    for (const Diagnostic& warning : warnings_about_plugins(
+             protocols_[i], file, study, builder_.models(), SessionMode::simulate)) {
+      inputs_.warned(warning);
     }
     for (const Diagnostic& warning : warnings_about_stimuli(protocols_[i], file, builder_)) {
       inputs_.warned(warning);

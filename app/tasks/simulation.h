@@ -41,7 +41,8 @@ struct SimulationInputs {
   /// Called before participants are added to others with the same seed; may be empty.
   std::function<void(const SameSeed&)> noticed{};
   /// Called before participants are added for each warning about a protocol: sessions with another text of the same
-  /// version (`warning_about_version`), and stimuli (`warnings_about_stimuli`); may be empty.
+  /// version (`warning_about_version`) or another build of a plug-in (`warnings_about_plugins`), and stimuli
+  /// (`warnings_about_stimuli`); may be empty.
   std::function<void(const Diagnostic&)> warned{};
 };
 

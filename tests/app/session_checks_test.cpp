@@ -18,6 +18,7 @@
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
+#include "results_schema/short_hash.h"
 #include "results_schema/study.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/temporary_folder.h"
@@ -285,6 +286,34 @@ TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {
   EXPECT_NE(changed.text.english().find("grain.png"), std::string::npos) << changed.text.english();
   std::filesystem::remove(study / "stimuli" / "grain.png");
   EXPECT_EQ(check("stimuli").state, State::stop);
+}
+
+/// The built-in models, of which "stochastic" stands for this build of a plug-in.
+ModelRegistry with_build(const std::string& sha256) {
+  ModelRegistry models{};
+  const ModelRegistry built_in = built_in_models();
+  for (ForceModel model : built_in.models()) {
+    if (model.declaration.id == "stochastic") model.plugin = PluginOrigin{"noise.so", sha256};
+    models.add(std::move(model));
+  }
+  return models;
+}
+
+TEST_F(SessionChecks, WarnOfAttemptsWithAnotherBuildOfAPlugin) {
+  const std::string former(64, 'a');
+  const std::string loaded(64, 'b');
+  models = with_build(former);
+  run_virtual(false);
+  inputs.mode = SessionMode::simulate;
+  EXPECT_EQ(check("stimuli").state, State::fine);
+  models = with_build(loaded);
+  const SessionCheck warned = check("stimuli");
+  EXPECT_EQ(warned.state, State::look);
+  EXPECT_NE(warned.text.english().find(former), std::string::npos) << warned.text.english();
+  EXPECT_NE(warned.text.english().find(loaded), std::string::npos);
+  EXPECT_NE(warned.remedy.english().find("Raise the version"), std::string::npos);
+  inputs.mode = SessionMode::run;
+  EXPECT_EQ(check("stimuli").state, State::fine) << "analysed separately";
 }
 
 TEST_F(SessionChecks, RefuseWhatTheDeviceCannotDo) {

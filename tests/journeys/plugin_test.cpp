@@ -174,10 +174,7 @@ TEST_F(Plugin, IsReportedChangedAfterItIsBuiltAnew) {
 
 TEST_F(Plugin, StopsASessionWithItsMessageWhenItFails) {
   // A plate that throws in the hundredth tick of a contact of less than 1 mm.
-  Json protocol = Json::parse(text_of(example_->protocol()));
-  protocol["stimuli"]["ridges"] = {{"model", "faulty"}, {"parameters", {{"amplitude_m", 0.0001}}}};
-  protocol["material"] = {{"stiffness_N_per_m", 2000}, {"friction", 0.2}};
-  write_text(folder_ / "faulty.json", protocol.dump());
+  write_text(folder_ / "faulty.json", faulty_discrimination().dump());
   const Outcome stopped =
       asperity({"simulate", folder_ / "faulty.json", "--study", study(), "--participants", "1",
                 "--seed", "1", "--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_late.so"});

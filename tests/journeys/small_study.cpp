@@ -45,6 +45,14 @@ OrderedJson common(const std::string& kind) {
 
 }  // namespace
 
+OrderedJson faulty_discrimination() {
+  OrderedJson protocol =
+      OrderedJson::parse(text_of(ASPERITY_SOURCE_DIR "/renderers/plugin/example/ridges.json"));
+  protocol["stimuli"]["ridges"] = {{"model", "faulty"}, {"parameters", {{"amplitude_m", 0.0001}}}};
+  protocol["material"] = {{"stiffness_N_per_m", 2000}, {"friction", 0.2}};
+  return protocol;
+}
+
 OrderedJson small_selection(int repetitions) {
   OrderedJson protocol = common("selection");
   protocol["realism_standard"] = "photograph";

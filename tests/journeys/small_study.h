@@ -20,6 +20,9 @@ nlohmann::ordered_json small_selection(int repetitions);
 /// A recognition of one texture among two pictures.
 nlohmann::ordered_json small_recognition(int repetitions);
 
+/// A discrimination of two surfaces with the model of the plug-ins in tests/plugins.
+nlohmann::ordered_json faulty_discrimination();
+
 /// A folder "study" made by the program, with the textures in stimuli/ and the protocols in
 /// protocols/.
 class SmallStudy final {

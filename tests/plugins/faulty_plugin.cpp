@@ -19,12 +19,17 @@
 #define FAULT_taken 10
 #define FAULT_anew 11
 #define FAULT_latin1 12
+#define FAULT_rebuilt 13
+#define FAULT_crash 14
+#define FAULT_unit 15
+#define FAULT_stroke 16
 #define IS(fault) (FAULT == FAULT_##fault)
 
 namespace {
 
-constexpr asperity_parameter kParameters[] = {
-    {"amplitude_m", ASPERITY_NUMBER, "m", 0.0, 0.001, 0.0001, nullptr, 0, "Amplitude of nothing"}};
+constexpr asperity_parameter kParameters[] = {{"amplitude_m", ASPERITY_NUMBER,
+                                               IS(unit) ? "mm" : "m", 0.0, 0.001, 0.0001, nullptr,
+                                               0, "Amplitude of nothing"}};
 
 class Faulty {
  public:
@@ -40,6 +45,9 @@ class Faulty {
     ++contact_ticks_;
     asperity_force force{
         {0.0, 0.0, stiffness_N_per_m_ * depth_m}, stiffness_N_per_m_ * depth_m, depth_m};
+    // Between the limits of the parameter: the suite does not have this amplitude.
+    if (IS(stroke) && amplitude_m_ == 0.0005) throw std::runtime_error("no such amplitude");
+    if (IS(crash)) *nowhere_ = amplitude_m_;
     if (IS(exception)) throw std::runtime_error("the ridge is too steep");
     if (IS(nan)) force.force_N[1] = amplitude_m_ / (amplitude_m_ - amplitude_m_);
     if (IS(allocates)) kept_.assign(static_cast<std::size_t>(contact_ticks_ % 7 + 1), depth_m);
@@ -61,6 +69,7 @@ class Faulty {
   double amplitude_m_ = 0.0;
   int ticks_ = 0;
   int contact_ticks_ = 0;
+  double* volatile nowhere_ = nullptr;
   std::vector<double> kept_{};
 };
 
@@ -68,7 +77,9 @@ asperity_model described() {
   asperity_model model{};
   model.id = IS(taken) ? "sinusoid" : "faulty";
   model.version = IS(anew) ? "2" : "1";
-  model.summary = IS(latin1) ? "Rauhigkeit in \xb5m" : "A plate with a fault";
+  model.summary = IS(latin1)    ? "Rauhigkeit in \xb5m"
+                  : IS(rebuilt) ? "A plate with a fault, built again"
+                                : "A plate with a fault";
   model.source = "None";
   model.parameters = kParameters;
   model.parameter_count = 1;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "app/findings/study/equal_roughness.h"
 #include "app/findings/study/exploration.h"
@@ -13,6 +15,7 @@
 #include "app/findings/study/study_analysis.h"
 #include "app/study_files/study_condition.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "results_schema/short_hash.h"
 
 namespace asperity {
 
@@ -105,6 +108,78 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   }
 }
 
+/// A force model of a plug-in: its id and its version.
+using PluginModel = std::pair<std::string, std::string>;
+/// The attempts that each build rendered, by its SHA-256.
+using AttemptsOfBuilds = std::map<std::string, std::size_t>;
+
+bool has_several_builds(const Study& study) {
+  const std::vector<PluginUse> uses = study.plugin_uses();
+  // Those of a model and version follow each other.
+  return std::adjacent_find(uses.begin(), uses.end(), [](const auto& one, const auto& other) {
+           return one.model == other.model && one.model_version == other.model_version;
+         }) != uses.end();
+}
+
+/// The sessions whose responses are analysed together.
+std::vector<SessionRow> pooled_sessions(const Study& study, const GatheredAnswers& gathered) {
+  std::set<std::int64_t> protocols{};
+  for (const ProtocolRow& row : study.protocols()) {
+    if (row.name == gathered.protocol && row.version == gathered.version) protocols.insert(row.id);
+  }
+  std::map<std::string, ParticipantRow> participants{};
+  for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
+  std::vector<SessionRow> sessions = study.sessions();
+  std::erase_if(sessions, [&](const SessionRow& session) {
+    return session.withdrawn || !protocols.contains(session.protocol_id) ||
+           group_of(participants.at(session.participant), session) != gathered.group;
+  });
+  return sessions;
+}
+
+/// The plug-ins of which several builds with one version rendered attempts that count. Attempts are read only in a study that has
+/// such builds.
+std::map<PluginModel, AttemptsOfBuilds> pooled_builds(const Study& study,
+                                                      const GatheredAnswers& gathered) {
+  std::map<PluginModel, AttemptsOfBuilds> builds{};
+  if (!has_several_builds(study)) return builds;
+  for (const SessionRow& session : pooled_sessions(study, gathered)) {
+    std::map<int, PlannedTrialRow> plan{};
+    for (PlannedTrialRow& trial : study.plan(session.id)) plan[trial.trial] = std::move(trial);
+    for (const AttemptRow& attempt : study.attempts(session.id)) {
+      if (use_in_analyses(plan[attempt.trial], attempt) != AnalysisUse::counted) continue;
+      std::set<std::tuple<std::string, std::string, std::string>> of_attempt{};
+      for (const PresentationRow& surface : attempt.presentations) {
+        const auto sha256 = asset_sha256(surface.assets, kPluginRole);
+        if (sha256) of_attempt.emplace(surface.model, surface.model_version, *sha256);
+      }
+      for (const auto& [model, version, sha256] : of_attempt) ++builds[{model, version}][sha256];
+    }
+  }
+  std::erase_if(builds, [](const auto& plugin) { return plugin.second.size() < 2; });
+  return builds;
+}
+
+/// Names the builds of plug-ins that have one version.
+void remark_on_builds(const Study& study, const GatheredAnswers& gathered,
+                      AnalysisOutcome& outcome) {
+  for (const auto& [plugin, builds] : pooled_builds(study, gathered)) {
+    Phrase list{};
+    for (const auto& [sha256, attempts] : builds) {
+      const Phrase one = phrase("Analysis", "%1… (attempts: %2)")
+                             .with(short_hash(sha256), std::to_string(attempts));
+      list = list.empty() ? one : phrase("Analysis", "%1, %2").with(list, one);
+    }
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Different builds of the plug-in of the force model %1 have the version %2, and the "
+               "responses to them are pooled. Their SHA-256: %3. Raise the version of a plug-in "
+               "whose forces have changed; exclude the attempts with a build that must not be "
+               "pooled.")
+            .with(plugin.first, plugin.second, list));
+  }
+}
+
 std::string names_in(const Study& study) {
   std::set<std::string> names{};
   for (const SessionRow& session : study.sessions()) {
@@ -146,6 +221,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     outcome.declares_sexes = std::find(family.begin(), family.end(), "sexes") != family.end();
     outcome.answers = gathered.answers.size();
     remark_on_counts(gathered, outcome);
+    remark_on_builds(study, gathered, outcome);
     if (gathered.answers.empty()) {
       outcome.remarks.push_back(
           phrase("Analysis", "There are no responses yet; run a session first."));

@@ -2619,6 +2619,14 @@
         <source>The predictor (%1) is computed from recordings, and these are stored for only %2 of %3 participants. &quot;--recordings all&quot; of &quot;asperity simulate&quot; stores those of all virtual participants.</source>
         <translation>Der Prädiktor (%1) wird aus Aufzeichnungen berechnet, und diese sind nur für %2 von %3 Teilnehmern gespeichert. „--recordings all“ von „asperity simulate“ speichert die aller virtuellen Teilnehmer.</translation>
     </message>
+    <message>
+        <source>%1… (attempts: %2)</source>
+        <translation>%1… (Versuche: %2)</translation>
+    </message>
+    <message>
+        <source>Different builds of the plug-in of the force model %1 have the version %2, and the responses to them are pooled. Their SHA-256: %3. Raise the version of a plug-in whose forces have changed; exclude the attempts with a build that must not be pooled.</source>
+        <translation>Verschiedene Builds des Plug-ins des Kraftmodells %1 haben die Version %2, und die Antworten dazu sind zusammengefasst. Ihre SHA-256: %3. Die Version eines Plug-ins erhöhen, dessen Kräfte sich geändert haben; Versuche mit einem Build ausschließen, der nicht zusammengefasst werden darf.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -13794,6 +13802,17 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief was measured; its least-squares plane was subtracted. Compare how the force models render it. To use it in the study, convert the file with “asperity texture”.</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief wurde gemessen; seine Ausgleichsebene wurde abgezogen. Vergleichen Sie, wie die Kraftmodelle es wiedergeben. Um es in der Studie zu verwenden, wandeln Sie die Datei mit „asperity texture“ um.</translation>
+    </message>
+</context>
+<context>
+    <name>PluginBuilds</name>
+    <message>
+        <source>the study has attempts of this protocol with another build of the plug-in of the force model %1, version %2 (attempts: %3, SHA-256: %4; the loaded plug-in has the SHA-256 %5); they would be analysed together with new ones</source>
+        <translation>die Studie hat Versuche dieses Protokolls mit einem anderen Build des Plug-ins des Kraftmodells %1, Version %2 (Versuche: %3, SHA-256: %4; das geladene Plug-in hat die SHA-256 %5); sie würden zusammen mit neuen ausgewertet</translation>
+    </message>
+    <message>
+        <source>raise the version of the plug-in if its forces have changed, or load the build that rendered the attempts</source>
+        <translation>die Version des Plug-ins erhöhen, wenn sich seine Kräfte geändert haben, oder den Build laden, mit dem die Versuche dargeboten wurden</translation>
     </message>
 </context>
 </TS>

@@ -264,8 +264,11 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
 std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   std::string text{};
   if (!facts.models.empty()) {
-    text = "Force models of the surfaces presented, with their versions: " +
-           listed({facts.models.begin(), facts.models.end()});
+    std::vector<std::string> models(facts.models.begin(), facts.models.end());
+    for (std::string& model : models) {
+      if (facts.plugin_builds.contains(model)) model += " (plug-in)";
+    }
+    text = "Force models of the surfaces presented, with their versions: " + listed(models);
     if (!facts.height_fields.empty()) {
       text +=
           "; height fields: " + listed({facts.height_fields.begin(), facts.height_fields.end()});

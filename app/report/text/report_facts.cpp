@@ -153,7 +153,11 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   for (const ComplianceRow& row : attempt.compliance) count_compliance(row, fraction, facts);
   for (const PresentationRow& surface : attempt.presentations) {
     if (!surface.onset_ns) continue;  // the attempt ended before it
-    facts.models.insert(surface.model + ' ' + surface.model_version);
+    const std::string model = surface.model + ' ' + surface.model_version;
+    facts.models.insert(model);
+    if (const auto sha256 = asset_sha256(surface.assets, kPluginRole)) {
+      facts.plugin_builds[model].insert(*sha256);
+    }
     const bool has_body = asset_sha256(surface.assets, "surface").has_value();
     const bool is_point = !asset_sha256(surface.assets, "tool");
     if (has_body) add_textures_of_bodies(surface.stimulus, facts);
@@ -212,6 +216,13 @@ void count_matches(const StoredProtocol& protocol, const std::map<int, PlannedTr
   }
 }
 
+void add_file_of_plugin(const EventRow& event, ReportFacts& facts) {
+  const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
+  if (!data.is_object() || !data.contains("file") || !data.contains("sha256")) return;
+  if (!data["file"].is_string() || !data["sha256"].is_string()) return;
+  facts.plugin_files[data["sha256"].get<std::string>()] = data["file"].get<std::string>();
+}
+
 /// `specified`: the stored protocol of the session.
 void count_session(const Study& study, const SessionOverview& overview,
                    const StoredProtocol& specified, ReportFacts& facts) {
@@ -234,6 +245,7 @@ void count_session(const Study& study, const SessionOverview& overview,
       session.external_programs.push_back(*std::exchange(started, nullptr));
     }
     if (event.kind == kExternalFailure) ++session.external_failures;
+    if (event.kind == kPluginEvent) add_file_of_plugin(event, facts);
     if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }
   std::map<int, PlannedTrialRow> plan{};

@@ -125,10 +125,13 @@ struct ReportFacts {
   /// (quantity, minimum, maximum) →
   std::map<std::tuple<std::string, std::optional<double>, std::optional<double>>, ReportedBand>
       bands{};
-  std::set<std::string> models{};            ///< presented, with their versions: "height_map 1"
-  std::set<std::string> height_fields{};     ///< textures that were rendered from one
-  std::set<std::string> body_textures{};     ///< textures of the presented bodies
-  std::set<std::string> points_on_bodies{};  ///< stimuli of point models on bodies
+  std::set<std::string> models{};  ///< presented, with their versions: "height_map 1"
+  /// Of those that are plug-ins, by model and version: the SHA-256 of each build.
+  std::map<std::string, std::set<std::string>> plugin_builds{};
+  std::map<std::string, std::string> plugin_files{};  ///< SHA-256 → the name of its file
+  std::set<std::string> height_fields{};              ///< textures that were rendered from one
+  std::set<std::string> body_textures{};              ///< textures of the presented bodies
+  std::set<std::string> points_on_bodies{};           ///< stimuli of point models on bodies
   /// Of surfaces at amplitudes of equal roughness in counted attempts: the number of matches of all sessions, by status.
   std::map<MatchStatus, std::size_t> roughness_matches{};
   bool has_equal_force = false;          ///< the texture force of a presentation was matched

@@ -127,6 +127,13 @@ ReportSection making_section(const ReportFacts& facts) {
   add("random numbers", generator.text());
   add("protocol", facts.protocol.name + ' ' + facts.protocol.version);
   for (const std::string& sha256 : facts.sources) add("SHA-256 of the protocol’s file", sha256);
+  for (const auto& [model, builds] : facts.plugin_builds) {
+    for (const std::string& sha256 : builds) {
+      const auto file = facts.plugin_files.find(sha256);
+      const std::string name = file == facts.plugin_files.end() ? "" : ", file " + file->second;
+      add("force model in a plug-in", model + name + ", SHA-256 " + sha256);
+    }
+  }
   if (facts.group == AnswerGroup::virtual_participants) add("virtual observer", observer.text());
   if (mirrored > 0) {
     add("left-handed layout", reading_count(mirrored) + (mirrored == 1 ? " session" : " sessions") +

@@ -23,6 +23,7 @@
 #include "protocols/kinds/experiment_kind.h"
 #include "renderers/offline/perceived_instability.h"
 #include "renderers/offline/unexplained_vibration.h"
+#include "results_schema/short_hash.h"
 
 namespace asperity {
 
@@ -128,6 +129,15 @@ std::string paper_participants(const ReportFacts& facts, const StudyMetadata& me
   return text;
 }
 
+/// ", a plug-in with the SHA-256 0f1e2d3c…"; empty for a built-in model.
+std::string plugin_text(const ReportFacts& facts, const std::string& model) {
+  const auto builds = facts.plugin_builds.find(model);
+  if (builds == facts.plugin_builds.end()) return {};
+  std::vector<std::string> hashes{};
+  for (const std::string& sha256 : builds->second) hashes.push_back(short_hash(sha256) + "…");
+  return ", a plug-in with the SHA-256 " + listed(hashes);
+}
+
 std::string paper_apparatus(const ReportFacts& facts) {
   if (facts.models.empty()) return {};
   std::vector<std::string> models{};
@@ -135,7 +145,8 @@ std::string paper_apparatus(const ReportFacts& facts) {
     const std::size_t blank = model.rfind(' ');
     models.push_back(blank == std::string::npos
                          ? model
-                         : model.substr(0, blank) + " (version " + model.substr(blank + 1) + ')');
+                         : model.substr(0, blank) + " (version " + model.substr(blank + 1) +
+                               plugin_text(facts, model) + ')');
   }
   std::set<std::string> programs{};
   for (const ReportedSession& session : facts.sessions) {

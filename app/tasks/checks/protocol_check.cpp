@@ -1,6 +1,7 @@
 #include "app/tasks/checks/protocol_check.h"
 
 #include "results_schema/sha256.h"
+#include "results_schema/short_hash.h"
 
 namespace asperity {
 namespace {
@@ -37,7 +38,5 @@ void require_unchanged(const std::filesystem::path& protocol, const std::string&
              "choose it again to read and check the new version")
           .with(protocol.string(), short_hash(sha256), short_hash(now)));
 }
-
-std::string short_hash(const std::string& sha256) { return sha256.substr(0, 8); }
 
 }  // namespace asperity

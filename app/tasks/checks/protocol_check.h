@@ -23,7 +23,4 @@ class ProtocolChangedSinceCheck final : public PhrasedError {
 /// Errors: ProtocolChangedSinceCheck; ResultsError if there is no such file.
 void require_unchanged(const std::filesystem::path& protocol, const std::string& sha256);
 
-/// The first eight digits of a SHA-256, for display.
-std::string short_hash(const std::string& sha256);
-
 }  // namespace asperity

@@ -7,6 +7,7 @@
 
 #include "app/session/session_setup.h"
 #include "app/session/stimulus_builder.h"
+#include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "results_schema/study.h"
@@ -53,8 +54,8 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
     return check;
   }
   const std::vector<StimulusFileRow> files = hash_files(protocol, inputs.study);
+  const Study study = Study::open(inputs.study, Access::read_only);
   if (inputs.resume) {
-    const Study study = Study::open(inputs.study, Access::read_only);
     const SessionRow row =
         find_unfinished(study, protocol, inputs.participant, inputs.resumed_session);
     for (const StimulusFileRow& before : row.files) {
@@ -69,6 +70,13 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
                  "Restore the earlier file; this session cannot be resumed with a different file.");
       return check;
     }
+  }
+  const std::vector<OtherBuild> builds = other_builds(protocol, study, models, inputs.mode);
+  if (!builds.empty()) {
+    check.state = State::look;
+    check.text = builds.front().text().as_sentence();
+    check.remedy = remedy_for_builds().as_sentence();
+    return check;
   }
   check.state = State::fine;
   check.text = files_text(files.size(), inputs.resume);

@@ -8,7 +8,8 @@
 
 namespace asperity {
 
-/// Refuses missing and changed files, and in a session that is resumed files other than those with which it began.
+/// Refuses missing and changed files, and in a session that is resumed files other than those with which it began. Warns of
+/// attempts with another build of a plug-in (plugin_warnings.h).
 SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
                            const ModelRegistry& models);
 
