@@ -16,6 +16,7 @@
 #include "app/cli/plugin_option.h"
 #include "app/cli/terminal.h"
 #include "app/plugins/plugin_files.h"
+#include "app/plugins/stored_plugins.h"
 #include "app/records/path_table.h"
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/height_field_files.h"
@@ -95,8 +96,10 @@ void add_replay(CLI::App& program, Job& job) {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
       const Study study = Study::open(options->study, Access::read_only);
-      const ModelRegistry models = models_with(options->plugins);
       const AttemptRow attempt = find_attempt(study, options->attempt);
+      // A recorded plug-in is needed only if it renders: with its declaration, another model can replace it.
+      const ModelRegistry models = with_stored_builds(models_with_builds(options->plugins), study)
+                                       .with(plugin_builds_of(attempt));
       const SessionRow session = study.session(study.session_of(attempt.id));
       const Plan plan = plan_of(study, session, models);
       StimulusBuilder builder(models, study.folder());

@@ -33,11 +33,11 @@ void add_verify(CLI::App& program, Job& job) {
     job = [options] {
       const InterruptWatch interrupt;
       Study study = Study::open(options->study, Access::read_only);
-      const ModelRegistry models = models_with(options->plugins);
+      const ModelBuilds builds = models_with_builds(options->plugins);
       VerifyResult result{};
       {
         Progress progress("verifying");
-        result = verify_study(study, models, options->replay, interrupt.token(),
+        result = verify_study(study, builds, options->replay, interrupt.token(),
                               [&progress](double fraction) { progress.show(fraction); });
       }
       if (interrupt.token().stop_requested()) {
@@ -57,7 +57,7 @@ void add_verify(CLI::App& program, Job& job) {
                         : std::to_string(result.problems.size()) +
                               (result.problems.size() == 1 ? " problem" : " problems") + " found")
                 << '\n';
-      if (!result.problems.empty()) {
+      if (result.problems.size() > result.plugin_problems) {
         std::cout << "Restore damaged data from a copy of the study, unless the problem states "
                      "another remedy\n";
       }

@@ -102,22 +102,20 @@ void require_conformance(const std::filesystem::path& file, const ForceModel& mo
                    violated + "; correct it, then run asperity models --conformance --plugin FILE");
 }
 
-enum class Suite { run, leave_out };
-
-void add(const std::filesystem::path& file, Suite suite, ModelRegistry& models) {
+/// A plug-in that meets the conformance suite.
+ForceModel checked(const std::filesystem::path& file) {
   ForceModel model = open_plugin(file);
-  if (suite == Suite::run) require_conformance(file, model);
+  require_conformance(file, model);
+  return model;
+}
+
+template <class Models>
+void add(const std::filesystem::path& file, ForceModel model, Models& models) {
   try {
     models.add(std::move(model));
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what());
   }
-}
-
-ModelRegistry models_and(const std::vector<std::filesystem::path>& plugins, Suite suite) {
-  ModelRegistry models = built_in_models();
-  for (const std::filesystem::path& file : plugins) add(file, suite, models);
-  return models;
 }
 
 }  // namespace
@@ -141,15 +139,25 @@ ForceModel open_plugin(const std::filesystem::path& file) {
 }
 
 void add_plugin(const std::filesystem::path& file, ModelRegistry& models) {
-  add(file, Suite::run, models);
+  add(file, checked(file), models);
 }
 
 ModelRegistry models_with(const std::vector<std::filesystem::path>& plugins) {
-  return models_and(plugins, Suite::run);
+  ModelRegistry models = built_in_models();
+  for (const std::filesystem::path& file : plugins) add_plugin(file, models);
+  return models;
+}
+
+ModelBuilds models_with_builds(const std::vector<std::filesystem::path>& plugins) {
+  ModelBuilds builds(built_in_models());
+  for (const std::filesystem::path& file : plugins) add(file, checked(file), builds);
+  return builds;
 }
 
 ModelRegistry models_with_unchecked(const std::vector<std::filesystem::path>& plugins) {
-  return models_and(plugins, Suite::leave_out);
+  ModelRegistry models = built_in_models();
+  for (const std::filesystem::path& file : plugins) add(file, open_plugin(file), models);
+  return models;
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/plugins/plugin_builds.h"
 #include "renderers/force/force_model.h"
 
 namespace asperity {
@@ -32,7 +33,10 @@ void add_plugin(const std::filesystem::path& file, ModelRegistry& models);
 /// Errors: as `add_plugin`.
 ModelRegistry models_with(const std::vector<std::filesystem::path>& plugins);
 
-/// The same without the conformance suite, for a program that prints its table.
+/// The same with any number of builds of one plug-in, for a program that renders stored attempts again.
+ModelBuilds models_with_builds(const std::vector<std::filesystem::path>& plugins);
+
+/// `models_with` without the conformance suite, for a program that prints its table.
 ModelRegistry models_with_unchecked(const std::vector<std::filesystem::path>& plugins);
 
 }  // namespace asperity

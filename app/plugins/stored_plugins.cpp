@@ -87,7 +87,7 @@ ForceModel model_in(const Json& data) {
   model.plugin = PluginOrigin{.file = data.at("file").get<std::string>(),
                               .sha256 = data.at("sha256").get<std::string>()};
   const std::string missing = "the force model " + model.declaration.id + " is the plug-in " +
-                              model.plugin->file +
+                              model.plugin->file + " with the SHA-256 " + model.plugin->sha256 +
                               ", which is not loaded; load it with --plugin FILE";
   model.make = [missing](const RendererInputs&) -> std::unique_ptr<ForceRenderer> {
     throw std::invalid_argument(missing);
@@ -134,7 +134,19 @@ ModelRegistry with_stored_plugins(ModelRegistry models, const Study& study) {
   return models;
 }
 
-std::vector<std::string> plugin_problems(const ModelRegistry& models, const Study& study) {
+ModelBuilds with_stored_builds(ModelBuilds builds, const Study& study) {
+  std::vector<std::string> stored = study.event_data(kPluginEvent);
+  for (auto data = stored.rbegin(); data != stored.rend(); ++data) {
+    try {
+      builds.add(model_in(Json::parse(*data)));
+    } catch (const std::exception&) {
+      continue;  // damaged data: `plugin_problems` reports them
+    }
+  }
+  return builds;
+}
+
+std::vector<std::string> plugin_problems(const ModelBuilds& builds, const Study& study) {
   std::vector<std::string> problems{};
   for (const std::string& data : study.event_data(kPluginEvent)) {
     try {
@@ -146,13 +158,14 @@ std::vector<std::string> plugin_problems(const ModelRegistry& models, const Stud
     }
   }
   for (const PluginUse& use : study.plugin_uses()) {
-    const ForceModel* const model = models.find(use.model);
+    if (builds.find(use.model, use.sha256) != nullptr) continue;
+    const ForceModel* const model = builds.models().find(use.model);
     const std::string rendered = "the plug-in model " + use.model + ", version " +
                                  use.model_version + " (SHA-256 " + use.sha256 + "), rendered " +
                                  attempts_text(use.attempts);
     if (model == nullptr || !model->plugin) {
       problems.push_back(rendered + " and is not loaded; load it with --plugin FILE");
-    } else if (model->plugin->sha256 != use.sha256) {
+    } else {
       problems.push_back(rendered + ", and the loaded plug-in " + model->plugin->file +
                          " differs: version " + model->declaration.version + " (SHA-256 " +
                          model->plugin->sha256 + "); load the one that rendered the attempts");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/plugins/plugin_builds.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 
@@ -21,7 +22,10 @@ std::vector<EventRow> plugin_events(const ModelRegistry& models, std::int64_t ti
 /// so that protocols with it can be read. Its `make` and `band` throw std::invalid_argument, which names the plug-in.
 ModelRegistry with_stored_plugins(ModelRegistry models, const Study& study);
 
+/// The same with every stored build.
+ModelBuilds with_stored_builds(ModelBuilds builds, const Study& study);
+
 /// A sentence for each stored declaration that is damaged, and for each plug-in with which attempts of the study were rendered and that is now missing or differs.
-std::vector<std::string> plugin_problems(const ModelRegistry& models, const Study& study);
+std::vector<std::string> plugin_problems(const ModelBuilds& builds, const Study& study);
 
 }  // namespace asperity

@@ -7,12 +7,15 @@
 #include <exception>
 #include <future>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <stop_token>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -82,6 +85,7 @@ struct SessionFaults {
   std::vector<Failure> failures{};  ///< of reading: another check may have reported the same one
   std::vector<std::string> problems{};
   int recordings_replayed = 0;
+  int recordings_without_plugin = 0;
   bool has_stated_levels = false;  ///< of an external program
   bool exact_used = false;
   bool tolerance_used = false;
@@ -149,20 +153,53 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
   }
 }
 
+/// Builders of stimuli with the builds of plug-ins that rendered attempts, each made once.
+class BuildersOfAttempts final {
+ public:
+  /// `builds` must outlive this object.
+  BuildersOfAttempts(const ModelBuilds& builds, std::filesystem::path study_folder)
+      : builds_(builds), study_folder_(std::move(study_folder)) {}
+
+  /// Null if a build is not there.
+  StimulusBuilder* builder_for(const AttemptRow& attempt) {
+    const std::map<std::string, std::string> wanted = plugin_builds_of(attempt);
+    if (!builds_.has(wanted)) return nullptr;
+    std::unique_ptr<Own>& own = own_[wanted];
+    if (!own) own = std::make_unique<Own>(builds_.with(wanted), study_folder_);
+    return &own->builder;
+  }
+
+ private:
+  struct Own {
+    Own(ModelRegistry registry, const std::filesystem::path& study_folder)
+        : models(std::move(registry)), builder(models, study_folder) {}
+    ModelRegistry models;
+    StimulusBuilder builder;
+  };
+  const ModelBuilds& builds_;
+  std::filesystem::path study_folder_{};
+  std::map<std::map<std::string, std::string>, std::unique_ptr<Own>> own_{};
+};
+
 /// Checks whether every recorded hand of a session receives the same forces again.
 void replay_session(const Study& study, const SessionRow& session, const Plan& plan,
-                    const ProgramIdentity& program, StimulusBuilder& builder,
+                    const ProgramIdentity& program, BuildersOfAttempts& builders,
                     const std::stop_token& stop, SessionFaults& faults) {
   const std::set<int> same_program = segments_of_this_program(study, session, program);
   for (const AttemptRow& attempt : study.attempts(session.id)) {
     const auto number = static_cast<std::size_t>(attempt.trial);
     if (number < 1 || number > plan.trials.size() || !attempt.recording) continue;
     if (stop.stop_requested()) return;
+    StimulusBuilder* const builder = builders.builder_for(attempt);
+    if (builder == nullptr) {  // `plugin_problems` reports it
+      ++faults.recordings_without_plugin;
+      continue;
+    }
     const bool exact = same_program.contains(attempt.segment);
     const std::string name = "attempt " + natural_key(session, attempt);
     try {
       const RecordedAttempt recorded =
-          recorded_attempt(study, session, plan.trials[number - 1], attempt, builder);
+          recorded_attempt(study, session, plan.trials[number - 1], attempt, *builder);
       ++faults.recordings_replayed;
       for (const RecordedSurface& surface : recorded.surfaces) {
         const double difference_N = replay_difference_N(recorded, surface);
@@ -189,7 +226,8 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
         faults.problems.push_back(std::move(sentence));
       }
     } catch (const std::exception& error) {
-      faults.failures.push_back({name + ": ", error.what()});
+      const std::string what = error.what();
+      faults.failures.push_back({what.find(name) == std::string::npos ? name + ": " : "", what});
     }
   }
 }
@@ -294,7 +332,7 @@ void add_failure_of(const std::function<void()>& check, std::vector<std::string>
 
 }  // namespace
 
-VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
+VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_too,
                           const std::stop_token& asked_to_stop,
                           const std::function<void(double)>& progress) {
   VerifyResult result{};
@@ -312,8 +350,8 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   std::atomic<std::size_t> next{0};
   // Each thread has a separate study.
   const auto take_share = [&](const Study& own, const std::function<void(double)>& tell) {
-    StimulusBuilder builder(models, own.folder());
-    PlansOfSessions plans(own, models);
+    BuildersOfAttempts builders(builds, own.folder());
+    PlansOfSessions plans(own, builds.models());
     while (!stop.stop_requested()) {
       const std::size_t place = next++;
       if (place < kBeside.size()) {
@@ -333,7 +371,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
                                     own.session_answers(sessions[s].id))) {
           found[s].problems.push_back(problem);
         }
-        if (replay_too) replay_session(own, sessions[s], plan, program, builder, stop, found[s]);
+        if (replay_too) replay_session(own, sessions[s], plan, program, builders, stop, found[s]);
       } catch (const std::exception& error) {
         found[s].failures.push_back({"", error.what()});
       }
@@ -380,7 +418,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
   add_failure_of(
       [&] {
-        PlansOfSessions plans(study, models);
+        PlansOfSessions plans(study, builds.models());
         for (const std::string& problem : group_problems(study, plans)) {
           result.problems.push_back(problem);
         }
@@ -388,8 +426,9 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
       result.problems);
   add_failure_of(
       [&] {
-        for (const std::string& problem : plugin_problems(models, study)) {
+        for (const std::string& problem : plugin_problems(builds, study)) {
           result.problems.push_back(problem);
+          ++result.plugin_problems;
         }
       },
       result.problems);
@@ -397,15 +436,22 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   bool exact_used = false;
   bool tolerance_used = false;
   int with_stated_levels = 0;
+  int without_plugin = 0;
   for (SessionFaults& faults : found) {
     for (const SessionFaults::Failure& failure : faults.failures) {
       add_unless_told(failure.what, failure.before, result.problems);
     }
     std::move(faults.problems.begin(), faults.problems.end(), std::back_inserter(result.problems));
     result.recordings_replayed += faults.recordings_replayed;
+    without_plugin += faults.recordings_without_plugin;
     with_stated_levels += faults.has_stated_levels ? 1 : 0;
     exact_used = exact_used || faults.exact_used;
     tolerance_used = tolerance_used || faults.tolerance_used;
+  }
+  if (without_plugin > 0) {
+    result.remarks.push_back(
+        "recordings that were not replayed because their plug-in is not loaded: " +
+        std::to_string(without_plugin));
   }
   if (with_stated_levels > 0) {
     result.rules.push_back(

@@ -3,6 +3,7 @@
 #include "app/plugins/plugin_files.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
