@@ -13,6 +13,7 @@
 
 #include "renderers/built_in_models.h"
 #include "renderers/conformance/conformance.h"
+#include "renderers/plugin/plugin_call.h"
 #include "renderers/plugin/plugin_model.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
@@ -127,11 +128,13 @@ ForceModel open_plugin(const std::filesystem::path& file) {
   }
   const std::string content = read_file(file);
   PluginOrigin origin{.file = file.filename().string(), .sha256 = sha256_of(content)};
+  name_plugins_that_end_the_program();
+  const PluginCall call(origin.file.c_str());
   const std::shared_ptr<void> library = loaded(file, content);
   const asperity_model& description = description_in(file, library.get());
   try {
-    ForceModel model = model_of_plugin(description, library);
-    model.plugin = std::move(origin);
+    ForceModel model = model_of_plugin(description, library, origin.file);
+    model.plugin = origin;
     return model;
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what());

@@ -16,6 +16,8 @@ namespace asperity {
 /// A copy of the file is loaded, with the content that was hashed: a plug-in that is built anew can be loaded beside its former
 /// state, and the file may change while it is in use. Libraries that it needs are therefore not found relative to its folder.
 ///
+/// Code of a plug-in that ends the program with a signal is named on standard error first (renderers/plugin/plugin_call.h).
+///
 /// A plug-in is part of the program: its code can do everything that the user can. It is therefore loaded only if the user
 /// names it, never because a study or a protocol does.
 ///

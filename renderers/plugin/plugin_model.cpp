@@ -17,6 +17,7 @@
 #include "analysis/number_text.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
+#include "renderers/plugin/plugin_call.h"
 
 namespace asperity {
 namespace {
@@ -29,6 +30,7 @@ constexpr const char* kInvalid =
 struct Plugin {
   const asperity_model* description = nullptr;
   std::shared_ptr<const void> library{};
+  std::string name{};  ///< for PluginCall
 };
 
 [[noreturn]] void refuse(const std::string& field, const std::string& problem) {
@@ -253,6 +255,7 @@ class PluginRenderer final : public ForceRenderer {
     const std::vector<double> values = values_for(*plugin_.description, inputs);
     const asperity_inputs given = inputs_for(inputs, values, field_.given());
     std::array<char, 256> message{};
+    const PluginCall call(plugin_.name.c_str());
     try {
       renderer_ = plugin_.description->create(&given, message.data(), message.size());
     } catch (...) {
@@ -268,6 +271,7 @@ class PluginRenderer final : public ForceRenderer {
   }
 
   ~PluginRenderer() override {
+    const PluginCall call(plugin_.name.c_str());
     try {
       plugin_.description->destroy(renderer_);
     } catch (...) {
@@ -278,6 +282,7 @@ class PluginRenderer final : public ForceRenderer {
   void reset(const ProbeState& first) noexcept override {
     contact_.reset();
     failure_ = nullptr;
+    const PluginCall call(plugin_.name.c_str());
     const asperity_sample sample = sample_of(contact_.locate(first.position_m), first, 0.0);
     try {
       if (plugin_.description->reset(renderer_, &sample) != 0) fail(counts_[kError], message());
@@ -290,6 +295,7 @@ class PluginRenderer final : public ForceRenderer {
     const PatchPoint point = contact_.locate(probe.position_m);
     asperity_force force{};
     if (failure_ == nullptr) {
+      const PluginCall call(plugin_.name.c_str());
       const asperity_sample sample = sample_of(point, probe, dt_s);
       try {
         if (plugin_.description->tick(renderer_, &sample, &force) != 0) {
@@ -376,6 +382,7 @@ TextureBand band_of(const Plugin& plugin, const RendererInputs& inputs) {
       inputs.patch.tiling);
   const asperity_inputs given = inputs_for(inputs, values, field.given());
   asperity_band band{};
+  const PluginCall call(plugin.name.c_str());
   int error = 0;
   try {
     error = plugin.description->band(&given, &band);
@@ -391,7 +398,10 @@ TextureBand band_of(const Plugin& plugin, const RendererInputs& inputs) {
 
 }  // namespace
 
-ForceModel model_of_plugin(const asperity_model& description, std::shared_ptr<const void> library) {
+ForceModel model_of_plugin(const asperity_model& description, std::shared_ptr<const void> library,
+                           const std::string& file) {
+  // Reading the description can fail as its functions can: a pointer or a count in it may be wrong.
+  const PluginCall call(file.c_str());
   if (description.abi_version != ASPERITY_PLUGIN_ABI_VERSION) {
     throw std::invalid_argument("it has version " + std::to_string(description.abi_version) +
                                 " of the plug-in interface, and this program has version " +
@@ -399,9 +409,9 @@ ForceModel model_of_plugin(const asperity_model& description, std::shared_ptr<co
                                 "; compile it with the header that this program installs");
   }
   require_functions(description);
-  const Plugin plugin{&description, std::move(library)};
   ForceModel model{};
   model.declaration = declaration_of(description);
+  const Plugin plugin{&description, std::move(library), model.declaration.id + " (" + file + ')'};
   model.make = [plugin](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     return std::make_unique<PluginRenderer>(plugin, inputs);
   };

@@ -182,6 +182,21 @@ TEST(TerminalInContact, EchoesAgainAfterAnySignalThatEndsTheProgram) {
   }
 }
 
+TEST(TerminalInContact, EchoesAgainAfterAnErrorThatIsHandledElsewhere) {
+  const PseudoTerminal terminal{};
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGSEGV, [](int) { _exit(7); });
+    const UnechoedInput unechoed(terminal.program);
+    if (!terminal.echoes()) raise(SIGSEGV);
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 7) << "the other handler";
+  EXPECT_TRUE(terminal.echoes());
+}
+
 /// The exit status of a child, or nothing where it did not end in half a minute.
 std::optional<int> status_of(pid_t child) {
   constexpr int kLooks = 1500;

@@ -201,5 +201,13 @@ TEST_F(Plugin, GivesTheSameStudyWithTheSameSeed) {
   EXPECT_TRUE(once == exported(study(), folder_ / "again"));
 }
 
+TEST_F(Plugin, IsNamedBeforeItEndsTheProgram) {
+  const Outcome ended =
+      asperity({"models", "--conformance", "--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_crash.so"});
+  EXPECT_NE(ended.status, 0);
+  EXPECT_THAT(ended.err, HasSubstr("the plug-in faulty (faulty_crash.so) ended the program with an "
+                                   "invalid memory access"));
+}
+
 }  // namespace
 }  // namespace asperity::test

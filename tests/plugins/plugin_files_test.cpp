@@ -3,6 +3,7 @@
 #include "app/plugins/plugin_files.h"
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -93,6 +94,47 @@ TEST(PluginFiles, LoadAPluginThatWasBuiltAnewBesideItsFormerState) {
   const auto renderer = make_renderer(former, {});
   renderer->reset(at_depth(0.0, 0));
   EXPECT_GT(renderer->tick(at_depth(0.001, 1), 0.001).wrench.force_N.z, 0.0) << "the former code";
+}
+
+TEST(PluginFiles, KeepSeveralBuildsOnlyToRenderAttemptsAgain) {
+  const std::filesystem::path former = with_fault("none");
+  const std::filesystem::path rebuilt = with_fault("rebuilt");
+  EXPECT_THAT(refusal_of<std::runtime_error>([&] {
+                (void)models_with({former, rebuilt});
+              }),
+              HasSubstr("the id \"faulty\" of its force model is that of the plug-in "
+                        "faulty_none.so; choose another id"));
+  const ModelBuilds builds = models_with_builds({former, rebuilt, former});
+  const ModelRegistry built_in = built_in_models();
+  EXPECT_EQ(builds.models().models().size(), built_in.models().size() + 1);
+  for (const std::filesystem::path& file : {former, rebuilt}) {
+    const std::string sha256 = sha256_of_file(file);
+    const ForceModel* const build = builds.find("faulty", sha256);
+    ASSERT_NE(build, nullptr) << file;
+    EXPECT_EQ(build->plugin.value().file, file.filename());
+    const ModelRegistry chosen = builds.with({{"faulty", sha256}});
+    EXPECT_EQ(chosen.models().size(), builds.models().models().size());
+    EXPECT_EQ(chosen.find("faulty")->plugin.value().sha256, sha256);
+  }
+  EXPECT_EQ(builds.models().find("faulty"), builds.find("faulty", sha256_of_file(former)));
+  const std::string another(64, '0');
+  EXPECT_EQ(builds.find("faulty", another), nullptr);
+  EXPECT_FALSE(builds.has({{"faulty", another}}));
+  const ModelRegistry without = builds.with({{"faulty", another}});
+  EXPECT_NE(without.find("faulty"), nullptr) << "the first one";
+  EXPECT_EQ(builds.find("sinusoid", ""), nullptr) << "a built-in model";
+}
+
+TEST(PluginFiles, NameAPluginThatEndsTheProgram) {
+  EXPECT_DEATH((void)models_with({with_fault("crash")}),
+               "the plug-in faulty \\(faulty_crash.so\\) ended the program with an invalid memory "
+               "access \\(SIGSEGV\\); correct the plug-in");
+}
+
+TEST(PluginFiles, DoNotNameAPluginIfOtherCodeEndsTheProgram) {
+  const ModelRegistry models = models_with({with_fault("none")});
+  models.make("faulty", {})->reset(at_depth(0.0, 0));
+  EXPECT_EXIT(std::abort(), testing::KilledBySignal(SIGABRT), "^$");
 }
 
 TEST(PluginFiles, RefuseTextsThatAreNotUtf8) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <pthread.h>
 
 #include <termios.h>
@@ -25,18 +26,47 @@ static_assert(std::atomic<int>::is_always_lock_free);
 std::atomic<int> silent_terminal{kNoTerminal};
 termios echoing{};
 
+/// What each signal did before; written before the handler is installed.
+constinit std::array<struct sigaction, kEndingSignals.size()> former_actions{};
+
 extern "C" void restore_echo_and_end(int number) {
   restore_echo();
-  std::signal(number, SIG_DFL);
+  for (std::size_t i = 0; i < kEndingSignals.size(); ++i) {
+    if (kEndingSignals[i] == number) ::sigaction(number, &former_actions[i], nullptr);
+  }
   std::raise(number);
 }
 
-/// Replaces the handlers of the signals that would end the program. Signals that are handled
-/// elsewhere, or ignored, are left unchanged.
-void handle_ending_signals(void (*from)(int), void (*to)(int)) {
-  for (const int number : kEndingSignals) {
+/// Of an error in the program, after which no handler resumes it: it can be handled in turn.
+bool is_of_an_error(int number) {
+  return number == SIGABRT || number == SIGBUS || number == SIGFPE || number == SIGILL ||
+         number == SIGSEGV;
+}
+
+/// Handles the signals that would end the program. Other signals that are handled elsewhere, or ignored, are left
+/// unchanged.
+void handle_ending_signals() {
+  struct sigaction own {};
+  own.sa_handler = restore_echo_and_end;
+  own.sa_flags = SA_ONSTACK;
+  sigemptyset(&own.sa_mask);
+  for (std::size_t i = 0; i < kEndingSignals.size(); ++i) {
+    const int number = kEndingSignals[i];
     struct sigaction now {};
-    if (::sigaction(number, nullptr, &now) == 0 && now.sa_handler == from) std::signal(number, to);
+    if (::sigaction(number, nullptr, &now) != 0) continue;
+    if (now.sa_handler != SIG_DFL && !is_of_an_error(number)) continue;
+    if (now.sa_handler == restore_echo_and_end) continue;
+    former_actions[i] = now;
+    ::sigaction(number, &own, nullptr);
+  }
+}
+
+void leave_ending_signals() {
+  for (std::size_t i = 0; i < kEndingSignals.size(); ++i) {
+    struct sigaction now {};
+    if (::sigaction(kEndingSignals[i], nullptr, &now) != 0) continue;
+    if (now.sa_handler != restore_echo_and_end) continue;
+    ::sigaction(kEndingSignals[i], &former_actions[i], nullptr);
   }
 }
 
@@ -68,13 +98,13 @@ UnechoedInput::UnechoedInput(int input) {
   termios silent = echoing;
   silent.c_lflag &= ~static_cast<tcflag_t>(ECHO | ECHONL);
   silent_terminal = input;
-  handle_ending_signals(SIG_DFL, restore_echo_and_end);
+  handle_ending_signals();
   ::tcsetattr(input, TCSANOW, &silent);
 }
 
 UnechoedInput::~UnechoedInput() {
   restore_echo();
-  handle_ending_signals(restore_echo_and_end, SIG_DFL);
+  leave_ending_signals();
 }
 
 }  // namespace asperity

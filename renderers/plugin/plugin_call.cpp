@@ -1,0 +1,91 @@
+#include "renderers/plugin/plugin_call.h"
+
+#include <array>
+#include <csignal>
+#include <cstddef>
+#include <cstring>
+#include <mutex>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+// Constant-initialised and in the executable's own block: a signal handler may read it.
+constinit thread_local const char* running_plugin = nullptr;
+
+struct EndingSignal {
+  int number = 0;
+  const char* meaning = nullptr;
+};
+constexpr std::array kEnding{EndingSignal{SIGSEGV, "an invalid memory access (SIGSEGV)"},
+                             EndingSignal{SIGBUS, "an invalid memory access (SIGBUS)"},
+                             EndingSignal{SIGFPE, "an integer division by zero (SIGFPE)"},
+                             EndingSignal{SIGILL, "an invalid instruction (SIGILL)"},
+                             EndingSignal{SIGABRT, "a call of abort (SIGABRT)"}};
+
+/// What each signal did before.
+constinit std::array<struct sigaction, kEnding.size()> former_actions{};
+
+void write_text(const char* text) noexcept {
+  std::size_t left = std::strlen(text);
+  while (left > 0) {
+    const ssize_t written = write(STDERR_FILENO, text, left);
+    if (written <= 0) return;
+    text += written;
+    left -= static_cast<std::size_t>(written);
+  }
+}
+
+// Async-signal-safe functions only.
+extern "C" void name_plugin(int number) {
+  for (std::size_t i = 0; i < kEnding.size(); ++i) {
+    if (kEnding[i].number != number) continue;
+    if (running_plugin != nullptr) {
+      write_text("asperity: the plug-in ");
+      write_text(running_plugin);
+      write_text(" ended the program with ");
+      write_text(kEnding[i].meaning);
+      write_text(
+          "; correct the plug-in (docs/write-a-force-model.md, \"When something is wrong\")\n");
+    }
+    sigaction(number, &former_actions[i], nullptr);
+  }
+  // Sent again on the return from this handler, to the former action.
+  raise(number);
+}
+
+/// A stack for the handler of this thread, whose own one may be used up by an endless recursion.
+void give_thread_a_signal_stack() {
+  constexpr std::size_t kSize_bytes = std::size_t{1} << 16;
+  static std::vector<std::byte> memory(kSize_bytes);
+  stack_t stack{};
+  stack.ss_sp = memory.data();
+  stack.ss_size = memory.size();
+  stack_t present{};
+  if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;
+  sigaltstack(&stack, nullptr);
+}
+
+}  // namespace
+
+PluginCall::PluginCall(const char* name) noexcept : outer_(std::exchange(running_plugin, name)) {}
+
+PluginCall::~PluginCall() { running_plugin = outer_; }
+
+void name_plugins_that_end_the_program() {
+  static std::once_flag installed{};
+  std::call_once(installed, [] {
+    give_thread_a_signal_stack();
+    for (std::size_t i = 0; i < kEnding.size(); ++i) {
+      struct sigaction action {};
+      action.sa_handler = name_plugin;
+      action.sa_flags = SA_ONSTACK;
+      sigemptyset(&action.sa_mask);
+      sigaction(kEnding[i].number, &action, &former_actions[i]);
+    }
+  });
+}
+
+}  // namespace asperity
