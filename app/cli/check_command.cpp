@@ -23,6 +23,7 @@
 #include "app/plugins/plugin_files.h"
 #include "app/session/rig/clock.h"
 #include "app/session/study_friction.h"
+#include "app/tasks/plugin_stimuli.h"
 #include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/stimulus_warnings.h"
@@ -199,6 +200,8 @@ void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
     warnings.push_back(std::move(*note));
   }
   StimulusBuilder builder(models, study);
+  check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, builder);
+  if (!check.diagnostics.empty()) return;
   RehearsedStimuli rehearsed = rehearse_with_warnings(*check.protocol, check.file, builder);
   check.diagnostics = std::move(rehearsed.problems);
   for (Diagnostic& warning : warnings_about_textures(*check.protocol, check.file, study)) {
@@ -207,6 +210,17 @@ void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
   for (Diagnostic& warning : rehearsed.warnings) warnings.push_back(std::move(warning));
   if (!check.diagnostics.empty()) return;
   for (Diagnostic& warning : warnings_about_stimuli(*check.protocol, check.file, builder)) {
+    warnings.push_back(std::move(warning));
+  }
+}
+
+/// The problems of plug-ins, and what of the stimuli that need no file may not be meant.
+void warnings_without_study(ProtocolCheck& check, const ModelRegistry& models,
+                            std::vector<Diagnostic>& warnings) {
+  StimulusBuilder without_files(models, {});
+  check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, without_files);
+  if (!check.diagnostics.empty()) return;
+  for (Diagnostic& warning : warnings_about_stimuli(*check.protocol, check.file, without_files)) {
     warnings.push_back(std::move(warning));
   }
 }
@@ -265,11 +279,7 @@ void add_check(CLI::App& program, Job& job) {
         if (options->study && check.protocol && check.diagnostics.empty()) {
           warnings_of_study(check, *options->study, models, warnings);
         } else if (check.protocol && check.diagnostics.empty()) {
-          StimulusBuilder without_files(models, {});
-          for (Diagnostic& warning :
-               warnings_about_stimuli(*check.protocol, check.file, without_files)) {
-            warnings.push_back(std::move(warning));
-          }
+          warnings_without_study(check, models, warnings);
         }
         DeviceComparison comparison{};
         if (options->device && check.protocol && check.diagnostics.empty()) {

@@ -22,6 +22,7 @@
 #include "app/study_files/parameter_json.h"
 #include "app/tasks/level_problems.h"
 #include "app/tasks/new_study.h"
+#include "app/tasks/plugin_stimuli.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/analysis_warnings.h"
@@ -351,6 +352,7 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
   Protocol protocol = load_protocol(file, builder.models(), study);
   const std::string found = found_file(file, study).string();
   std::vector<Diagnostic> problems = problems_of_files(protocol, found, study, builder);
+  if (problems.empty()) problems = problems_of_plugin_stimuli(protocol, found, builder);
   const auto rehearsed = [&] { return rehearse(protocol, found, builder); };
   if (problems.empty()) {
     problems = memory == nullptr ? rehearsed()

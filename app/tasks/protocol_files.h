@@ -32,7 +32,7 @@ Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& m
 ///
 /// Errors: ProtocolError with every file that does not exist, is not in the study (through a link),
 /// or is not a height field, picture or WAV as required, or otherwise with the problems found by
-/// `rehearse`; other errors as for `load_protocol`. Stimuli that `memory` (null: none) has as free
+/// `problems_of_plugin_stimuli` or `rehearse`; other errors as for `load_protocol`. Stimuli that `memory` (null: none) has as free
 /// of problems are not rehearsed again.
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
                               StimulusBuilder& builder, RehearsalMemory* memory = nullptr);

@@ -191,6 +191,37 @@ TEST_F(Plugin, StopsASessionWithItsMessageWhenItFails) {
   EXPECT_THAT(attempts.column("invalid_code"), testing::ElementsAre("plugin_failed"));
   EXPECT_THAT(tsv(tables.at("presentations.tsv")).column("limit_plugin_error_ticks"),
               testing::Contains("1"));
+TEST_F(Plugin, IsEvaluatedWithTheValuesOfTheProtocolBeforeASession) {
+  Json protocol = Json::parse(text_of(example_->protocol()));
+  protocol["stimuli"]["ridges"]["parameters"] = {{"amplitude_m", 0.001}, {"spacing_m", 0.0015}};
+  write_text(folder_ / "steep.json", protocol.dump());
+  const auto problem = AllOf(
+      HasSubstr("cannot be rendered: the plug-in model ridges: amplitude_m exceeds spacing_m"),
+      HasSubstr("(/stimuli/ridges)"));
+  const Outcome checked =
+      asperity({"check", folder_ / "steep.json", "--plugin", example_->plugin()});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_THAT(checked.err, problem);
+  Json faulty = faulty_discrimination();
+  faulty["stimuli"]["ridges"]["parameters"]["amplitude_m"] = 0.0005;
+  write_text(folder_ / "faulty.json", faulty.dump());
+  const Outcome failing = asperity(
+      {"check", folder_ / "faulty.json", "--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_stroke.so"});
+  EXPECT_EQ(failing.status, 1);
+  EXPECT_THAT(failing.err, HasSubstr("failed in a stroke across the surface: no such amplitude; "
+                                     "correct the plug-in, or the values of the stimulus"));
+  succeed(asperity({"new", study()}));
+  const Outcome in_study = asperity(
+      {"check", folder_ / "steep.json", "--study", study(), "--plugin", example_->plugin()});
+  EXPECT_EQ(in_study.status, 1);
+  EXPECT_THAT(in_study.err, problem);
+  const Outcome simulated =
+      asperity({"simulate", folder_ / "steep.json", "--study", study(), "--participants", "1",
+                "--seed", "1", "--plugin", example_->plugin()});
+  EXPECT_EQ(simulated.status, 1);
+  EXPECT_THAT(simulated.err, problem);
+}
+
 }
 
 TEST_F(Plugin, GivesTheSameStudyWithTheSameSeed) {
