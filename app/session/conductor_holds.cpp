@@ -1,6 +1,7 @@
 // The part of Conductor that suspends a session: pauses, repetitions, lost noise, faults.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -22,6 +23,24 @@ SessionPhase after_fault(SessionPhase before) {
   const bool in_attempt = before == SessionPhase::fore || before == SessionPhase::contact ||
                           before == SessionPhase::response;
   return in_attempt ? SessionPhase::iti : before;
+}
+
+/// The message of a plug-in that failed, which is part of the sentence; empty for other faults.
+std::string message_of_plugin(const Phrase& sentence) {
+  const char* const code = sentence.code();
+  if (code != nullptr && std::string_view(code) == phrase_of(Reason::plugin_failed).code()) {
+    return sentence.english();
+  }
+  for (const Phrase& part : sentence.arguments()) {
+    if (std::string message = message_of_plugin(part); !message.empty()) return message;
+  }
+  return {};
+}
+
+std::string data_of_fault(const Phrase& sentence) {
+  const std::string message = message_of_plugin(sentence);
+  // Otherwise the fault states everything.
+  return message.empty() ? "null" : nlohmann::ordered_json{{"reason", message}}.dump();
 }
 
 }  // namespace
@@ -216,7 +235,7 @@ bool Conductor::wait_out_fault(Phrase what) {
   }
   const SessionPhase before = after_fault(course_.phase());
   requests_.take_clear_fault();  // one requested before this fault
-  course_.event("fault", name_of(rig_.loop().status().fault));
+  course_.event("fault", name_of(rig_.loop().status().fault), data_of_fault(what));
   course_.enter(SessionPhase::fault);
   course_.show({.kind = ParticipantScene::Kind::paused});
   course_.play(Cue::paused);

@@ -145,11 +145,14 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control",
        .text_is_public = true},
       {.name = "fault",
-       .meaning = "a fault or the emergency stop set the force to zero; the trial that it "
-                  "interrupted is presented again. Text: the fault",
+       .meaning =
+           "a fault or the emergency stop set the force to zero; the trial that it "
+           "interrupted is presented again. Text: the fault. Data, if a plug-in failed: `reason`, "
+           "which contains its message",
        .hed = "Experiment-control, Mishap, Device",
        .ended_by = {"fault_cleared"},
-       .text_is_public = true},
+       .text_is_public = true,
+       .public_data = {"reason"}},
       {.name = "fault_cleared",
        .meaning = "the fault was cleared",
        .hed = "Experiment-control, Device",

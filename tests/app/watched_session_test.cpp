@@ -2,8 +2,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <limits>
+#include <memory>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -628,8 +631,53 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
   EXPECT_THAT(phases(), ElementsAre("ready", "iti", "fore", "contact", "fore", "contact",
                                     "response", "fore", "fault", "iti", "fore", "contact", "fore",
                                     "contact", "response", "questions", "ready", "ended"));
-  EXPECT_EQ(events_of("fault").size(), 1U);
+  ASSERT_EQ(events_of("fault").size(), 1U);
+  EXPECT_EQ(events_of("fault").front().data_json, "null");
   EXPECT_EQ(events_of("fault_cleared").size(), 1U);
+}
+
+/// Fails in its first contact, as a plug-in does.
+class FailingRenderer final : public ForceRenderer {
+ public:
+  explicit FailingRenderer(std::unique_ptr<ForceRenderer> sound) : sound_(std::move(sound)) {}
+  void reset(const ProbeState& first) noexcept override { sound_->reset(first); }
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
+    RenderedTick result = sound_->tick(probe, dt_s);
+    has_failed_ = has_failed_ || result.penetration_m > 0.0;
+    if (has_failed_) result.wrench.force_N.z = std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
+  std::string_view error() const noexcept override {
+    return has_failed_ ? "the ridge is too steep" : "";
+  }
+
+ private:
+  std::unique_ptr<ForceRenderer> sound_{};
+  bool has_failed_ = false;
+};
+
+TEST_F(WatchedSession, StoresTheMessageOfAPluginWithItsFault) {
+  ModelRegistry models{};
+  for (ForceModel model : models_.models()) {
+    if (model.declaration.id == "height_map") {
+      model.make = [sound = model.make, has_failed = std::make_shared<bool>(false)](
+                       const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+        if (std::exchange(*has_failed, true)) return sound(inputs);
+        return std::make_unique<FailingRenderer>(sound(inputs));
+      };
+    }
+    models.add(std::move(model));
+  }
+  models_ = std::move(models);
+  begin(one_trial());
+  once_in(SessionPhase::fault, [&] { requests_.clear_fault(); });
+  EXPECT_EQ(run().state, SessionState::completed);
+  const std::vector<EventRow> faults = events_of("fault");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults.front().text, "not_finite");
+  EXPECT_EQ(faults.front().data_json,
+            R"({"reason":"the plug-in of the force model height_map failed: the ridge is too )"
+            R"(steep"})");
 }
 
 TEST_F(WatchedSession, ContinuesAfterAFaultWhenWhoeverAnswersSaysThatItIsMended) {
@@ -1280,7 +1328,7 @@ TEST_F(TalkativeSession, TakesTheTimeOfAQuestionnairesAnswerFromItsStamp) {
   begin(one_trial());
   run();
   const auto answers = study_->session_answers(session_.row.id);
-  ASSERT_EQ(answers.size(), 2U);  // the second one was left empty
+  ASSERT_EQ(answers.size(), 2U);                   // the second one was left empty
   EXPECT_NEAR(*answers[0].from_cue_s, 0.3, 1e-9);  // it was heard after 0.5 s
 }
 
