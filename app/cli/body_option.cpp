@@ -1,6 +1,8 @@
 #include "app/cli/body_option.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -51,6 +53,29 @@ Shape shape_of(const BodyOption& body, const HeightField* field) {
   throw std::logic_error("the kind of a body is not a BodyOption::Kind; use one of its values");
 }
 
+/// `rest`: what is left in front of the sizes.
+void refuse_size_with_unit(const std::string& option, const std::string& rest, const Form& form) {
+  const std::string size = rest.substr(rest.rfind(',') + 1);
+  const bool begins_as_number = !size.empty() && size.find_first_of("0123456789.") == 0;
+  if (!begins_as_number || std::filesystem::exists(size)) return;
+  throw std::runtime_error(option + ": the size \"" + size + "\" is not a number; write " +
+                           std::string(form.meant) + ", with sizes in metres without a unit");
+}
+
+/// "cube:0.01": a word and a colon in front of something that is not a file.
+void refuse_unknown_shape(const std::string& option, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos || std::filesystem::exists(text)) return;
+  const bool is_word =
+      colon > 1 && std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(colon),
+                               [](char c) { return c >= 'a' && c <= 'z'; });
+  if (!is_word) return;
+  std::string forms{};
+  for (const Form& form : kForms) forms += (forms.empty() ? "" : ", ") + std::string(form.meant);
+  throw std::runtime_error(option + ' ' + text + ": there is no shape \"" + text.substr(0, colon) +
+                           "\"; write one of " + forms + ", with sizes in metres");
+}
+
 }  // namespace
 
 bool BodyOption::is_plain_height_field() const {
@@ -78,11 +103,13 @@ BodyOption body_option(const std::string& option, const std::string& text) {
     const bool is_whole_field =
         form.kind == BodyOption::Kind::plane && body.sizes_m.empty() && body.file;
     if (body.sizes_m.size() != form.sizes && !is_whole_field) {
+      refuse_size_with_unit(option + ' ' + text, rest, form);
       throw std::runtime_error(option + ' ' + text + " has the wrong number of sizes: write " +
                                std::string(form.meant) + ", with sizes in metres");
     }
     return body;
   }
+  refuse_unknown_shape(option, text);
   for (const Form& form : kForms) {
     // A shape without its sizes is no file, unless somebody called one so.
     if (text + ':' != form.prefix || std::filesystem::exists(text)) continue;

@@ -1,7 +1,10 @@
 #include "app/study_files/height_field_files.h"
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "app/study_files/program.h"
@@ -20,6 +23,13 @@ std::string_view text_in(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// By its ending: of the files that `bake` reads.
+bool is_mesh(const std::filesystem::path& file) {
+  static constexpr std::array<std::string_view, 4> kEndings{".obj", ".ply", ".stl", ".off"};
+  const std::string ending = file.extension().string();
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
 struct FilesRead {
   StoredHeightField stored;
   std::string sidecar{};
@@ -29,6 +39,12 @@ FilesRead read_files(const std::filesystem::path& png) {
   const std::string content = read_file(png, kPictureFile);
   const std::filesystem::path beside = sidecar_of(png);
   if (!std::filesystem::exists(beside)) {
+    if (is_mesh(png)) {
+      throw ResultsError(png.string() +
+                             " is a mesh, not a height field; make a textured mesh with asperity "
+                             "bake, and use it as a body",
+                         png);
+    }
     throw ResultsError(png.string() + " is a picture, not a height field: there is no " +
                            beside.string() +
                            ", which would state its heights; to make a height field from a "

@@ -135,12 +135,15 @@ std::string condition_text(const std::optional<ParameterValues>& condition) {
 void ModelRegistry::add(ForceModel model) {
   const std::string& id = model.declaration.id;
   if (!is_an_id(id)) {
-    throw std::invalid_argument("ModelDeclaration::id \"" + id +
-                                "\" must be a lower-case letter followed by lower-case letters, "
-                                "digits and underscores");
+    throw std::invalid_argument("the id \"" + id +
+                                "\" of its force model must be a lower-case letter followed by "
+                                "lower-case letters, digits and underscores");
   }
-  if (find(id) != nullptr) {
-    throw std::invalid_argument("ModelDeclaration::id \"" + id + "\" is taken; choose another id");
+  if (const ForceModel* const other = find(id)) {
+    throw std::invalid_argument(
+        "the id \"" + id + "\" of its force model is that of " +
+        (other->plugin ? "the plug-in " + other->plugin->file : std::string("a built-in model")) +
+        "; choose another id");
   }
   require_roles(model.declaration);
   models_.push_back(std::move(model));

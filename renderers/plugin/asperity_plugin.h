@@ -39,7 +39,7 @@ extern "C" {
 typedef struct asperity_parameter {
   const char* name;    /* [a-z][A-Za-z0-9_]*, ends in its unit: "amplitude_m", "stiffness_N_per_m" */
   uint32_t kind;       /* ASPERITY_NUMBER, ASPERITY_INTEGER or ASPERITY_CHOICE */
-  const char* unit;    /* "m", "N/m"; "1" for a number without unit and for a choice */
+  const char* unit;    /* "m", "N/m", as at the end of the name; "1" for a number without unit and for a choice */
   double minimum;      /* inclusive; not used for a choice */
   double maximum;      /* inclusive; not used for a choice */
   double default_value;

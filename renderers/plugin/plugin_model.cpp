@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/plugin/plugin_call.h"
+#include "stimuli/properties/unit_of_name.h"
 
 namespace asperity {
 namespace {
@@ -106,6 +108,11 @@ Parameter parameter_of(const asperity_parameter& given, std::size_t index) {
            "letter");
   }
   parameter.unit = text_in(given.unit, place + ".unit");
+  const std::optional<std::string> unit = unit_at_end_of(parameter.name);
+  if (unit && given.kind != ASPERITY_CHOICE && *unit != parameter.unit) {
+    refuse(field, "has the unit \"" + parameter.unit + "\", and its name ends in the unit \"" +
+                      *unit + "\"; correct one of them");
+  }
   parameter.meaning = text_in(given.meaning, place + ".meaning");
   if (given.kind == ASPERITY_CHOICE) {
     parameter.kind = ParameterKind::choice;

@@ -686,6 +686,24 @@ TEST(BadName, OfAPictureIsRefusedBeforeTheWork) {
                   "--path", place / "path.tsv", "--out", place / "f.tsv"},
                  {"photo.png is a picture, not a height field: there is no ", "photo.png.json",
                   "asperity texture"});
+  write_text(place / "ball.obj", "v 0 0 0\n");
+  const auto expect_render_refused = [&](std::vector<std::string> options,
+                                         const std::vector<std::string>& words) {
+    options.insert(options.begin(), "render");
+    options.insert(options.end(), {"--path", place / "path.tsv", "--out", place / "f.tsv"});
+    expect_refused(place.path(), options, words);
+  };
+  expect_render_refused(
+      {"--model", "sinusoid", "--stimulus", "sphere:0.06", "--height-field", place / "ball.obj"},
+      {"ball.obj is a mesh, not a height field; make a textured mesh with asperity bake"});
+  expect_render_refused({"--model", "sinusoid", "--stimulus", "cube:0.01"},
+                        {"--stimulus cube:0.01: there is no shape \"cube\"; write one of ",
+                         "box:[FILE.png,]X_m,Y_m,Z_m", "with sizes in metres"});
+  expect_render_refused({"--model", "sinusoid", "--stimulus", "sphere:0.06mm"},
+                        {"--stimulus sphere:0.06mm: the size \"0.06mm\" is not a number; write "
+                         "sphere:[FILE.png,]D_m, with sizes in metres without a unit"});
+  expect_render_refused({"--model", "rigdes"}, {"there is no force model \"rigdes\"",
+                                                "load the plug-in with --plugin FILE"});
 }
 
 // A pipe that nobody writes to has no beginning, and a device may have no end.

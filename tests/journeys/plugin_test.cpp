@@ -191,6 +191,13 @@ TEST_F(Plugin, StopsASessionWithItsMessageWhenItFails) {
   EXPECT_THAT(attempts.column("invalid_code"), testing::ElementsAre("plugin_failed"));
   EXPECT_THAT(tsv(tables.at("presentations.tsv")).column("limit_plugin_error_ticks"),
               testing::Contains("1"));
+  EXPECT_THAT(
+      tables.at("codebook.tsv"),
+      AllOf(HasSubstr("because the plug-in of the force model reported an error or threw an "
+                      "exception (docs/write-a-force-model.md); models: faulty"),
+            Not(HasSubstr("pd_gradient.md"))));
+}
+
 TEST_F(Plugin, IsEvaluatedWithTheValuesOfTheProtocolBeforeASession) {
   Json protocol = Json::parse(text_of(example_->protocol()));
   protocol["stimuli"]["ridges"]["parameters"] = {{"amplitude_m", 0.001}, {"spacing_m", 0.0015}};

@@ -154,7 +154,12 @@ TEST(PluginFiles, RefuseWhatIsNotAPlugin) {
       HasSubstr("it has version 99 of the plug-in interface, and this program has version 1"));
   EXPECT_THAT(refusal_of_plugin(with_fault("description")),
               HasSubstr("asperity_model::amplitude_parameter is height_m"));
-  EXPECT_THAT(refusal_of_plugin(with_fault("taken")), HasSubstr("\"sinusoid\" is taken"));
+  EXPECT_THAT(refusal_of_plugin(with_fault("unit")),
+              HasSubstr("asperity_model::parameters[0] (amplitude_m) has the unit \"mm\", and its "
+                        "name ends in the unit \"m\"; correct one of them"));
+  EXPECT_THAT(refusal_of_plugin(with_fault("taken")),
+              HasSubstr("the id \"sinusoid\" of its force model is that of a built-in model; "
+                        "choose another id"));
 }
 
 TEST(PluginFiles, RefuseAModelThatViolatesTheConformanceSuite) {

@@ -103,7 +103,4 @@ Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportP
 std::vector<ExportColumn> columns_for(ExportAudience audience, std::vector<ExportColumn> columns,
                                       std::vector<std::string>& left_out);
 
-/// The unit that the name of a quantity ends with, in the spelling of the codebook.
-std::optional<std::string> unit_at_end_of(std::string_view name);
-
 }  // namespace asperity

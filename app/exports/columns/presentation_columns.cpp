@@ -13,6 +13,7 @@
 #include "app/exports/columns/table_columns.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/roughness_match.h"
+#include "stimuli/properties/unit_of_name.h"
 
 namespace asperity::export_columns {
 namespace {
@@ -86,6 +87,26 @@ Cell interval_before(const Place& at) {
   }
   if (!lifted_ns) return {};
   return static_cast<double>(*at.presentation->onset_ns - *lifted_ns) / 1e9;
+}
+
+// Counts of every plug-in (renderers/plugin/plugin_model.h), all others of models with their own assumptions.
+constexpr const char* kLimitsOfPlugins = "plugin_";
+
+bool is_of_plugins(const std::string& limit) { return limit.starts_with(kLimitsOfPlugins); }
+
+std::string meaning_of_limit(const std::string& limit) {
+  if (limit == "plugin_error") {
+    return "ticks without a force because the plug-in of the force model reported an error or "
+           "threw "
+           "an exception (docs/write-a-force-model.md)";
+  }
+  if (limit == "plugin_not_valid") {
+    return "ticks without a force because a result of the plug-in of the force model was not "
+           "finite, "
+           "or its normal force or penetration negative (docs/write-a-force-model.md)";
+  }
+  return "ticks in which this assumption of the force model was violated "
+         "(docs/models/pd_gradient.md)";
 }
 
 }  // namespace
@@ -176,11 +197,10 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   add_equal_roughness(columns);
   add_instability(columns);
   for (const auto& [kind, models] : vocabulary.limits) {
-    add(missing("the model does not check this assumption",
+    add(missing(is_of_plugins(kind) ? "the force model is not a plug-in"
+                                    : "the model does not check this assumption",
                 at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
-                                   "ticks in which this assumption of the force model was violated "
-                                   "(docs/models/pd_gradient.md); models: " +
-                                       comma_separated(models),
+                                   meaning_of_limit(kind) + "; models: " + comma_separated(models),
                                    [kind = kind](const Place& at) -> Cell {
                                      for (const ModelLimitRow& limit : at.presentation->limits) {
                                        if (limit.kind == kind) return limit.ticks;

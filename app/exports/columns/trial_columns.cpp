@@ -8,6 +8,7 @@
 #include "app/exports/columns/table_columns.h"
 #include "protocols/design/protocol.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "stimuli/properties/unit_of_name.h"
 
 namespace asperity::export_columns {
 namespace {
