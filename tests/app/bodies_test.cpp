@@ -23,6 +23,7 @@
 #include "results_schema/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/meshes/solid_body.h"
+#include "tests/app/protocol_in_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 
@@ -88,24 +89,9 @@ void make_study(const std::filesystem::path& study) {
   write_file(study / "protocols" / "tools.json", kProtocol, Overwrite::refuse);
 }
 
-class Bodies : public testing::Test {
+class Bodies : public ProtocolInStudy {
  protected:
-  Bodies() { make_study(study_); }
-
-  void replace_in_protocol(const std::string& from, const std::string& to) {
-    std::string text = read_file(protocol_);
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    write_file(protocol_, text.replace(at, from.size(), to), Overwrite::allow);
-  }
-  std::vector<Diagnostic> problems() const {
-    return check_protocol(protocol_, models_, study_, {}).diagnostics;
-  }
-
-  TemporaryFolder folder_{};
-  std::filesystem::path study_ = folder_.path() / "study";
-  std::filesystem::path protocol_ = study_ / "protocols" / "tools.json";
-  ModelRegistry models_ = built_in_models();
+  Bodies() : ProtocolInStudy("tools.json") { make_study(study_); }
 };
 
 TEST_F(Bodies, AreCheckedWithTheirFiles) {
@@ -172,7 +158,8 @@ TEST_F(Bodies, ThatNoRendererTakesAreRefusedBeforeASession) {
     EXPECT_EQ(error.diagnostics()[0].pointer, "/stimuli/felt");
     EXPECT_GT(error.diagnostics()[0].line, 1);
     EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("\"felt_grain_pd_gradient_rasp\""));
-    EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("at most 32000 per side. Use a smaller shape"));
+    EXPECT_THAT(error.diagnostics()[0].message,
+                HasSubstr("at most 32000 per side. Use a smaller shape"));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "stimuli/meshes/solid_body.h"
+#include "tests/app/protocol_in_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 
@@ -70,28 +71,13 @@ void save_stone(const std::filesystem::path& study, double size_m) {
   save_textured_mesh(study / "stimuli" / "stone.mesh", stored, Overwrite::allow);
 }
 
-class PointsOnBodies : public testing::Test {
+class PointsOnBodies : public ProtocolInStudy {
  protected:
-  PointsOnBodies() {
+  PointsOnBodies() : ProtocolInStudy("shapes.json") {
     make_small_study(study_);
     save_stone(study_, 0.05);
     write_file(protocol_, kProtocolOfShapes, Overwrite::refuse);
   }
-
-  void replace_in_protocol(const std::string& from, const std::string& to) {
-    std::string text = read_file(protocol_);
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    write_file(protocol_, text.replace(at, from.size(), to), Overwrite::allow);
-  }
-  std::vector<Diagnostic> problems() const {
-    return check_protocol(protocol_, models_, study_, {}).diagnostics;
-  }
-
-  TemporaryFolder folder_{};
-  std::filesystem::path study_ = folder_.path() / "study";
-  std::filesystem::path protocol_ = study_ / "protocols" / "shapes.json";
-  ModelRegistry models_ = built_in_models();
 };
 
 TEST_F(PointsOnBodies, AreCheckedWithTheirFiles) {

@@ -229,6 +229,36 @@ TEST_F(Plugin, IsEvaluatedWithTheValuesOfTheProtocolBeforeASession) {
   EXPECT_THAT(simulated.err, problem);
 }
 
+TEST_F(Plugin, IsSweptWithItsHashInTheDescriptionOfTheTable) {
+  const std::vector<std::string> sweep{
+      "sweep",    "--model",    "ridges",        "--vary", "exploratory_speed",  "--values",
+      "0.05,0.1", "--spacings", "0.002:0.004:2", "--out",  folder_ / "sweep.tsv"};
+  const Outcome unknown = asperity(sweep);
+  EXPECT_NE(unknown.status, 0);
+  EXPECT_THAT(unknown.err, HasSubstr("load the plug-in with --plugin FILE"));
+  std::vector<std::string> with_plugin = sweep;
+  with_plugin.insert(with_plugin.end(), {"--plugin", example_->plugin()});
+  succeed(asperity(with_plugin));
+  const Tsv table = tsv(text_of(folder_ / "sweep.tsv"));
+  EXPECT_EQ(table.rows.size(), 4U);
+  EXPECT_THAT(table.column("model"), testing::Each("ridges"));
+  EXPECT_THAT(table.column("status"), testing::Each("ok"));
+  EXPECT_THAT(text_of(folder_ / "sweep.tsv.json"),
+              HasSubstr("\"plugin_sha256\": \"" + sha256_of_file(example_->plugin()) + '"'));
+}
+
+TEST_F(Plugin, IsLoadedToRecordTheTextureOfAnAttempt) {
+  simulate();
+  const std::vector<std::string> record{
+      "texture-recording",    "--study", study(), "--attempt", "virtual0001/1/1/1", "--out",
+      folder_ / "texture.tsv"};
+  const Outcome missing = asperity(record);
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(missing.err, HasSubstr("load its plug-in with --plugin FILE"));
+  std::vector<std::string> with_plugin = record;
+  with_plugin.insert(with_plugin.end(), {"--plugin", example_->plugin()});
+  succeed(asperity(with_plugin));
+  EXPECT_GT(tsv(text_of(folder_ / "texture.tsv")).rows.size(), 100U);
 }
 
 TEST_F(Plugin, GivesTheSameStudyWithTheSameSeed) {
