@@ -2,6 +2,8 @@
 
 #include "renderers/built_in_models.h"
 
+#include <utility>
+
 #include "renderers/models/auto_regressive.h"
 #include "renderers/models/bump_map.h"
 #include "renderers/models/data_driven.h"
@@ -34,6 +36,11 @@ ModelRegistry built_in_models() {
   registry.add(recorded_model());
   registry.add(data_driven_model());
   return registry;
+}
+
+ModelRegistry computed_on(std::shared_ptr<const Compute> compute, ModelRegistry models) {
+  models.replace(pd_gradient_model(std::move(compute)));
+  return models;
 }
 
 }  // namespace asperity

@@ -1,10 +1,12 @@
 // asperity render: a force model along a given path.
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +27,8 @@
 #include "app/figures/column_figure.h"
 #include "app/figures/figure_files.h"
 #endif
+#include "renderers/built_in_models.h"
+#include "renderers/compute/compute_device.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/along_path.h"
 #include "renderers/proxy/body_surface.h"
@@ -32,6 +36,9 @@
 namespace asperity {
 
 namespace {
+
+// Nobody holds the device: a row may take as long as a driver without a GPU needs.
+constexpr std::chrono::minutes kPatience{10};
 
 /// What the hand holds and what it touches, of a model that needs both.
 void add_bodies(RendererInputs& inputs, const std::string& model, const BodyOption& surface,
@@ -140,6 +147,7 @@ void add_render(CLI::App& program, Job& job) {
     std::optional<std::filesystem::path> height_field{};
     std::optional<std::string> tool{};
     std::optional<std::string> coupling{};
+    std::string compute = "cpu";
     Material material{};
     std::uint64_t seed = 0;
     std::filesystem::path path{};
@@ -177,6 +185,13 @@ void add_render(CLI::App& program, Job& job) {
       ->option_text("none|virtual")
       ->check(word_among({"none", "virtual"}));
   command
+      ->add_option(
+          "--compute", options->compute,
+          "For a model with two bodies: where contacts are evaluated. cpu: on the processor; "
+          "gpu: on the first OpenCL device, sampled again in every row and in double precision")
+      ->option_text("cpu|gpu [cpu]")
+      ->check(word_among({"cpu", "gpu"}));
+  command
       ->add_option("--stiffness-n-per-m", options->material.stiffness_N_per_m,
                    "Stiffness of the surface, N/m")
       ->capture_default_str();
@@ -206,7 +221,10 @@ void add_render(CLI::App& program, Job& job) {
       require_plot(options->plot, overwrite);
 #endif
       require_material(options->material);
-      const ModelRegistry models = models_with(options->plugins);
+      ModelRegistry models = models_with(options->plugins);
+      if (options->compute == "gpu") {
+        models = computed_on(first_compute(kPatience), std::move(models));
+      }
       const ForceModel& model = model_named(models, options->model);
       RendererInputs inputs{};
       inputs.parameters =
@@ -223,6 +241,12 @@ void add_render(CLI::App& program, Job& job) {
                                  " computes the contact at a point, and " + option +
                                  " needs a model with two bodies; leave out " + option +
                                  ", or choose another model");
+      }
+      if (!needs_bodies && options->compute == "gpu") {
+        throw std::runtime_error(
+            "the force model " + options->model +
+            " computes the contact at a point, and --compute gpu needs a model "
+            "with two bodies; leave out --compute, or choose another model");
       }
       if (needs_bodies && !options->stimulus) {
         throw std::runtime_error("the force model " + options->model +
@@ -255,6 +279,9 @@ void add_render(CLI::App& program, Job& job) {
       if (!renderer->error().empty()) {
         throw std::runtime_error("the force model " + options->model + " failed on this path: " +
                                  std::string(renderer->error()) + "; correct its plug-in");
+      }
+      if (model.compute) {
+        std::cerr << "Computed by " << described(model.compute->device.name()) << ".\n";
       }
       write_file(options->out, forces_tsv(path, along.ticks), overwrite);
       std::cout << options->out.string() << ": " << counted(along.ticks.size(), "row") << '\n';

@@ -149,6 +149,17 @@ void ModelRegistry::add(ForceModel model) {
   models_.push_back(std::move(model));
 }
 
+void ModelRegistry::replace(ForceModel model) {
+  const auto found = std::find_if(models_.begin(), models_.end(), [&](const ForceModel& other) {
+    return other.declaration.id == model.declaration.id;
+  });
+  if (found == models_.end()) {
+    throw std::invalid_argument("ModelRegistry: there is no model \"" + model.declaration.id +
+                                "\" to replace");
+  }
+  *found = std::move(model);
+}
+
 const ForceModel* ModelRegistry::find(std::string_view id) const& noexcept {
   for (const ForceModel& model : models_) {
     if (model.declaration.id == id) return &model;

@@ -23,6 +23,7 @@
 namespace asperity {
 
 class BodySurface;
+struct Compute;
 
 /// The inputs from which a model builds one renderer.
 struct RendererInputs {
@@ -88,6 +89,8 @@ struct ForceModel {
   std::string band_formula{};
   /// Of a model in a plug-in (renderers/plugin/); absent for a built-in model.
   std::optional<PluginOrigin> plugin{};
+  /// The device on which its renderers evaluate contacts (computed_on); null for the processor.
+  std::shared_ptr<const Compute> compute{};
 };
 
 /// Whether the force without friction is the gradient of a potential with the given parameters (the others have their
@@ -121,6 +124,8 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model, const Rend
 class ModelRegistry final {
  public:
   void add(ForceModel model);
+  /// In place of the model with the same id; std::invalid_argument if there is none.
+  void replace(ForceModel model);
   const std::vector<ForceModel>& models() const& noexcept { return models_; }
   const std::vector<ForceModel>& models() && = delete;  // a loop over a temporary would dangle
   /// Null if there is no model with this id.

@@ -77,6 +77,24 @@ TEST_F(RenderBodies, ABallOnAPlateIsASpring) {
   EXPECT_NEAR(last("fx_N"), 0.0, 0.002);
 }
 
+// The driver that the tests install computes on the processor; it is named, and finds the depth of the closed form.
+TEST_F(RenderBodies, ComputesContactsOnADevice) {
+  const std::vector<Sample> samples{{.z_m = 0.0035}, {.z_m = 0.0028}, {.z_m = 0.0026}};
+  const Outcome outcome = render(
+      samples, {"--stimulus", "plane:0.02,0.02", "--tool", "sphere:0.006", "--compute", "gpu"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("Computed by "));
+  EXPECT_THAT(outcome.err, HasSubstr(", driver "));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("no_compute")));
+  EXPECT_NEAR(last("penetration_m"), 0.0004, 4e-6);
+  EXPECT_NEAR(last("fz_N"), kStiffness_N_per_m * 0.0004, 0.004);
+  write_text(place_ / "path.tsv", path_through(samples));
+  const Outcome point = asperity({"render", "--model", "sinusoid", "--path", place_ / "path.tsv",
+                                  "--out", place_ / "forces.tsv", "--force", "--compute", "gpu"});
+  EXPECT_EQ(point.status, 1);
+  EXPECT_THAT(point.err, HasSubstr("--compute gpu needs a model with two bodies"));
+}
+
 // The ball sinks until both springs have the same force: the tool is above the device by F/k_t.
 TEST_F(RenderBodies, TheToolOfAVirtualCouplingHasATableWithItsPose) {
   std::vector<Sample> samples(600, Sample{.z_m = 0.0026});

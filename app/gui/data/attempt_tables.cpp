@@ -150,6 +150,10 @@ QString limit_words(const std::string& kind) {
     return MeasureTables::tr(
         "a contact was deeper than the bodies are thick, or steeper than 60°, and was limited");
   }
+  if (kind == "no_compute") {
+    return MeasureTables::tr(
+        "the compute device had no answer in time, and the processor evaluated the contacts");
+  }
   if (kind == "plugin_error") return MeasureTables::tr("the plug-in reported an error");
   if (kind == "plugin_not_valid") {
     return MeasureTables::tr(

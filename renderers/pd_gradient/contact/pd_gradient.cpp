@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -41,6 +43,18 @@ WindowSampling sampling_of(const ParameterValues& values) {
           .most_samples = static_cast<int>(number_of(values, "most_samples"))};
 }
 
+std::unique_ptr<ComputedContacts> computed_of(const RendererInputs& inputs,
+                                              const Compute* compute) {
+  if (compute == nullptr) return nullptr;
+  const WindowSampling sampling = sampling_of(inputs.parameters);
+  return std::make_unique<ComputedContacts>(
+      *compute, *inputs.tool, number_of(inputs.parameters, "tool_texture_gain"), *inputs.surface,
+      number_of(inputs.parameters, "texture_gain"),
+      GpuRoom{.contacts = TexturedContacts::kMostComputed,
+              .samples = sampling.most_samples / kSamplesOfTile * kSamplesOfTile,
+              .is_smooth = std::holds_alternative<SmoothMaximum>(sampling.law)});
+}
+
 CoupledTool::Properties properties_of(const ParameterValues& values,
                                       const glm::dvec3& centre_in_tool_m) {
   return {
@@ -65,15 +79,17 @@ glm::dvec3 across(const glm::dvec3& n, const glm::dvec3& vector) noexcept {
 
 }  // namespace
 
-PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions)
+PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions,
+                       const Compute* compute)
     : patch_(checked(inputs).patch, inputs.material, inputs.parameters),
       contacts_({*inputs.tool, number_of(inputs.parameters, "tool_texture_gain")},
                 {*inputs.surface, number_of(inputs.parameters, "texture_gain")},
-                sampling_of(inputs.parameters), instructions),
+                sampling_of(inputs.parameters), instructions, computed_of(inputs, compute)),
       centre_in_tool_m_(contacts_.a().hull_clusters()->centre_m()),
       contact_damping_N_s_per_m_(number_of(inputs.parameters, "contact_damping_N_s_per_m")),
       friction_speed_m_per_s_(number_of(inputs.parameters, "friction_speed_m_per_s")),
       finest_wave_m_(std::min(contacts_.a().finest_wave_m(), contacts_.b().finest_wave_m())),
+      has_compute_device_(compute != nullptr),
       limits_{{{.name = "contact"},
                {.name = "folded"},
                {.name = "window_border"},
@@ -83,7 +99,8 @@ PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions
                {.name = "left_out"},
                {.name = "too_deep"},
                {.name = "kept"},
-               {.name = "wholly_inside"}}} {
+               {.name = "wholly_inside"},
+               {.name = "no_compute"}}} {
   if (has_virtual_coupling(inputs.parameters)) {
     tool_.emplace(properties_of(inputs.parameters, centre_in_tool_m_));
   }
@@ -120,6 +137,11 @@ RenderedTick PdGradient::tick(const ProbeState& probe, double dt_s) noexcept {
     answer.penetration_m = std::max(answer.penetration_m, kTouching_m);
   }
   return answer;
+}
+
+std::span<const NamedCount> PdGradient::limits() const noexcept {
+  const std::span<const NamedCount> all(limits_);
+  return has_compute_device_ ? all : all.first(static_cast<std::size_t>(Limit::no_compute));
 }
 
 std::optional<TipPose> PdGradient::simulated_tool() const noexcept {
@@ -236,6 +258,7 @@ void PdGradient::watch(double dt_s) noexcept {
   count_any(Limit::too_deep, [](const Touch& touch) { return touch.contact->is_bounded; });
   count_any(Limit::kept, [](const Touch& touch) { return touch.contact->is_kept; });
   count(Limit::wholly_inside, contacts_.is_inside());
+  count(Limit::no_compute, left.is_computed_here);
 }
 
 namespace {
@@ -315,7 +338,7 @@ bool has_virtual_coupling(const ParameterValues& values) {
   return coupling != values.end() && coupling->second == ParameterValue(std::string("virtual"));
 }
 
-ForceModel pd_gradient_model() {
+ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute) {
   ModelDeclaration declaration{
       .id = "pd_gradient",
       .version = "5",
@@ -331,8 +354,8 @@ ForceModel pd_gradient_model() {
       .conflict_among = [](const ParameterValues& values) {
         return conflict_in(sampling_of(values));
       }};
-  const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
-    return std::make_unique<PdGradient>(inputs, instruction_sets_here().back());
+  const auto make = [compute](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+    return std::make_unique<PdGradient>(inputs, instruction_sets_here().back(), compute.get());
   };
   return {.declaration = std::move(declaration),
           .make = make,
@@ -344,7 +367,8 @@ ForceModel pd_gradient_model() {
               [](const RendererInputs& inputs) {
                 return TextureBand{.per_m = 1.0 / (2.0 * number_of(inputs.parameters, "cell_m"))};
               },
-          .band_formula = "v/(2*cell_m)"};
+          .band_formula = "v/(2*cell_m)",
+          .compute = std::move(compute)};
 }
 
 }  // namespace asperity

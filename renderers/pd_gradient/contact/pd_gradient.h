@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 
 #include <glm/vec3.hpp>
 
+#include "renderers/compute/compute_device.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/simulated_tool.h"
 #include "renderers/force/surface_contact.h"
@@ -66,7 +68,9 @@ namespace asperity {
 class PdGradient final : public ForceRenderer, public SimulatesTool {
  public:
   /// Requires complete, checked parameters.
-  PdGradient(const RendererInputs& inputs, InstructionSet instructions);
+  /// `compute`: the device that evaluates contacts; null for the processor.
+  PdGradient(const RendererInputs& inputs, InstructionSet instructions,
+             const Compute* compute = nullptr);
 
   void reset(const ProbeState& first) noexcept override;
   RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override;
@@ -87,7 +91,9 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
   ///   wholly_inside  a body was completely inside the other one, no surfaces intersected and there was
   ///                  no force: the tool began there, or moved there within a tick
   ///                  (TexturedContacts::is_inside)
-  std::span<const NamedCount> limits() const noexcept override { return limits_; }
+  ///   no_compute     with a compute device only: it had no answer within its deadline, and the processor evaluated the
+  ///                  contacts (ComputedContacts)
+  std::span<const NamedCount> limits() const noexcept override;
 
   std::optional<TipPose> simulated_tool() const noexcept override;
 
@@ -105,7 +111,8 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
     left_out,
     too_deep,
     kept,
-    wholly_inside
+    wholly_inside,
+    no_compute
   };
 
   /// A contact with a force, and the motion of its deepest point.
@@ -130,15 +137,16 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
   double contact_damping_N_s_per_m_ = 0.0;
   double friction_speed_m_per_s_ = 0.0;
   double finest_wave_m_ = 0.0;  ///< of both textures
+  bool has_compute_device_ = false;
   bool has_been_clear_ = false;
   std::span<const TexturedContact> found_{};
   std::array<Touch, TexturedContacts::kMostContacts> touches_{};
   std::size_t touching_ = 0;
-  std::array<NamedCount, 10> limits_;
+  std::array<NamedCount, 11> limits_;
 };
 
-/// The model's declaration; it requires a tool and a surface.
-ForceModel pd_gradient_model();
+/// The model's declaration; it requires a tool and a surface. `compute` as for PdGradient.
+ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute = {});
 
 /// Whether the hand holds a simulated tool; takes complete parameters of any model.
 bool has_virtual_coupling(const ParameterValues& values);

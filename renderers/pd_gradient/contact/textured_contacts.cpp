@@ -25,7 +25,8 @@ double widest_window_m(const TexturedBody& a, const TexturedBody& b) {
 }  // namespace
 
 TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
-                                   InstructionSet instructions)
+                                   InstructionSet instructions,
+                                   std::unique_ptr<ComputedContacts> computed)
     : a_(std::move(a)),
       b_(std::move(b)),
       query_(a_.hull_clusters(), b_.hull_clusters(), kMostPairs, instructions),
@@ -34,6 +35,7 @@ TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowS
                 std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())), instructions),
       triangles_a_(std::min(kMostTriangles, a_.triangles())),
       triangles_b_(std::min(kMostTriangles, b_.triangles())),
+      computed_(std::move(computed)),
       thinner_m_(std::min(a_.thickness_m(), b_.thickness_m())) {
   contacts_.reserve(kMostContacts);
   before_.reserve(kMostContacts);
@@ -70,20 +72,16 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
     }
     ordered[place] = &regions[i];
   }
-  for (const ContactRegion* each : std::span(ordered).first(regions.size())) {
+  const std::span<const ContactRegion* const> longest_first =
+      std::span(ordered).first(regions.size());
+  if (computed_) compute(longest_first, a, b);
+  for (const ContactRegion* each : longest_first) {
     const ContactRegion& region = *each;
     const bool is_part = std::any_of(
         contacts_.begin(), contacts_.end(),
         [&](const TexturedContact& other) { return !other.is_doubtful && lies_in(region, other); });
     if (is_part) continue;
-    add({.id = region.id,
-         .frame = region.frame,
-         .width_m = region.width_m,
-         .half_extent_m = region.half_extent_m,
-         .half_height_m = half_height_m(region.width_m, depth_before_m(region)),
-         .leaning_a = std::clamp(region.upright_a, 0.0, kAgreement),
-         .leaning_b = std::clamp(region.upright_b, 0.0, kAgreement)},
-        a, b);
+    add(contact_of(region), a, b);
   }
   const bool were_in_contact =
       std::any_of(before_.begin(), before_.end(), [](const auto& last) { return is_felt(last); });
@@ -166,6 +164,16 @@ double TexturedContacts::depth_before_m(const ContactRegion& region) const noexc
   return depth_m;
 }
 
+TexturedContact TexturedContacts::contact_of(const ContactRegion& region) const noexcept {
+  return {.id = region.id,
+          .frame = region.frame,
+          .width_m = region.width_m,
+          .half_extent_m = region.half_extent_m,
+          .half_height_m = half_height_m(region.width_m, depth_before_m(region)),
+          .leaning_a = std::clamp(region.upright_a, 0.0, kAgreement),
+          .leaning_b = std::clamp(region.upright_b, 0.0, kAgreement)};
+}
+
 // A contact of the previous tick in the present poses: n moves with B, the place with A.
 TexturedContact TexturedContacts::continued(const TexturedContact& last, const Pose& a,
                                             const Pose& b) const noexcept {
@@ -201,19 +209,44 @@ std::span<const std::uint32_t> TexturedContacts::triangles_in(
   return std::span(room).first(taken);
 }
 
-void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b) noexcept {
-  if (contacts_.size() == kMostContacts) {
-    ++left_out_.regions;
-    return;
-  }
+// The greatest credible depth, and the box that grows towards it while it is empty.
+void TexturedContacts::set_reach(TexturedContact& contact) const noexcept {
   contact.reach_m = contact.half_height_m;
   for (const TexturedContact& last : before_) {
     if (last.id != contact.id || !last.is_doubtful) continue;
     contact.reach_m = std::max(contact.reach_m, last.reach_m + kReachGrowth_m_per_s * dt_s_);
     if (last.penetration.covered == 0) contact.half_height_m = contact.reach_m;
   }
-  WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
-  const SamplingGrid& grid = window.sampler.grid();
+}
+
+// Submits everything that this tick may need: all regions, and the contacts of the previous tick, which may fade or be
+// kept.
+void TexturedContacts::compute(std::span<const ContactRegion* const> regions, const Pose& a,
+                               const Pose& b) noexcept {
+  computed_->begin();
+  const auto request = [&](TexturedContact contact) {
+    set_reach(contact);
+    left_out_.triangles +=
+        computed_->add(contact, samplers_.window_for(contact.width_m), a_, a, b_, b);
+  };
+  for (const ContactRegion* region : regions) request(contact_of(*region));
+  for (const TexturedContact& last : before_) {
+    if (!is_felt(last) || last.share == 0.0) continue;
+    TexturedContact contact = continued(last, a, b);
+    contact.is_fading = true;
+    request(contact);
+  }
+  computed_->submit();
+  left_out_.is_computed_here = computed_->outcome() != GpuOutcome::answered;
+}
+
+std::optional<Penetration> TexturedContacts::evaluated(const TexturedContact& contact,
+                                                       WindowSamplers::Window& window,
+                                                       const Pose& a, const Pose& b) noexcept {
+  if (computed_) {
+    const std::optional<Penetration>* answer = computed_->find(contact);
+    if (answer != nullptr) return *answer;
+  }
   PackedPatch patch_a{.surface = a_.surface(),
                       .pose = a,
                       .half_height_m = contact.half_height_m,
@@ -228,7 +261,18 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
     patch_a.triangles = triangles_in(a_, a, contact.frame, -1.0, box, triangles_a_);
     patch_b.triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_);
   }
-  const std::optional<Penetration> found = window.sampler.evaluate(patch_a, patch_b, contact.frame);
+  return window.sampler.evaluate(patch_a, patch_b, contact.frame);
+}
+
+void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b) noexcept {
+  if (contacts_.size() == kMostContacts) {
+    ++left_out_.regions;
+    return;
+  }
+  set_reach(contact);
+  WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
+  const SamplingGrid& grid = window.sampler.grid();
+  const std::optional<Penetration> found = evaluated(contact, window, a, b);
   if (!found && (contact.is_kept || contact.is_fading)) return;
   contact.penetration = found.value_or(Penetration{});
   contact.is_doubtful = !found || found->depth_m > contact.reach_m;

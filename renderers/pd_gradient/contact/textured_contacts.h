@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "renderers/pd_gradient/contact/computed_contacts.h"
 #include "renderers/pd_gradient/contact/held_point.h"
 #include "renderers/pd_gradient/contact/textured_body.h"
 #include "renderers/pd_gradient/contact/textured_contact.h"
@@ -28,12 +30,14 @@ struct LeftOut {
   std::size_t regions = 0;    ///< beyond kMostContacts, also fading ones, or without a direction
   std::size_t triangles = 0;  ///< of windows, beyond kMostTriangles
   std::size_t depths = 0;     ///< that were doubtful
+  /// The compute device had no answer within its deadline, and the processor evaluated the contacts.
+  bool is_computed_here = false;
 };
 
 /// The contacts of a tool A and a surface B, from their poses. All steps from meshes to depths:
 ///
 ///   pairs of triangles of the two hulls (MeshQuery) → regions with n and a window (ContactRegions)
-///   → triangles of the textured bodies in the window → δ and ∇δ (CachedPenetration)
+///   → triangles of the textured bodies in the window → δ and ∇δ (CachedPenetration, or ComputedContacts)
 ///
 /// The triangles of a contact face the correct direction, those of A against n and those of B along n, and
 /// touch a box. Across n it is as wide as the window; along n its height to either side of the origin is half the width
@@ -121,13 +125,15 @@ class TexturedContacts final {
  public:
   static constexpr std::size_t kMostPairs = 4096;
   static constexpr std::size_t kMostContacts = 16;
+  static constexpr std::size_t kMostComputed = 2 * kMostContacts;  ///< of ComputedContacts: also those of the last tick
   static constexpr std::size_t kMostTriangles = 8192;  ///< of a body in one window
   static constexpr double kReachGrowth_m_per_s = 0.1;
   static constexpr double kBlend_s =
       0.010;  ///< too short to be perceived as a delay, too long to be perceived as an impact
 
+  /// With `computed`, made for the same bodies, contacts are evaluated there; where it has no answer, as without it.
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
-                   InstructionSet instructions);
+                   InstructionSet instructions, std::unique_ptr<ComputedContacts> computed = {});
 
   /// Discards the previous tick.
   void reset() noexcept;
@@ -155,7 +161,14 @@ class TexturedContacts final {
   /// For each contact, whether its share begins to rise.
   using Begun = std::array<bool, kMostContacts>;
 
+  void compute(std::span<const ContactRegion* const> regions, const Pose& a,
+               const Pose& b) noexcept;
   void add(TexturedContact contact, const Pose& a, const Pose& b) noexcept;
+  TexturedContact contact_of(const ContactRegion& region) const noexcept;
+  void set_reach(TexturedContact& contact) const noexcept;
+  std::optional<Penetration> evaluated(const TexturedContact& contact,
+                                       WindowSamplers::Window& window, const Pose& a,
+                                       const Pose& b) noexcept;
   double half_height_m(double width_m, double last_depth_m) const noexcept;
   double most_depth_m(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
   bool goes_before(const ContactRegion& one, const ContactRegion& longer) const noexcept;
@@ -197,6 +210,7 @@ class TexturedContacts final {
   WindowSamplers samplers_;
   std::vector<std::uint32_t> triangles_a_{};
   std::vector<std::uint32_t> triangles_b_{};
+  std::unique_ptr<ComputedContacts> computed_{};  ///< null without a compute device
   std::vector<TexturedContact> contacts_{};
   std::vector<TexturedContact> before_{};
   Pose a_before_{};

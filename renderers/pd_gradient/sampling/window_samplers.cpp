@@ -96,6 +96,7 @@ WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
                                .most_places = !keeps      ? 0
                                               : is_coarse ? kMostCoarsePlaces
                                                           : kMostPlaces}),
+                          .law = law,
                           .is_coarse = is_coarse});
       reached_m = width_m;
     }

@@ -51,6 +51,7 @@ class WindowSamplers final {
  public:
   struct Window {
     CachedPenetration sampler;
+    MaximumLaw law{};  ///< with the step of this window
     /// Its step (its cell, for the smooth maximum) is not the declared one.
     bool is_coarse = false;
   };

@@ -1,0 +1,12 @@
+// Declares the source of the kernels, which the driver of a device compiles.
+
+#pragma once
+
+#include <string_view>
+
+namespace asperity {
+
+/// The text of penetration.cl.
+extern const std::string_view kPenetrationKernels;
+
+}  // namespace asperity
