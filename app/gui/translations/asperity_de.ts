@@ -6565,6 +6565,17 @@
     </message>
 </context>
 <context>
+    <name>PluginBuilds</name>
+    <message>
+        <source>the study has attempts of this protocol with another build of the plug-in of the force model %1, version %2 (attempts: %3, SHA-256: %4; the loaded plug-in has the SHA-256 %5); they would be analysed together with new ones</source>
+        <translation>die Studie hat Versuche dieses Protokolls mit einem anderen Build des Plug-ins des Kraftmodells %1, Version %2 (Versuche: %3, SHA-256: %4; das geladene Plug-in hat die SHA-256 %5); sie würden zusammen mit neuen ausgewertet</translation>
+    </message>
+    <message>
+        <source>raise the version of the plug-in if its forces have changed, or load the build that rendered the attempts</source>
+        <translation>die Version des Plug-ins erhöhen, wenn sich seine Kräfte geändert haben, oder den Build laden, mit dem die Versuche dargeboten wurden</translation>
+    </message>
+</context>
+<context>
     <name>ProfileWords</name>
     <message>
         <source>Servo rate</source>
@@ -10125,6 +10136,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>the plug-in returned a number that is not finite, or a negative force or depth</source>
         <translation>das Plug-in gab eine nicht endliche Zahl oder eine negative Kraft oder Tiefe zurück</translation>
+    </message>
+    <message>
+        <source>the compute device had no answer in time, and the processor evaluated the contacts</source>
+        <translation>das Rechengerät antwortete nicht rechtzeitig; der Prozessor wertete die Kontakte aus</translation>
     </message>
 </context>
 <context>
@@ -13802,17 +13817,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief was measured; its least-squares plane was subtracted. Compare how the force models render it. To use it in the study, convert the file with “asperity texture”.</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief wurde gemessen; seine Ausgleichsebene wurde abgezogen. Vergleichen Sie, wie die Kraftmodelle es wiedergeben. Um es in der Studie zu verwenden, wandeln Sie die Datei mit „asperity texture“ um.</translation>
-    </message>
-</context>
-<context>
-    <name>PluginBuilds</name>
-    <message>
-        <source>the study has attempts of this protocol with another build of the plug-in of the force model %1, version %2 (attempts: %3, SHA-256: %4; the loaded plug-in has the SHA-256 %5); they would be analysed together with new ones</source>
-        <translation>die Studie hat Versuche dieses Protokolls mit einem anderen Build des Plug-ins des Kraftmodells %1, Version %2 (Versuche: %3, SHA-256: %4; das geladene Plug-in hat die SHA-256 %5); sie würden zusammen mit neuen ausgewertet</translation>
-    </message>
-    <message>
-        <source>raise the version of the plug-in if its forces have changed, or load the build that rendered the attempts</source>
-        <translation>die Version des Plug-ins erhöhen, wenn sich seine Kräfte geändert haben, oder den Build laden, mit dem die Versuche dargeboten wurden</translation>
     </message>
 </context>
 </TS>
