@@ -100,27 +100,42 @@ namespace {
 struct NearestSearch {
   const TriangleMesh* mesh = nullptr;
   double size_m = 1.0;
-  glm::dvec3 point_m{};
-  SurfaceSearch::Nearest best{std::numeric_limits<double>::infinity(), 0, {}};
+  SurfaceSearch::Near near{};
+  SurfaceSearch::Nearest best{};
+  bool is_found = false;
 };
+
+/// Of a query in the scaled frame: with a margin for single precision.
+float radius_of(double distance_m, double size_m) {
+  constexpr double kSinglePrecision = 1e-6;
+  return static_cast<float>(distance_m / size_m * (1.0 + kSinglePrecision) + kSinglePrecision);
+}
+
+bool faces(const std::array<glm::dvec3, 3>& corners_m, const glm::dvec3& outward) {
+  if (outward == glm::dvec3(0.0)) return true;
+  const glm::dvec3 front = glm::cross(corners_m[1] - corners_m[0], corners_m[2] - corners_m[0]);
+  return glm::dot(front, outward) > -0.5 * glm::length(front) * glm::length(outward);
+}
 
 bool consider(RTCPointQueryFunctionArguments* arguments) {
   auto& search = *static_cast<NearestSearch*>(arguments->userPtr);
   const auto& triangle = search.mesh->triangles[arguments->primID];
   std::array<glm::dvec3, 3> corners_m{};
   for (std::size_t i = 0; i < 3; ++i) corners_m[i] = search.mesh->vertices_m[triangle[i]];
-  const glm::dvec3 b = nearest_in_triangle(corners_m, search.point_m);
+  const glm::dvec3& point_m = search.near.point_m;
+  const glm::dvec3 b = nearest_in_triangle(corners_m, point_m);
   const double distance_m =
-      glm::length(b.x * corners_m[0] + b.y * corners_m[1] + b.z * corners_m[2] - search.point_m);
+      glm::length(b.x * corners_m[0] + b.y * corners_m[1] + b.z * corners_m[2] - point_m);
   // Of equally near triangles the one with the smallest index is used, independent of the order of traversal.
   if (distance_m > search.best.distance_m ||
-      (distance_m == search.best.distance_m && arguments->primID >= search.best.triangle)) {
+      (search.is_found && distance_m == search.best.distance_m &&
+       arguments->primID >= search.best.triangle) ||
+      !faces(corners_m, search.near.outward)) {
     return false;
   }
   search.best = {distance_m, arguments->primID, b};
-  constexpr double kSinglePrecision = 1e-6;
-  arguments->query->radius =
-      static_cast<float>(distance_m / search.size_m * (1.0 + kSinglePrecision) + kSinglePrecision);
+  search.is_found = true;
+  arguments->query->radius = radius_of(distance_m, search.size_m);
   return true;
 }
 
@@ -162,16 +177,22 @@ std::optional<SurfaceSearch::Hit> SurfaceSearch::first_front(const Ray& ray) con
 }
 
 SurfaceSearch::Nearest SurfaceSearch::nearest(const glm::dvec3& point_m) const {
-  const glm::dvec3 point = scene_->scaled(point_m);
+  return nearest(Near{.point_m = point_m})
+      .value_or(Nearest{std::numeric_limits<double>::infinity(), 0, {}});
+}
+
+std::optional<SurfaceSearch::Nearest> SurfaceSearch::nearest(const Near& near) const {
+  const glm::dvec3 point = scene_->scaled(near.point_m);
   RTCPointQuery query{};
   query.x = static_cast<float>(point.x);
   query.y = static_cast<float>(point.y);
   query.z = static_cast<float>(point.z);
-  query.radius = std::numeric_limits<float>::infinity();
+  query.radius = radius_of(near.within_m, scene_->size_m);
   RTCPointQueryContext context{};
   rtcInitPointQueryContext(&context);
-  NearestSearch search{&scene_->mesh, scene_->size_m, point_m};
+  NearestSearch search{&scene_->mesh, scene_->size_m, near, {near.within_m, 0, {}}};
   rtcPointQuery(scene_->scene, &query, &context, &consider, &search);
+  if (!search.is_found) return {};
   return search.best;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -49,6 +50,15 @@ class SurfaceSearch final {
     glm::dvec3 barycentric{};
   };
   Nearest nearest(const glm::dvec3& point_m) const;
+
+  /// The nearest place within a distance on a triangle that faces a direction: its normal is inclined to `outward` by less
+  /// than 120°. A zero `outward` stands for all directions.
+  struct Near {
+    glm::dvec3 point_m{};
+    double within_m = std::numeric_limits<double>::infinity();
+    glm::dvec3 outward{0.0};
+  };
+  std::optional<Nearest> nearest(const Near& near) const;
 
  private:
   struct Scene;
