@@ -3,6 +3,8 @@
 #include "renderers/proxy/body_surface.h"
 
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,7 +42,18 @@ BodySurface::BodySurface(TriangleMesh facets)
     : mesh_(checked(std::move(facets))),
       normals_(vertex_normals(mesh_.vertices_m, mesh_.triangles)),
       opposite_(opposite_half_edges(mesh_.triangles)),
-      search_(mesh_) {}
+      first_around_(mesh_.vertices_m.size() + 1, 0),
+      around_(3 * mesh_.triangles.size()),
+      search_(mesh_) {
+  for (const auto& triangle : mesh_.triangles) {
+    for (const std::uint32_t corner : triangle) ++first_around_[corner + 1];
+  }
+  std::partial_sum(first_around_.begin(), first_around_.end(), first_around_.begin());
+  std::vector<std::uint32_t> next(first_around_.begin(), std::prev(first_around_.end()));
+  for (std::uint32_t facet = 0; facet < mesh_.triangles.size(); ++facet) {
+    for (const std::uint32_t corner : mesh_.triangles[facet]) around_[next[corner]++] = facet;
+  }
+}
 
 std::uint32_t BodySurface::beyond(std::uint32_t facet, std::size_t corner) const noexcept {
   const std::uint32_t half = opposite_[3 * facet + (corner + 1) % 3];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -46,13 +47,20 @@ class BodySurface final {
   const glm::dvec3& normal(std::uint32_t vertex) const noexcept { return normals_[vertex]; }
   /// The facet beyond the side opposite to a corner; kNoHalfEdge (mesh_edges.h) at the end of an open surface.
   std::uint32_t beyond(std::uint32_t facet, std::size_t corner) const noexcept;
+  /// The facets that have a vertex as a corner.
+  std::span<const std::uint32_t> around(std::uint32_t vertex) const noexcept {
+    return std::span(around_).subspan(first_around_[vertex],
+                                      first_around_[vertex + 1] - first_around_[vertex]);
+  }
   const SurfaceSearch& search() const noexcept { return search_; }
 
  private:
   TriangleMesh mesh_{};
   std::vector<glm::dvec3> normals_{};
-  std::vector<std::uint32_t> opposite_{};  ///< by half-edge
-  SurfaceSearch search_;                   ///< keeps a reference to `mesh_`
+  std::vector<std::uint32_t> opposite_{};      ///< by half-edge
+  std::vector<std::uint32_t> first_around_{};  ///< by vertex: its first place in `around_`
+  std::vector<std::uint32_t> around_{};        ///< facets
+  SurfaceSearch search_;                       ///< keeps a reference to `mesh_`
 };
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "renderers/proxy/body_surface.h"
+#include "stimuli/meshes/surface_search.h"
 
 namespace asperity {
 
@@ -21,32 +22,36 @@ struct ProxyPlace {
 
 /// Follows a probe along the surface of a body, in contact and near it.
 ///
-/// Model: the proxy is the point x of the surface whose interpolated normal n passes through the probe p,
+/// Model: the height of the probe p is ± its distance from the nearest point y of the facets. Place and normal are those of the
+/// point x near y whose interpolated normal n passes through p,
 ///
 ///   p = x + w·n,   x = Σ bᵢ pᵢ,   n = Σ bᵢ nᵢ
 ///
 /// with the barycentric coordinates bᵢ of a facet, its corners pᵢ and their normals nᵢ [Panozzo 2013]. For a facet this is
-/// a cubic in w. Unlike the nearest point, x does not jump or halt where p passes an edge of a facet: on an edge both
-/// facets give the same x, w and n. The height is ± the distance of p from this facet, by the sign of w, so that it does not
-/// exceed the distance of the surface by more than the facets are inclined to each other. It has a step at an edge, whose
-/// measured size docs/meshes.md states.
+/// a cubic in w. Unlike y, x does not jump or halt where p passes an edge of a facet: on an edge both facets give the same
+/// x, w and n. The distance from y has no step there, because the two facets are equally far away where y jumps from one to
+/// the other. The distance |p − x| is not used: it exceeds the depth at a sharp edge, up to √2 times at one of 90°.
 ///
-/// From tick to tick the proxy walks over neighbouring facets. It is the constrained point of a god-object [Zilles 1995] in
-/// this sense: it moves only along the surface, so that a probe that is pressed through a thin wall is still pushed
-/// back to the side from which it came. Where no facet near the last one has such a point (deeper behind a sharp edge
-/// than the facets beside it are wide), the proxy descends to the nearest point of the surface, over facets of
-/// decreasing distance. There is no constraint that remains from an earlier tick, so that the proxy does not stick in
-/// a concave corner.
+/// Outside the body, y is the nearest point of the whole surface. Inside it is followed from tick to tick as the constrained
+/// point of a god-object [Zilles 1995]: it moves only along the surface, to nearer facets around it, so that a probe that is
+/// pressed through a thin wall is still pushed back to the side from which it came. It passes a crease of more than 60° only
+/// when it has come to its edge. There is no other constraint from an earlier tick, so that the proxy does not stick in a
+/// concave corner.
+///
+/// Steps: while y is followed, the height changes by no more than p moves, except where y slides off an edge to a nearer side:
+/// the height then decreases at once. Where p passes a place that is equally far from separate parts of the surface (the
+/// medial axis: between the walls of a groove, or in a body behind an edge), place and normal change at once.
+/// They also do where no facet near y has a point x (deeper behind an edge than the facets beside it are wide), and x is y.
 ///
 /// A probe beyond `kReach_m` has no place. The search there is repeated only after the probe has moved by the distance that
 /// was free.
 ///
-/// Gaps: where p moves so far in a tick that the nearest point is more than 64 facets away, and where it moves by more than
-/// `kLongestMove_m`, the proxy is found anew with the search tree, without the constraint to the side from which it came.
-/// A probe that has left the body in a gap of its path therefore has a height above the surface that it is next to.
+/// Gaps: where p moves by more than `kLongestMove_m` in a tick, y is found anew as the nearest point of the whole surface,
+/// without the constraint to the side from which p came. Where it moves less, but over more facets than a tick visits, y is
+/// the nearest point of all facets that are inclined to the last one by less than 120°: not the other side of a wall. A probe
+/// that has left the body in a gap of its path therefore has a height above the surface that it is next to.
 ///
-/// Bounds: the walk is accepted if the size of the height grows by at most 2·|Δp| + 1 µm in a tick in which p moves by |Δp|.
-/// A tick visits at most 64 facets on the walk and about as many on the descent, and searches the tree at most once.
+/// Bounds: a tick visits at most 1024 facets to find y and 128 to find x, and searches the tree at most twice.
 ///
 /// Units and frame: metres, in the body's own frame.
 ///
@@ -69,28 +74,29 @@ class SurfaceProxy final {
   std::optional<ProxyPlace> follow(const glm::dvec3& probe_m) noexcept;
 
  private:
-  /// A facet with the point of it that belongs to the probe.
-  struct Found {
+  /// A place on the surface.
+  struct OnFacet {
     std::uint32_t facet = 0;
     glm::dvec3 barycentric{0.0};
+  };
+  /// The state after a tick in which the probe had a place.
+  struct Last {
+    SurfaceSearch::Nearest nearest{};  ///< y
+    std::uint32_t facet = 0;           ///< of x; before a walk, that of the tick before
     double height_m = 0.0;
+    glm::dvec3 probe_m{0.0};
   };
 
-  struct Searched {
-    Found found{};
-    double distance_m = 0.0;  ///< from the nearest point of the surface
-  };
-
-  std::optional<Found> walk(const glm::dvec3& probe_m, std::uint32_t from) const noexcept;
+  SurfaceSearch::Nearest next_nearest(const glm::dvec3& probe_m) const noexcept;
   /// nullopt where the nearest point is farther away than a tick may descend.
-  std::optional<Found> descend(const glm::dvec3& probe_m, std::uint32_t from) const noexcept;
-  Searched search(const glm::dvec3& probe_m) const noexcept;
-  double height_m(const glm::dvec3& probe_m, std::uint32_t facet,
-                  const glm::dvec3& nearest) const noexcept;
+  std::optional<SurfaceSearch::Nearest> descend(const glm::dvec3& probe_m) const noexcept;
+  /// The point whose normal passes through the probe, on the same side and not much farther away than the nearest
+  /// point; the nearest point where there is none.
+  OnFacet walk(const glm::dvec3& probe_m) const noexcept;
+  std::optional<OnFacet> walk_from(std::uint32_t facet, const glm::dvec3& probe_m) const noexcept;
 
   std::shared_ptr<const BodySurface> surface_;
-  std::optional<Found> last_{};
-  glm::dvec3 last_probe_m_{0.0};
+  std::optional<Last> last_{};
   glm::dvec3 clear_of_m_{0.0};  ///< without a place: the centre of a ball without one,
   double clear_m_ = 0.0;        ///< and its radius
 };

@@ -19,39 +19,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/meshes/solid_body.h"
+#include "tests/renderers/points_on_bodies.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
-
-constexpr double kBodyStiffness_N_per_m = 1000.0;
-constexpr double kGlobeRadius_m = 0.02;
-
-const std::shared_ptr<const BodySurface>& sphere() {
-  static const auto kSphere = std::make_shared<const BodySurface>(
-      placed(body_mesh(SphereShape{2.0 * kGlobeRadius_m}, nullptr), BodyRole::surface));
-  return kSphere;
-}
-
-const std::shared_ptr<const BodySurface>& flat_plate() {
-  static const auto kPlate =
-      std::make_shared<const BodySurface>(body_mesh(PlateShape{{0.14, 0.02, 0.004}}, nullptr));
-  return kPlate;
-}
-
-RendererInputs inputs_on_body(const std::shared_ptr<const BodySurface>& body) {
-  RendererInputs inputs;
-  inputs.material = {.stiffness_N_per_m = kBodyStiffness_N_per_m, .friction = 0.0};
-  inputs.patch = wide_patch();
-  inputs.height_field = grating();
-  inputs.assets = files_of_models();
-  inputs.seed = 1;
-  inputs.body = body;
-  return inputs;
-}
 
 std::unique_ptr<ForceRenderer> renderer_on_body(const std::string& model, RendererInputs inputs) {
   return built_in_models().make(model, inputs);
@@ -200,15 +174,6 @@ TEST(PointOnBody, RefusesATextureThatRisesBeyondItsReach) {
   inputs.height_field = level(0.02F);
   EXPECT_THAT(refusal_of([&] { renderer_on_body("height_map", inputs); }),
               testing::HasSubstr("rises more than"));
-}
-
-/// A probe at an angle from one axis of the globe's frame to another one.
-ProbeState between_axes(int from, int to, double angle_rad, double radius_m) {
-  ProbeState probe;
-  probe.position_m[from] = radius_m * std::cos(angle_rad);
-  probe.position_m[to] = radius_m * std::sin(angle_rad);
-  probe.position_m.z -= kGlobeRadius_m;
-  return probe;
 }
 
 /// The drag of a hand that is moved over a seam between two charts while it sticks, and then is held.

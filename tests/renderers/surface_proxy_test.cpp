@@ -12,79 +12,12 @@
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
-#include "stimuli/meshes/solid_body.h"
 #include "tests/renderers/meshes.h"
+#include "tests/renderers/proxy_paths.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
-
-constexpr double kProxyTick_s = 0.001;
-constexpr double kFast_m_per_s = 0.2;
-
-std::shared_ptr<const BodySurface> proxy_surface_of(const Shape& shape) {
-  return std::make_shared<const BodySurface>(placed(body_mesh(shape, nullptr), BodyRole::surface));
-}
-
-/// The extrusion along y of a closed polygon in the x-z plane, counter-clockwise as seen from −y, in facets of about a
-/// millimetre along the polygon. Its ends are open.
-TriangleMesh extruded(const std::vector<glm::dvec2>& polygon_m, double length_m) {
-  constexpr double kFacet_m = 0.001;
-  std::vector<glm::dvec2> outline_m{};
-  for (std::size_t i = 0; i < polygon_m.size(); ++i) {
-    const glm::dvec2 from_m = polygon_m[i];
-    const glm::dvec2 along_m = polygon_m[(i + 1) % polygon_m.size()] - from_m;
-    const int parts = static_cast<int>(std::ceil(glm::length(along_m) / kFacet_m));
-    for (int part = 0; part < parts; ++part) {
-      outline_m.push_back(from_m + along_m * (static_cast<double>(part) / parts));
-    }
-  }
-  const auto around = static_cast<std::uint32_t>(outline_m.size());
-  const auto rows = static_cast<std::uint32_t>(std::ceil(length_m / kFacet_m));
-  TriangleMesh mesh{};
-  for (std::uint32_t row = 0; row <= rows; ++row) {
-    for (const glm::dvec2& place_m : outline_m) {
-      mesh.vertices_m.push_back(
-          {place_m.x, length_m * (static_cast<double>(row) / rows - 0.5), place_m.y});
-    }
-  }
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const std::uint32_t a = row * around + i;
-      const std::uint32_t b = row * around + (i + 1) % around;
-      mesh.triangles.push_back({a, b + around, b});
-      mesh.triangles.push_back({a, a + around, b + around});
-    }
-  }
-  return mesh;
-}
-
-/// A block of 40 mm by 20 mm with a groove of 90° along the middle of its upper side, 5 mm deep.
-std::shared_ptr<const BodySurface> grooved_block() {
-  return std::make_shared<const BodySurface>(extruded({{-0.02, -0.02},
-                                                       {0.02, -0.02},
-                                                       {0.02, 0.0},
-                                                       {0.005, 0.0},
-                                                       {0.0, -0.005},
-                                                       {-0.005, 0.0},
-                                                       {-0.02, 0.0}},
-                                                      0.02));
-}
-
-/// Places between corners, at most as far apart as a fast hand moves in a tick.
-std::vector<glm::dvec3> path_m(const std::vector<glm::dvec3>& corners_m,
-                               double speed_m_per_s = kFast_m_per_s) {
-  std::vector<glm::dvec3> places_m{corners_m.front()};
-  for (std::size_t i = 1; i < corners_m.size(); ++i) {
-    const glm::dvec3 along_m = corners_m[i] - corners_m[i - 1];
-    const int ticks =
-        static_cast<int>(std::ceil(glm::length(along_m) / (speed_m_per_s * kProxyTick_s)));
-    for (int tick = 1; tick <= ticks; ++tick) {
-      places_m.push_back(corners_m[i - 1] + along_m * (static_cast<double>(tick) / ticks));
-    }
-  }
-  return places_m;
-}
 
 TEST(SurfaceProxy, HeightAboveASphereIsTheDistanceFromIt) {
   constexpr double kSphereRadius_m = 0.02;
@@ -245,23 +178,6 @@ TEST(SurfaceProxy, BeginsInsideABodyWithAHeightBelowZero) {
   EXPECT_NEAR(place->height_m, -0.012, 1e-9);
 }
 
-/// Strokes at 200 mm/s along the tube of a bumpy torus, 1 mm below its surface, in all directions over it.
-std::vector<glm::dvec3> strokes_in_torus_m(int ticks) {
-  std::vector<glm::dvec3> probes_m{};
-  double a = 0.0;
-  for (int tick = 0; tick < ticks; ++tick) {
-    const double b = 2.0 * std::numbers::pi * std::sin(0.7 * a);
-    const double tube_m =
-        0.012 * (1.0 + 0.15 * std::sin(5.0 * a + 0.3) * std::cos(3.0 * b)) - 0.001;
-    const double radius_m = 0.03 + tube_m * std::cos(b);
-    const glm::dvec3 probe_m{radius_m * std::cos(a), radius_m * std::sin(a), tube_m * std::sin(b)};
-    probes_m.push_back(probe_m);
-    // The fastest that neither a nor b moves by more than 0.2 mm in a tick.
-    a += kFast_m_per_s * kProxyTick_s / std::hypot(0.042, 4.4 * 0.0138);
-  }
-  return probes_m;
-}
-
 void expect_bounded_force(std::uint32_t around, std::uint32_t along) {
   constexpr double kProxyStiffness_N_per_m = 1000.0;
   const TriangleMesh mesh = bumpy_torus(around, along);
@@ -270,7 +186,9 @@ void expect_bounded_force(std::uint32_t around, std::uint32_t along) {
   double fastest_m = 0.0;
   glm::dvec3 last_m{0.0};
   double greatest_N = 0.0;
-  const std::vector<glm::dvec3> probes_m = strokes_in_torus_m(10'000);
+  // Neither angle moves by more than 0.2 mm in a tick.
+  const std::vector<glm::dvec3> probes_m =
+      stroke_in_torus_m(0.001, kFast_m_per_s * kProxyTick_s, 10'000);
   for (std::size_t i = 0; i < probes_m.size(); ++i) {
     if (i > 0) fastest_m = std::max(fastest_m, glm::distance(probes_m[i], last_m));
     last_m = probes_m[i];
