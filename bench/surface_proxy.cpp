@@ -1,4 +1,4 @@
-// What a tick of a point model on a body costs: strokes at 200 mm/s over bumpy bodies of many facets.
+// What a tick of a point model on a body costs: strokes at 200 mm/s and jumps over bumpy bodies of many facets.
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +27,7 @@ namespace {
 constexpr double kSpeed_m_per_s = 0.2;
 constexpr double kTick_s = 0.001;
 constexpr double kDepth_m = 0.001;
+constexpr double kJumping_m_per_s = 50.0;  // every tick is found anew
 constexpr double kStiffness_N_per_m = 1000.0;
 constexpr int kWarmUp = 5'000;
 constexpr int kCounted = 100'000;
@@ -39,21 +40,21 @@ std::int64_t context_switches() {
   return usage.ru_nivcsw + usage.ru_nvcsw;
 }
 
-/// A stroke over the tube of bumpy_torus, 1 mm below its surface and up to 200 mm/s fast.
-std::vector<ProbeState> stroke() {
+/// A stroke over the tube of bumpy_torus, below its surface.
+std::vector<ProbeState> stroke(double depth_m, double speed_m_per_s) {
   std::vector<ProbeState> samples(kWarmUp + kCounted);
   double a = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double b = 2.0 * std::numbers::pi * std::sin(0.7 * a);
     const double tube_m =
-        0.012 * (1.0 + 0.15 * std::sin(5.0 * a + 0.3) * std::cos(3.0 * b)) - kDepth_m;
+        0.012 * (1.0 + 0.15 * std::sin(5.0 * a + 0.3) * std::cos(3.0 * b)) - depth_m;
     const double radius_m = 0.03 + tube_m * std::cos(b);
     samples[i].position_m = {radius_m * std::cos(a), radius_m * std::sin(a), tube_m * std::sin(b)};
     samples[i].time_ns = static_cast<std::int64_t>(i) * 1'000'000;
     if (i > 0) {
       samples[i].velocity_m_per_s = (samples[i].position_m - samples[i - 1].position_m) / kTick_s;
     }
-    a += kSpeed_m_per_s * kTick_s / std::hypot(0.042, 4.4 * 0.0138);
+    a += speed_m_per_s * kTick_s / std::hypot(0.042, 4.4 * 0.0138);
   }
   return samples;
 }
@@ -63,9 +64,12 @@ struct Case {
   std::uint32_t around = 0;
   std::uint32_t along = 0;
   bool is_cold = false;
+  double depth_m = kDepth_m;
+  double speed_m_per_s = kSpeed_m_per_s;
 };
 
-nlohmann::ordered_json measure(const Case& each, const std::vector<ProbeState>& samples) {
+nlohmann::ordered_json measure(const Case& each) {
+  const std::vector<ProbeState> samples = stroke(each.depth_m, each.speed_m_per_s);
   const TriangleMesh mesh = bumpy_torus(each.around, each.along);
   RendererInputs inputs;
   inputs.material = {.stiffness_N_per_m = kStiffness_N_per_m, .friction = 0.3};
@@ -123,15 +127,18 @@ nlohmann::ordered_json measure(const Case& each, const std::vector<ProbeState>& 
 }
 
 int run() {
-  const std::vector<ProbeState> samples = stroke();
   nlohmann::ordered_json document{{"format", "asperity.bench/1"},
                                   {"machine", machine()},
                                   {"commit", ASPERITY_COMMIT},
                                   {"cases", nlohmann::ordered_json::array()}};
   for (const Case& each :
        {Case{"proxy/100k", 316, 159, false}, Case{"proxy/600k", 775, 388, false},
-        Case{"proxy/100k/cold", 316, 159, true}, Case{"proxy/600k/cold", 775, 388, true}}) {
-    document["cases"].push_back(measure(each, samples));
+        Case{"proxy/100k/cold", 316, 159, true}, Case{"proxy/600k/cold", 775, 388, true},
+        Case{"proxy/100k/above", 316, 159, false, -kDepth_m},
+        Case{"proxy/600k/above", 775, 388, false, -kDepth_m},
+        Case{"proxy/100k/jumps", 316, 159, false, kDepth_m, kJumping_m_per_s},
+        Case{"proxy/600k/jumps", 775, 388, false, kDepth_m, kJumping_m_per_s}}) {
+    document["cases"].push_back(measure(each));
   }
   std::puts(document.dump(2).c_str());
   return 0;
