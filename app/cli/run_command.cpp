@@ -141,10 +141,13 @@ void add_run(CLI::App& program, Job& job) {
       SessionRequests requests;
       const InterruptWatch interrupt("stopping after this trial",
                                      [&requests] { requests.emergency_stop(); });
-      // Before the protocol's files are missed in what is no study.
-      const Study before = Study::open(inputs.study, Access::read_only);
+      // Before the protocol's files are missed in what is no study. Closed before the session: SQLite refuses to write while
+      // the process has the database open for reading only.
+      (void)Study::open(inputs.study, Access::read_only);
       const ModelRegistry models = models_with(options->plugins);
-      if (!options->plugins.empty()) warn_of_other_builds(inputs, before, models);
+      if (!options->plugins.empty()) {
+        warn_of_other_builds(inputs, Study::open(inputs.study, Access::read_only), models);
+      }
       inputs.rehearsed = [](const RehearsedDevice& device) {
         for (const RehearsalWarning& warning : device.warnings) {
           say("asperity: warning: " + warning.text.english());

@@ -34,7 +34,7 @@ std::string reading_cell_number(const std::string& column, double value) {
   if (is_bounded(column)) return reading_bounded(value);
   if (column.ends_with("_N")) return reading_signed(value, 3);
   if (column.ends_with("_m") || column.ends_with("_m_low")) return reading_signed(value, 5);
-  constexpr double kRounding = 1e-12;  // of sums
+  constexpr double kRounding = 1e-7;  // of sums and of iterations
   const double size = std::abs(value);
   const bool is_estimate = column.starts_with("raw") || column.starts_with("normalised");
   if (size > kRounding && size < (is_estimate ? 0.095 : 0.005)) return reading_quantity(value, "1");

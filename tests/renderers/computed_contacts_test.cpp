@@ -16,8 +16,8 @@ namespace asperity {
 namespace {
 
 constexpr double kTickOfTest_s = 0.001;
-constexpr double kRadius_m = 1e-3;
-const WindowSampling kSampling{
+constexpr double kRadiusOfTwoBalls_m = 1e-3;
+const WindowSampling kSamplingOf64{
     .law = HardMaximum{.step_m = 0.1e-3}, .cell_m = 0.1e-3, .most_samples = 64};
 const Grating kWave{.amplitude_m = 0.05e-3, .wavelength_m = 2e-3};
 
@@ -25,8 +25,10 @@ const Grating kWave{.amplitude_m = 0.05e-3, .wavelength_m = 2e-3};
 class BallsOnAPlate : public testing::Test {
  protected:
   static TexturedMesh two_balls() {
-    TexturedMesh pair = shifted(bare(ball(kRadius_m, 24, 12)), {-3e-3, 0.0, kRadius_m});
-    const TexturedMesh other = shifted(bare(ball(kRadius_m, 24, 12)), {3e-3, 0.0, kRadius_m});
+    TexturedMesh pair =
+        shifted(bare(ball(kRadiusOfTwoBalls_m, 24, 12)), {-3e-3, 0.0, kRadiusOfTwoBalls_m});
+    const TexturedMesh other =
+        shifted(bare(ball(kRadiusOfTwoBalls_m, 24, 12)), {3e-3, 0.0, kRadiusOfTwoBalls_m});
     const auto count = static_cast<std::uint32_t>(pair.vertices_m.size());
     pair.vertices_m.insert(pair.vertices_m.end(), other.vertices_m.begin(), other.vertices_m.end());
     pair.normals.insert(pair.normals.end(), other.normals.begin(), other.normals.end());
@@ -40,7 +42,7 @@ class BallsOnAPlate : public testing::Test {
   std::unique_ptr<TexturedContacts> contacts(std::chrono::nanoseconds deadline) const {
     const GpuRoom room{.contacts = TexturedContacts::kMostComputed, .samples = 64};
     return std::make_unique<TexturedContacts>(
-        TexturedBody(balls_, 1.0), TexturedBody(plate_, 1.0), kSampling,
+        TexturedBody(balls_, 1.0), TexturedBody(plate_, 1.0), kSamplingOf64,
         instruction_sets_here().back(),
         std::make_unique<ComputedContacts>(*first_compute(deadline), balls_, 1.0, plate_, 1.0,
                                            room));
@@ -48,7 +50,7 @@ class BallsOnAPlate : public testing::Test {
 
   std::unique_ptr<TexturedContacts> contacts_here() const {
     return std::make_unique<TexturedContacts>(TexturedBody(balls_, 1.0), TexturedBody(plate_, 1.0),
-                                              kSampling, instruction_sets_here().back());
+                                              kSamplingOf64, instruction_sets_here().back());
   }
 
   static Pose at(int tick) { return pose_at({0.2e-3 + tick * 0.05e-3, 0.1e-3, -0.1e-3}); }
@@ -68,7 +70,7 @@ TEST_F(BallsOnAPlate, HaveTheDepthsAndGradientsOfTheReference) {
       const std::vector<std::uint32_t> all_b = all_triangles(plate_);
       const auto expected = reference_penetration(
           {.mesh = balls_, .triangles = all_a, .pose = at(tick)},
-          {.mesh = plate_, .triangles = all_b}, contact.frame, contact.grid, kSampling.law);
+          {.mesh = plate_, .triangles = all_b}, contact.frame, contact.grid, kSamplingOf64.law);
       ASSERT_TRUE(expected);
       EXPECT_NEAR(contact.sampled_depth_m, expected->depth_m, 1e-12);
       EXPECT_NEAR(contact.penetration.slope.x, expected->slope.x, 1e-8);

@@ -11,6 +11,7 @@
 #include <stop_token>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -155,7 +156,14 @@ TEST(Conformance, IsViolatedByAFailureOnABody) {
       result.wrench.force_N.x = std::numeric_limits<double>::quiet_NaN();
     }
   };
-  const ConformanceCheck check = finite_of(with_fault(begins_in_contact));
+  ForceModel model = with_fault(begins_in_contact);
+  for (Parameter& parameter : model.declaration.parameters) {
+    // At a greater amplitude the path on the plane begins in the surface.
+    if (parameter.name == "amplitude_m") {
+      parameter.maximum = std::get<double>(parameter.default_value);
+    }
+  }
+  const ConformanceCheck check = finite_of(model);
   EXPECT_EQ(check.result, Conformance::violated);
   EXPECT_THAT(check.measured, testing::HasSubstr("with default parameters on a sphere"));
 }
@@ -164,9 +172,9 @@ TEST(Conformance, CanBeFollowedAndStopped) {
   std::stop_source source{};
   std::vector<double> progress{};
   const ForceModel model = sinusoid_model();
-  EXPECT_EQ(
-      conformance_of(model, {.progress = [&](double done) { progress.push_back(done); }}).size(),
-      progress.size());
+  const std::vector<ConformanceCheck> all =
+      conformance_of(model, {.progress = [&](double done) { progress.push_back(done); }});
+  ASSERT_EQ(all.size(), progress.size());
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_EQ(progress.front(), 0.0);
   EXPECT_LT(progress.back(), 1.0);

@@ -21,11 +21,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kWindow_m = ContactsByChance::kWindow_m;
-constexpr int kSamples = 64;
+constexpr double kGpuWindow_m = ContactsByChance::kWindow_m;
+constexpr int kGpuSamples = 64;
 constexpr std::chrono::nanoseconds kLong = 60s;
 
-const SamplingGrid kGrid{.width_m = kWindow_m, .samples = kSamples};
+const SamplingGrid kGpuGrid{.width_m = kGpuWindow_m, .samples = kGpuSamples};
 
 ComputeDevice any_device() {
   const std::vector<ComputeDevice> devices = ComputeDevice::all();
@@ -34,7 +34,7 @@ ComputeDevice any_device() {
 }
 
 GpuContact contact_of(const ChanceContact& chance, const MaximumLaw& law) {
-  return {.grid = kGrid,
+  return {.grid = kGpuGrid,
           .law = law,
           .pose_a = chance.pose_a,
           .pose_b = chance.pose_b,
@@ -44,7 +44,7 @@ GpuContact contact_of(const ChanceContact& chance, const MaximumLaw& law) {
 
 std::optional<Penetration> answer(const ChanceContact& chance, const MaximumLaw& law) {
   GpuPenetration gpu(any_device(), chance.mesh_a, 1.0, chance.mesh_b, 1.0,
-                     {.contacts = 1, .samples = kSamples, .triangles = 1000, .is_smooth = true});
+                     {.contacts = 1, .samples = kGpuSamples, .triangles = 1000, .is_smooth = true});
   const GpuContact contact = contact_of(chance, law);
   std::optional<Penetration> found;
   EXPECT_EQ(gpu.evaluate({&contact, 1}, {&found, 1}, kLong), GpuOutcome::answered);
@@ -53,18 +53,18 @@ std::optional<Penetration> answer(const ChanceContact& chance, const MaximumLaw&
 
 void press_in(ChanceContact& contact) {
   const auto found =
-      reference_penetration(contact.a(), contact.b(), {}, kGrid, HardMaximum{.step_m = 1e-4});
+      reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, HardMaximum{.step_m = 1e-4});
   contact.pose_a.position_m.z -= 0.1e-3 - found->depth_m;
 }
 
 TEST(GpuPenetration, EqualsTheReferenceForTheHardMaximum) {
   ContactsByChance chance(21);
-  const HardMaximum law{.step_m = kWindow_m / kSamples};
+  const HardMaximum law{.step_m = kGpuWindow_m / kGpuSamples};
   for (const ContactKind kind : kContactKinds) {
     ChanceContact contact = chance.draw(kind);
-    if (kind == ContactKind::overlapping) contact.pose_a.position_m.x += 0.7 * kWindow_m;
+    if (kind == ContactKind::overlapping) contact.pose_a.position_m.x += 0.7 * kGpuWindow_m;
     press_in(contact);
-    const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGrid, law);
+    const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
     const auto found = answer(contact, law);
     ASSERT_TRUE(expected && found);
     EXPECT_NEAR(found->depth_m, expected->depth_m, 1e-15);
@@ -87,7 +87,7 @@ TEST(GpuPenetration, EqualsTheReferenceForTheSmoothMaximum) {
   for (const ContactKind kind : kContactKinds) {
     ChanceContact contact = chance.draw(kind);
     press_in(contact);
-    const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGrid, law);
+    const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
     const auto found = answer(contact, law);
     ASSERT_TRUE(expected && found);
     EXPECT_NEAR(found->depth_m, expected->depth_m, 1e-14);
@@ -117,8 +117,8 @@ void expect_equal(const Penetration& found, const Penetration& expected) {
 ChanceContact flat_plates(double width_of_a_m, const glm::dvec3& place_m) {
   ChanceContact contact;
   const auto flat = [](double, double) { return 0.0; };
-  contact.mesh_a = formed_plate({.size_m = {width_of_a_m, 1.5 * kWindow_m}}, flat);
-  contact.mesh_b = formed_plate({.size_m = glm::dvec2(1.5 * kWindow_m)}, flat);
+  contact.mesh_a = formed_plate({.size_m = {width_of_a_m, 1.5 * kGpuWindow_m}}, flat);
+  contact.mesh_b = formed_plate({.size_m = glm::dvec2(1.5 * kGpuWindow_m)}, flat);
   contact.triangles_a = all_triangles(contact.mesh_a);
   contact.triangles_b = all_triangles(contact.mesh_b);
   contact.pose_a = upside_down(place_m);
@@ -126,9 +126,9 @@ ChanceContact flat_plates(double width_of_a_m, const glm::dvec3& place_m) {
 }
 
 TEST(GpuPenetration, TakesTheFirstOfEquallyDeepSamples) {
-  const ChanceContact contact = flat_plates(1.5 * kWindow_m, {0.0, 0.0, -0.1e-3});
-  const HardMaximum law{.step_m = kWindow_m / kSamples};
-  const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGrid, law);
+  const ChanceContact contact = flat_plates(1.5 * kGpuWindow_m, {0.0, 0.0, -0.1e-3});
+  const HardMaximum law{.step_m = kGpuWindow_m / kGpuSamples};
+  const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
   const auto found = answer(contact, law);
   ASSERT_TRUE(expected && found);
   expect_equal(*found, *expected);
@@ -136,20 +136,20 @@ TEST(GpuPenetration, TakesTheFirstOfEquallyDeepSamples) {
 
 // A covers the last column of samples only: moved forth it is outside the window.
 TEST(GpuPenetration, TakesAOneSidedDifferenceWhereAConfigurationHasNoOverlap) {
-  const double cell_m = kWindow_m / kSamples;
+  const double cell_m = kGpuWindow_m / kGpuSamples;
   const ChanceContact contact =
-      flat_plates(0.5 * cell_m, {kGrid.place_m(kSamples - 1), 0.0, -0.1e-3});
+      flat_plates(0.5 * cell_m, {kGpuGrid.place_m(kGpuSamples - 1), 0.0, -0.1e-3});
   const HardMaximum law{.step_m = cell_m};
-  const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGrid, law);
+  const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
   const auto found = answer(contact, law);
   ASSERT_TRUE(expected && found);
-  EXPECT_EQ(expected->covered, kSamples);
+  EXPECT_EQ(expected->covered, kGpuSamples);
   expect_equal(*found, *expected);
 }
 
 // B stands twice, the second time half a millimetre lower.
 TEST(GpuPenetration, TakesTheOutermostSheetAndCountsTheFold) {
-  const HardMaximum law{.step_m = kWindow_m / kSamples};
+  const HardMaximum law{.step_m = kGpuWindow_m / kGpuSamples};
   for (const bool lower_first : {true, false}) {
     ChanceContact contact = ContactsByChance(26).draw(ContactKind::flat);
     TexturedMesh& mesh = contact.mesh_b;
@@ -166,7 +166,7 @@ TEST(GpuPenetration, TakesTheOutermostSheetAndCountsTheFold) {
     mesh.places.insert(mesh.places.end(), places.begin(), places.end());
     contact.triangles_b = all_triangles(mesh);
     if (lower_first) std::reverse(contact.triangles_b.begin(), contact.triangles_b.end());
-    const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGrid, law);
+    const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
     const auto found = answer(contact, law);
     ASSERT_TRUE(expected && found);
     EXPECT_GT(expected->folded, 0);
@@ -179,9 +179,9 @@ TEST(GpuPenetration, LowersLeaningFacesAsTheSamplerDoes) {
   ContactsByChance chance(27);
   ChanceContact contact = chance.draw(ContactKind::ridge);
   press_in(contact);
-  const HardMaximum law{.step_m = kWindow_m / kSamples};
+  const HardMaximum law{.step_m = kGpuWindow_m / kGpuSamples};
   GpuPenetration gpu(any_device(), contact.mesh_a, 1.0, contact.mesh_b, 1.0,
-                     {.contacts = 1, .samples = kSamples, .triangles = 1000});
+                     {.contacts = 1, .samples = kGpuSamples, .triangles = 1000});
   GpuContact asked = contact_of(contact, law);
   asked.leaning_a = 0.999;
   asked.leaning_b = 0.9999;
@@ -189,7 +189,7 @@ TEST(GpuPenetration, LowersLeaningFacesAsTheSamplerDoes) {
   ASSERT_EQ(gpu.evaluate({&asked, 1}, {&found, 1}, kLong), GpuOutcome::answered);
   const PackedSurface a(contact.mesh_a);
   const PackedSurface b(contact.mesh_b);
-  PenetrationSampler sampler({.grid = kGrid,
+  PenetrationSampler sampler({.grid = kGpuGrid,
                               .law = law,
                               .most_triangles = 1000,
                               .instructions = instruction_sets_here().back()});
@@ -210,15 +210,15 @@ TEST(GpuPenetration, LowersLeaningFacesAsTheSamplerDoes) {
 
 TEST(GpuPenetration, RefusesMoreThanThereIsRoomForAndKeepsTheAnswers) {
   const ChanceContact chance = ContactsByChance(23).draw(ContactKind::flat);
-  const HardMaximum law{.step_m = kWindow_m / kSamples};
+  const HardMaximum law{.step_m = kGpuWindow_m / kGpuSamples};
   GpuPenetration gpu(any_device(), chance.mesh_a, 1.0, chance.mesh_b, 1.0,
-                     {.contacts = 1, .samples = kSamples, .triangles = 200});
+                     {.contacts = 1, .samples = kGpuSamples, .triangles = 200});
   const GpuContact fits = contact_of(chance, law);
   std::vector<GpuContact> two(2, fits);
   std::vector<std::optional<Penetration>> answers(2, Penetration{.depth_m = 7.0});
   EXPECT_EQ(gpu.evaluate(two, answers, kLong), GpuOutcome::too_much);
   GpuContact wide = fits;
-  wide.grid = {.width_m = 2.0 * kWindow_m, .samples = 2 * kSamples};
+  wide.grid = {.width_m = 2.0 * kGpuWindow_m, .samples = 2 * kGpuSamples};
   EXPECT_EQ(gpu.evaluate({&wide, 1}, answers, kLong), GpuOutcome::too_much);
   GpuContact smooth = fits;
   smooth.law = SmoothMaximum{.tau_m = 20e-6};
@@ -230,8 +230,8 @@ TEST(GpuPenetration, RefusesMoreThanThereIsRoomForAndKeepsTheAnswers) {
 
 TEST(GpuPenetration, FindsNothingWhereSurfacesDoNotOverlap) {
   ChanceContact chance = ContactsByChance(24).draw(ContactKind::flat);
-  chance.pose_a.position_m.x += 3.0 * kWindow_m;
-  EXPECT_FALSE(answer(chance, HardMaximum{.step_m = kWindow_m / kSamples}));
+  chance.pose_a.position_m.x += 3.0 * kGpuWindow_m;
+  EXPECT_FALSE(answer(chance, HardMaximum{.step_m = kGpuWindow_m / kGpuSamples}));
 }
 
 TEST(GpuPenetration, RefusesRoomThatIsNotWholeTiles) {

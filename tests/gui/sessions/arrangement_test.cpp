@@ -92,22 +92,18 @@ TEST_F(ArrangementsInWindows, SurfacesAreFeltInTheOrderThatTheParticipantRequest
   add_spacing_jnd({{"surfaces", "on_request"}, {"visits", {{"minimum", 1}, {"maximum", 2}}}});
   open();
   start("small");
-  int shown = 0;
-  int trial = 0;
+  // What the scene states decides, and not how often it was shown: a busy machine can make an attempt invalid, which is
+  // then repeated.
+  bool is_first = true;
   take_part([&](const Scene& scene) {
-    if (monitor().snapshot().trial != trial) {
-      trial = monitor().snapshot().trial;
-      shown = 0;
-    }
-    ++shown;
-    const bool has_felt_all = scene.surfaces[0].felt && scene.surfaces[1].felt;
-    EXPECT_EQ(has_felt_all, shown >= 3);
-    if (shown == 1) {
-      if (trial == 1) take_screenshot(*desk->participant_window(), "on-request", {1280, 720});
+    if (!scene.surfaces[1].felt) {
+      EXPECT_FALSE(scene.surfaces[0].felt) << "B first";
+      if (is_first) take_screenshot(*desk->participant_window(), "on-request", {1280, 720});
+      is_first = false;
       key(Qt::Key_B);       // chooses B, and
       key(Qt::Key_Return);  // cannot confirm before both were felt
       key(Qt::Key_Space);   // feels B
-    } else if (shown == 2) {
+    } else if (!scene.surfaces[0].felt) {
       key(Qt::Key_A);
       key(Qt::Key_Space);
     } else {
@@ -115,15 +111,17 @@ TEST_F(ArrangementsInWindows, SurfacesAreFeltInTheOrderThatTheParticipantRequest
     }
   });
   EXPECT_EQ(stored_session().state, SessionState::completed);
-  const std::vector<AttemptRow> attempts = stored_attempts();
-  ASSERT_EQ(attempts.size(), 3U);
-  for (const AttemptRow& attempt : attempts) {
+  int answered = 0;
+  for (const AttemptRow& attempt : stored_attempts()) {
+    if (!attempt.valid) continue;
+    ++answered;
     ASSERT_EQ(attempt.presentations.at(0).visits.size(), 1U);
     ASSERT_EQ(attempt.presentations.at(1).visits.size(), 1U);
     EXPECT_LT(attempt.presentations[1].visits[0].offset_ns,
               attempt.presentations[0].visits[0].contact_ns)
         << "B first";
   }
+  EXPECT_EQ(answered, 3);
 }
 
 }  // namespace
