@@ -102,7 +102,11 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
       const double x = scale * found.value("predictor", parts.back()).value_or(0.0);
       if (!(x > 0.0)) continue;
       across.hold(x);
-      series.points.push_back({.x = x, .y = *mean->value, .y_interval = interval});
+      const bool is_first_condition = parts.front() == conditions.front();  // one label per place
+      series.points.push_back({.x = x,
+                               .y = *mean->value,
+                               .y_interval = interval,
+                               .label = is_first_condition ? parts.back() : std::string()});
       continue;
     }
     auto place = std::find(stimuli.begin(), stimuli.end(), parts.back());

@@ -23,6 +23,8 @@ namespace asperity {
 namespace {
 
 using DetectionJson = nlohmann::json;
+using ::testing::Contains;
+using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -35,8 +37,7 @@ DetectionJson detection_protocol(const DiscriminationDesign& design) {
     "blocks": {"only": {
       "vary": {"parameter": "amplitude_m", "of": "comparison", "relative_to": "standard", "levels": []},
       "presented": [{"role": "standard", "stimulus": "grating"}, {"role": "comparison", "stimulus": "grating"}],
-      "question": {"name": "which", "prompt": "Did they differ?", "judgement": "performance"}}},
-    "analysis": {"family": ["order"]}})");
+      "question": {"name": "which", "prompt": "Did they differ?", "judgement": "performance"}}}})");
   protocol["blocks"]["only"]["design"] = std::string(design.id);
   return protocol;
 }
@@ -69,8 +70,9 @@ double as_never(const DetectionFunction&, double) { return 0.0; }
 double as_always(const DetectionFunction&, double) { return 1.0; }
 double as_coin(const DetectionFunction&, double) { return 0.5; }
 
-AnalysisOutcome outcome_of_detections(const DiscriminationDesign& design, YesAt yes_at, int people,
-                                      int rounds) {
+AnalysisOutcome outcome_of_detections(
+    const DiscriminationDesign& design, YesAt yes_at, int people, int rounds,
+    const DetectionJson& analysis = DetectionJson::parse(R"({"family": ["order"]})")) {
   const DetectionFunction observer{
       .task = design.surfaces() == 1 ? DetectionTask::yes_no : DetectionTask::same_different,
       .alpha = 10e-6,
@@ -78,8 +80,9 @@ AnalysisOutcome outcome_of_detections(const DiscriminationDesign& design, YesAt 
       .criterion = design.surfaces() == 1 ? 0.8 : 1.6,
       .lambda = 0.02};
   MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", detection_protocol(design).dump());
+  DetectionJson document = detection_protocol(design);
+  document["analysis"] = analysis;
+  const std::int64_t protocol = made.add_protocol("jnd", "discrimination", document.dump());
   for (int person = 0; person < people; ++person) {
     std::mt19937 random(static_cast<unsigned>(200 + person));
     std::vector<MadeUpTrial> trials{};
@@ -234,6 +237,16 @@ TEST(DetectionAnalysis, ExplainsWhyThereIsNoOrderEffect) {
   const auto status = column_of(tests->table, "status");
   ASSERT_TRUE(status);
   EXPECT_EQ(tests->table.rows[0][*status], Cell{std::string("no_choice_of_surface")});
+}
+
+TEST(DetectionAnalysis, TestsNoOrderThatTheProtocolDoesNotDeclare) {
+  for (const DiscriminationDesign* const design : designs_in_words()) {
+    const AnalysisOutcome outcome =
+        outcome_of_detections(*design, as_modelled, 2, 10, DetectionJson::object());
+    EXPECT_THAT(outcome.test_sentences, Not(Contains(Field(&TestSentence::test, "order"))))
+        << design->id;
+    EXPECT_EQ(answer_of(outcome, "order"), "") << design->id;
+  }
 }
 
 }  // namespace

@@ -255,6 +255,14 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     all.emplace_back(gathered, study, studies.size() > 1);
   }
   StudyTests tests(gathered);
+  const bool is_detection = std::all_of(
+      all.begin(), all.end(), [](const auto& each) { return each.study.task.design->has_noise(); });
+  if (is_detection) {  // no response is a choice between two surfaces, whose order could matter
+    const bool has_conditions = std::any_of(
+        all.begin(), all.end(), [](const auto& each) { return each.conditions.size() > 1; });
+    tests.set_default_family(has_conditions ? std::vector<std::string>{"conditions"}
+                                            : std::vector<std::string>{});
+  }
   bool has_comparison = false;
   for (const DiscriminationResults& results : all) {
     keep_findings(results.fit.thresholds, outcome);
@@ -280,9 +288,7 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     remark_on_direction(results, outcome);
     test_equality(gathered, results, tests, outcome);
   }
-  if (tests.is_in_family("order") && tests.find("order") == nullptr &&
-      std::all_of(all.begin(), all.end(),
-                  [](const auto& each) { return each.study.task.design->has_noise(); })) {
+  if (is_detection && tests.is_in_family("order") && tests.find("order") == nullptr) {
     tests.add_untested("order", "", "no_choice_of_surface");
   }
   if (!has_comparison && tests.is_in_family("point_of_subjective_equality")) {

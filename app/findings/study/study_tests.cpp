@@ -230,7 +230,18 @@ StudyTests::StudyTests(const GatheredAnswers& gathered)
                          : estimation.predictor.empty() ? "stimuli"
                                                         : "exponent");
   }
+  name_family();
+}
+
+void StudyTests::name_family() {
+  name_.clear();
   for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
+}
+
+void StudyTests::set_default_family(std::vector<std::string> names) {
+  if (is_declared_ || family_.empty()) return;
+  family_ = std::move(names);
+  name_family();
 }
 
 bool StudyTests::is_in_family(std::string_view name) const {

@@ -33,6 +33,8 @@ class StudyTests final {
   /// The family that the protocol declares, or the first test of its kind. Without a declaration,
   /// scales that only accompany other questions have no family.
   explicit StudyTests(const GatheredAnswers& gathered);
+  /// Of a study in which the first test of the kind cannot be asked. Keeps a declared family.
+  void set_default_family(std::vector<std::string> names);
 
   using Test = StudyTest;
 
@@ -68,6 +70,7 @@ class StudyTests final {
   std::size_t tests_in_family() const;
   /// The note below the table: the number of tests in the family, and the contents of the columns,
   /// without the symbols of the tests that are called `left_out`.
+  void name_family();
   Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
   Phrase note_on_columns(std::string_view left_out) const;
   /// The tests with participants whose difference is zero, and how many they are; empty without such a test. Signed-rank

@@ -353,6 +353,7 @@ TEST(FiguresOf, DrawSmallPredictorsInMicrometres) {
   EXPECT_EQ(figure.x.unit, "µm");
   EXPECT_NEAR(figure.series.front().points.front().x, 20.0, 1e-9);
   EXPECT_NEAR(figure.series.front().points.back().x, 80.0, 1e-9);
+  EXPECT_EQ(figure.series.front().points.back().label, "coarse");
 }
 
 TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {
