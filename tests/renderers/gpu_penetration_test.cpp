@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -145,6 +146,24 @@ TEST(GpuPenetration, TakesAOneSidedDifferenceWhereAConfigurationHasNoOverlap) {
   ASSERT_TRUE(expected && found);
   EXPECT_EQ(expected->covered, kGpuSamples);
   expect_equal(*found, *expected);
+}
+
+// The top of a roof is at the border of two tiles of the window: moved, it is in the other one, at its edge.
+TEST(GpuPenetration, FindsTheTopOfARoofInEveryTile) {
+  const double cell_m = kGpuWindow_m / kGpuSamples;
+  const HardMaximum law{.step_m = 2.0 * cell_m};
+  ChanceContact contact = flat_plates(kGpuWindow_m, {});
+  contact.mesh_a = formed_plate(
+      {.size_m = glm::dvec2(1.5 * kGpuWindow_m), .cells = {2, 2}},
+      [](double x_m, double y_m) { return -0.5 * std::abs(x_m) - 0.4 * std::abs(y_m); });
+  contact.triangles_a = all_triangles(contact.mesh_a);
+  for (int along = -6; along <= 6; ++along) {
+    contact.pose_a = upside_down({(0.3 + 0.5 * along) * cell_m, 0.4 * along * cell_m, -0.1e-3});
+    const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
+    const auto found = answer(contact, law);
+    ASSERT_TRUE(expected && found);
+    expect_equal(*found, *expected);
+  }
 }
 
 // B stands twice, the second time half a millimetre lower.

@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// The text of penetration.cl.
+/// The text of faces.cl and penetration.cl.
 extern const std::string_view kPenetrationKernels;
 
 }  // namespace asperity

@@ -3,13 +3,15 @@
 #include "renderers/pd_gradient/sampling/reference_penetration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <variant>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
+
+#include "renderers/pd_gradient/sampling/moved_poses.h"
 
 namespace asperity {
 namespace {
@@ -255,18 +257,6 @@ Penetration without_gradient(const Deepest& found, const SampledSurface& a, cons
           .at_window = grid.is_outermost(row, column)};
 }
 
-Pose shifted(Pose pose, const glm::dvec3& by_m) {
-  pose.position_m += by_m;
-  return pose;
-}
-
-Pose turned(const Pose& pose, const glm::dvec3& centre_m, const glm::dvec3& axis,
-            double angle_rad) {
-  const glm::dmat3 turn = glm::mat3_cast(glm::angleAxis(angle_rad, axis));
-  return {.rotation = turn * pose.rotation,
-          .position_m = centre_m + turn * (pose.position_m - centre_m)};
-}
-
 std::optional<Penetration> hard_maximum(const ContactPatch& a, const ContactPatch& b,
                                         const ContactFrame& frame, const SamplingGrid& grid,
                                         const HardMaximum& law) {
@@ -279,27 +269,12 @@ std::optional<Penetration> hard_maximum(const ContactPatch& a, const ContactPatc
   const SampledSurface surface_a = sample_surface(a, frame, grid, Facing::against_n);
   const std::optional<Deepest> found = deepest(surface_a, surface_b);
   if (!found) return std::nullopt;
-  const auto difference = [&](double step, const Pose& forth, const Pose& back) {
-    const std::optional<double> forth_m = depth_m(forth);
-    const std::optional<double> back_m = depth_m(back);
-    if (forth_m && back_m) return (*forth_m - *back_m) / (2.0 * step);
-    if (forth_m) return (*forth_m - found->depth_m) / step;
-    if (back_m) return (found->depth_m - *back_m) / step;
-    return 0.0;
-  };
   const DifferenceSteps steps = difference_steps(grid, law.step_m);
-  const auto along = [&](const glm::dvec3& axis) {
-    return difference(steps.along_m, shifted(a.pose, steps.along_m * axis),
-                      shifted(a.pose, -steps.along_m * axis));
-  };
-  const auto about = [&](const glm::dvec3& axis, double step_rad) {
-    return difference(step_rad, turned(a.pose, frame.origin_m, axis, step_rad),
-                      turned(a.pose, frame.origin_m, axis, -step_rad));
-  };
+  std::array<std::optional<double>, kMovedPoses> moved_m{};
+  const std::array<Pose, kMovedPoses> poses = moved_poses(a.pose, frame, steps);
+  std::transform(poses.begin(), poses.end(), moved_m.begin(), depth_m);
   Penetration result = without_gradient(*found, surface_a, surface_b, grid);
-  result.slope = {along(frame.u), along(frame.v)};
-  result.lever_m = {about(frame.u, steps.tilt_rad), about(frame.v, steps.tilt_rad),
-                    about(frame.n, steps.turn_rad)};
+  set_gradient(found->depth_m, moved_m, steps, result);
   return result;
 }
 
