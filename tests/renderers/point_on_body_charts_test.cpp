@@ -325,6 +325,24 @@ TEST(PointOnBodyCharts, TheExaminationOfTheTextureIncludesItsLowestSample) {
               testing::HasSubstr("rises more than"));
 }
 
+/// Is in contact unless it is reset where it is called, as a model that fills the way from its last place.
+class RestingModel final : public ForceRenderer {
+ public:
+  void reset(const ProbeState& first) noexcept override { first_m_ = first.position_m; }
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    return {.penetration_m = first_m_ == probe.position_m ? 0.0 : 0.001};
+  }
+
+ private:
+  glm::dvec3 first_m_{std::numeric_limits<double>::max()};
+};
+
+TEST(PointOnBodyCharts, TheExaminationOfTheTextureResetsTheModelAtEveryPlace) {
+  ForceModel model = point_models().front();
+  model.make = [](const RendererInputs&) { return std::make_unique<RestingModel>(); };
+  EXPECT_EQ(refusal_of([&] { make_renderer(model, inputs_on_body(sphere())); }), "");
+}
+
 TEST(PointOnBodyCharts, TheExaminationOfTheTextureRefusesEveryNumberThatIsNotFinite) {
   const RendererInputs inputs = inputs_on_body(sphere());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
