@@ -5,7 +5,9 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -183,6 +185,31 @@ TEST(PointOnBodyCharts, BlendWithTheStatedWeights) {
   const glm::dvec3 between = (kGlobeRadius_m - 0.001) * glm::normalize(glm::dvec3(1.0, 1.0, 1.0)) -
                              glm::dvec3(0.0, 0.0, kGlobeRadius_m);
   EXPECT_NEAR(answer(*charts.renderer, probe_at(between)).penetration_m, 37.0, 0.5);
+}
+
+// A chart that is entered continues friction as it was before this tick, also if the other chart was called first.
+TEST(PointOnBodyCharts, TheDragOnASeamIsTheSameFromAllSides) {
+  RendererInputs inputs = inputs_on_body(sphere());
+  inputs.material.friction = 0.8;
+  inputs.parameters = {{"amplitude_m", 0.0}, {"friction_law", std::string("proxy")}};
+  const auto renderer = built_in_models().make("sinusoid", inputs);
+  constexpr double kSeam_rad = std::numbers::pi / 4;
+  constexpr double kBeside_rad = 0.11;  // where only one chart has a weight
+  const auto drag_N = [&](int from, int to) {
+    const ProbeState before =
+        between_axes(from, to, kSeam_rad - kBeside_rad, kGlobeRadius_m - 0.003);
+    renderer->reset(before);
+    renderer->tick(before, kTick_s);
+    const glm::dvec3 force_N =
+        renderer->tick(between_axes(from, to, kSeam_rad, kGlobeRadius_m - 0.003), kTick_s)
+            .wrench.force_N;
+    return std::numbers::sqrt2 / 2 * (force_N[from] - force_N[to]);
+  };
+  const double first_N = drag_N(2, 0);
+  EXPECT_GT(first_N, 0.01);
+  for (const auto& [from, to] : {std::pair{0, 2}, {2, 1}, {1, 2}, {0, 1}, {1, 0}}) {
+    EXPECT_NEAR(drag_N(from, to), first_N, 0.001) << "from " << from << " to " << to;
+  }
 }
 
 TEST(PointOnBodyCharts, EntersAChartAnewAfterEveryPause) {
