@@ -56,17 +56,31 @@ extern "C" void name_plugin(int number) {
   raise(number);
 }
 
-/// A stack for the handler of this thread, whose own one may be used up by an endless recursion.
-void give_thread_a_signal_stack() {
-  constexpr std::size_t kSize_bytes = std::size_t{1} << 16;
-  static std::vector<std::byte> memory(kSize_bytes);
-  stack_t stack{};
-  stack.ss_sp = memory.data();
-  stack.ss_size = memory.size();
-  stack_t present{};
-  if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;
-  sigaltstack(&stack, nullptr);
-}
+/// A stack for the handler of a thread, whose own one may be used up by an endless recursion. Leaves one that exists.
+class SignalStack final {
+ public:
+  SignalStack() {
+    stack_t present{};
+    if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;
+    constexpr std::size_t kSize_bytes = std::size_t{1} << 16;
+    memory_.resize(kSize_bytes);
+    stack_t stack{};
+    stack.ss_sp = memory_.data();
+    stack.ss_size = memory_.size();
+    sigaltstack(&stack, nullptr);
+  }
+  ~SignalStack() {
+    if (memory_.empty()) return;
+    stack_t none{};
+    none.ss_flags = SS_DISABLE;
+    sigaltstack(&none, nullptr);
+  }
+  SignalStack(const SignalStack&) = delete;
+  SignalStack& operator=(const SignalStack&) = delete;
+
+ private:
+  std::vector<std::byte> memory_{};
+};
 
 }  // namespace
 
@@ -75,9 +89,9 @@ PluginCall::PluginCall(const char* name) noexcept : outer_(std::exchange(running
 PluginCall::~PluginCall() { running_plugin = outer_; }
 
 void name_plugins_that_end_the_program() {
+  static const thread_local SignalStack of_this_thread{};
   static std::once_flag installed{};
   std::call_once(installed, [] {
-    give_thread_a_signal_stack();
     for (std::size_t i = 0; i < kEnding.size(); ++i) {
       struct sigaction action {};
       action.sa_handler = name_plugin;

@@ -21,7 +21,8 @@ class PluginCall final {
 
 /// From the first call on, a signal that ends the program while the code of a plug-in runs (SIGSEGV, SIGBUS, SIGFPE, SIGILL,
 /// SIGABRT) first writes a line with the name of the plug-in to standard error. What happens next is what happened
-/// before: the handler that was installed, or the end of the program.
+/// before: the handler that was installed, or the end of the program. Code that uses up the stack of its thread is named only
+/// if this thread has called the function.
 void name_plugins_that_end_the_program();
 
 }  // namespace asperity

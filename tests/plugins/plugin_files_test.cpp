@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -171,6 +172,19 @@ TEST(PluginFiles, RefuseAModelThatViolatesTheConformanceSuite) {
   EXPECT_THAT(refusal_of_plugin(with_fault("slow")), HasSubstr("time_per_tick: median "));
   if (kCountsHeapCalls) {
     EXPECT_THAT(refusal_of_plugin(with_fault("allocates")), HasSubstr("no_allocation: "));
+  }
+}
+
+// The stack of a thread can be used up by the plug-in, so that its name could not be written on it.
+TEST(PluginFiles, HaveAStackForSignalsInEveryThreadThatLoadsThem) {
+  for (int i = 0; i < 2; ++i) {
+    bool has_stack = false;
+    std::jthread([&] {
+      (void)open_plugin(with_fault("none"));
+      stack_t present{};
+      has_stack = sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0;
+    }).join();
+    EXPECT_TRUE(has_stack) << "thread " << i;
   }
 }
 
