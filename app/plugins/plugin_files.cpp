@@ -12,7 +12,6 @@
 #include <dlfcn.h>
 
 #include "renderers/built_in_models.h"
-#include "renderers/conformance/conformance.h"
 #include "renderers/plugin/plugin_call.h"
 #include "renderers/plugin/plugin_model.h"
 #include "results_schema/atomic_file.h"
@@ -91,22 +90,24 @@ const asperity_model& description_in(const std::filesystem::path& file, void* li
   return *description;
 }
 
-void require_conformance(const std::filesystem::path& file, const ForceModel& model) {
+void require_conformance(const std::filesystem::path& file, const ForceModel& model,
+                         const ConformanceCourse& course) {
   std::string violated{};
-  for (const ConformanceCheck& check : conformance_of(model)) {
+  for (const ConformanceCheck& check : conformance_of(model, course)) {
     if (check.result != Conformance::violated) continue;
     violated += (violated.empty() ? "" : "; ") + std::string(check.name) + ": " + check.measured +
                 " (required: " + check.required + ")";
   }
+  if (course.stop.stop_requested()) refuse(file, "its checks were stopped; load it again");
   if (violated.empty()) return;
   refuse(file, "its model " + model.declaration.id + " violates the conformance suite: " +
                    violated + "; correct it, then run asperity models --conformance --plugin FILE");
 }
 
 /// A plug-in that meets the conformance suite.
-ForceModel checked(const std::filesystem::path& file) {
+ForceModel checked(const std::filesystem::path& file, const ConformanceCourse& course = {}) {
   ForceModel model = open_plugin(file);
-  require_conformance(file, model);
+  require_conformance(file, model, course);
   return model;
 }
 
@@ -141,8 +142,9 @@ ForceModel open_plugin(const std::filesystem::path& file) {
   }
 }
 
-void add_plugin(const std::filesystem::path& file, ModelRegistry& models) {
-  add(file, checked(file), models);
+void add_plugin(const std::filesystem::path& file, ModelRegistry& models,
+                const ConformanceCourse& course) {
+  add(file, checked(file, course), models);
 }
 
 ModelRegistry models_with(const std::vector<std::filesystem::path>& plugins) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/plugins/plugin_builds.h"
+#include "renderers/conformance/conformance.h"
 #include "renderers/force/force_model.h"
 
 namespace asperity {
@@ -27,8 +28,10 @@ ForceModel open_plugin(const std::filesystem::path& file);
 
 /// Adds the model of a plug-in, which meets the conformance suite, to others.
 ///
-/// Errors: as `open_plugin`; std::runtime_error for a model whose id is taken, and for one that violates a check.
-void add_plugin(const std::filesystem::path& file, ModelRegistry& models);
+/// Errors: as `open_plugin`; std::runtime_error for a model whose id is taken, for one that violates a check, and when the checks
+/// were stopped.
+void add_plugin(const std::filesystem::path& file, ModelRegistry& models,
+                const ConformanceCourse& course = {});
 
 /// The built-in models and those of these plug-ins, each of which meets the conformance suite.
 ///

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -186,6 +187,16 @@ TEST(PluginFiles, HaveAStackForSignalsInEveryThreadThatLoadsThem) {
     }).join();
     EXPECT_TRUE(has_stack) << "thread " << i;
   }
+}
+
+TEST(PluginFiles, StopTheirChecksOnRequest) {
+  std::stop_source source{};
+  source.request_stop();
+  ModelRegistry models = built_in_models();
+  EXPECT_THAT(refusal_of<std::runtime_error>(
+                  [&] { add_plugin(with_fault("none"), models, {.stop = source.get_token()}); }),
+              HasSubstr("its checks were stopped; load it again"));
+  EXPECT_EQ(models.find("faulty"), nullptr);
 }
 
 TEST(PluginFiles, LetTheServoLoopLatchTheForceAtZeroWhenAPluginFails) {

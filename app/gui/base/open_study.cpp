@@ -1,24 +1,14 @@
 #include "app/gui/base/open_study.h"
 
-#include <exception>
-
-#include "app/gui/base/settings.h"
-#include "app/plugins/plugin_files.h"
+#include <utility>
 
 namespace asperity {
 
-OpenStudy::OpenStudy(const std::filesystem::path& folder, QObject* parent)
+OpenStudy::OpenStudy(const std::filesystem::path& folder, LoadedModels models, QObject* parent)
     : QObject(parent),
       study_(Study::open(folder, Access::read_only)),
-      can_be_written_(Study::can_be_written(folder)) {
-  for (const std::filesystem::path& file : plugin_files()) {
-    try {
-      add_plugin(file, models_);
-    } catch (const std::exception& error) {
-      plugin_problems_.emplace_back(error.what());
-    }
-  }
-}
+      can_be_written_(Study::can_be_written(folder)),
+      models_(std::move(models)) {}
 
 }  // namespace asperity
 

@@ -12,8 +12,8 @@
 #include <QtCore/QObject>
 
 #include "app/device_bench/tried_device.h"
+#include "app/gui/base/loaded_models.h"
 #include "device/drivers.h"
-#include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 
@@ -25,16 +25,16 @@ class OpenStudy final : public QObject {
   Q_OBJECT
  public:
   /// Errors: ResultsError as Study::open.
-  explicit OpenStudy(const std::filesystem::path& folder, QObject* parent = nullptr);
+  explicit OpenStudy(const std::filesystem::path& folder, LoadedModels models = {},
+                     QObject* parent = nullptr);
 
   const std::filesystem::path& folder() const noexcept { return study_.folder(); }
   const Study& study() const noexcept { return study_; }
   /// Otherwise it is only looked at: what would write is disabled, and says so.
   bool can_be_written() const noexcept { return can_be_written_; }
-  /// The built-in ones and those of the plug-ins of the settings.
-  const ModelRegistry& models() const noexcept { return models_; }
+  const ModelRegistry& models() const noexcept { return models_.models; }
   /// Why plug-ins of the settings could not be loaded, a sentence each.
-  const std::vector<std::string>& plugin_problems() const noexcept { return plugin_problems_; }
+  const std::vector<std::string>& plugin_problems() const noexcept { return models_.problems; }
   /// What a session here may run on: pages and sessions ask the drivers through this registry, which asks
   /// each one thing at a time.
   const DriverRegistry& drivers() const noexcept { return drivers_; }
@@ -59,8 +59,7 @@ class OpenStudy final : public QObject {
  private:
   Study study_;
   bool can_be_written_ = true;
-  ModelRegistry models_ = built_in_models();
-  std::vector<std::string> plugin_problems_{};
+  LoadedModels models_{};
   DriverRegistry drivers_ = built_in_drivers();
   DeviceTrial device_trial_ = try_device;
   double standstill_to_fault_s_ = ServoSettings{}.standstill_to_fault_s;

@@ -10905,6 +10905,33 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::PluginLoading</name>
+    <message>
+        <source>Plug-ins</source>
+        <translation>Plug-ins</translation>
+    </message>
+    <message>
+        <source>Loading and checking the plug-ins</source>
+        <translation>Plug-ins werden geladen und geprüft</translation>
+    </message>
+    <message>
+        <source>The conformance suite takes from a second to minutes for each plug-in.</source>
+        <translation>Die Konformitätsprüfungen dauern je Plug-in zwischen einer Sekunde und einigen Minuten.</translation>
+    </message>
+    <message>
+        <source>Progress of the checks</source>
+        <translation>Fortschritt der Prüfungen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen…</translation>
+    </message>
+</context>
+<context>
     <name>asperity::PluginsDialog</name>
     <message>
         <source>Plug-ins</source>
@@ -13071,6 +13098,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>&amp;Plug-ins…</source>
         <translation>&amp;Plug-ins…</translation>
+    </message>
+    <message>
+        <source>The plug-ins are unchanged, because loading them was cancelled.</source>
+        <translation>Die Plug-ins sind unverändert, weil das Laden abgebrochen wurde.</translation>
+    </message>
+    <message>
+        <source>The study was not opened, because loading the plug-ins was cancelled. Open it again, or remove plug-ins (Study → Plug-ins…).</source>
+        <translation>Die Studie wurde nicht geöffnet, weil das Laden der Plug-ins abgebrochen wurde. Öffnen Sie sie erneut, oder entfernen Sie Plug-ins (Studie → Plug-ins…).</translation>
     </message>
 </context>
 <context>

@@ -28,13 +28,11 @@
 #include "app/gui/study/about_dialog.h"
 #include "app/gui/study/metadata_dialog.h"
 #include "app/gui/study/new_study_dialog.h"
-#include "app/gui/study/plugins_dialog.h"
 #include "app/gui/study/share_study_dialog.h"
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/navigation_list.h"
 #include "app/gui/window/welcome_page.h"
 #include "app/gui/workbench/workbench_page.h"
-#include "app/plugins/plugin_files.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/study_sharing.h"
 
@@ -110,14 +108,15 @@ void StudyWindow::refill() {
   connect(navigation_, &NavigationList::page_selected, this, &StudyWindow::show_page);
   welcome_ = new WelcomePage(pages_);
   pages_->addWidget(welcome_);
-  connect(welcome_, &WelcomePage::study_wanted, this, &StudyWindow::open_study);
+  connect(welcome_, &WelcomePage::study_wanted, this,
+          [this](const std::filesystem::path& folder) { open_study(folder); });
   connect(welcome_, &WelcomePage::session_wanted, this,
           [this](const std::filesystem::path& folder, const SessionWish& wish) {
-            if (open_study(folder)) emit session_wanted(wish);
+            open_study(folder, [this, wish] { emit session_wanted(wish); });
           });
   connect(welcome_, &WelcomePage::sessions_wanted, this,
           [this](const std::filesystem::path& folder) {
-            if (open_study(folder)) show_page("sessions");
+            open_study(folder, [this] { show_page("sessions"); });
           });
   connect(welcome_, &WelcomePage::new_study_wanted, this, &StudyWindow::ask_for_new_study);
   connect(welcome_, &WelcomePage::open_wanted, this, &StudyWindow::ask_for_study);
@@ -230,12 +229,27 @@ void StudyWindow::set_count(const QString& key, const QString& count) {
   navigation_->set_count(key, count);
 }
 
-bool StudyWindow::open_study(const std::filesystem::path& folder) {
-  if (must_stay([this, folder] { open_study(folder); })) return false;
+bool StudyWindow::open_study(const std::filesystem::path& folder,
+                             const std::function<void()>& opened) {
+  if (must_stay([this, folder, opened] { open_study(folder, opened); })) return false;
+  const auto is_open = std::make_shared<bool>(false);
+  with_plugins(
+      plugin_files(),
+      [this, folder, opened, is_open](const LoadedModels& models) {
+        *is_open = show_study(folder, models);
+        if (*is_open && opened) opened();
+      },
+      tr("The study was not opened, because loading the plug-ins was cancelled. Open it again, or "
+         "remove plug-ins (Study → Plug-ins…)."));
+  return *is_open;
+}
+
+bool StudyWindow::show_study(const std::filesystem::path& folder, const LoadedModels& models) {
   std::unique_ptr<OpenStudy> opened{};
   QString name{};
   try {
-    opened = std::make_unique<OpenStudy>(std::filesystem::absolute(folder).lexically_normal());
+    opened =
+        std::make_unique<OpenStudy>(std::filesystem::absolute(folder).lexically_normal(), models);
     name = QString::fromStdString(opened->study().name());
   } catch (const std::exception& error) {
     banner_->show_news(
@@ -272,7 +286,7 @@ ProtocolEditorPage* StudyWindow::editor() const {
 }
 
 bool StudyWindow::must_stay(std::function<void()> again) {
-  if (refuse_when_busy()) return true;
+  if (loading_ != nullptr || refuse_when_busy()) return true;
   if (editor() == nullptr || editor()->may_leave(std::move(again))) return false;
   show_page("editor");
   return true;
@@ -323,7 +337,9 @@ void StudyWindow::changeEvent(QEvent* event) {
 }
 
 void StudyWindow::closeEvent(QCloseEvent* event) {
-  if (must_stay([this] { close(); })) {
+  if (loading_ != nullptr) {
+    loading_->reject();
+  } else if (must_stay([this] { close(); })) {
     event->ignore();
     return;
   }
@@ -436,26 +452,6 @@ void StudyWindow::ask_whom_to_share_with() {
   auto* dialog = new ShareStudyDialog(study_->folder(), this);
   connect(dialog, &ShareStudyDialog::wanted, this, &StudyWindow::share_with);
   dialog->open();
-}
-
-void StudyWindow::ask_for_plugins() {
-  if (refuse_to_cover()) return;
-  auto* dialog = new PluginsDialog(plugin_files(), this);
-  connect(dialog, &PluginsDialog::wanted, this, &StudyWindow::load_plugins);
-  dialog->open();
-}
-
-void StudyWindow::load_plugins(const std::vector<std::filesystem::path>& files) {
-  // Each is loaded once before it is remembered: one that ends the program must not end it at every start.
-  for (const std::filesystem::path& file : files) {
-    try {
-      (void)models_with({file});
-    } catch (const std::exception&) {
-      continue;  // stated when a study is opened
-    }
-  }
-  remember_plugin_files(files);
-  if (study_ != nullptr) open_study(study_->folder());
 }
 
 void StudyWindow::ask_for_metadata() {

@@ -8,8 +8,11 @@
 #include <memory>
 #include <optional>
 
+#include <QtCore/QPointer>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QMainWindow>
 
+#include "app/gui/base/loaded_models.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/session_wish.h"
 #include "app/gui/look/background_task.h"
@@ -44,8 +47,11 @@ class StudyWindow final : public QMainWindow {
   explicit StudyWindow(QWidget* parent = nullptr);
   ~StudyWindow() override;
 
-  /// Shows the study's pages in place of what was shown. Says on the banner what went wrong.
-  bool open_study(const std::filesystem::path& folder);
+  /// Shows the study's pages in place of what was shown, then calls `opened`. States on the banner what went wrong.
+  ///
+  /// Returns whether the study is open now. With plug-ins in the settings it is not: a dialog shows the progress of their checks
+  /// first and can cancel them.
+  bool open_study(const std::filesystem::path& folder, const std::function<void()>& opened = {});
   void close_study();
   /// Null while the welcome page is shown.
   OpenStudy* study() const noexcept { return study_.get(); }
@@ -91,7 +97,7 @@ class StudyWindow final : public QMainWindow {
   /// Everything anew in the theme and language of now.
   void refill();
   bool refuse_when_busy();
-  /// Busy, or the editor asks what is to become of unsaved changes and does `again` afterwards.
+  /// Busy, plug-ins are being loaded, or the editor asks what is to become of unsaved changes and does `again` afterwards.
   bool must_stay(std::function<void()> again);
   ProtocolEditorPage* editor() const;
   bool refuse_to_refill();
@@ -105,6 +111,10 @@ class StudyWindow final : public QMainWindow {
   void ask_whom_to_share_with();
   void ask_for_plugins();
   void load_plugins(const std::vector<std::filesystem::path>& files);
+  /// Calls `use` with the models when the plug-ins are loaded, at once without any. `cancelled` goes to the banner.
+  void with_plugins(const std::vector<std::filesystem::path>& files,
+                    std::function<void(const LoadedModels&)> use, const QString& cancelled);
+  bool show_study(const std::filesystem::path& folder, const LoadedModels& models);
   void share_with(const QString& group);
   void make_new_study(const std::filesystem::path& folder, const StudyMetadata& metadata);
   void ask_for_metadata();
@@ -126,7 +136,8 @@ class StudyWindow final : public QMainWindow {
   std::unique_ptr<OpenStudy> study_{};
   BackgroundTask make_task_{};
   QString busy_{};
-  QString seen_store_{};  ///< times and sizes of the store's files
+  QString seen_store_{};         ///< times and sizes of the store's files
+  QPointer<QDialog> loading_{};  ///< while plug-ins are loaded
 };
 
 }  // namespace asperity

@@ -182,7 +182,8 @@ void SessionRoom::close_windows() {
 
 void SessionRoom::open() {
   make_windows();
-  require(window->open_study(folder()), "the study does not open");
+  window->open_study(folder());
+  wait_for("the study", [this] { return window->study() != nullptr; });
   window->study()->set_device_trial(punctual_trial);
   window->study()->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
 }
