@@ -14,6 +14,7 @@
 #include "app/cli/asset_option.h"
 #include "app/cli/body_option.h"
 #include "app/cli/command.h"
+#include "app/cli/compute_option.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/cli/plugin_option.h"
@@ -147,7 +148,7 @@ void add_render(CLI::App& program, Job& job) {
     std::optional<std::filesystem::path> height_field{};
     std::optional<std::string> tool{};
     std::optional<std::string> coupling{};
-    std::string compute = "cpu";
+    std::optional<bool> on_gpu{};
     Material material{};
     std::uint64_t seed = 0;
     std::filesystem::path path{};
@@ -184,13 +185,10 @@ void add_render(CLI::App& program, Job& job) {
                    "virtual: that of the device, to which the tool is coupled")
       ->option_text("none|virtual")
       ->check(word_among({"none", "virtual"}));
-  command
-      ->add_option(
-          "--compute", options->compute,
-          "For a model with two bodies: where contacts are evaluated. cpu: on the processor; "
-          "gpu: on the first OpenCL device, sampled again in every row and in double precision")
-      ->option_text("cpu|gpu [cpu]")
-      ->check(word_among({"cpu", "gpu"}));
+  add_compute_option(*command, options->on_gpu,
+                     "For a model with two bodies: where contacts are evaluated. cpu (the "
+                     "default): on the processor; gpu: on the first OpenCL device, sampled again "
+                     "in every row and in double precision");
   command
       ->add_option("--stiffness-n-per-m", options->material.stiffness_N_per_m,
                    "Stiffness of the surface, N/m")
@@ -222,7 +220,7 @@ void add_render(CLI::App& program, Job& job) {
 #endif
       require_material(options->material);
       ModelRegistry models = models_with(options->plugins);
-      if (options->compute == "gpu") {
+      if (options->on_gpu.value_or(false)) {
         models = computed_on(first_compute(kPatience), std::move(models));
       }
       const ForceModel& model = model_named(models, options->model);
@@ -242,7 +240,7 @@ void add_render(CLI::App& program, Job& job) {
                                  " needs a model with two bodies; leave out " + option +
                                  ", or choose another model");
       }
-      if (!needs_bodies && options->compute == "gpu") {
+      if (!needs_bodies && options->on_gpu.value_or(false)) {
         throw std::runtime_error(
             "the force model " + options->model +
             " computes the contact at a point, and --compute gpu needs a model "

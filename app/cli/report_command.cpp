@@ -49,8 +49,7 @@ void add_report(CLI::App& program, Job& job) {
             study,
             [&] {
               written =
-                  write_report(study, options->out, overwrite, options->protocol,
-                               interrupt.token(),
+                  write_report(study, options->out, overwrite, options->protocol, interrupt.token(),
                                [&progress](double fraction) { progress.show(fraction); });
             },
             interrupt.token());

@@ -11,6 +11,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/compute_option.h"
 #include "app/cli/driver_options.h"
 #include "app/cli/external_option.h"
 #include "app/cli/plugin_option.h"
@@ -115,6 +116,7 @@ void add_run(CLI::App& program, Job& job) {
   CLI::Option* realtime = command->add_flag("--realtime", options->realtime, "Run in real time");
   fast->needs(stand_in)->excludes(realtime);
   realtime->needs(stand_in);
+  add_compute_option(*command, options->inputs.on_gpu, kComputeOfSession);
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options]() -> int {

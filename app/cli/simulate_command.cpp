@@ -10,6 +10,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/compute_option.h"
 #include "app/cli/external_option.h"
 #include "app/cli/number_option.h"
 #include "app/cli/plugin_option.h"
@@ -69,6 +70,7 @@ void add_simulate(CLI::App& program, Job& job) {
   command->add_flag("--resume", options->inputs.resume,
                     "Resume an interrupted simulation with the same arguments");
   command->add_flag("--json", options->json, "Print the totals as JSON");
+  add_compute_option(*command, options->inputs.on_gpu, kComputeOfSession);
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = [options] {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/profiles/device_kind.h"
+#include "app/session/session_compute.h"
 #include "app/session/session_setup.h"
 
 namespace asperity {
@@ -76,6 +77,7 @@ RecordedProgram program_of(const SessionRow& session, const nlohmann::json& even
   program.os = stored("os", session.os);
   program.pacing =
       stored("pacing", session.pacing) + ", scheduling " + stored("scheduling", session.scheduling);
+  if (const auto device = stored_compute(event)) program.compute = described(*device);
   return program;
 }
 

@@ -54,6 +54,8 @@ struct RecordedProgram {
   std::string instruction_set{};
   std::string os{};
   std::string pacing{};  ///< "real_time, scheduling none"
+  /// The compute device that evaluated the contacts of two textured bodies; empty: the processor.
+  std::string compute{};
 };
 
 /// A stretch of uninterrupted running: its conditions are constant.

@@ -9,6 +9,7 @@
 #include "analysis/number_text.h"
 #include "app/study_files/parameter_json.h"
 #include "app/words/phrase.h"
+#include "renderers/built_in_models.h"
 #include "renderers/force/layers.h"
 #include "renderers/offline/force_matching.h"
 #include "renderers/proxy/body_surface.h"
@@ -131,6 +132,10 @@ StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::p
     : models_(models),
       study_folder_(std::move(study_folder)),
       friction_(unstated_friction_of(study_folder_, models_)) {}
+
+void StimulusBuilder::compute_on(std::shared_ptr<const Compute> compute) {
+  computed_ = computed_on(std::move(compute), models_);
+}
 
 LoadedHeightField StimulusBuilder::height_field(const std::string& study_path) {
   const std::lock_guard lock(fields_mutex_);
@@ -257,7 +262,7 @@ PreparedStimulus StimulusBuilder::of_own_amplitude(const StimulusDescription& de
 
 PreparedStimulus StimulusBuilder::without_parameters(const StimulusDescription& description) {
   PreparedStimulus prepared{};
-  prepared.model = models_.find(description.model);
+  prepared.model = models().find(description.model);
   if (prepared.model == nullptr) {
     throw PhrasedError(phrase("SessionSetup",
                               "the stimulus \"%1\" needs the force model \"%2\", which this "
@@ -327,7 +332,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
   RendererInputs reference_inputs = inputs;
   reference_inputs.parameters.clear();
   if (!request.rms_N) {
-    reference = models_.find(request.to_model);
+    reference = models().find(request.to_model);
     if (reference == nullptr) {
       throw PhrasedError(phrase("SessionSetup",
                                 "equal force is requested with the model \"%1\", which this "

@@ -70,6 +70,10 @@ class StimulusBuilder final {
   /// An empty folder: without a study (`can_make`).
   StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder);
 
+  /// From now on the contacts of two textured bodies are evaluated on this device. To be called before the first stimulus
+  /// is prepared for a session.
+  void compute_on(std::shared_ptr<const Compute> compute);
+
   /// Whether the files of a stimulus are available: without a study only a stimulus that names none.
   bool can_make(const StimulusDescription& description) const;
 
@@ -89,7 +93,7 @@ class StimulusBuilder final {
   void require_body(const BodyDescription& description);
   /// A file of a role that force models declare. Errors: ResultsError naming the file.
   LoadedAsset asset(const std::string& study_path);
-  const ModelRegistry& models() const noexcept { return models_; }
+  const ModelRegistry& models() const noexcept { return computed_ ? *computed_ : models_; }
   /// The parameters that a model has in this study where a protocol states none.
   ParameterValues default_parameters(const ForceModel& model) const;
   UnstatedFriction unstated_friction() const noexcept { return friction_; }
@@ -109,6 +113,7 @@ class StimulusBuilder final {
   void match(PreparedStimulus& prepared, const PlannedPresentation& presentation, Study& study);
 
   const ModelRegistry& models_;
+  std::optional<ModelRegistry> computed_{};  ///< the same, on a compute device
   std::filesystem::path study_folder_{};
   UnstatedFriction friction_ = UnstatedFriction::of_new_studies;
   std::mutex fields_mutex_{};

@@ -14,6 +14,7 @@
 #include "app/records/participant_answers.h"
 #include "app/records/session_conditions.h"
 #include "app/session/respondents/virtual_participant.h"
+#include "app/session/session_compute.h"
 #include "app/tasks/group_choice.h"
 #include "app/tasks/label_notice.h"
 #include "app/tasks/protocol_files.h"
@@ -221,6 +222,9 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol =
       load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());
+  if (inputs.on_gpu.value_or(protocol.computes_on_gpu)) {
+    builder.compute_on(compute_of_session(inputs.pacing == RunPacing::real_time));
+  }
   // A session that is resumed needs none once every level is stored (`sit`).
   if (!inputs.resume || inputs.level_program) require_program(protocol, inputs.level_program);
   Study study = Study::open(inputs.study, Access::read_write);

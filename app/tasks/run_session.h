@@ -54,6 +54,8 @@ struct RunInputs {
   /// A new participant who has already answered the protocol's questions (the label is
   /// `participant`); otherwise the respondent is asked.
   std::optional<ParticipantRow> new_person{};
+  /// Where the contacts of two textured bodies are evaluated; absent: as the protocol states.
+  std::optional<bool> on_gpu{};
   /// Results of earlier comparisons of the plan with this device; null: none.
   std::shared_ptr<RehearsalMemory> rehearsal{};
   /// Receives the progress of that comparison, 0 to 1, where it has to be made.

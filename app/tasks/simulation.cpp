@@ -14,6 +14,7 @@
 
 #include "app/profiles/device_kind.h"
 #include "app/session/respondents/virtual_participant.h"
+#include "app/session/session_compute.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
@@ -163,11 +164,26 @@ class Simulation final {
     }
     // No protocol takes levels from it.
     if (!is_used) require_program(protocols_.back(), inputs.level_program);
+    if (is_on_gpu()) builder_.compute_on(compute_of_session(false));
   }
 
   SimulationResult run();
 
  private:
+  /// All protocols share the models.
+  bool is_on_gpu() const {
+    if (inputs_.on_gpu) return *inputs_.on_gpu;
+    const bool first = protocols_.front().computes_on_gpu;
+    for (const Protocol& protocol : protocols_) {
+      if (protocol.computes_on_gpu == first) continue;
+      throw PhrasedError(
+          phrase("Simulation",
+                 "the protocols %1 and %2 differ in device.compute; state --compute, or simulate "
+                 "them one after the other")
+              .with(protocols_.front().name, protocol.name));
+    }
+    return first;
+  }
   /// Nothing for a protocol that has no use for the program.
   std::optional<ExternalProgram> program_for(const Protocol& protocol) const {
     return blocks_of_external_program(protocol).empty() ? std::nullopt : inputs_.level_program;

@@ -35,6 +35,8 @@ struct SimulationInputs {
   std::string device = "simulated";  ///< or one of its models, as in RunInputs::device
   /// States the levels of the procedure `external`; of protocols without it, it is not started.
   std::optional<ExternalProgram> level_program{};
+  /// As RunInputs::on_gpu, for all protocols.
+  std::optional<bool> on_gpu{};
   /// Resume the interrupted simulation of the same seed and number of participants, or begin it in
   /// a study that has no virtual participants yet. Otherwise such a simulation is rejected.
   bool resume = false;

@@ -10,6 +10,7 @@
 #include "app/records/session_conditions.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/rig/contact_reader.h"
+#include "app/session/session_compute.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/coded_phrases.h"
@@ -48,18 +49,20 @@ std::string observer_json(const Protocol& protocol) {
   return json.dump();
 }
 
-std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
-  return nlohmann::ordered_json{{"utc", rig.clock().utc()},
-                                {"program_version", program.version},
-                                {"program_commit", program.commit},
-                                {"program_sha256", program.sha256},
-                                {"instruction_set", program.instruction_set},
-                                {"os", program.os},
-                                {"pacing", rig.pacing()},
-                                {"scheduling", rig.scheduling()},
-                                {"device", device_text(rig.capability())},
-                                {"judged_force", text_of(judged_force_of(rig.capability()))}}
-      .dump();
+std::string conditions_json(const ProgramIdentity& program, const Rig& rig,
+                            const ModelRegistry& models) {
+  nlohmann::ordered_json json{{"utc", rig.clock().utc()},
+                              {"program_version", program.version},
+                              {"program_commit", program.commit},
+                              {"program_sha256", program.sha256},
+                              {"instruction_set", program.instruction_set},
+                              {"os", program.os},
+                              {"pacing", rig.pacing()},
+                              {"scheduling", rig.scheduling()},
+                              {"device", device_text(rig.capability())},
+                              {"judged_force", text_of(judged_force_of(rig.capability()))}};
+  if (auto compute = json_of_compute(models); !compute.is_null()) json["compute"] = compute;
+  return json.dump();
 }
 
 /// Stores the profile of the session's device, and the parts of the plan that exceed it.
@@ -156,7 +159,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                       {.record = sitting.record,
                        .makes_ahead = rig.pacing() == "real_time",
                        .level_program = sitting.level_program,
-                       .conditions_json = conditions_json(program, rig),
+                       .conditions_json = conditions_json(program, rig, builder.models()),
                        .done = done,
                        .links = links});
   const std::stop_callback on_stop(

@@ -21,6 +21,7 @@
 
 #include "app/plugins/stored_plugins.h"
 #include "app/records/recorded_attempt.h"
+#include "app/session/session_compute.h"
 #include "app/study_files/program.h"
 #include "app/tasks/verify_groups.h"
 #include "app/tasks/verify_instability.h"
@@ -59,21 +60,34 @@ double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface
   return difference_N;
 }
 
-/// The segments of a session that were run by exactly this build on a system like this one. The
-/// program of a segment is stored with its beginning.
-std::set<int> segments_of_this_program(const Study& study, const SessionRow& session,
-                                       const ProgramIdentity& program) {
-  std::set<int> same{};
+/// What ran a segment of a session; stored with its beginning.
+struct SegmentMaker {
+  bool is_this_program = false;  ///< exactly this build, on a system like this one
+  std::optional<ComputeDeviceName> compute{};
+};
+
+std::map<int, SegmentMaker> makers_of_segments(const Study& study, const SessionRow& session,
+                                               const ProgramIdentity& program) {
+  std::map<int, SegmentMaker> makers{};
   for (const EventRow& event : study.events(session.id)) {
     if (event.kind != "session_began" && event.kind != "session_resumed") continue;
     const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
-    if (data.is_object() && data.value("program_sha256", "") == program.sha256 &&
-        data.value("instruction_set", "") == program.instruction_set &&
-        data.value("os", "") == program.os) {
-      same.insert(data.value("segment", 0));
-    }
+    if (!data.is_object()) continue;
+    makers[data.value("segment", 0)] = {
+        .is_this_program = data.value("program_sha256", "") == program.sha256 &&
+                           data.value("instruction_set", "") == program.instruction_set &&
+                           data.value("os", "") == program.os,
+        .compute = stored_compute(data)};
   }
-  return same;
+  return makers;
+}
+
+/// Ticks of a surface that the processor evaluated because the compute device had no answer in time.
+std::int64_t ticks_without_compute(const RecordedSurface& surface) {
+  const auto& limits = surface.row.limits;
+  const auto found = std::find_if(limits.begin(), limits.end(),
+                                  [](const auto& limit) { return limit.kind == "no_compute"; });
+  return found == limits.end() ? 0 : found->ticks;
 }
 
 /// The problems of one session.
@@ -86,6 +100,8 @@ struct SessionFaults {
   std::vector<std::string> problems{};
   int recordings_replayed = 0;
   int recordings_without_plugin = 0;
+  /// Of surfaces whose contacts the replay evaluates elsewhere than the session did: device and the largest difference.
+  std::map<std::string, double> differences_by_device_N{};
   bool has_stated_levels = false;  ///< of an external program
   bool exact_used = false;
   bool tolerance_used = false;
@@ -153,7 +169,8 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
   }
 }
 
-/// Builders of stimuli with the builds of plug-ins that rendered attempts, each made once.
+/// Builders of stimuli with the builds of plug-ins that rendered attempts, each made once; with the compute device of this
+/// machine for attempts that were computed on one.
 class BuildersOfAttempts final {
  public:
   /// `builds` must outlive this object.
@@ -161,11 +178,16 @@ class BuildersOfAttempts final {
       : builds_(builds), study_folder_(std::move(study_folder)) {}
 
   /// Null if a build is not there.
-  StimulusBuilder* builder_for(const AttemptRow& attempt) {
+  StimulusBuilder* builder_for(const AttemptRow& attempt, bool on_device) {
     const std::map<std::string, std::string> wanted = plugin_builds_of(attempt);
     if (!builds_.has(wanted)) return nullptr;
-    std::unique_ptr<Own>& own = own_[wanted];
-    if (!own) own = std::make_unique<Own>(builds_.with(wanted), study_folder_);
+    std::unique_ptr<Own>& own = own_[{wanted, on_device}];
+    if (!own) {
+      own = std::make_unique<Own>(builds_.with(wanted), study_folder_);
+      if (on_device && !ComputeDevice::all().empty()) {
+        own->builder.compute_on(compute_of_session(false));
+      }
+    }
     return &own->builder;
   }
 
@@ -178,24 +200,24 @@ class BuildersOfAttempts final {
   };
   const ModelBuilds& builds_;
   std::filesystem::path study_folder_{};
-  std::map<std::map<std::string, std::string>, std::unique_ptr<Own>> own_{};
+  std::map<std::pair<std::map<std::string, std::string>, bool>, std::unique_ptr<Own>> own_{};
 };
 
 /// Checks whether every recorded hand of a session receives the same forces again.
 void replay_session(const Study& study, const SessionRow& session, const Plan& plan,
                     const ProgramIdentity& program, BuildersOfAttempts& builders,
                     const std::stop_token& stop, SessionFaults& faults) {
-  const std::set<int> same_program = segments_of_this_program(study, session, program);
+  std::map<int, SegmentMaker> makers = makers_of_segments(study, session, program);
   for (const AttemptRow& attempt : study.attempts(session.id)) {
     const auto number = static_cast<std::size_t>(attempt.trial);
     if (number < 1 || number > plan.trials.size() || !attempt.recording) continue;
     if (stop.stop_requested()) return;
-    StimulusBuilder* const builder = builders.builder_for(attempt);
+    const SegmentMaker& maker = makers[attempt.segment];
+    StimulusBuilder* const builder = builders.builder_for(attempt, maker.compute.has_value());
     if (builder == nullptr) {  // `plugin_problems` reports it
       ++faults.recordings_without_plugin;
       continue;
     }
-    const bool exact = same_program.contains(attempt.segment);
     const std::string name = "attempt " + natural_key(session, attempt);
     try {
       const RecordedAttempt recorded =
@@ -203,6 +225,17 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
       ++faults.recordings_replayed;
       for (const RecordedSurface& surface : recorded.surfaces) {
         const double difference_N = replay_difference_N(recorded, surface);
+        const std::shared_ptr<const Compute>& compute = surface.stimulus.model->compute;
+        const bool computed_then =
+            maker.compute && surface.stimulus.model->declaration.needs_bodies;
+        // The processor keeps heights, whose errors the device does not have.
+        if (computed_then && (!compute || ticks_without_compute(surface) > 0)) {
+          double& largest_N = faults.differences_by_device_N[described(*maker.compute)];
+          largest_N = std::max(largest_N, difference_N);
+          continue;
+        }
+        const bool exact = maker.is_this_program &&
+                           (!computed_then || is_same(compute->device.name(), *maker.compute));
         const double tolerance_N =
             exact ? 0.0 : surface.stimulus.model->declaration.replay_tolerance_N + kFloatStep_N;
         (exact ? faults.exact_used : faults.tolerance_used) = true;
@@ -435,6 +468,7 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
   for (const std::string& failure : failures) add_unless_told(failure, "", result.problems);
   bool exact_used = false;
   bool tolerance_used = false;
+  std::map<std::string, double> differences_by_device_N{};
   int with_stated_levels = 0;
   int without_plugin = 0;
   for (SessionFaults& faults : found) {
@@ -445,6 +479,10 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
     result.recordings_replayed += faults.recordings_replayed;
     without_plugin += faults.recordings_without_plugin;
     with_stated_levels += faults.has_stated_levels ? 1 : 0;
+    for (const auto& [device, difference_N] : faults.differences_by_device_N) {
+      double& largest_N = differences_by_device_N[device];
+      largest_N = std::max(largest_N, difference_N);
+    }
     exact_used = exact_used || faults.exact_used;
     tolerance_used = tolerance_used || faults.tolerance_used;
   }
@@ -452,6 +490,12 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
     result.remarks.push_back(
         "recordings that were not replayed because their plug-in is not loaded: " +
         std::to_string(without_plugin));
+  }
+  for (const auto& [device, difference_N] : differences_by_device_N) {
+    result.remarks.push_back("forces computed on " + device +
+                             ", of which the processor computed at least a part (then or in the "
+                             "replay), differ by up to " +
+                             text_of_number(difference_N) + " N; they are not compared further");
   }
   if (with_stated_levels > 0) {
     result.rules.push_back(

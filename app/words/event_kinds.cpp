@@ -11,17 +11,19 @@ const std::vector<EventKind>& event_kinds() {
        .meaning = "the session began. Data: the program that runs this segment of the session; "
                   "`utc`, when it began (from version 0.2.0 on); `device` as in `session`, and "
                   "`judged_force`, the normal force by which the exploration is assessed: `sent`, "
-                  "or `rendered` for a device without motors (Asperity 0.1.0 stored neither)",
+                  "or `rendered` for a device without motors (Asperity 0.1.0 stored neither); "
+                  "`compute`, the `device`, `platform` and `driver` that evaluated the contacts of "
+                  "two textured bodies, where it was not the processor",
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
-                       "pacing", "scheduling", "device", "judged_force", "segment"}},
+                       "pacing", "scheduling", "device", "judged_force", "compute", "segment"}},
       {.name = "session_resumed",
        .meaning = "the session was resumed after an interruption. Data: as in `session_began`",
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
-                       "pacing", "scheduling", "device", "judged_force", "segment"}},
+                       "pacing", "scheduling", "device", "judged_force", "compute", "segment"}},
       {.name = "resumed_late",
        .meaning =
            "the session was resumed later than the protocol allows (`resume.maximum_age_hours`); "

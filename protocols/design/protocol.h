@@ -259,6 +259,8 @@ struct Protocol {
   /// Maximum age of the device's profile for a session with a participant; absent: no profile is needed.
   std::optional<double> profile_maximum_age_days{};
   bool refuses_rehearsal_warnings = false;  ///< of unrenderable stimuli and unmet device limits
+  /// Contacts of two textured bodies are evaluated on a compute device instead of the processor.
+  bool computes_on_gpu = false;
   bool input_only = false;  ///< participants' study data may come from a device without motors
   /// The device's item ("lateness_p99_s") → its limit; the item determines the permitted side.
   std::map<std::string, double> device_limits{};

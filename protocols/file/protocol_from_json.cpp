@@ -480,6 +480,7 @@ void read_setting(const json& root, Protocol& protocol) {
     read(*found, "maximum_lost_records", protocol.maximum_lost_records);
     read(*found, "profile_maximum_age_days", protocol.profile_maximum_age_days);
     read(*found, "refuse_rehearsal_warnings", protocol.refuses_rehearsal_warnings);
+    read_choice(*found, "compute", protocol.computes_on_gpu, {{"cpu", false}, {"gpu", true}});
     read(*found, "input_only", protocol.input_only);
     for_each_named(*found, "limits", [&](const std::string& item, const json& limit) {
       protocol.device_limits[item] = limit.get<double>();

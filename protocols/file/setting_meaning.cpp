@@ -56,10 +56,15 @@ void Meaning::check_keys_of_format_2() {
                           " requires the format \"asperity.protocol/2\"; write that here");
   };
   if (protocol_.resume.practice_trials > 0) refuse("practice_trials");
+  if (const auto device = document_.root().find("device");
+      device != document_.root().end() && device->contains("compute")) {
+    refuse("compute");
+  }
   if (protocol_.groups &&
       protocol_.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
-    report("/format", "the assignment \"permuted_blocks\" requires the format "
-                      "\"asperity.protocol/2\"; write that here");
+    report("/format",
+           "the assignment \"permuted_blocks\" requires the format "
+           "\"asperity.protocol/2\"; write that here");
   }
   for (const Protocol::Step& step : protocol_.flow) {
     const auto* const run = std::get_if<Protocol::Run>(&step);

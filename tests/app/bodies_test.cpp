@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exports/export_study.h"
+#include "app/records/session_conditions.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "app/tasks/new_study.h"
@@ -19,6 +20,7 @@
 #include "app/tasks/texture_warnings.h"
 #include "app/tasks/verify_study.h"
 #include "renderers/built_in_models.h"
+#include "renderers/compute/compute_device.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
@@ -489,6 +491,38 @@ TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
   EXPECT_EQ(tools.size(), 3U);
   ASSERT_EQ(attempt.responses.size(), 3U);
   EXPECT_EQ(attempt.responses[0].source, "virtual");  // it was expected as it feels
+}
+
+// On the driver that the tests install, which computes on the processor.
+TEST_F(Bodies, AreComputedOnTheDeviceThatTheProtocolAsksFor) {
+  replace_in_protocol(R"("consent")", R"("device": {"compute": "gpu"}, "consent")");
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_EQ(problems()[0].pointer, "/format");
+  replace_in_protocol("asperity.protocol/1", "asperity.protocol/2");
+  // The smooth maximum has no differences, which take most of the time of this driver.
+  replace_in_protocol(R"("model": "pd_gradient",)",
+                      R"("model": "pd_gradient", "parameters": {"maximum": "smooth"},)");
+  replace_in_protocol(R"("minimum_contact_s": 0.3, "maximum_contact_s": 2)",
+                      R"("minimum_contact_s": 0.05, "maximum_contact_s": 0.1)");
+  replace_in_protocol(R"({"target": 0.02})", R"({"target": 0.005})");
+  replace_in_protocol(R"(,
+        {"stimulus": "felt", "with": {"held": "rasp"}, "item": "rasp"})",
+                      "");
+  replace_in_protocol(R"("ball", "roll", "rasp"])", R"("ball", "roll"])");
+  EXPECT_THAT(problems(), IsEmpty());
+  SimulationInputs inputs{.protocols = {"tools.json"}, .study = study_};
+  EXPECT_EQ(simulate(inputs, models_, {}, {}, {}).attempts, 1);
+  Study opened = Study::open(study_, Access::read_only);
+  const std::string device = described(ComputeDevice::all().front().name());
+  const SessionRow session = opened.sessions().at(0);
+  EXPECT_EQ(recorded_stretches(session, opened.events(session.id), opened.attempts(session.id))
+                .at(0)
+                .program.compute,
+            device);
+  const VerifyResult verified = verify_study(opened, models_, true, {}, [](double) {});
+  EXPECT_THAT(verified.problems, IsEmpty());
+  EXPECT_THAT(verified.remarks, IsEmpty());
+  EXPECT_THAT(verified.rules, ElementsAre("same program and system: compared bit for bit"));
 }
 
 }  // namespace

@@ -7149,6 +7149,10 @@
         <source>%1; to resume it nevertheless, give the reason with --late-reason; the reason is stored and stated in the report</source>
         <translation>%1; um sie dennoch fortzusetzen, mit --late-reason den Grund angeben; der Grund wird gespeichert und im Bericht genannt</translation>
     </message>
+    <message>
+        <source>contacts cannot be evaluated on a GPU: %1 (on the command line: --compute cpu; in the protocol: device.compute)</source>
+        <translation>Kontakte können nicht auf einer GPU berechnet werden: %1 (auf der Kommandozeile: --compute cpu; im Protokoll: device.compute)</translation>
+    </message>
 </context>
 <context>
     <name>SessionChecks</name>
@@ -7820,6 +7824,10 @@
     <message>
         <source>the simulation in %3 (participants: %1, seed: %2) is not complete; to complete it, add --resume; to add further participants, use another --seed. No participant was added</source>
         <translation>die Simulation in %3 (Versuchspersonen: %1, Startwert: %2) ist nicht abgeschlossen; um sie abzuschließen, --resume angeben; um weitere Versuchspersonen hinzuzufügen, einen anderen --seed wählen. Es wurde keine Versuchsperson hinzugefügt</translation>
+    </message>
+    <message>
+        <source>the protocols %1 and %2 differ in device.compute; state --compute, or simulate them one after the other</source>
+        <translation>die Protokolle %1 und %2 unterscheiden sich in device.compute; geben Sie --compute an, oder simulieren Sie sie nacheinander</translation>
     </message>
 </context>
 <context>

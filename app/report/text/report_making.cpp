@@ -123,6 +123,16 @@ ReportSection making_section(const ReportFacts& facts) {
     return each.device ? each.device->text : std::string("not recorded");
   });
   add_of_stretches("pacing", [](const Stretch& each) { return each.program.pacing; });
+  const bool computes =
+      std::any_of(facts.sessions.begin(), facts.sessions.end(), [](const ReportedSession& session) {
+        return std::any_of(session.stretches.begin(), session.stretches.end(),
+                           [](const Stretch& each) { return !each.program.compute.empty(); });
+      });
+  if (computes) {
+    add_of_stretches("contacts evaluated by", [](const Stretch& each) {
+      return each.program.compute.empty() ? std::string("the processor") : each.program.compute;
+    });
+  }
   add("rate of the servo loop", rate.text());
   add("random numbers", generator.text());
   add("protocol", facts.protocol.name + ' ' + facts.protocol.version);
