@@ -364,6 +364,9 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
   EXPECT_THAT(tests->note.english(), HasSubstr("1 of 4"));
   ASSERT_EQ(ratings.questions.size(), 1U);
   EXPECT_THAT(ratings.questions[0].answer.english(), HasSubstr("80.00"));
+  EXPECT_THAT(ratings.transformation,
+              HasSubstr("the trials with correct and over those with incorrect responses"));
+  EXPECT_THAT(ratings.transformation, testing::Not(HasSubstr("of an item")));
   EXPECT_THAT(ratings.questions[0].answer.english(), HasSubstr("exploratory"));
 }
 
@@ -580,6 +583,52 @@ TEST(RatingComponents, HaveLoadingsForOneComponentPerFiveItems) {
   }
   EXPECT_EQ(FoundNumbers(nine.findings).all("loading").size(), 2U);
   EXPECT_EQ(FoundNumbers(profiles_of_items(10).findings).all("loading").size(), 4U);
+}
+
+// Levels are in the order of their values: 5e-05, 7e-05, 1e-04, which is not that of their texts.
+TEST(RatingComponents, AreThoseOfAllItemsWhereTheItemsAreLevels) {
+  const std::string source = R"({"kind": "rating",
+    "factors": {"amplitude_m": {"levels": [0.0001, 0.00007, 0.00005]},
+                "wavelength_m": {"levels": [0.01, 0.0025]}},
+    "stimuli": {"grating": {"model": "sinusoid", "parameters": {
+      "amplitude_m": {"factor": "amplitude_m"}, "wavelength_m": {"factor": "wavelength_m"}}}},
+    "blocks": {"only": {"crossed": ["amplitude_m", "wavelength_m"],
+                        "presented": [{"stimulus": "grating"}], "questions": [
+      {"name": "rough", "prompt": "How rough?", "scale": {"minimum": 1, "maximum": 7, "points": 7}},
+      {"name": "smooth", "prompt": "How smooth?", "scale": {"minimum": 1, "maximum": 7, "points": 7}}]}}})";
+  std::vector<std::vector<MadeUpTrial>> people(3);
+  for (int person = 0; person < 3; ++person) {
+    int item = 0;
+    for (const char* const amplitude : {"0.0001", "7e-05", "5e-05"}) {
+      for (const char* const wavelength : {"0.01", "0.0025"}) {
+        MadeUpTrial trial = rated_on("sinusoid", std::to_string(1 + (item + person) % 7),
+                                     std::to_string(1 + (item * 3 + person) % 7));
+        trial.surfaces = {surface_of("sinusoid", "sinusoid", "")};
+        trial.factors_json = std::string("{\"amplitude_m\": ") + amplitude +
+                             ", \"wavelength_m\": " + wavelength + "}";
+        people[static_cast<std::size_t>(person)].push_back(trial);
+        ++item;
+      }
+    }
+  }
+  const AnalysisOutcome outcome = analysed(source, people);
+  ASSERT_NE(table_named(outcome, "loadings"), nullptr);
+  EXPECT_EQ(FoundNumbers(outcome.findings).all("score").size(), 6U);
+}
+
+// Item c is presented once, and a is presented once more than b: two repetitions of a and b.
+TEST(RatingReliability, IsThatOfTheRepetitionsThatAllRepeatedItemsHave) {
+  const std::vector<std::vector<MadeUpTrial>> people{
+      {rated_on("a", "10"), rated_on("b", "30"), rated_on("c", "30"), rated_on("a", "20", {}, 2),
+       rated_on("b", "60", {}, 2), rated_on("a", "99", {}, 3)}};
+  const AnalysisOutcome outcome = analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
+  // Of 10, 20 and 30, 60: MSB = 2·(15² + 15²) = 900 with 1 degree of freedom; residuals ±5: MSE = 100.
+  EXPECT_NEAR(FoundNumbers(outcome.findings).value("icc.mean", "rough|ICC3").value(), 0.8, 1e-12);
+  const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                                  [](const auto& one) { return one.name == "reliability_rough"; });
+  ASSERT_NE(asked, outcome.questions.end());
+  EXPECT_THAT(asked->answer.english(),
+              HasSubstr("the first 2 of each of the 2 repeated items are used"));
 }
 
 TEST(RatingReliability, IsThatOfEachParticipantsRepetitions) {

@@ -160,6 +160,15 @@ bool AccompanyingScales::has(const std::string& scale) const {
                      [&scale](const Scale& one) { return one.name == scale; });
 }
 
+std::string AccompanyingScales::groups_text() const {
+  const bool has_correctness = std::any_of(scales_.begin(), scales_.end(), [](const Scale& scale) {
+    return std::any_of(scale.groups.begin(), scale.groups.end(),
+                       [](const Scale::Group& group) { return group.by == "correctness"; });
+  });
+  return has_correctness ? "the trials with correct and over those with incorrect responses"
+                         : "the trials in which the same item was chosen";
+}
+
 void AccompanyingScales::add_tests(StudyTests& tests) const {
   for (const Scale& scale : scales_) {
     const bool has_responses = std::any_of(scale.groups.begin(), scale.groups.end(),

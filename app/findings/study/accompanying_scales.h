@@ -25,6 +25,8 @@ class AccompanyingScales final {
   bool empty() const noexcept { return scales_.empty(); }
   /// Whether the ratings on a scale of this name are among them.
   bool has(const std::string& scale) const;
+  /// "the trials with correct and over those with incorrect responses", in a text for a paper.
+  std::string groups_text() const;
   /// Adds the test `accompanying_scales` of every scale with correct and incorrect responses.
   void add_tests(StudyTests& tests) const;
   /// Adds the table `accompanying`, the findings, and a question for every scale.

@@ -242,6 +242,14 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   }
   add_constructs(gathered, scales, outcome);
   accompanying.report(tests, outcome);
+  if (!accompanying.empty()) {
+    outcome.transformation =
+        (scales.empty() ? std::string()
+                        : "Each participant's ratings of an item were averaged before they were "
+                          "analysed. ") +
+        "Ratings that accompanied another response were averaged for each participant over " +
+        accompanying.groups_text() + " before they were analysed.";
+  }
 }
 
 }  // namespace asperity

@@ -15,12 +15,12 @@ namespace {
 constexpr const char* kComponents = "components";
 constexpr const char* kLoadings = "loadings";
 
-/// The items that were rated on every scale.
+/// The items that were rated on every scale, in their order, which is by value where they are levels of a factor.
 std::vector<std::string> items_on_all(const std::vector<RatedScale>& scales) {
   std::vector<std::string> items = scales.front().items;
   std::erase_if(items, [&scales](const std::string& item) {
     return !std::all_of(scales.begin(), scales.end(), [&item](const RatedScale& scale) {
-      return std::binary_search(scale.items.begin(), scale.items.end(), item);
+      return std::find(scale.items.begin(), scale.items.end(), item) != scale.items.end();
     });
   });
   return items;
@@ -131,10 +131,9 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
   for (const char* const quantity : {"loading", "score"}) {
     for (const Finding* const finding : found.all(quantity)) {
       const auto [low, high] = found.interval(quantity, finding->key);
-      loadings.table.rows.push_back({std::string(quantity),
-                                     finding->key.substr(0, finding->key.rfind('|')),
-                                     component_in(finding->key), cell_of(finding->value), low,
-                                     high});
+      loadings.table.rows.push_back(
+          {std::string(quantity), finding->key.substr(0, finding->key.rfind('|')),
+           component_in(finding->key), cell_of(finding->value), low, high});
     }
   }
   outcome.tables.push_back(std::move(loadings));

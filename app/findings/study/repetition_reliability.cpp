@@ -1,6 +1,7 @@
 #include "app/findings/study/repetition_reliability.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -74,45 +75,84 @@ struct OwnReliability {
   Phrase answer{};
 };
 
+/// The repetitions that all repeated surfaces have: where their numbers differ, the first ones of each.
+class SharedRepetitions final {
+ public:
+  explicit SharedRepetitions(std::span<const RepeatedEstimate> estimates) {
+    for (const RepeatedEstimate& estimate : estimates) {
+      planned_[estimate.surface].insert(estimate.repetition);
+    }
+    all_ = planned_.size();
+    std::erase_if(planned_, [](const auto& surface) { return surface.second.size() < 2; });
+    for (const auto& [surface, repetitions] : planned_) {
+      fewest_ = fewest_ == 0 ? repetitions.size() : std::min(fewest_, repetitions.size());
+      most_ = std::max(most_, repetitions.size());
+    }
+  }
+  /// The surface and the repetition as numbers; nothing for those that are not used.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> place_of(
+      const RepeatedEstimate& estimate) const {
+    const auto surface = planned_.find(estimate.surface);
+    if (surface == planned_.end()) return std::nullopt;
+    const auto repetition = static_cast<std::size_t>(
+        std::distance(surface->second.begin(), surface->second.find(estimate.repetition)));
+    if (repetition >= fewest_) return std::nullopt;
+    return std::pair(static_cast<std::uint32_t>(std::distance(planned_.begin(), surface)),
+                     static_cast<std::uint32_t>(repetition));
+  }
+  std::size_t repetitions() const noexcept { return fewest_; }
+  bool are_all() const noexcept { return planned_.size() == all_ && fewest_ == most_; }
+  /// Which of them are used, where not all are.
+  Phrase with_those_used(const Phrase& answer) const {
+    if (are_all()) return answer;
+    return phrase("Analysis",
+                  "%1 The numbers of repetitions differ: the first %2 of each of the %3 repeated "
+                  "items are used.")
+        .with(answer, std::to_string(fewest_), std::to_string(planned_.size()));
+  }
+
+ private:
+  std::map<std::string, std::set<int>>
+      planned_{};  ///< of the repeated surfaces, over all participants
+  std::size_t all_ = 0;
+  std::size_t fewest_ = 0;
+  std::size_t most_ = 0;
+};
+
 /// The mean over participants of their own ICC3; nothing where no participant has two targets with two repetitions.
 std::optional<OwnReliability> own_reliability(const GatheredAnswers& gathered,
                                               std::span<const RepeatedEstimate> estimates,
                                               const std::string& key, const std::string& what) {
-  std::map<std::string, std::uint32_t> surfaces{};
+  const SharedRepetitions shared(estimates);
   std::vector<Ratings> own(gathered.people.size());
-  std::size_t repetitions = 0;
   for (const RepeatedEstimate& estimate : estimates) {
-    const auto number = static_cast<std::uint32_t>(surfaces.size());
-    const auto surface = surfaces.try_emplace(estimate.surface, number).first;
-    own[estimate.person][{surface->second, static_cast<std::uint32_t>(estimate.repetition)}].add(
-        estimate.value);
+    if (const auto place = shared.place_of(estimate)) {
+      own[estimate.person][*place].add(estimate.value);
+    }
   }
   std::vector<double> correlations{};
   for (const Ratings& ratings : own) {
     const std::vector<Finding> findings = correlations_of(ratings);
     const std::optional<double> icc = FoundNumbers(findings).value("icc", "ICC3");
-    if (!icc) continue;
-    correlations.push_back(*icc);
-    repetitions = std::max(repetitions, repetitions_in(ratings));
+    if (icc) correlations.push_back(*icc);
   }
   if (correlations.empty()) return {};
   FindingList list{};
   // With k repetitions no correlation is below −1/(k − 1).
-  const double least = -1.0 / (static_cast<double>(repetitions) - 1.0);
+  const double least = -1.0 / (static_cast<double>(shared.repetitions()) - 1.0);
   add_mean_of_group("icc.mean", key, correlations,
                     {.possible = ConfidenceInterval{.low = least, .high = 1.0}, .of = what}, list);
   std::vector<Finding> findings = list.take();
   for (Finding& finding : findings) finding.analysis = kReliability;
   const Finding& mean = findings.front();
-  return OwnReliability{
-      .mean = mean,
-      .answer =
-          phrase(
-              "Analysis",
-              "Within-participant reliability of one of the %1 repetitions: %2; N = %3 participants.")
-              .with(std::to_string(repetitions),
-                    correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
-                    std::to_string(mean.n))};
+  return OwnReliability{.mean = mean,
+                        .answer = shared.with_those_used(
+                            phrase("Analysis",
+                                   "Within-participant reliability of one of the %1 repetitions: "
+                                   "%2; N = %3 participants.")
+                                .with(std::to_string(shared.repetitions()),
+                                      correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
+                                      std::to_string(mean.n)))};
 }
 
 }  // namespace
