@@ -53,6 +53,7 @@ UnforcedBootstrap bootstrap_unforced(std::span<const UnforcedBlock> blocks,
   answer.thresholds.resize(asked);
   std::vector<std::vector<double>> thresholds(asked);
   std::vector<double> betas{};
+  std::size_t at_bound = 0;
   for (std::size_t draw = 0; draw < draws; ++draw) {
     std::vector<PsychometricBlock> resampled{};
     for (const UnforcedBlock& block : blocks) {
@@ -69,13 +70,17 @@ UnforcedBootstrap bootstrap_unforced(std::span<const UnforcedBlock> blocks,
     if (!maximum.increases || !has_all) continue;
     for (std::size_t i = 0; i < asked; ++i) thresholds[i].push_back(of_draw[i]);
     betas.push_back(maximum.function.beta);
+    if (maximum.beta_at_bound) ++at_bound;
   }
   answer.valid = betas.size();
   if (2 * answer.valid < draws || betas.empty()) return answer;
   for (std::size_t i = 0; i < asked; ++i) {
     answer.thresholds[i] = percentiles(thresholds[i], question.confidence);
   }
-  answer.beta = percentiles(betas, question.confidence);
+  const double outside = 0.5 * (1.0 - question.confidence);
+  if (static_cast<double>(at_bound) <= outside * static_cast<double>(betas.size())) {
+    answer.beta = percentiles(betas, question.confidence);
+  }
   return answer;
 }
 

@@ -36,6 +36,7 @@ struct UnforcedBootstrap {
   std::size_t valid = 0;  ///< draws with all thresholds
   /// Percentile intervals over the valid draws; empty for fewer than half of the draws.
   std::vector<std::optional<ConfidenceInterval>> thresholds{};  ///< by performance
+  /// Empty also where the slope of more than half of 1 − confidence of these draws is at its bound, which would be the limit.
   std::optional<ConfidenceInterval> beta{};
 };
 

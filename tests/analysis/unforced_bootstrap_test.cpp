@@ -69,6 +69,20 @@ TEST(UnforcedBootstrap, IsNarrowerWhereGuessesAreReplaced) {
             0.9 * (forced_threshold->high - forced_threshold->low));
 }
 
+// All draws of a step have the slope of the bound, which is no limit of a slope.
+TEST(UnforcedBootstrap, HasNoIntervalOfASlopeAtItsBound) {
+  const std::vector<UnforcedBlock> step{{.x = 1.0, .misses = 20},
+                                        {.x = 2.0, .misses = 20},
+                                        {.x = 3.0, .hits = 20},
+                                        {.x = 4.0, .hits = 20}};
+  const UnforcedQuestion question{
+      .model = {.shape = PsychometricShape::normal, .gamma = 0.02, .lambda = 0.02},
+      .performances = {0.5}};
+  const UnforcedBootstrap bootstrap = bootstrap_unforced(step, 2, question, 20);
+  EXPECT_GT(bootstrap.valid, 0U);
+  EXPECT_FALSE(bootstrap.beta);
+}
+
 TEST(UnforcedBootstrap, HasTheSameIntervalsForSeveralPerformancesAsForEach) {
   const std::vector<double> performances{0.75, 0.9};
   const UnforcedBootstrap both = bootstrap_unforced(

@@ -199,8 +199,8 @@ TEST(CatchTrialsByType, CountAChoiceWithoutASignalAsAnError) {
   EXPECT_THAT(table.note.english(), HasSubstr("Every choice is a false alarm"));
   EXPECT_THAT(thresholds_sentence(outcome).text,
               HasSubstr("Of 1 response in easy catch trials, 1 was correct. In 3 catch trials "
-                        "without a signal, there was 1 response other than “cannot tell”, "
-                        "including missed deadlines."));
+                        "without a signal, there was 1 response other than “cannot tell” "
+                        "(a missed deadline would count as one)."));
 }
 
 }  // namespace

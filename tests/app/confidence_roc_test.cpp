@@ -163,6 +163,19 @@ TEST(ConfidenceRoc, HasATableAndAnAnswer) {
   EXPECT_EQ(table.rows.front().front(), Cell{std::string("all participants")});
   EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("55 µm: A_z = 0.7"));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("test of equal variances χ²(1) = "));
+  EXPECT_THAT(answer_to(outcome, "confidence_roc"),
+              HasSubstr("exploratory and uncorrected, and treat the responses of all participants "
+                        "as independent"));
+}
+
+// All trials with a signal have the highest rating: DeLong's standard error lacks one of its two parts.
+TEST(ConfidenceRoc, HasNoIntervalWhereAllSignalsHaveOneRating) {
+  const std::vector<Finding> roc = part_of(
+      outcome_with_confidence(yes_no_task(), {.mean = 20.0, .deviation = 1.0}), "confidence_roc");
+  const Finding* const area = FoundNumbers(roc).find("auc", kLevelOfRoc);
+  ASSERT_TRUE(area != nullptr && area->value);
+  EXPECT_FALSE(area->low);
+  EXPECT_THAT(area->method, HasSubstr("; without an interval"));
 }
 
 TEST(ConfidenceRoc, DistinguishesAParticipantWithTheLabelAllFromAllParticipants) {

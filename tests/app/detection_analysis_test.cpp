@@ -66,13 +66,15 @@ MadeUpTrial detected(const DiscriminationDesign& design, const DesignTrial& type
 using YesAt = double (*)(const DetectionFunction& observer, double x_m);
 double as_modelled(const DetectionFunction& observer, double x_m) { return observer.value(x_m); }
 double as_step(const DetectionFunction&, double x_m) { return x_m > 0.0 ? 1.0 : 0.0; }
+double as_reversed(const DetectionFunction&, double x_m) { return x_m > 0.0 ? 0.0 : 1.0; }
 double as_never(const DetectionFunction&, double) { return 0.0; }
 double as_always(const DetectionFunction&, double) { return 1.0; }
 double as_coin(const DetectionFunction&, double) { return 0.5; }
 
 AnalysisOutcome outcome_of_detections(
     const DiscriminationDesign& design, YesAt yes_at, int people, int rounds,
-    const DetectionJson& analysis = DetectionJson::parse(R"({"family": ["order"]})")) {
+    const DetectionJson& analysis = DetectionJson::parse(R"({"family": ["order"]})"),
+    YesAt of_every_other = nullptr) {
   const DetectionFunction observer{
       .task = design.surfaces() == 1 ? DetectionTask::yes_no : DetectionTask::same_different,
       .alpha = 10e-6,
@@ -89,7 +91,9 @@ AnalysisOutcome outcome_of_detections(
     for (int round = 0; round < rounds; ++round) {
       for (const double difference_m : kDifferences_m) {
         for (const DesignTrial& type : design.trials) {
-          const double p = yes_at(observer, type.is_signal ? difference_m : 0.0);
+          const bool is_other = of_every_other != nullptr && person % 2 == 1;
+          const double p =
+              (is_other ? of_every_other : yes_at)(observer, type.is_signal ? difference_m : 0.0);
           trials.push_back(detected(design, type, kStandardOfDetections_m + difference_m,
                                     static_cast<double>(random()) / 4294967296.0 < p));
         }
@@ -208,6 +212,53 @@ TEST(DetectionAnalysis, StatesThatAMeanSensitivityAtTheCeilingIsALowerBound) {
   const AnalysisOutcome other = outcome_of_detections(yes_no_task(), as_coin, 7, 10);
   EXPECT_THAT(answer_of(other, "sensitivity"), Not(HasSubstr("ceiling")));
   EXPECT_TRUE(FoundNumbers(other.findings).all("dprime.mean").front()->low);
+}
+
+// Without a correction, the d′ of those who respond "yes" only without a signal is −∞.
+TEST(DetectionAnalysis, StatesThatAMeanSensitivityAtTheFloorIsNoLowerBound) {
+  const AnalysisOutcome reversed = outcome_of_detections(yes_no_task(), as_reversed, 6, 10);
+  EXPECT_THAT(answer_of(reversed, "sensitivity"), HasSubstr("(at most; floor: 6 of 6 "));
+  EXPECT_THAT(answer_of(reversed, "sensitivity"), HasSubstr("is an upper bound and has no CI"));
+  EXPECT_THAT(answer_of(reversed, "sensitivity"), Not(HasSubstr("at least")));
+  const AnalysisOutcome both = outcome_of_detections(
+      yes_no_task(), as_step, 6, 10, DetectionJson::parse(R"({"family": ["order"]})"), as_reversed);
+  EXPECT_THAT(answer_of(both, "sensitivity"),
+              HasSubstr("(ceiling: 3, floor: 3 of 6 participants)"));
+  EXPECT_THAT(answer_of(both, "sensitivity"),
+              HasSubstr("is neither a lower nor an upper bound, and has no CI"));
+  for (const Finding* const mean : FoundNumbers(both.findings).all("dprime.mean")) {
+    EXPECT_FALSE(mean->low) << mean->key;
+    EXPECT_THAT(mean->method, HasSubstr("not a bound: d′ of 6 of 6 participants"));
+  }
+}
+
+// The differencing rule has no negative d′: that of a guessing participant is 0 or greater by chance.
+TEST(DetectionAnalysis, StatesThatMeansOfSmallSensitivitiesAreTooHigh) {
+  const AnalysisOutcome guesses = outcome_of_detections(same_different_task(), as_coin, 7, 10);
+  const std::string answer = answer_of(guesses, "sensitivity");
+  EXPECT_THAT(answer,
+              HasSubstr("means of small d′ are too high. Participants with d′ = 0: 54 µm: "));
+  for (const Finding& finding : guesses.findings) {
+    if (finding.quantity != "dprime.diff.loglinear" || !finding.low) continue;
+    EXPECT_GE(*finding.low, 0.0) << finding.key;
+  }
+  EXPECT_THAT(answer_of(outcome_of_detections(yes_no_task(), as_coin, 7, 10), "sensitivity"),
+              Not(HasSubstr("too high")));
+}
+
+TEST(DetectionAnalysis, StatesHowManyThresholdsCouldNotBeEstimated) {
+  const AnalysisOutcome outcome =
+      outcome_of_detections(yes_no_task(), as_modelled, 6, 20,
+                            DetectionJson::parse(R"({"family": ["order"]})"), as_always);
+  EXPECT_THAT(answer_of(outcome, "threshold"), HasSubstr("Not estimated: 3 of 6 participants ("));
+  EXPECT_THAT(table_of(outcome, "mean_thresholds")->note.english(),
+              HasSubstr("JND at d′ = 1: 3 of 6 thresholds could not be estimated ("));
+}
+
+TEST(DetectionAnalysis, StatesWhichPairsHaveADifferenceOfZero) {
+  const AnalysisOutcome outcome = outcome_of_detections(same_different_task(), as_coin, 2, 10);
+  EXPECT_THAT(table_of(outcome, "psychometric")->note.english(),
+              HasSubstr("two standards, or two comparisons of any level"));
 }
 
 TEST(DetectionAnalysis, HasNoThresholdOfAnObserverWithoutErrors) {

@@ -100,6 +100,15 @@ TEST_F(Pairs, AreTestedByTheParticipants) {
   EXPECT_THAT(paired_question(outcome, "pairs").answer.english(), HasSubstr("a / b"));
 }
 
+// a wins 11 of its 12 comparisons, and all of those with b.
+TEST_F(Pairs, AreStatedWithTheMeansOfTheirOwnComparisons) {
+  const AnalysisOutcome outcome = outcome_of_pairs(made_);
+  const auto sentence = std::find_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
+                                     [](const TestSentence& each) { return each.about == "a|b"; });
+  ASSERT_NE(sentence, outcome.test_sentences.end());
+  EXPECT_THAT(sentence->text, testing::ContainsRegex("means: 100 %.* for a and 0 %.* for b"));
+}
+
 TEST_F(Pairs, HaveCircularTriadsAndZetaForEveryParticipant) {
   const AnalysisOutcome outcome = outcome_of_pairs(made_);
   const Table& table = paired_table(outcome, "consistency").table;

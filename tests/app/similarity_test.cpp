@@ -15,6 +15,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/estimate_sentences.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -68,6 +69,8 @@ struct RatedStudyOptions {
   bool only_first_pair = false;
   /// Two halves of the items: all pairs between them are rated higher than all within them.
   bool two_clusters = false;
+  /// The first half of the items: their pairs are rated lower than all others, without a structure.
+  bool one_cluster = false;
 };
 
 AnalysisOutcome outcome_of_ratings(const RatedStudyOptions& options) {
@@ -92,6 +95,17 @@ AnalysisOutcome outcome_of_ratings(const RatedStudyOptions& options) {
           const int draw = deviation * 37 + person * 13;
           const int rating = (i < half) == (j < half) ? 20 + draw % 23 : 75 + draw % 19;
           trials.push_back(rated(first, second, rating));
+          continue;
+        }
+        if (options.one_cluster && j < options.items / 2) {
+          trials.push_back(rated(first, second, 20 + (++deviation * 37 + person * 13) % 23));
+          continue;
+        }
+        if (options.one_cluster) {
+          // From the cluster, which has one position.
+          const PlantedItem& from = i < options.items / 2 ? kPlantedItems[0] : first;
+          const double far = 40.0 + rating_of(from, second, person, ++deviation);
+          trials.push_back(rated(first, second, far));
           continue;
         }
         trials.push_back(
@@ -210,6 +224,29 @@ TEST(RatedDissimilarities, WarnOfADegenerateConfiguration) {
   const AnalysisOutcome clusters = outcome_of_ratings({.items = 10, .two_clusters = true});
   EXPECT_LT(FoundNumbers(clusters.findings).value("stress.ordinal", "2").value(), 0.001);
   EXPECT_THAT(remarks_of(clusters), HasSubstr("The configuration is degenerate"));
+}
+
+TEST(RatedDissimilarities, WarnWhereAPartOfTheItemsLiesOnOnePoint) {
+  const AnalysisOutcome cluster = outcome_of_ratings({.items = 10, .one_cluster = true});
+  EXPECT_THAT(remarks_of(cluster), Not(HasSubstr("The configuration is degenerate")));
+  EXPECT_THAT(remarks_of(cluster),
+              HasSubstr("The configuration is partly degenerate: 5 items lie on one point (brick, "
+                        "cork, felt, metal and oak), and their mean dissimilarities are 2"));
+  EXPECT_THAT(answer_about_configuration(cluster), HasSubstr("not evidence of a good fit"));
+  const std::string paper = estimate_sentence(cluster).text;
+  EXPECT_THAT(paper, HasSubstr("5 items lie on one point"));
+  EXPECT_THAT(paper, testing::ContainsRegex("^The configuration in [2-5] dimensions had a "));
+}
+
+// The items are permuted, not responses.
+TEST(RatedDissimilarities, AreNotPooledInTheTestOfAProperty) {
+  const AnalysisOutcome outcome = outcome_of_ratings({});
+  const auto sentence =
+      std::find_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
+                   [](const TestSentence& each) { return each.test == "properties"; });
+  ASSERT_NE(sentence, outcome.test_sentences.end());
+  EXPECT_THAT(sentence->text, HasSubstr("n = 6 items"));
+  EXPECT_THAT(sentence->text, Not(HasSubstr("pooled")));
 }
 
 TEST(RatedDissimilarities, StateWhyThereIsNoConfiguration) {

@@ -133,14 +133,25 @@ void add_choice_sensitivity(const GatheredAnswers& gathered,
     const DiscriminationDesign& design = *results.study.task.design;
     if (!design.is_choice_of_three() || results.study.has_levels_of_procedure) continue;
     const CorrectByLevel correct = correct_by_level(results.study);
-    CeilingOfLevels levels{};
+    UnboundedAtLevels levels{};
     for (const auto& [place, count] : correct) {
-      ParticipantsAtCeiling& of = levels[{std::get<std::size_t>(place), std::get<double>(place)}];
+      UnboundedParticipants& of = levels[{std::get<std::size_t>(place), std::get<double>(place)}];
       ++of.participants;
       of.at_ceiling += count.hits == count.trials ? 1 : 0;
+      // By the rule of the odd one d′ is never negative.
+      of.at_floor += !design.asks_for_odd_one && count.hits == 0 ? 1 : 0;
     }
     std::vector<Finding> findings = sensitivities_of_choices(gathered, results, correct);
-    mark_lower_bounds(results, levels, findings);
+    if (design.asks_for_odd_one) {
+      const FoundNumbers own(findings);
+      for (const auto& [place, count] : correct) {
+        const auto& [condition, value, person] = place;
+        const std::string key =
+            both(id_of_level(results, {condition, value}), gathered.people[person].label);
+        if (own.value("dprime.with.guess", key) == 0.0) ++levels[{condition, value}].at_zero;
+      }
+    }
+    mark_bounds(results, levels, findings);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     add_rows(gathered, results, correct, found, choices.table);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -122,6 +123,47 @@ std::vector<Finding> roc_of(const GatheredAnswers& gathered, const Discriminatio
   return findings;
 }
 
+/// Whether all trials of one kind have the same rating.
+bool has_single_category(const std::map<double, RatingCount>& ratings) {
+  std::size_t of_signal = 0;
+  std::size_t of_noise = 0;
+  for (const auto& [rating, count] : ratings) {
+    of_signal += count.signal > 0 ? 1 : 0;
+    of_noise += count.noise > 0 ? 1 : 0;
+  }
+  return of_signal < 2 || of_noise < 2;
+}
+
+/// DeLong's standard error is 0, or lacks one of its two parts.
+void drop_degenerate_intervals(const GatheredAnswers& gathered,
+                               const DiscriminationResults& results, const RatedLevels& levels,
+                               std::vector<Finding>& findings) {
+  std::set<std::string> degenerate{};
+  for (const auto& [place, level] : levels) {
+    const std::string id = id_of_rated(results, place);
+    std::map<double, RatingCount> together{};
+    for (const auto& [person, ratings] : level) {
+      for (const auto& [rating, count] : ratings) {
+        together[rating].signal += count.signal;
+        together[rating].noise += count.noise;
+      }
+      if (has_single_category(ratings)) {
+        degenerate.insert(both(id, gathered.people[person].label));
+      }
+    }
+    if (has_single_category(together)) degenerate.insert(id);
+  }
+  for (Finding& finding : findings) {
+    if (finding.quantity != "auc" || !finding.low) continue;
+    const bool is_at_end = finding.value == 0.0 || finding.value == 1.0;
+    if (!is_at_end && !degenerate.contains(finding.key)) continue;
+    finding.low.reset();
+    finding.high.reset();
+    finding.confidence.reset();
+    finding.method += "; without an interval, because DeLong's standard error is 0 or too small";
+  }
+}
+
 void add_row(const DiscriminationResults& results, const std::pair<std::size_t, double>& place,
              const std::string& participant, const std::string& key, const FoundNumbers& found,
              Table& table) {
@@ -183,7 +225,10 @@ void ask_roc(const DiscriminationResults& results, const RatedLevels& levels,
           ? phrase("Analysis",
                    "It could not be estimated: signal and noise trials share too few "
                    "categories of response and confidence.")
-          : phrase("Analysis", "ROC by the %1 of the comparison, over all participants: %2.")
+          : phrase("Analysis",
+                   "ROC by the %1 of the comparison, over all participants: %2. The tests of equal "
+                   "variances are exploratory and uncorrected, and treat the responses of all "
+                   "participants as independent.")
                 .with(words_of_parameter(results.study.task.varied.parameter), text),
       phrase("Analysis",
              "Normal model with unequal variances of the categories of response and confidence, by "
@@ -199,7 +244,10 @@ Phrase note_on_roc(const std::vector<DiscriminationResults>& all) {
       "Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI "
       "[DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of "
       "the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal "
-      "variances. The rows of all participants assume equal criteria of the participants.");
+      "variances, exploratory and uncorrected; all responses are treated as independent. The rows "
+      "of all participants assume equal criteria of the participants. There is no CI of an area of "
+      "0 or 1, and none where all trials with a signal, or all without one, have the same rating, "
+      "because DeLong’s standard error is then 0 or too small.");
   const auto add = [&note](const Phrase& sentence) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };
@@ -242,7 +290,8 @@ void add_confidence_roc(const GatheredAnswers& gathered,
     }
     const RatedLevels levels = rated_levels(results.study);
     if (levels.empty()) continue;
-    const std::vector<Finding> findings = roc_of(gathered, results, levels);
+    std::vector<Finding> findings = roc_of(gathered, results, levels);
+    drop_degenerate_intervals(gathered, results, levels, findings);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     for (const auto& [place, level] : levels) {

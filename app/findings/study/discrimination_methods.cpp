@@ -232,7 +232,8 @@ std::string sensitivity_methods(const std::vector<const Block*>& blocks,
          "normal model with unequal variances was fitted by maximum likelihood over the responses "
          "of all participants [Dorfman 1969]. A_z is the area under its ROC, and d_a the "
          "difference between the means divided by the root mean square of the standard deviations "
-         "[Simpson 1973]; equal variances were tested by a likelihood ratio.";
+         "[Simpson 1973]; equal variances were tested by a likelihood ratio, in exploratory and "
+         "uncorrected tests that treat all responses as independent.";
 }
 
 }  // namespace

@@ -223,7 +223,11 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
                    .with(answer, about, words_of_cell("status", test->status));
     }
     if (!test->p) continue;
-    answer = (test->is_significant()
+    // An exploratory test is stated without a conclusion.
+    answer = (!test->adjusted
+                  ? phrase("Analysis",
+                           "%1 Exploratory test of the difference from the standard, %2: %3.")
+              : test->shows()
                   ? phrase("Analysis", "%1 Significantly different from the standard, %2: %3.")
                   : phrase("Analysis", "%1 Not significantly different from the standard, %2: %3."))
                  .with(answer, about, p_text(*test));
@@ -580,7 +584,7 @@ std::string catch_sentence_of(CatchType type, const Table& table) {
   if (others == 0.0) return trials + "every response was “cannot tell”.";
   return trials + (others == 1.0 ? "there was " : "there were ") + whole(others) +
          (others == 1.0 ? " response" : " responses") +
-         " other than “cannot tell”, including missed deadlines" +
+         " other than “cannot tell” (a missed deadline would count as one)" +
          range_over_participants(caught, true) + '.';
 }
 

@@ -209,6 +209,11 @@ Phrase note_on_sensitivity(const std::vector<DiscriminationResults>& all,
   add(phrase("Analysis",
              "d′ is computed with the log-linear correction of the proportions [Hautus 1995], its "
              "95 % CI by the delta method."));
+  if (designs.contains("same_different")) {
+    add(phrase("Analysis",
+               "Same–different: there is no CI of d′ where it would contain negative values, which "
+               "d′ cannot have by these rules."));
+  }
   if (of_correction > 0) {
     add(phrase("Analysis",
                "Rows in which the hit rate and the false-alarm rate are both 0 or both 1, with "
@@ -228,8 +233,16 @@ bool is_at_ceiling(const DetectionCounts& counts) {
   return has_all_hits || (noise.hits == 0 && signal.hits > 0);
 }
 
+/// Whether it would be negative and infinite. Same–different has no negative d′.
+bool is_at_floor(const DetectionCounts& counts, const DiscriminationDesign& design) {
+  if (named_design(design).id == "same_different") return false;
+  const auto& [signal, noise] = counts;
+  const bool has_all_false_alarms = noise.hits == noise.trials && signal.hits < signal.trials;
+  return has_all_false_alarms || (signal.hits == 0 && noise.hits > 0);
+}
+
 /// "7.5 µm: 1.2 (95 % CI [0.9, 1.5])", for all conditions and levels.
-Phrase mean_sensitivities(const DiscriminationResults& results, const CeilingOfLevels& levels,
+Phrase mean_sensitivities(const DiscriminationResults& results, const UnboundedAtLevels& levels,
                           const FoundNumbers& found) {
   Phrase all{};
   for (const auto& [place, of] : levels) {
@@ -242,10 +255,7 @@ Phrase mean_sensitivities(const DiscriminationResults& results, const CeilingOfL
       one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
                 .with(one, reading_number(*mean->low), reading_number(*mean->high));
     }
-    if (of.at_ceiling > 0) {
-      one = phrase("Analysis", "%1 (at least; ceiling: %2 of %3 participants)")
-                .with(one, std::to_string(of.at_ceiling), std::to_string(of.participants));
-    }
+    if (of.is_any()) one = with_bound(one, of);
     if (results.conditions.size() > 1) {
       one = phrase("Analysis", "%1, %2")
                 .with(words_of_condition(results.conditions[place.first]), one);
@@ -255,51 +265,55 @@ Phrase mean_sensitivities(const DiscriminationResults& results, const CeilingOfL
   return all;
 }
 
+/// The delta method has no valid limits where d′ is near 0 and cannot be negative.
+void drop_impossible_intervals(const DiscriminationDesign& design, std::vector<Finding>& findings) {
+  if (named_design(design).id != "same_different") return;
+  for (Finding& finding : findings) {
+    if (!finding.quantity.starts_with("dprime.") || !finding.low || *finding.low >= 0.0) continue;
+    finding.low.reset();
+    finding.high.reset();
+    finding.confidence.reset();
+    finding.method +=
+        "; without an interval, because that of the delta method contains negative values, which "
+        "d′ cannot have by this rule";
+  }
+}
+
+void count_zeros(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                 const std::vector<CountsAtLevel>& levels, const FoundNumbers& found,
+                 UnboundedAtLevels& places) {
+  const NamedDesign& named = named_design(*results.study.task.design);
+  if (named.id != "same_different") return;
+  for (const CountsAtLevel& level : levels) {
+    const std::string key = both(id_of(results, level), gathered.people[level.person].label);
+    if (found.value(named.dprime, key) == 0.0) ++places[{level.condition, level.value}].at_zero;
+  }
+}
+
+/// Participants and levels with trials of which one kind is missing, so that there is no d′.
+std::size_t levels_without_noise(const DiscriminationStudy& study, std::size_t with_both) {
+  std::set<std::tuple<std::size_t, double, std::uint32_t>> all{};
+  for (const DiscriminationTrial& trial : study.trials) {
+    if (trial.is_signal) all.emplace(trial.condition, trial.value, trial.person);
+  }
+  return all.size() - std::min(all.size(), with_both);
+}
+
 }  // namespace
 
 std::string_view name_in_family(const DiscriminationDesign& design) {
   return named_design(design).in_family;
 }
 
-std::string id_of_level(const DiscriminationResults& results,
-                        const std::pair<std::size_t, double>& place) {
-  return both(results.conditions[place.first], number_text(place.second));
-}
-
-void mark_lower_bounds(const DiscriminationResults& results, const CeilingOfLevels& levels,
-                       std::vector<Finding>& findings) {
-  std::map<std::string, ParticipantsAtCeiling> by_id{};
-  for (const auto& [place, of] : levels) {
-    if (of.at_ceiling > 0) by_id[id_of_level(results, place)] = of;
-  }
-  for (Finding& finding : findings) {
-    const auto of = by_id.find(finding.key);
-    if (finding.quantity != "dprime.mean" || of == by_id.end()) continue;
-    finding.low.reset();
-    finding.high.reset();
-    finding.confidence.reset();
-    finding.method += "; a lower bound without an interval: d′ of " +
-                      std::to_string(of->second.at_ceiling) + " of " +
-                      std::to_string(of->second.participants) +
-                      " participants depends on their numbers of trials, because a proportion is "
-                      "0 or 1";
-  }
-}
-
-void ask_mean_sensitivity(const DiscriminationResults& results, const CeilingOfLevels& levels,
+void ask_mean_sensitivity(const DiscriminationResults& results, const UnboundedAtLevels& levels,
                           const FoundNumbers& found, const MeanSensitivity& mean,
                           AnalysisOutcome& outcome) {
   const Phrase means = mean_sensitivities(results, levels, found);
   if (means.empty()) return;
-  Phrase answer = phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
-                      .with(words_of_parameter(results.study.task.varied.parameter), means);
-  if (std::any_of(levels.begin(), levels.end(),
-                  [](const auto& each) { return each.second.at_ceiling > 0; })) {
-    answer = phrase("Analysis",
-                    "%1 Ceiling: a proportion is 0 or 1, so that d′ of these participants depends "
-                    "on their numbers of trials; the mean is a lower bound and has no CI.")
-                 .with(answer);
-  }
+  const Phrase answer =
+      explained_bounds(phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
+                           .with(words_of_parameter(results.study.task.varied.parameter), means),
+                       levels, results.study.task.varied.unit);
   const std::string name =
       results.name.empty() ? kSensitivity : std::string(kSensitivity) + ':' + results.name;
   add_question(outcome, name.c_str(),
@@ -325,6 +339,7 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
                           "Responses “different” to every pair of surfaces, in the order of "
                           "presentation (side by side: A, B), over all levels together.")};
   std::size_t of_correction = 0;
+  std::size_t without_noise = 0;
   for (const DiscriminationResults& results : all) {
     if (!is_shown(results)) continue;
     const std::vector<CountsAtLevel> levels = counts_by_level(results.study);
@@ -332,14 +347,18 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
     of_correction += static_cast<std::size_t>(std::count_if(
         levels.begin(), levels.end(),
         [](const CountsAtLevel& level) { return has_sensitivity_of_correction(level.counts); }));
-    CeilingOfLevels places{};
+    UnboundedAtLevels places{};
     for (const CountsAtLevel& level : levels) {
-      ParticipantsAtCeiling& of = places[{level.condition, level.value}];
+      UnboundedParticipants& of = places[{level.condition, level.value}];
       ++of.participants;
       of.at_ceiling += is_at_ceiling(level.counts) ? 1 : 0;
+      of.at_floor += is_at_floor(level.counts, *results.study.task.design) ? 1 : 0;
     }
     std::vector<Finding> findings = sensitivity_of(gathered, results, levels);
-    mark_lower_bounds(results, places, findings);
+    drop_impossible_intervals(*results.study.task.design, findings);
+    count_zeros(gathered, results, levels, FoundNumbers(findings), places);
+    without_noise += levels_without_noise(results.study, levels.size());
+    mark_bounds(results, places, findings);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     add_level_rows(gathered, results, levels, found, sensitivity.table);
@@ -356,6 +375,14 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
   }
   if (sensitivity.table.rows.empty()) return;
   sensitivity.note = note_on_sensitivity(all, of_correction);
+  if (without_noise > 0) {
+    sensitivity.note =
+        phrase("Analysis",
+               "%1 Participants and levels without a row: %2, because all of their trials at the "
+               "level had the comparison in the same position, or there were no trials without a "
+               "signal.")
+            .with(sensitivity.note, std::to_string(without_noise));
+  }
   drop_empty_columns(sensitivity.table, 2);
   outcome.tables.push_back(std::move(sensitivity));
   if (!pairs.table.rows.empty()) outcome.tables.push_back(std::move(pairs));

@@ -12,6 +12,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/discrimination_results.h"
+#include "app/findings/study/sensitivity_bounds.h"
 
 namespace asperity {
 
@@ -19,32 +20,15 @@ namespace asperity {
 inline constexpr const char* kSensitivity = "sensitivity";
 inline constexpr const char* kResponsesByPair = "responses_by_pair";
 
-/// The participants with trials at a level, and those at the ceiling of d′: without a correction it would be infinite (each
-/// response to a signal is a hit, or none without a signal is a false alarm), so that it depends on the number of trials.
-struct ParticipantsAtCeiling {
-  std::size_t participants = 0;
-  std::size_t at_ceiling = 0;
-};
-/// By condition of DiscriminationResults and value of the parameter.
-using CeilingOfLevels = std::map<std::pair<std::size_t, double>, ParticipantsAtCeiling>;
-/// Removes the interval of every mean d′ (`dprime.mean`) that includes a participant at the ceiling: the mean is a lower bound,
-/// as its method then states.
-void mark_lower_bounds(const DiscriminationResults& results, const CeilingOfLevels& levels,
-                       std::vector<Finding>& findings);
-
 /// The name in the family `dprime` of a design that is not a choice of three.
 std::string_view name_in_family(const DiscriminationDesign& design);
-
-/// The id of a level in the family `dprime`: "wood|7.5e-05".
-std::string id_of_level(const DiscriminationResults& results,
-                        const std::pair<std::size_t, double>& place);
 
 struct MeanSensitivity {
   const char* table = "";  ///< with d′ of the participants
   Phrase method{};
 };
 /// Adds the question about the mean d′ at each level, from the findings `dprime.mean`. Nothing without such a mean.
-void ask_mean_sensitivity(const DiscriminationResults& results, const CeilingOfLevels& levels,
+void ask_mean_sensitivity(const DiscriminationResults& results, const UnboundedAtLevels& levels,
                           const FoundNumbers& found, const MeanSensitivity& mean,
                           AnalysisOutcome& outcome);
 

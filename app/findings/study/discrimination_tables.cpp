@@ -17,6 +17,8 @@
 #include "app/findings/study/detection_thresholds.h"
 #include "app/findings/study/discrimination_coverage.h"
 #include "app/findings/study/discrimination_sensitivity.h"
+#include "app/findings/study/left_out_thresholds.h"
+#include "app/findings/study/missing_threshold.h"
 #include "app/findings/study/unforced_functions.h"
 
 namespace asperity {
@@ -48,6 +50,15 @@ Cell reasons_cell(const std::vector<MissingMeasure>& missing) {
   return text_or_none(text);
 }
 
+/// Whether the slope is at the bound of the fit, so that its thresholds have no interval; that of a procedure has limits.
+bool is_without_interval_at_bound(const DiscriminationResults& results,
+                                  const DiscriminationResults::Function& function,
+                                  const FoundNumbers& functions) {
+  const Finding* const at_bound = functions.find("bound.beta", function.data.key);
+  const bool has_limits = results.study.task.is_performance && function.data.by_procedure;
+  return !has_limits && at_bound != nullptr && at_bound->word == "TRUE";
+}
+
 void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
                         Table& table) {
   const FoundNumbers thresholds(results.fit.thresholds);
@@ -66,9 +77,7 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
       if (finding != nullptr && !finding->value) missing.push_back({column.column, finding->word});
     }
     Cell why = reasons_cell(missing);
-    const Finding* const at_bound = functions.find("bound.beta", key);
-    const bool has_limits = results.study.task.is_performance && function.data.by_procedure;
-    if (why == Cell{} && !has_limits && at_bound != nullptr && at_bound->word == "TRUE") {
+    if (why == Cell{} && is_without_interval_at_bound(results, function, functions)) {
       why = std::string("slope_at_bound");  // and therefore without an interval
     }
     const Finding* const at_unit = thresholds.find("jnd.dprime1", key);
@@ -349,9 +358,12 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
                "of fit of these functions is not tested."));
   }
   if (shown.has_resamples) {
-    add(phrase("Analysis",
-               "95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of "
-               "each level being resampled %1 times and split again.")
+    add(phrase(
+            "Analysis",
+            "95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of "
+            "each level being resampled %1 times and split again. There is no CI of the slope and "
+            "the JND where the slope of more than 2.5 % of the resampled functions is at the "
+            "bound of the fit, which would be its limit.")
             .with(std::to_string(kUnforcedResamples)));
   }
   if (shown.has_unforced_jnd) add(note_on_unforced_jnd());
@@ -392,10 +404,17 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
                "with few trials per level."));
   }
   std::vector<Phrase> reasons{};
+  const auto add_reason = [&reasons](const Phrase& reason) {
+    if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
+      reasons.push_back(reason);
+    }
+  };
   for (const DiscriminationResults& results : all) {
-    for (const Phrase& reason : results.fit.reasons) {
-      if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
-        reasons.push_back(reason);
+    for (const Phrase& reason : results.fit.reasons) add_reason(reason);
+    const FoundNumbers functions(results.fit.functions);
+    for (const auto& function : results.functions) {
+      if (is_without_interval_at_bound(results, function, functions)) {
+        add_reason(slope_at_bound().sentence);
       }
     }
   }
@@ -419,12 +438,15 @@ Phrase note_on_means(const std::vector<DiscriminationResults>& all) {
   const Phrase means = phrase("Analysis",
                               "Means over the participants whose threshold could be estimated, "
                               "with t-based 95 % CIs.");
-  if (!has_geometric) return means;
-  return phrase("Analysis", "%1 %2")
-      .with(means, phrase("Analysis",
-                          "The CIs of geometric means are computed on the logarithmic scale and "
-                          "contain no negative numbers; the CIs of arithmetic means can contain "
-                          "them if the participants differ greatly."));
+  if (!has_geometric) return with_left_out_means(means, all);
+  const Phrase note =
+      phrase("Analysis", "%1 %2")
+          .with(means,
+                phrase("Analysis",
+                       "The CIs of geometric means are computed on the logarithmic scale and "
+                       "contain no negative numbers; the CIs of arithmetic means can contain "
+                       "them if the participants differ greatly."));
+  return with_left_out_means(note, all);
 }
 
 Phrase note_on_hits_of(const DiscriminationStudy& study) {
@@ -434,7 +456,8 @@ Phrase note_on_hits_of(const DiscriminationStudy& study) {
                         "Hits are responses “yes”; those at a difference of 0 are false alarms.")
                : phrase("Analysis",
                         "Hits are responses “different”; those at a difference of 0 are false "
-                        "alarms.");
+                        "alarms, to all pairs of equal surfaces: two standards, or two comparisons "
+                        "of any level.");
   }
   if (study.task.is_performance) return phrase("Analysis", "Hits are correct responses.");
   return study.counts_standard

@@ -78,10 +78,13 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
 }
 
 void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
-  const auto text_of = [&](const std::vector<std::string>& items) {
+  const auto text_of = [&](const std::vector<std::string>& items, bool is_pair) {
     std::vector<std::string> parts{};
     for (const std::string& item : items) {
-      const std::string key = means.scale.empty() ? item : means.scale + '|' + item;
+      std::string key = means.scale.empty() ? item : means.scale + '|' + item;
+      if (is_pair && means.within_pairs) {
+        key += '|' + (item == items.front() ? items.back() : items.front());
+      }
       const auto found = std::find_if(
           outcome.findings.begin(), outcome.findings.end(), [&](const Finding& finding) {
             return finding.analysis == means.analysis && finding.quantity == means.quantity &&
@@ -93,19 +96,19 @@ void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
     return "means: " + listed(parts);
   };
   const auto state = [&](const std::string& test, const std::string& about,
-                         const std::vector<std::string>& items) {
-    const std::string text = text_of(items);
+                         const std::vector<std::string>& items, bool is_pair) {
+    const std::string text = text_of(items, is_pair);
     if (!text.empty()) state_means(outcome, test, text, about);
   };
-  for (const std::string& test : means.tests) state(test, means.scale, means.items);
+  for (const std::string& test : means.tests) state(test, means.scale, means.items, false);
   for (const std::string& test : means.tests_of_pairs) {
     for (std::size_t a = 0; a < means.items.size(); ++a) {
       for (std::size_t b = 0; b < means.items.size(); ++b) {
         if (a == b) continue;
         const std::string pair = means.items[a] + '|' + means.items[b];
-        state(test, pair, {means.items[a], means.items[b]});
+        state(test, pair, {means.items[a], means.items[b]}, true);
         if (!means.scale.empty()) {
-          state(test, means.scale + ": " + pair, {means.items[a], means.items[b]});
+          state(test, means.scale + ": " + pair, {means.items[a], means.items[b]}, true);
         }
       }
     }

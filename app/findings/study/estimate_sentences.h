@@ -23,6 +23,10 @@ EstimateSentence choices_sentence(const AnalysisOutcome& outcome);
 /// For a magnitude: the mean exponents.
 EstimateSentence exponents_sentence(const AnalysisOutcome& outcome);
 
+/// For a similarity: the number of dimensions and the stress of the configuration, what qualifies it, and its relation to all
+/// measured properties together.
+EstimateSentence configuration_sentence(const AnalysisOutcome& outcome);
+
 /// The means of items, which the sentences of confirmatory tests state.
 struct MeansOfItems {
   std::string_view analysis{};  ///< of the findings
@@ -31,6 +35,8 @@ struct MeansOfItems {
   std::vector<std::string> items{};
   std::vector<std::string> tests{};  ///< of all items, about the scale
   std::vector<std::string> tests_of_pairs{};
+  /// Whether the mean of an item in a sentence about a pair is that within the pair, whose key is both names, its own first.
+  bool within_pairs = false;
   std::string (*shown)(double mean) = nullptr;
 };
 /// Adds "; means: 4.25 (95 % CI [3.90, 4.60]) for brick and 2.10 (…) for wood" to these sentences.

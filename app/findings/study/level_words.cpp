@@ -53,7 +53,7 @@ std::string differing_by(const Block& block, const std::string& values, const st
     case LevelMeasure::ratio:
       return has("ratio") + " to " + standard + " of " + values;
     case LevelMeasure::decibels:
-      return has("level") + " of " + values + " re " + standard;
+      return "differs from " + standard + " by " + values;
   }
   return {};
 }

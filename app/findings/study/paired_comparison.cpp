@@ -575,7 +575,13 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
                                  .quantity = "mean.score",
                                  .items = study.choices.items,
                                  .tests = {"preference"},
+                                 .shown = reading_percent});
+  // A pair is tested by its own comparisons, not by those with other items.
+  state_means_of_items(outcome, {.analysis = "choice",
+                                 .quantity = "subj.mean",
+                                 .items = study.choices.items,
                                  .tests_of_pairs = {"pairs"},
+                                 .within_pairs = true,
                                  .shown = reading_percent});
 
   ask_items(study, found_scores, tests, outcome);

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/kinds/similarity_analysis.h"
+#include "app/findings/study/similarity_configuration.h"
 #include "app/findings/study/similarity_properties.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
@@ -24,8 +24,6 @@ namespace asperity {
 
 namespace {
 
-/// The name of the findings, of the table of the configuration, and of its test.
-constexpr const char* kConfiguration = "configuration";
 constexpr const char* kDissimilarities = "dissimilarities";
 constexpr const char* kIdenticalPairs = "identical_pairs";
 
@@ -74,10 +72,6 @@ TidyTable table_of_judgements(const GatheredAnswers& gathered) {
            {"second", std::move(second).take()},
            {"dissimilarity", std::move(dissimilarities)}},
           "the ratings"};
-}
-
-std::size_t dimensions_in(const FoundNumbers& found) {
-  return static_cast<std::size_t>(found.value("dimensions").value_or(0.0));
 }
 
 std::string dimension_column(std::size_t dimension) {
@@ -259,70 +253,6 @@ void add_properties_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
   outcome.tables.push_back(std::move(properties));
 }
 
-/// The number of different disparities; those that differ by less than 1 % of the largest one count as one.
-std::size_t different_disparities(const FoundNumbers& found) {
-  constexpr double kSame = 0.01;
-  std::vector<double> disparities{};
-  for (const Finding* const one : found.all("disparity")) {
-    if (one->value) disparities.push_back(*one->value);
-  }
-  if (disparities.empty()) return 0;
-  std::sort(disparities.begin(), disparities.end());
-  std::size_t different = 1;
-  for (std::size_t i = 1; i < disparities.size(); ++i) {
-    if (disparities[i] - disparities[i - 1] > kSame * disparities.back()) ++different;
-  }
-  return different;
-}
-
-/// If all dissimilarities within clusters are below all others, non-metric scaling has a perfect solution in which each cluster
-/// is one point and all others have one distance, whatever the sizes of the dissimilarities [Kruskal 1978].
-bool is_degenerate(const FoundNumbers& found) {
-  constexpr std::size_t kFewSteps = 3;
-  const std::size_t different = different_disparities(found);
-  return different > 0 && different <= kFewSteps;
-}
-
-void remark_on_degenerate_solution(const FoundNumbers& found, AnalysisOutcome& outcome) {
-  if (!is_degenerate(found)) return;
-  outcome.remarks.push_back(
-      phrase("Analysis",
-             "The configuration is degenerate: the number of different disparities is %1. It shows "
-             "which items form clusters, and neither their distances nor the number of dimensions. "
-             "Use the dendrogram, and the stress of metric scaling.")
-          .with(std::to_string(different_disparities(found))));
-}
-
-/// The configuration has at least two dimensions.
-bool has_one_chosen_dimension(const FoundNumbers& found) {
-  return found.value("cv.chosen").value_or(2.0) < 2.0;
-}
-
-void add_remarks(const FoundNumbers& found, std::size_t items, AnalysisOutcome& outcome) {
-  remark_on_degenerate_solution(found, outcome);
-  const Finding* const too_many = found.find("dimensions.too.many");
-  if (too_many != nullptr && too_many->word == "TRUE") {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "The configuration is poorly determined: %1 dimensions require at least %2 items, "
-               "and the number of items is %3.")
-            .with(std::to_string(dimensions_in(found)),
-                  fixed(found.value("dimensions.items").value_or(0.0), 0), std::to_string(items)));
-  }
-  if (has_one_chosen_dimension(found)) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "Cross-validation chooses one dimension; the configuration is shown in two, and the "
-               "second may be due to chance."));
-  }
-}
-
-/// "0.084"
-std::string stress_text(double stress) {
-  constexpr int kDecimals = 3;
-  return fixed(stress, kDecimals);
-}
-
 void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
                              AnalysisOutcome& outcome) {
   const Phrase question =
@@ -345,16 +275,8 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
     const Phrase said =
         words.with(std::to_string(dimensions_in(found)), stress_text(*stress->value),
                    stress_text(found.value("stress.perm.mean").value_or(0.0)), p_text(*test));
-    if (is_degenerate(found)) {
-      return phrase("Analysis", "%1 %2")
-          .with(said, phrase("Analysis",
-                             "The configuration is degenerate: a low stress then shows clusters, "
-                             "and not a number of dimensions."));
-    }
-    if (!has_one_chosen_dimension(found)) return said;
-    return phrase("Analysis", "%1 %2")
-        .with(said,
-              phrase("Analysis", "Cross-validation chose one dimension; at least two are shown."));
+    const Phrase qualified = qualification_of_stress(found);
+    return qualified.empty() ? said : phrase("Analysis", "%1 %2").with(said, qualified);
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",
@@ -405,7 +327,9 @@ void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcom
       tests.add("properties", property->key, found, "property.perm.p", property->key);
   }
   tests.finish(outcome);
-  add_remarks(found, items.size(), outcome);
+  for (Phrase& remark : remarks_on_configuration(found)) {
+    outcome.remarks.push_back(std::move(remark));
+  }
   ask_about_configuration(found, tests, outcome);
 }
 

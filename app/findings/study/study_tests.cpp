@@ -265,7 +265,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   if (test.made_by == nullptr) return;
   const TestMethod& by = *test.made_by;
   test.unit = by.unit;
-  test.pools_participants = test.unit != kUnitOfParticipants && people_ > 1;
+  test.pools_participants = test.unit == kUnitOfAnswers && people_ > 1;
   if (test.unit != kUnitOfParticipants) test.method += "; n counts " + test.unit;
   if (found.value(by.degrees.front(), key) == 0.0) {  // no hypothesis was tested
     test.p.reset();

@@ -6,8 +6,6 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kAnswers = "answers";
-
 Phrase binomial() { return phrase("TestMethods", "exact binomial test, one-sided"); }
 Phrase permuted_pictures() {
   return phrase("TestMethods", "permutation test, pictures relabelled per participant, one-sided");
@@ -37,7 +35,7 @@ std::span<const TestMethod> test_methods() {
           .p = "G.perm.p",
           .code = "g_permutation",
           .name = phrase("TestMethods", "permutation test of independence"),
-          .unit = kAnswers,
+          .unit = kUnitOfAnswers,
           .symbol = "G²",
           .statistic = "G",
           .degrees = {"G.df", ""},
@@ -132,7 +130,7 @@ std::span<const TestMethod> test_methods() {
       TestMethod{.p = "p.greater",
                  .code = "binomial",
                  .name = binomial(),
-                 .unit = kAnswers,
+                 .unit = kUnitOfAnswers,
                  .symbol = "k",
                  .symbol_name = number_correct(),
                  .statistic = "hits",
@@ -143,7 +141,7 @@ std::span<const TestMethod> test_methods() {
       TestMethod{.p = "pc.p.greater",
                  .code = "binomial",
                  .name = binomial(),
-                 .unit = kAnswers,
+                 .unit = kUnitOfAnswers,
                  .symbol = "k",
                  .symbol_name = number_correct(),
                  .statistic = "pc.k",

@@ -13,6 +13,8 @@ namespace asperity {
 
 /// The unit of the n of a test of participants.
 inline constexpr std::string_view kUnitOfParticipants = "participants";
+/// Responses, of all participants together.
+inline constexpr std::string_view kUnitOfAnswers = "answers";
 
 /// How a test is reported. Its numbers are findings of one analysis under one key: the key of the
 /// p, with these quantities.

@@ -7,6 +7,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

@@ -2204,10 +2204,6 @@
         <translation>Treffer sind Antworten „ja“; die bei einem Unterschied von 0 sind falsche Alarme.</translation>
     </message>
     <message>
-        <source>Hits are responses “different”; those at a difference of 0 are false alarms.</source>
-        <translation>Treffer sind Antworten „verschieden“; die bei einem Unterschied von 0 sind falsche Alarme.</translation>
-    </message>
-    <message>
         <source>similarity</source>
         <translation>Ähnlichkeit</translation>
     </message>
@@ -2330,10 +2326,6 @@
     <message>
         <source>Each response “cannot tell” counts as the mean of a guess: 1/m of a hit, with m alternatives [Kaernbach 2001]. Split counts are not binomial, so that the goodness of fit of these functions is not tested.</source>
         <translation>Jede Antwort „kann es nicht sagen“ zählt als Mittel eines geratenen Ergebnisses: bei m Alternativen als 1/m eines Treffers [Kaernbach 2001]. Aufgeteilte Anzahlen sind nicht binomialverteilt, sodass die Anpassungsgüte dieser Funktionen nicht getestet wird.</translation>
-    </message>
-    <message>
-        <source>95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of each level being resampled %1 times and split again.</source>
-        <translation>95-%-KI bei Antworten „kann es nicht sagen“: Bootstrap-Perzentile, wobei die drei Ergebnisse jeder Stufe %1-mal neu gezogen und wieder aufgeteilt werden.</translation>
     </message>
     <message>
         <source>Responses “cannot tell”</source>
@@ -2544,14 +2536,6 @@
         <translation>95-%-KI von d′: Wilson-Grenzen des Anteils richtiger Antworten. d′ fehlt, wo jede oder keine Antwort richtig ist. Korrigiertes d′: das von (richtige Antworten + 1/3)/(Durchgänge + 1), das bei jeder Anzahl richtiger Antworten endlich ist; die Mittelwerte über die Versuchspersonen sind solche des korrigierten d′.</translation>
     </message>
     <message>
-        <source>ROC by the %1 of the comparison, over all participants: %2.</source>
-        <translation>ROC nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2.</translation>
-    </message>
-    <message>
-        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances. The rows of all participants assume equal criteria of the participants.</source>
-        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: mit Trapezen, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt. A_z, d_a und die SD des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test gleicher Varianzen. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien der Versuchspersonen voraus.</translation>
-    </message>
-    <message>
         <source>With two alternatives the comparison as surface A is the signal, and d′ = d_a/√2.</source>
         <translation>Bei zwei Alternativen ist der Vergleichsreiz als Oberfläche A das Signal, und d′ = d_a/√2.</translation>
     </message>
@@ -2566,10 +2550,6 @@
     <message>
         <source>%1 (at least; ceiling: %2 of %3 participants)</source>
         <translation>%1 (mindestens; Deckeneffekt: %2 von %3 Versuchspersonen)</translation>
-    </message>
-    <message>
-        <source>%1 Ceiling: a proportion is 0 or 1, so that d′ of these participants depends on their numbers of trials; the mean is a lower bound and has no CI.</source>
-        <translation>%1 Deckeneffekt: Ein Anteil ist 0 oder 1, sodass d′ dieser Versuchspersonen von ihren Anzahlen von Durchgängen abhängt; der Mittelwert ist eine untere Schranke und hat kein KI.</translation>
     </message>
     <message>
         <source>There is no CI where its limits would differ by a factor of more than 100, because the responses hardly determine such a threshold.</source>
@@ -2626,6 +2606,94 @@
     <message>
         <source>Different builds of the plug-in of the force model %1 have the version %2, and the responses to them are pooled. Their SHA-256: %3. Raise the version of a plug-in whose forces have changed; exclude the attempts with a build that must not be pooled.</source>
         <translation>Verschiedene Builds des Plug-ins des Kraftmodells %1 haben die Version %2, und die Antworten dazu sind zusammengefasst. Ihre SHA-256: %3. Die Version eines Plug-ins erhöhen, dessen Kräfte sich geändert haben; Versuche mit einem Build ausschließen, der nicht zusammengefasst werden darf.</translation>
+    </message>
+    <message>
+        <source>ROC by the %1 of the comparison, over all participants: %2. The tests of equal variances are exploratory and uncorrected, and treat the responses of all participants as independent.</source>
+        <translation>ROC nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2. Die Tests gleicher Varianzen sind explorativ und unkorrigiert und behandeln die Antworten aller Versuchspersonen als unabhängig.</translation>
+    </message>
+    <message>
+        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances, exploratory and uncorrected; all responses are treated as independent. The rows of all participants assume equal criteria of the participants. There is no CI of an area of 0 or 1, and none where all trials with a signal, or all without one, have the same rating, because DeLong’s standard error is then 0 or too small.</source>
+        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: mit Trapezen, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt. A_z, d_a und die SD des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test gleicher Varianzen, explorativ und unkorrigiert; alle Antworten werden als unabhängig behandelt. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien der Versuchspersonen voraus. Kein KI hat eine Fläche von 0 oder 1, und keines gibt es, wo alle Durchgänge mit oder alle ohne Signal dieselbe Stufe haben, weil der Standardfehler nach DeLong dann 0 oder zu klein ist.</translation>
+    </message>
+    <message>
+        <source>%1 Exploratory test of the difference from the standard, %2: %3.</source>
+        <translation>%1 Explorativer Test des Unterschieds zum Standardreiz, %2: %3.</translation>
+    </message>
+    <message>
+        <source>Same–different: there is no CI of d′ where it would contain negative values, which d′ cannot have by these rules.</source>
+        <translation>Gleich–verschieden: d′ hat kein KI, wo dieses negative Werte enthielte, die d′ nach diesen Regeln nicht haben kann.</translation>
+    </message>
+    <message>
+        <source>%1 Participants and levels without a row: %2, because all of their trials at the level had the comparison in the same position, or there were no trials without a signal.</source>
+        <translation>%1 Versuchspersonen und Stufen ohne Zeile: %2, weil alle ihre Durchgänge auf der Stufe den Vergleichsreiz an derselben Position hatten oder es keine Durchgänge ohne Signal gab.</translation>
+    </message>
+    <message>
+        <source>95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of each level being resampled %1 times and split again. There is no CI of the slope and the JND where the slope of more than 2.5 % of the resampled functions is at the bound of the fit, which would be its limit.</source>
+        <translation>95-%-KI bei Antworten „kann es nicht sagen“: Bootstrap-Perzentile, wobei die drei Ergebnisse jeder Stufe %1-mal neu gezogen und wieder aufgeteilt werden. Kein KI haben die Steigung und die JND, wo die Steigung von mehr als 2,5 % der neu gezogenen Funktionen an der Grenze der Anpassung liegt, die dann ihre Grenze wäre.</translation>
+    </message>
+    <message>
+        <source>Hits are responses “different”; those at a difference of 0 are false alarms, to all pairs of equal surfaces: two standards, or two comparisons of any level.</source>
+        <translation>Treffer sind Antworten „verschieden“; die bei einem Unterschied von 0 sind falsche Alarme bei allen Paaren gleicher Oberflächen: zwei Standardreizen oder zwei Vergleichsreizen einer beliebigen Stufe.</translation>
+    </message>
+    <message>
+        <source>%1 Not estimated: %2 of %3 thresholds (participants by conditions; %4).</source>
+        <translation>%1 Nicht geschätzt: %2 von %3 Schwellen (Versuchspersonen mal Bedingungen; %4).</translation>
+    </message>
+    <message>
+        <source>%1 Not estimated: %2 of %3 participants (%4).</source>
+        <translation>%1 Nicht geschätzt: %2 von %3 Versuchspersonen (%4).</translation>
+    </message>
+    <message>
+        <source>%1 %2: the means do not include %3 of %4 thresholds, which are below the presented levels, and are too high.</source>
+        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die unter den dargebotenen Stufen liegen, und sind zu hoch.</translation>
+    </message>
+    <message>
+        <source>%1 %2: the means do not include %3 of %4 thresholds, which are above the presented levels, and are too low.</source>
+        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die über den dargebotenen Stufen liegen, und sind zu niedrig.</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4 thresholds could not be estimated (%5).</source>
+        <translation>%1 %2: %3 von %4 Schwellen konnten nicht geschätzt werden (%5).</translation>
+    </message>
+    <message>
+        <source>%1 The numbers of repetitions differ: the first %2 of each of the %3 repeated items are used.</source>
+        <translation>%1 Die Anzahlen der Wiederholungen unterscheiden sich: Verwendet werden die ersten %2 von jedem der %3 wiederholten Items.</translation>
+    </message>
+    <message>
+        <source>%1 (at most; floor: %2 of %3 participants)</source>
+        <translation>%1 (höchstens; Bodeneffekt: %2 von %3 Versuchspersonen)</translation>
+    </message>
+    <message>
+        <source>%1 (ceiling: %2, floor: %3 of %4 participants)</source>
+        <translation>%1 (Deckeneffekt: %2, Bodeneffekt: %3 von %4 Versuchspersonen)</translation>
+    </message>
+    <message>
+        <source>Ceiling: a proportion is 0 or 1, so that d′ of these participants depends on their numbers of trials; the mean is a lower bound and has no CI.</source>
+        <translation>Deckeneffekt: Ein Anteil ist 0 oder 1, sodass d′ dieser Versuchspersonen von ihren Anzahlen von Durchgängen abhängt; der Mittelwert ist eine untere Schranke und hat kein KI.</translation>
+    </message>
+    <message>
+        <source>Floor: a proportion is 0 or 1 and d′ is negative, so that d′ of these participants depends on their numbers of trials; the mean is an upper bound and has no CI.</source>
+        <translation>Bodeneffekt: Ein Anteil ist 0 oder 1 und d′ negativ, sodass d′ dieser Versuchspersonen von ihren Anzahlen von Durchgängen abhängt; der Mittelwert ist eine obere Schranke und hat kein KI.</translation>
+    </message>
+    <message>
+        <source>Ceiling and floor: without a correction, d′ of some participants is positive and infinite and that of others negative and infinite; the mean depends on their numbers of trials, is neither a lower nor an upper bound, and has no CI.</source>
+        <translation>Decken- und Bodeneffekt: Ohne Korrektur ist d′ einiger Versuchspersonen positiv unendlich und das anderer negativ unendlich; der Mittelwert hängt von ihren Anzahlen von Durchgängen ab, ist weder eine untere noch eine obere Schranke und hat kein KI.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 By this decision rule d′ is not negative, and chance alone makes it greater than 0 for some participants: means of small d′ are too high. Participants with d′ = 0: %2.</source>
+        <translation>%1 Nach dieser Entscheidungsregel ist d′ nicht negativ, und allein durch Zufall ist es bei einigen Versuchspersonen größer als 0: Mittelwerte kleiner d′ sind zu hoch. Versuchspersonen mit d′ = 0: %2.</translation>
+    </message>
+    <message>
+        <source>The configuration is partly degenerate: %1 items lie on one point (%2), and their mean dissimilarities are %3 to %4. The stress does not depend on these dissimilarities. Compare them with those of identical pairs, and use the dendrogram and the stress of metric scaling.</source>
+        <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt (%2), und ihre mittleren Unähnlichkeiten sind %3 bis %4. Der Stress hängt von diesen Unähnlichkeiten nicht ab. Mit denen identischer Paare vergleichen und das Dendrogramm und den Stress der metrischen Skalierung heranziehen.</translation>
+    </message>
+    <message>
+        <source>The configuration is partly degenerate: %1 items lie on one point, so that a low stress is not evidence of a good fit; the stress-1 of metric scaling is %2.</source>
+        <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt, sodass ein geringer Stress kein Beleg einer guten Anpassung ist; der Stress-1 der metrischen Skalierung ist %2.</translation>
     </message>
 </context>
 <context>

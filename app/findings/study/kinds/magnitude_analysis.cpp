@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
 
 namespace asperity {
 
@@ -39,16 +40,18 @@ constexpr std::array kMagnitudeClaims{
               "The effect of the stimulus on the estimates did not differ significantly between "
               "the conditions"}};
 
-/// Whether a main block of magnitude estimation is answered by lines.
-bool is_answered_by_lines(const Protocol& protocol) {
-  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [](const auto& named) {
-    const Protocol::Block& block = named.second;
-    return block.kind == "magnitude" && block.phase == Phase::main &&
-           std::any_of(block.questions.begin(), block.questions.end(), [](const auto& question) {
-             return std::holds_alternative<LineForm>(question.form);
-           });
-  });
+/// The lines by which a main block of magnitude estimation is answered; null where numbers answer it.
+const LineForm* lines_of(const Protocol& protocol) {
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.kind != "magnitude" || block.phase != Phase::main) continue;
+    for (const auto& question : block.questions) {
+      if (const auto* const lines = std::get_if<LineForm>(&question.form)) return lines;
+    }
+  }
+  return nullptr;
 }
+
+bool is_answered_by_lines(const Protocol& protocol) { return lines_of(protocol) != nullptr; }
 
 const EstimationModulus* modulus_of(const Protocol& protocol) {
   return protocol.estimation && protocol.estimation->modulus ? &*protocol.estimation->modulus
@@ -84,9 +87,10 @@ std::string paper_task_of_magnitude(const Protocol& protocol) {
            (has_spacings(protocol) ? "the roughness of the second" : "the second") +
            " (magnitude estimation, standard with modulus " + number_text(modulus->value) + ").";
   }
-  if (is_answered_by_lines(protocol)) {
+  if (const LineForm* const lines = lines_of(protocol)) {
     return ", and a line was to be drawn whose length matched " + to_what +
-           " (cross-modality matching to line length).";
+           " (cross-modality matching to line length; the longest line had " +
+           reading_percent(lines->longest) + " of the width of the screen).";
   }
   return ", and a number above 0 was to be assigned to " + to_what +
          " (absolute magnitude estimation with free modulus).";

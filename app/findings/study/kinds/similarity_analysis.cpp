@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/task_words.h"
 
 namespace asperity {
@@ -71,7 +72,8 @@ const StudyAnalysis& similarity_analysis() {
                                        .task = task_of_similarity,
                                        .task_for_paper = paper_task_of_similarity,
                                        .fit_for_paper = fit_of_similarity,
-                                       .analyze = analyze_similarity};
+                                       .analyze = analyze_similarity,
+                                       .estimates = configuration_sentence};
   return kAnalysis;
 }
 
