@@ -9,13 +9,17 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/findings/study/level_words.h"
 #include "app/findings/study/references.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/study/test_methods.h"
 #include "app/findings/study/test_sentences.h"
+#include "app/report/text/report_order.h"
+#include "app/report/text/report_roughness.h"
 #include "app/report/text/study_report.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/made_up_study.h"
@@ -162,6 +166,35 @@ TEST(PaperText, CountsManyTestsOfOneKind) {
                                  "these p values, Holm-corrected: .007). The table of tests "
                                  "contains them with their effect sizes."));
   EXPECT_THAT(results, Not(HasSubstr("was chosen significantly more often than")));
+}
+
+// Six items on two scales: 15 pairs on each, more than there are sentences for exploratory tests.
+TEST(PaperText, CountsAllExploratoryTestsOfOneKind) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("rated", "rating", R"({"kind": "rating",
+    "blocks": {"only": {"questions": [
+      {"name": "rough", "prompt": "How rough?", "scale": {"minimum": 1, "maximum": 100}},
+      {"name": "hard", "prompt": "How hard?", "scale": {"minimum": 1, "maximum": 100}}]}}})");
+  for (int person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(10 + person);
+    made.add_person(label, "F");
+    std::vector<MadeUpTrial> trials{};
+    for (int item = 0; item < 6; ++item) {
+      MadeUpTrial trial{};
+      const std::string name(1, static_cast<char>('a' + item));
+      trial.surfaces = {surface_of(name, "height_map", name)};
+      trial.questions = {"rough", "hard"};
+      // Roughness differs little between the items; all participants agree on their hardness.
+      trial.answers = {std::to_string(40 + (item * 7 + person * 11) % 13),
+                       std::to_string(10 + 10 * item + person)};
+      trials.push_back(trial);
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const std::string results = paragraph(study_report(made.study(), {}), "Results");
+  EXPECT_THAT(results, HasSubstr(" of the 30 exploratory tests of pairs of items were below .05 "));
+  EXPECT_THAT(results, Not(HasSubstr("further test")));
+  EXPECT_THAT(results, HasSubstr("on the scale “hard”")) << "the tests of other kinds follow";
 }
 
 TEST(PaperText, SeparatesExploratoryTestsFromDeclaredOnes) {
@@ -467,6 +500,43 @@ TEST(PaperText, StatesHowAStaircaseChoseTheLevels) {
   EXPECT_THAT(methods, Not(HasSubstr("random order, the positions of the surfaces balanced over "
                                      "the trials, with a break")));
   EXPECT_THAT(methods, HasSubstr(" The slope of the function was limited to 1 to 8. "));
+}
+
+TEST(PaperText, StatesLevelsInDecibelsAsDifferences) {
+  const Protocol protocol = read_protocol(std::string(library_text("realism_of_models")),
+                                          "file.json", declarations_of(built_in_models()));
+  const auto varied = std::find_if(protocol.blocks.begin(), protocol.blocks.end(),
+                                   [](const auto& named) { return named.second.vary.has_value(); });
+  ASSERT_NE(varied, protocol.blocks.end());
+  EXPECT_EQ(as_possible(levels_text(varied->second, "it")),
+            "could differ from it by −16 dB to 16 dB in 33 levels");
+}
+
+TEST(PaperText, StatesWhichTrialsAreLeftOutAndRepeatedWithUnits) {
+  Protocol protocol{};
+  protocol.factors["deep"] = {.name = "deep", .levels = {2e-5, 5e-5}};
+  StimulusTemplate stimulus{};
+  stimulus.parameters["amplitude_m"].factor = "deep";
+  protocol.stimuli["grating"] = stimulus;
+  Protocol::Block made{};
+  made.order = Protocol::Block::Order::shuffle;
+  made.exclude = {{{"deep", 2e-5}, {"side", std::string("left")}}};
+  made.repetitions_of = {{.levels = {{"deep", 5e-5}}, .repetitions = 3}};
+  made.repetitions = 2;
+  EXPECT_EQ(
+      order_of_run(protocol, made, {}, Tense::past),
+      "in random order (without the combination of deep 20 µm and side left; trials with deep "
+      "50 µm presented 3 times), 2 repetitions");
+}
+
+TEST(PaperText, StatesThatForcesWereMatchedBeforeTheRoughness) {
+  ReportFacts facts{};
+  EXPECT_EQ(equal_force_text(facts), "");
+  facts.has_equal_force = true;
+  EXPECT_THAT(equal_force_text(facts), StartsWith("The force models were matched"));
+  facts.roughness_matches[MatchStatus::matched] = 5;
+  EXPECT_THAT(equal_force_text(facts),
+              StartsWith("Before their roughness was matched, the force models were matched"));
 }
 
 TEST(PaperText, StatesTheStepsOfAWeightedStaircase) {

@@ -58,7 +58,7 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     if (run == nullptr) continue;
     const Protocol::Block& block = protocol.blocks.at(run->block);
     std::string text = "Block " + quoted(block.name) + " (" + text_of(block.phase) + "): ";
-    text += order_of_run(block, *run, Tense::present);
+    text += order_of_run(protocol, block, *run, Tense::present);
     if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
     text += feedback_text(block);
     const auto& questions = block.questions;
@@ -291,10 +291,7 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
       stiffness_text(facts.stiffness_N_per_m, protocol) + ", the coefficient of friction was " +
       friction_text(facts.friction, protocol) + ", and forces were limited to " +
       reading_quantity(protocol.force_limit_N, "N") + '.';
-  if (facts.has_equal_force) {
-    text +=
-        " The force models were matched in the RMS of their texture force along a prescribed path.";
-  }
+  if (const std::string matched = equal_force_text(facts); !matched.empty()) text += ' ' + matched;
   if (const std::string matched = equal_roughness_text(facts); !matched.empty()) {
     text += ' ' + matched;
   }

@@ -6,6 +6,7 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -41,35 +42,59 @@ std::string positions_text(const Protocol::Block& block) {
   return {};
 }
 
-std::string text_of_row(const std::map<std::string, Level, std::less<>>& levels) {
-  std::vector<std::string> parts{};
-  for (const auto& [factor, level] : levels) parts.push_back(factor + ' ' + text_of(level));
-  return comma_separated(parts);
+/// Its own, or that of a parameter whose value it supplies; empty without either.
+std::string unit_of_factor(const Protocol& protocol, const std::string& name) {
+  const auto factor = protocol.factors.find(name);
+  if (factor != protocol.factors.end() && !factor->second.unit.empty()) return factor->second.unit;
+  for (const auto& [stimulus_name, stimulus] : protocol.stimuli) {
+    for (const auto& [parameter, binding] : stimulus.parameters) {
+      if (!binding.value && binding.factor == name) return unit_of_parameter(parameter);
+    }
+  }
+  return {};
 }
 
-/// "without the combination force 2, texture stone, equal levels of texture at least 3 trials apart, texture stone in trial 1"
-std::string constraints_text(const Protocol::Block& block) {
+/// "amplitude 50 µm and texture stone"
+std::string text_of_row(const Protocol& protocol,
+                        const std::map<std::string, Level, std::less<>>& levels) {
+  std::vector<std::string> parts{};
+  for (const auto& [factor, level] : levels) {
+    const auto* const number = std::get_if<double>(&level);
+    const std::string unit = unit_of_factor(protocol, factor);
+    parts.push_back(number != nullptr && !unit.empty()
+                        ? words_of_parameter(factor) + ' ' + reading_quantity(*number, unit)
+                        : factor + ' ' + text_of(level));
+  }
+  return listed(parts);
+}
+
+/// "(without the combination of force 2 and texture stone; equal levels of texture at least 3 trials apart; texture stone in
+/// trial 1)"
+std::string constraints_text(const Protocol& protocol, const Protocol::Block& block) {
   std::vector<std::string> parts{};
   for (const auto& row : block.exclude) {
-    parts.push_back("without the combination " + text_of_row(row));
+    parts.push_back("without the combination of " + text_of_row(protocol, row));
   }
   for (const auto& [factor, formula] : block.derived) parts.push_back(factor + " = " + formula);
   for (const auto& each : block.repetitions_of) {
-    parts.push_back(text_of_row(each.levels) + " presented " +
-                    (each.repetitions == 1 ? "once"
-                                           : std::to_string(each.repetitions) + " times"));
+    parts.push_back("trials with " + text_of_row(protocol, each.levels) + " presented " +
+                    (each.repetitions == 1 ? "once" : std::to_string(each.repetitions) + " times"));
   }
   for (const auto& [factor, distance] : block.minimum_distance) {
     parts.push_back("equal levels of " + factor + " at least " + std::to_string(distance) +
                     " trials apart");
   }
   for (const auto& fixed : block.fixed_positions) {
-    parts.push_back(text_of_row(fixed.levels) + " in trial " + std::to_string(fixed.position));
+    parts.push_back(text_of_row(protocol, fixed.levels) + " in trial " +
+                    std::to_string(fixed.position));
   }
-  return comma_separated(parts);
+  if (parts.empty()) return {};
+  std::string text{};
+  for (const std::string& part : parts) text += (text.empty() ? "(" : "; ") + part;
+  return text + ')';
 }
 
-std::string order_text(const Protocol::Block& block) {
+std::string order_text(const Protocol& protocol, const Protocol::Block& block) {
   std::vector<std::string> parts{order_of_levels(block)};
   if (!block.drawn.empty()) parts.push_back(listed(block.drawn) + " drawn at random in each trial");
   if (block.all_pairs) {
@@ -83,10 +108,11 @@ std::string order_text(const Protocol::Block& block) {
   }
   const bool has_both_orders = block.all_pairs && block.all_pairs->in_both_orders;
   if (surfaces_in_trial(block) >= 2 && !has_both_orders) parts.push_back(positions_text(block));
-  parts.push_back(constraints_text(block));
   std::erase(parts, std::string());
   if (order_of_levels(block).empty() && !parts.empty()) parts.front().insert(0, "with ");
-  return comma_separated(parts);
+  const std::string text = comma_separated(parts);
+  const std::string constraints = constraints_text(protocol, block);
+  return text + (text.empty() || constraints.empty() ? "" : " ") + constraints;
 }
 
 /// ", until 2 of the last 3 trials are correct, at most 6 trials"
@@ -199,8 +225,9 @@ std::string presented_trials_text(const Protocol::Block& block, const ReportFact
          (presented == std::set<int>{1} ? " trial." : " trials.");
 }
 
-std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run, Tense tense) {
-  std::string text = order_text(block);
+std::string order_of_run(const Protocol& protocol, const Protocol::Block& block,
+                         const Protocol::Run& run, Tense tense) {
+  std::string text = order_text(protocol, block);
   if (block.until) {
     text += until_text(*block.until, tense);
   } else if (block.repetitions > 1) {

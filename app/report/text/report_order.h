@@ -23,7 +23,8 @@ std::string done_trials_text(const ReportedSession& session);
 std::string presented_trials_text(const Protocol::Block& block, const ReportFacts& facts);
 /// "in random order within each repetition, 3 repetitions, once for each level of speed". The order of trials whose level a
 /// procedure chooses is that of the responses and is not stated; empty where nothing else is to be said.
-std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run, Tense tense);
+std::string order_of_run(const Protocol& protocol, const Protocol::Block& block,
+                         const Protocol::Run& run, Tense tense);
 /// " The criterion was not met in either session."; empty where it was met in all.
 std::string unmet_text(const std::string& block, const ReportFacts& facts);
 /// ", with feedback on whether each response was correct"; empty without feedback.

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/catch_exclusions.h"
@@ -20,24 +21,29 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kMostExploratory = 24;  // the table of tests lists more
 /// Of one kind of test. More of them are counted in one sentence, which a reader can take in.
 constexpr std::size_t kMostAlike = 12;
+/// Of all exploratory tests. A kind that does not fit is counted in one sentence.
+constexpr std::size_t kMostExploratory = 24;
 
 bool is_of_family(const TestSentence& each) { return each.role != TestRole::exploratory; }
 
-/// Those of the family first, without others that could not be made.
-std::vector<TestSentence> printed_sentences(const AnalysisOutcome& outcome) {
-  std::vector<TestSentence> printed{};
+bool is_alike(const TestSentence& a, const TestSentence& b) {
+  return a.test == b.test && a.role == b.role;
+}
+
+/// Those of the family first. Without the kinds of exploratory tests of which none could be made.
+std::vector<TestSentence> reported_sentences(const AnalysisOutcome& outcome) {
+  std::vector<TestSentence> reported{};
   std::copy_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
-               std::back_inserter(printed), is_of_family);
-  std::size_t exploratory = 0;
+               std::back_inserter(reported), is_of_family);
   for (const TestSentence& each : outcome.test_sentences) {
-    if (is_of_family(each) || each.is_untested || exploratory == kMostExploratory) continue;
-    ++exploratory;
-    printed.push_back(each);
+    const bool is_made = std::any_of(
+        outcome.test_sentences.begin(), outcome.test_sentences.end(),
+        [&each](const TestSentence& one) { return is_alike(one, each) && !one.is_untested; });
+    if (!is_of_family(each) && is_made) reported.push_back(each);
   }
-  return printed;
+  return reported;
 }
 
 /// Where no analysis is shown.
@@ -136,13 +142,13 @@ std::string cited_name(const Phrase& name, std::string_view source, Sources& sou
 }
 
 /// "Tests: one-sample t test, effect size Cohen’s d (Cohen, 1988); …": each once.
-std::string methods_text(std::span<const TestSentence> printed, Sources& sources) {
+std::string methods_text(std::span<const TestSentence> reported, Sources& sources) {
   struct Used {
     const TestMethod* method = nullptr;
     std::vector<std::string> effects{};
   };
   std::vector<Used> all{};
-  for (const TestSentence& each : printed) {
+  for (const TestSentence& each : reported) {
     if (each.made_by == nullptr) continue;
     const TestMethod& by = *each.made_by;
     auto used = std::find_if(all.begin(), all.end(),
@@ -168,7 +174,7 @@ std::string methods_text(std::span<const TestSentence> printed, Sources& sources
 
 /// The statistics of one kind of responses.
 std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& outcome,
-                             std::span<const TestSentence> printed, Sources& sources) {
+                             std::span<const TestSentence> reported, Sources& sources) {
   std::vector<std::string> sentences{};
   const StudyAnalysis* const analysis = find_analysis(outcome.kind);
   if (analysis != nullptr && analysis->fit_for_paper != nullptr && facts.file.protocol) {
@@ -176,8 +182,8 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
         with_citations(analysis->fit_for_paper(*facts.file.protocol, outcome), sources));
   }
   sentences.push_back(correction_text(outcome, sources));
-  const auto is_any = [&printed](const auto& is_so) {
-    return std::any_of(printed.begin(), printed.end(), is_so);
+  const auto is_any = [&reported](const auto& is_so) {
+    return std::any_of(reported.begin(), reported.end(), is_so);
   };
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
     sentences.emplace_back("The significance level was .05.");
@@ -195,7 +201,7 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
         "Confidence intervals (CI) of mean proportions are based on Student's t over participants "
         "on the logit scale.");
   }
-  sentences.push_back(methods_text(printed, sources));
+  sentences.push_back(methods_text(reported, sources));
   sentences.push_back(exploration_method(outcome, sources));
   return with_sentences(sentences);
 }
@@ -235,47 +241,47 @@ std::string counted_sentence(std::span<const TestSentence* const> alike) {
   return text + ". The table of tests contains them with their effect sizes.";
 }
 
-/// The sentences of the tests in their order; of many tests of one kind, one sentence.
-std::vector<TestSentence> counted_where_many(std::span<const TestSentence> printed) {
-  const auto is_alike = [](const TestSentence& a, const TestSentence& b) {
-    return a.test == b.test && a.role == b.role;
-  };
+/// The sentences of the tests in their order; of many tests of one kind, one sentence, which counts all of them.
+std::vector<TestSentence> counted_where_many(std::span<const TestSentence> reported) {
   std::vector<TestSentence> told{};
-  for (const TestSentence& each : printed) {
+  std::set<std::pair<std::string, TestRole>> single{};  // kinds whose tests have a sentence each
+  std::size_t exploratory = 0;
+  for (const TestSentence& each : reported) {
     std::vector<const TestSentence*> alike{};
-    for (const TestSentence& other : printed) {
+    for (const TestSentence& other : reported) {
       if (is_alike(each, other)) alike.push_back(&other);
     }
-    if (alike.size() <= kMostAlike) {
-      told.push_back(each);
-    } else if (alike.front() == &each) {
-      told.push_back(each);
-      told.back().text = counted_sentence(alike);
+    if (alike.front() == &each) {
+      const auto made = static_cast<std::size_t>(std::count_if(
+          alike.begin(), alike.end(), [](const TestSentence* one) { return !one->is_untested; }));
+      const bool fits = is_of_family(each) ? alike.size() <= kMostAlike
+                                           : made == 1 || (made <= kMostAlike &&
+                                                           exploratory + made <= kMostExploratory);
+      if (fits) single.emplace(each.test, each.role);
+      if (fits && !is_of_family(each)) exploratory += made;
+      if (!fits) {
+        told.push_back(each);
+        told.back().text = counted_sentence(alike);
+      }
     }
+    const bool is_told = is_of_family(each) || !each.is_untested;
+    if (is_told && single.contains({each.test, each.role})) told.push_back(each);
   }
   return told;
 }
 
 std::string results_paragraph(const AnalysisOutcome& outcome,
-                              std::span<const TestSentence> printed) {
+                              std::span<const TestSentence> reported) {
   std::vector<std::string> sentences{estimate_sentence(outcome).text};
   // Without a declaration all tests are exploratory, as the methods section states.
   bool follows_confirmatory = false;
-  for (const TestSentence& each : counted_where_many(printed)) {
+  for (const TestSentence& each : counted_where_many(reported)) {
     const bool is_confirmatory = each.role == TestRole::confirmatory;
     if (follows_confirmatory && !is_confirmatory) {
       sentences.emplace_back("The following tests are exploratory.");
     }
     follows_confirmatory = is_confirmatory;
     sentences.push_back(each.text);
-  }
-  const auto worth_printing = static_cast<std::size_t>(std::count_if(
-      outcome.test_sentences.begin(), outcome.test_sentences.end(),
-      [](const TestSentence& each) { return is_of_family(each) || !each.is_untested; }));
-  if (worth_printing > printed.size()) {
-    const std::size_t more = worth_printing - printed.size();
-    sentences.push_back("The table of tests contains " + reading_count(more) +
-                        (more == 1 ? " further test." : " further tests."));
   }
   sentences.push_back(exploration_results(outcome));
   return with_sentences(sentences);
@@ -339,17 +345,17 @@ ReportSection paper_section(const ReportFacts& facts,
   }
   if (outcomes.size() == 1) {
     analysis.push_back(
-        paper_statistics(facts, *outcomes.front(), printed_sentences(*outcomes.front()), sources));
+        paper_statistics(facts, *outcomes.front(), reported_sentences(*outcomes.front()), sources));
   }
   methods.push_back(with_sentences(analysis));
   add("Methods", methods);
   for (const AnalysisOutcome* const outcome : outcomes) {
     if (outcomes.size() == 1) break;
     add("Statistics" + of_kind(*outcome),
-        {paper_statistics(facts, *outcome, printed_sentences(*outcome), sources)});
+        {paper_statistics(facts, *outcome, reported_sentences(*outcome), sources)});
   }
   for (const AnalysisOutcome* const outcome : outcomes) {
-    add("Results" + of_kind(*outcome), {results_paragraph(*outcome, printed_sentences(*outcome))});
+    add("Results" + of_kind(*outcome), {results_paragraph(*outcome, reported_sentences(*outcome))});
   }
   if (!sources.empty()) {
     ReportList entries{};

@@ -176,10 +176,7 @@ std::string paper_apparatus(const ReportFacts& facts) {
   if (facts.group != AnswerGroup::virtual_participants) {
     if (const std::string unfelt = unfelt_force_text(facts); !unfelt.empty()) text += ' ' + unfelt;
   }
-  if (facts.has_equal_force) {
-    text +=
-        " The force models were matched in the RMS of their texture force along a prescribed path.";
-  }
+  if (const std::string matched = equal_force_text(facts); !matched.empty()) text += ' ' + matched;
   if (const std::string matched = equal_roughness_text(facts); !matched.empty()) {
     text += ' ' + matched;
   }
@@ -361,6 +358,7 @@ std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMe
   }
   task.push_back(factors_sentence(protocol));
   task.push_back(with_citations(paper_task(facts), sources));
+  task.push_back(external_programs_text(facts));
   task.push_back(paper_accompanying_scales(protocol));
   task.push_back(paper_questions(protocol));
   task.push_back(paper_arrangement(protocol));

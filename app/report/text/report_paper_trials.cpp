@@ -49,7 +49,8 @@ std::string paper_practice(const ReportFacts& facts) {
     const auto same_phase = std::count_if(blocks.begin(), blocks.end(), [&](const auto* other) {
       return other->phase == block->phase;
     });
-    const std::string order = order_of_run(*block, *runs_of(protocol, *block).front(), Tense::past);
+    const std::string order =
+        order_of_run(protocol, *block, *runs_of(protocol, *block).front(), Tense::past);
     text += ' ' + capitalised(text_of(block->phase)) + " trials " +
             (same_phase > 1 ? "of the block " + quoted(block->name) + ' ' : std::string()) +
             "were presented" + (order.empty() ? "" : ' ' + order) + feedback_text(*block) + '.' +
@@ -120,7 +121,7 @@ std::string paper_order(const ReportFacts& facts, Sources& sources) {
     const Protocol::Block& block = protocol.blocks.at(run->block);
     if (block.phase != Phase::main) continue;
     ++runs;
-    const std::string order = order_of_run(block, *run, Tense::past);
+    const std::string order = order_of_run(protocol, block, *run, Tense::past);
     if (order.empty()) continue;
     auto known = std::find_if(orders.begin(), orders.end(),
                               [&order](const auto& each) { return each.first == order; });

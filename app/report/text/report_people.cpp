@@ -380,7 +380,6 @@ std::string program_text(const EventRow& event) {
          (arguments.empty() ? std::string() : "; arguments: " + listed(arguments)) + ')';
 }
 
-/// The external programs that stated levels, each with its number of sessions; empty without any.
 std::string external_programs_text(const ReportFacts& facts) {
   std::map<std::string, std::size_t> sessions{};
   std::size_t failures = 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/choice_model.h"
+#include "app/findings/study/confidence_roc.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/discrimination_sensitivity.h"
 #include "app/findings/study/exploration.h"
@@ -257,6 +260,7 @@ ReportTable report_table(const NamedTable& named) {
 /// The subject of a finding that can lack a number; its name as text where there is no other.
 std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
+      {"auc", "the area under the ROC"},
       {"bt.cluster.status", "the CIs of the preference scale"},
       {"bt.firth.status", "the preference scale with Firth’s correction"},
       {"bt.order.status", "the order effect on the preference scale"},
@@ -266,6 +270,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"cochran.Q", "Cochran’s Q"},
       {"dprime", "the sensitivity d′"},
       {"dprime.se", "the standard error of d′"},
+      {"ev.mu", "the normal model of the ROC with equal variances"},
       {"exponent.t", "the test of the exponent"},
       {"friedman.chisq", "Friedman’s test"},
       {"glm.se.cluster", "the cluster-robust standard errors of the logistic regression"},
@@ -289,6 +294,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"mallows.theta", "Mallows’ θ"},
       {"mauchly.W", "Mauchly’s test of sphericity"},
       {"mixed.status", "the logistic regression with random intercepts"},
+      {"model.fit.p", "the goodness of fit of the preference scale"},
       {"p", "the test"},
       {"pc.se.cluster", "the cluster-robust standard error of the proportion correct"},
       {"peak.status", "the peak of the curve"},
@@ -315,6 +321,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"subj.t.p.two", "the test of the mean proportion"},
       {"tost.p", "the equivalence test"},
       {"trend.t", "the test of the trend"},
+      {"uv.mu", "the normal model of the ROC with unequal variances"},
       {"weber", "the Weber fraction"},
       {"welch.t", "Welch’s test"}};
   if (const auto known = kWords.find(quantity); known != kWords.end()) return known->second;
@@ -338,6 +345,8 @@ std::string refused_quantity(std::string quantity) {
 /// The subject of a complete analysis that could not be made.
 std::string words_of_analysis_without_numbers(const std::string& analysis) {
   if (analysis == "anova") return "the analysis of variance";
+  // With several tasks each has its own.
+  if (analysis.starts_with(kChoiceModel)) return "the logistic mixed model of the choices";
   return analysis == "roughness" ? "the roughness curves" : "a part of the analysis";
 }
 
@@ -355,15 +364,43 @@ std::string with_modelled_times(std::string words, const std::string& analysis) 
   return words;
 }
 
+/// "62.5 µm, virtual0003" for "all|6.25e-05|virtual0003": the key of a level, with the unit of the table that states it.
+std::string words_of_level_key(const Finding& finding, std::span<const NamedTable> tables) {
+  const auto unit_of = [&](double value) {
+    for (const NamedTable& named : tables) {
+      const auto level = column_of(named.table, "level");
+      const auto unit = column_of(named.table, "unit");
+      if (!level || !unit) continue;
+      for (const std::vector<Cell>& row : named.table.rows) {
+        const auto* const text = std::get_if<std::string>(&row[*unit]);
+        if (text != nullptr && number_of(row[*level]) == value) return *text;
+      }
+    }
+    return std::string();
+  };
+  std::vector<std::string> parts{};
+  for (const std::string& part : parts_of(finding.key)) {
+    if (part == "all") continue;
+    const auto value = number_in(part);
+    parts.push_back(value ? stated_quantity(*value, unit_of(*value)) : words_of_condition(part));
+  }
+  std::string text{};
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
 /// "the test of the mean proportion of height_map", or empty for an intermediate result.
-std::string subject_of(const Finding& finding) {
+std::string subject_of(const Finding& finding, std::span<const NamedTable> tables) {
   std::string words =
       finding.quantity == "status"
           ? words_of_analysis_without_numbers(finding.analysis)
           : with_modelled_times(words_of_unanswered(finding.quantity), finding.analysis);
   if (words.empty()) return {};
   const bool is_place = finding.analysis == "position" && number_in(finding.key);
-  const std::string about = is_place ? "position " + finding.key : words_of_key(finding.key);
+  const bool is_level = finding.analysis == kSensitivity || finding.analysis == kConfidenceRoc;
+  const std::string about = is_place   ? "position " + finding.key
+                            : is_level ? words_of_level_key(finding, tables)
+                                       : words_of_key(finding.key);
   const bool says_whole = finding.quantity == "bt.order.status";
   return about.empty() || says_whole ? words : words + " of " + about;
 }
@@ -388,7 +425,7 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
     const bool is_of_stimuli = finding.analysis == kStimulusEstimates;
     if (is_of_stimuli && finding.quantity.starts_with("peak")) continue;
     if (finding.analysis.ends_with(kWithExcluded)) continue;
-    std::string subject = subject_of(finding);
+    std::string subject = subject_of(finding, outcome.tables);
     if (subject.empty() && finding.status == kNotDefined) {
       ++further;
       continue;

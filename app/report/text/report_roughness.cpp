@@ -7,6 +7,15 @@
 
 namespace asperity {
 
+std::string equal_force_text(const ReportFacts& facts) {
+  if (!facts.has_equal_force) return {};
+  const std::string matched =
+      "he force models were matched in the RMS of their texture force along a prescribed path.";
+  // The amplitudes of equal roughness then change the forces.
+  return (facts.roughness_matches.empty() ? "T" : "Before their roughness was matched, t") +
+         matched;
+}
+
 std::string equal_roughness_text(const ReportFacts& facts) {
   std::size_t all = 0;
   std::size_t failed = 0;

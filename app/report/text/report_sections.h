@@ -71,6 +71,8 @@ std::string groups_text(const ReportFacts& facts);
 std::string devices_in(const ReportFacts& facts);
 /// The sessions in which participants moved no device or felt no force; empty where there are none.
 std::string unfelt_force_text(const ReportFacts& facts);
+/// The external programs that stated levels, each with its number of sessions, and their failures; empty without any.
+std::string external_programs_text(const ReportFacts& facts);
 /// The masking noise as recorded, without the protocol's requests.
 std::string recorded_noise_text(const ReportFacts& facts);
 /// "speed (slow and fast)", "spacing (500 µm and 1 mm)": a factor by its name without the unit, with its levels.
