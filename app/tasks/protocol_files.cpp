@@ -26,6 +26,7 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/analysis_warnings.h"
+#include "protocols/file/design_warnings.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/plan_warnings.h"
 #include "protocols/file/protocol_problems.h"
@@ -512,6 +513,9 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
     check.warnings.push_back(std::move(warning));
   }
   for (Diagnostic& warning : warnings_about_analysis(*check.protocol, check.file)) {
+    check.warnings.push_back(std::move(warning));
+  }
+  for (Diagnostic& warning : warnings_about_design(*check.protocol, check.file)) {
     check.warnings.push_back(std::move(warning));
   }
   for (const auto& [name, block] : check.protocol->blocks) {

@@ -1,0 +1,175 @@
+#include "protocols/file/design_warnings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/number_text.h"
+#include "protocols/design/block_factors.h"
+#include "protocols/design/discrimination_design.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
+#include "protocols/file/json_document.h"
+#include "protocols/kinds/discrimination.h"
+#include "protocols/plan/roughness_matching.h"
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+
+namespace {
+
+using Block = Protocol::Block;
+
+/// Its levels number the repetitions of the same trials.
+constexpr std::string_view kRepetitionFactor = "column";
+
+/// Keys that state which trials there are, not what a trial presents.
+constexpr std::array<std::string_view, 8> kKeysOfRows{
+    "factors",          "crossed",          "drawn",          "exclude", "repetitions_of",
+    "minimum_distance", "maximum_in_a_row", "fixed_positions"};
+
+/// Texts for people, in which the name of a factor can be a word.
+constexpr std::array<std::string_view, 6> kKeysOfTexts{"prompt",    "text",        "title",
+                                                       "statement", "description", "label"};
+
+bool is_word_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Also within a formula: "speed / wavelength".
+bool has_word(std::string_view text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos;
+       at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool begins = at == 0 || !is_word_character(text[at - 1]);
+    if (begins && (end == text.size() || !is_word_character(text[end]))) return true;
+  }
+  return false;
+}
+
+bool names_factor(const nlohmann::json& value, const std::string& factor) {
+  if (value.is_string()) return has_word(value.get_ref<const std::string&>(), factor);
+  if (value.is_object()) {
+    return std::any_of(value.items().begin(), value.items().end(), [&factor](const auto& entry) {
+      const std::string& key = entry.key();
+      if (std::find(kKeysOfRows.begin(), kKeysOfRows.end(), key) != kKeysOfRows.end() ||
+          std::find(kKeysOfTexts.begin(), kKeysOfTexts.end(), key) != kKeysOfTexts.end()) {
+        return false;
+      }
+      return key == factor || names_factor(entry.value(), factor);
+    });
+  }
+  return value.is_array() && std::any_of(value.begin(), value.end(), [&factor](const auto& each) {
+           return names_factor(each, factor);
+         });
+}
+
+class DesignWarnings final {
+ public:
+  DesignWarnings(const Protocol& protocol, const std::string& file_name)
+      : protocol_(protocol), document_(protocol.source, file_name) {}
+
+  std::vector<Diagnostic> all() {
+    const auto source = nlohmann::json::parse(protocol_.source);
+    for (const auto& [name, block] : protocol_.blocks) {
+      const std::string pointer = pointer_to("/blocks", name);
+      warn_of_unused_factors(block, source, pointer);
+      warn_of_prior(block, pointer);
+      warn_of_parts(block, pointer);
+      warn_of_positions(block, pointer);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void warn(const std::string& pointer, std::string message) {
+    found_.push_back(document_.at(pointer, std::move(message)));
+  }
+
+  void warn_of_unused_factors(const Block& block, const nlohmann::json& source,
+                              const std::string& pointer) {
+    for (std::size_t i = 0; i < block.crossed.size(); ++i) {
+      const std::string& factor = block.crossed[i];
+      const auto known = protocol_.factors.find(factor);
+      if (factor == kRepetitionFactor || known == protocol_.factors.end() ||
+          known->second.levels.size() < 2 || names_factor(source, factor)) {
+        continue;
+      }
+      warn(pointer_to(pointer + "/crossed", i),
+           "no stimulus, exploration or question uses the factor " + in_quotes(factor) +
+               ", so that its levels repeat the same trials; use it, or remove it and state "
+               "repetitions");
+    }
+  }
+
+  void warn_of_prior(const Block& block, const std::string& pointer) {
+    if (!block.procedure) return;
+    for (const ProcedureSettings& settings : block.procedure->tracks) {
+      const PosteriorTrack* const track = posterior_track_of(settings);
+      if (track == nullptr) continue;
+      double smallest = 0.0;
+      double largest = 0.0;
+      for (const double level : levels_of(track->grid)) {
+        const double difference = std::abs(level - track->origin);
+        if (difference > 0.0 && (smallest == 0.0 || difference < smallest)) smallest = difference;
+        largest = std::max(largest, difference);
+      }
+      const ValueRange& prior = track->prior.thresholds;
+      if (prior.highest >= smallest && prior.lowest <= largest) continue;
+      warn(pointer + "/procedure/prior/threshold",
+           std::string("all thresholds of the prior are ") +
+               (prior.highest < smallest ? "below the smallest" : "above the largest") +
+               " difference of the levels from the standard, so that the procedure cannot find a "
+               "threshold within the levels; state a range that contains the expected threshold");
+      return;
+    }
+  }
+
+  /// The pairs of a part connect all levels if they contain two successive rounds (part_of_round in block_rows.cpp).
+  void warn_of_parts(const Block& block, const std::string& pointer) {
+    if (!block.all_pairs || block.all_pairs->parts < 2) return;
+    const auto factor = protocol_.factors.find(block.all_pairs->factor);
+    if (factor == protocol_.factors.end()) return;
+    const std::size_t levels = factor->second.levels.size();
+    const auto parts = static_cast<std::size_t>(block.all_pairs->parts);
+    if (2 * parts < levels) return;
+    warn(pointer + "/all_pairs/parts",
+         "with " + std::to_string(parts) +
+             " parts, the pairs of a participant need not connect "
+             "all " +
+             std::to_string(levels) + " levels of " + in_quotes(factor->first) +
+             "; state fewer than half as many parts as levels, at most " +
+             std::to_string((levels - 1) / 2));
+  }
+
+  void warn_of_positions(const Block& block, const std::string& pointer) {
+    if (block.phase != Phase::main || block.kind != discrimination_kind().id || !block.vary ||
+        block.positions != Block::Positions::balanced || block.design->has_noise() ||
+        block.design->is_choice_of_three() || block.vary->values().size() < 2 ||
+        chooses_levels_from_answers(block) || matches_roughness(protocol_, block)) {
+      return;
+    }
+    warn(
+        pointer + "/positions",
+        "positions are balanced over the block and not within each level, so that a level can have "
+        "the comparison more often in one position; increase the repetitions, and do not compare "
+        "positions by level");
+  }
+
+  const Protocol& protocol_;
+  JsonDocument document_;
+  std::vector<Diagnostic> found_{};
+};
+
+}  // namespace
+
+std::vector<Diagnostic> warnings_about_design(const Protocol& protocol,
+                                              const std::string& file_name) {
+  return DesignWarnings(protocol, file_name).all();
+}
+
+}  // namespace asperity
