@@ -1,4 +1,4 @@
-// The option that says where contacts are evaluated.
+// Declares the option for the place where contacts are evaluated.
 
 #pragma once
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/words/phrase.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -15,11 +16,9 @@ using namespace std::chrono_literals;
 constexpr std::chrono::nanoseconds kRealTime = 400us;
 constexpr std::chrono::nanoseconds kSimulatedTime = 60s;
 
-}  // namespace
-
-std::shared_ptr<const Compute> compute_of_session(bool in_real_time) {
+std::shared_ptr<const Compute> compute_within(std::chrono::nanoseconds deadline) {
   try {
-    return first_compute(in_real_time ? kRealTime : kSimulatedTime);
+    return first_compute(deadline);
   } catch (const std::exception& error) {
     throw PhrasedError(
         phrase("RunSession",
@@ -27,6 +26,28 @@ std::shared_ptr<const Compute> compute_of_session(bool in_real_time) {
                "the protocol: device.compute)")
             .with(std::string(error.what())));
   }
+}
+
+}  // namespace
+
+std::shared_ptr<const Compute> compute_in_real_time() { return compute_within(kRealTime); }
+
+std::shared_ptr<const Compute> compute_on_simulated_clock() {
+  return compute_within(kSimulatedTime);
+}
+
+void require_two_bodies(const Protocol& protocol, const ModelRegistry& models) {
+  for (const Trial& trial : possible_trials(protocol)) {
+    for (const PlannedPresentation& presentation : trial.presentations) {
+      const ForceModel* const model = models.find(presentation.stimulus.model);
+      if (model != nullptr && model->declaration.needs_bodies) return;
+    }
+  }
+  throw PhrasedError(
+      phrase("RunSession",
+             "no stimulus of the protocol %1 has a force model with two bodies, and only its "
+             "contacts are evaluated on a GPU; leave out --compute or device.compute")
+          .with(protocol.name));
 }
 
 nlohmann::ordered_json json_of_compute(const ModelRegistry& models) {

@@ -223,7 +223,9 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   const Protocol protocol =
       load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());
   if (inputs.on_gpu.value_or(protocol.computes_on_gpu)) {
-    builder.compute_on(compute_of_session(inputs.pacing == RunPacing::real_time));
+    require_two_bodies(protocol, models);
+    builder.compute_on(inputs.pacing == RunPacing::real_time ? compute_in_real_time()
+                                                             : compute_on_simulated_clock());
   }
   // A session that is resumed needs none once every level is stored (`sit`).
   if (!inputs.resume || inputs.level_program) require_program(protocol, inputs.level_program);

@@ -164,7 +164,10 @@ class Simulation final {
     }
     // No protocol takes levels from it.
     if (!is_used) require_program(protocols_.back(), inputs.level_program);
-    if (is_on_gpu()) builder_.compute_on(compute_of_session(false));
+    if (is_on_gpu()) {
+      for (const Protocol& protocol : protocols_) require_two_bodies(protocol, models);
+      builder_.compute_on(compute_on_simulated_clock());
+    }
   }
 
   SimulationResult run();

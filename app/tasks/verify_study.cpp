@@ -185,7 +185,7 @@ class BuildersOfAttempts final {
     if (!own) {
       own = std::make_unique<Own>(builds_.with(wanted), study_folder_);
       if (on_device && !ComputeDevice::all().empty()) {
-        own->builder.compute_on(compute_of_session(false));
+        own->builder.compute_on(compute_on_simulated_clock());
       }
     }
     return &own->builder;

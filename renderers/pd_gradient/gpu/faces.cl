@@ -1,7 +1,7 @@
 // The faces of textured bodies over the window of a contact, and their heights, on a compute device.
 //
-// The arithmetic is that of reference_penetration.cpp, operation by operation, in double precision. SURFACES, the group
-// sizes and the structs that the host names are repeated in gpu_penetration.cpp. penetration.cl continues this file: the
+// The arithmetic is that of reference_penetration.cpp, operation by operation, in double precision. SURFACES and the structs
+// that the host names are repeated in device_task.h, the sizes of groups in gpu_penetration.cpp. penetration.cl continues this file: the
 // driver compiles both as one text.
 //
 // A "surface" of a contact is B (0), A at its pose (1), or A in one of the ten configurations of the differences

@@ -382,6 +382,8 @@ __kernel void rate_heights(__global const Task* restrict tasks, __global const F
     for (int q = 0; q < RATES; ++q) all_rates[((size_t)contact * RATES + q) * most_samples + sample] = rates[q];
     return;
   }
+  // A driver that computes the height otherwise than in sample_here: the answer is not a number, and never an old one.
+  for (int q = 0; q < RATES; ++q) all_rates[((size_t)contact * RATES + q) * most_samples + sample] = NAN;
 }
 
 // One work group: the weighted sums of the smooth maximum of one contact, after find_deepest.
