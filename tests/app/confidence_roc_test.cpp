@@ -175,6 +175,8 @@ TEST(ConfidenceRoc, HasNoIntervalWhereAllSignalsHaveOneRating) {
   const Finding* const area = FoundNumbers(roc).find("auc", kLevelOfRoc);
   ASSERT_TRUE(area != nullptr && area->value);
   EXPECT_FALSE(area->low);
+  EXPECT_EQ(FoundNumbers(roc).find("auc.lower", kLevelOfRoc), nullptr);
+  EXPECT_EQ(FoundNumbers(roc).find("auc.upper", kLevelOfRoc), nullptr);
   EXPECT_THAT(area->method, HasSubstr("; without an interval"));
 }
 

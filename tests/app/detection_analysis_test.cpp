@@ -239,8 +239,13 @@ TEST(DetectionAnalysis, StatesThatMeansOfSmallSensitivitiesAreTooHigh) {
   EXPECT_THAT(answer,
               HasSubstr("means of small d′ are too high. Participants with d′ = 0: 54 µm: "));
   for (const Finding& finding : guesses.findings) {
-    if (finding.quantity != "dprime.diff.loglinear" || !finding.low) continue;
-    EXPECT_GE(*finding.low, 0.0) << finding.key;
+    if (finding.quantity == "dprime.diff.loglinear" && finding.low) {
+      EXPECT_GE(*finding.low, 0.0) << finding.key;
+    }
+    if (finding.quantity.starts_with("dprime.") &&
+        finding.quantity.find(".lower") != std::string::npos) {
+      EXPECT_GE(finding.value.value_or(0.0), 0.0) << finding.quantity << ' ' << finding.key;
+    }
   }
   EXPECT_THAT(answer_of(outcome_of_detections(yes_no_task(), as_coin, 7, 10), "sensitivity"),
               Not(HasSubstr("too high")));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -161,12 +162,20 @@ bool AccompanyingScales::has(const std::string& scale) const {
 }
 
 std::string AccompanyingScales::groups_text() const {
-  const bool has_correctness = std::any_of(scales_.begin(), scales_.end(), [](const Scale& scale) {
-    return std::any_of(scale.groups.begin(), scale.groups.end(),
-                       [](const Scale::Group& group) { return group.by == "correctness"; });
-  });
-  return has_correctness ? "the trials with correct and over those with incorrect responses"
-                         : "the trials in which the same item was chosen";
+  std::set<std::string> by{};
+  for (const Scale& scale : scales_) {
+    for (const Scale::Group& group : scale.groups) by.insert(group.by);
+  }
+  std::vector<std::string> texts{};
+  if (by.contains("correctness")) {
+    texts.emplace_back("the trials with correct and over those with incorrect responses");
+  }
+  if (by.contains("chosen")) texts.emplace_back("the trials in which the same item was chosen");
+  if (by.contains("presented")) texts.emplace_back("the trials with the same item");
+  if (texts.empty()) texts.emplace_back("all trials");
+  std::string text = texts.front();
+  for (std::size_t i = 1; i < texts.size(); ++i) text += ", and over " + texts[i];
+  return text;
 }
 
 void AccompanyingScales::add_tests(StudyTests& tests) const {

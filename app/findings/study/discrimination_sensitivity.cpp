@@ -268,8 +268,16 @@ Phrase mean_sensitivities(const DiscriminationResults& results, const UnboundedA
 /// The delta method has no valid limits where d′ is near 0 and cannot be negative.
 void drop_impossible_intervals(const DiscriminationDesign& design, std::vector<Finding>& findings) {
   if (named_design(design).id != "same_different") return;
+  std::set<std::pair<std::string, std::string>> limits{};  // quantities and keys
   for (Finding& finding : findings) {
     if (!finding.quantity.starts_with("dprime.") || !finding.low || *finding.low >= 0.0) continue;
+    for (const char* const limit : {".lower", ".upper"}) {
+      constexpr std::string_view kCorrected = ".loglinear";
+      std::string quantity = finding.quantity;
+      const std::size_t end =
+          quantity.size() - (quantity.ends_with(kCorrected) ? kCorrected.size() : 0);
+      limits.emplace(quantity.insert(end, limit), finding.key);
+    }
     finding.low.reset();
     finding.high.reset();
     finding.confidence.reset();
@@ -277,6 +285,9 @@ void drop_impossible_intervals(const DiscriminationDesign& design, std::vector<F
         "; without an interval, because that of the delta method contains negative values, which "
         "d′ cannot have by this rule";
   }
+  std::erase_if(findings, [&limits](const Finding& finding) {
+    return limits.contains({finding.quantity, finding.key});
+  });
 }
 
 void count_zeros(const GatheredAnswers& gathered, const DiscriminationResults& results,
@@ -313,7 +324,7 @@ void ask_mean_sensitivity(const DiscriminationResults& results, const UnboundedA
   const Phrase answer =
       explained_bounds(phrase("Analysis", "Mean d′ by the %1 of the comparison: %2.")
                            .with(words_of_parameter(results.study.task.varied.parameter), means),
-                       levels, results.study.task.varied.unit);
+                       levels, results);
   const std::string name =
       results.name.empty() ? kSensitivity : std::string(kSensitivity) + ':' + results.name;
   add_question(outcome, name.c_str(),

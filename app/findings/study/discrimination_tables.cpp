@@ -361,10 +361,13 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
     add(phrase(
             "Analysis",
             "95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of "
-            "each level being resampled %1 times and split again. There is no CI of the slope and "
-            "the JND where the slope of more than 2.5 % of the resampled functions is at the "
-            "bound of the fit, which would be its limit.")
+            "each level being resampled %1 times and split again. There is no CI of the slope "
+            "where that of more than 2.5 % of the resampled functions is at the bound of the fit, "
+            "which would be its limit.")
             .with(std::to_string(kUnforcedResamples)));
+    if (shown.has_unforced_jnd) {
+      add(phrase("Analysis", "The JND, which follows from the slope, then has no CI either."));
+    }
   }
   if (shown.has_unforced_jnd) add(note_on_unforced_jnd());
   if (shown.has_limited_slopes) {

@@ -113,14 +113,22 @@ Phrase with_left_out_means(Phrase note, const std::vector<DiscriminationResults>
       if (count == 0) return;
       note = sentence.with(note, measure, std::to_string(count), std::to_string(left_out.of));
     };
-    add(phrase("Analysis",
-               "%1 %2: the means do not include %3 of %4 thresholds, which are below the presented "
-               "levels, and are too high."),
-        left_out.below);
-    add(phrase("Analysis",
-               "%1 %2: the means do not include %3 of %4 thresholds, which are above the presented "
-               "levels, and are too low."),
-        left_out.above);
+    if (left_out.below > 0 && left_out.above > 0) {
+      note = phrase("Analysis",
+                    "%1 %2: the means do not include %3 thresholds below and %4 above the "
+                    "presented levels (of %5), so that the direction of their bias is unknown.")
+                 .with(note, measure, std::to_string(left_out.below),
+                       std::to_string(left_out.above), std::to_string(left_out.of));
+    } else {
+      add(phrase("Analysis",
+                 "%1 %2: the means do not include %3 of %4 thresholds, which are below the "
+                 "presented levels; means that lack one are too high."),
+          left_out.below);
+      add(phrase("Analysis",
+                 "%1 %2: the means do not include %3 of %4 thresholds, which are above the "
+                 "presented levels; means that lack one are too low."),
+          left_out.above);
+    }
     if (left_out.other() > 0) {
       note = phrase("Analysis", "%1 %2: %3 of %4 thresholds could not be estimated (%5).")
                  .with(note, measure, std::to_string(left_out.other()), std::to_string(left_out.of),
@@ -133,7 +141,8 @@ Phrase with_left_out_means(Phrase note, const std::vector<DiscriminationResults>
 std::string bias_sentences(const std::vector<Finding>& findings, const std::string& quantity,
                            const std::string& measure) {
   const LeftOutThresholds left_out = left_out_thresholds(findings, quantity);
-  if (left_out.below + left_out.above == left_out.of) return {};  // there is no mean
+  if (left_out.below + left_out.above + left_out.other() == left_out.of)
+    return {};  // there is no mean
   const auto sentence = [&](std::size_t count, const char* bias, const char* side) {
     if (count == 0) return std::string();
     return " The mean " + measure + " is too " + bias + ", because it does not include " +

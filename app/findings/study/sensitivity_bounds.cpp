@@ -52,7 +52,7 @@ Phrase with_bound(const Phrase& mean, const UnboundedParticipants& of) {
 }
 
 Phrase explained_bounds(const Phrase& answer, const UnboundedAtLevels& levels,
-                        const std::string& unit) {
+                        const DiscriminationResults& results) {
   Phrase explained = answer;
   const auto add = [&](auto is_so, const Phrase& sentence) {
     if (std::any_of(levels.begin(), levels.end(),
@@ -77,9 +77,13 @@ Phrase explained_bounds(const Phrase& answer, const UnboundedAtLevels& levels,
   Phrase zeros{};
   for (const auto& [place, of] : levels) {
     if (of.at_zero == 0) continue;
-    const Phrase one = phrase("Analysis", "%1: %2 of %3")
-                           .with(stated_quantity(place.second, unit), std::to_string(of.at_zero),
-                                 std::to_string(of.participants));
+    Phrase one = phrase("Analysis", "%1: %2 of %3")
+                     .with(stated_quantity(place.second, results.study.task.varied.unit),
+                           std::to_string(of.at_zero), std::to_string(of.participants));
+    if (results.conditions.size() > 1) {
+      one = phrase("Analysis", "%1, %2")
+                .with(words_of_condition(results.conditions[place.first]), one);
+    }
     zeros = zeros.empty() ? one : phrase("Analysis", "%1; %2").with(zeros, one);
   }
   if (zeros.empty()) return explained;

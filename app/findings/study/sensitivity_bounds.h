@@ -44,6 +44,6 @@ Phrase with_bound(const Phrase& mean, const UnboundedParticipants& of);
 /// The answer, and after it what these marks mean and, by a rule without negative d′, that means of small d′ are too high.
 /// `unit`: of the levels.
 Phrase explained_bounds(const Phrase& answer, const UnboundedAtLevels& levels,
-                        const std::string& unit);
+                        const DiscriminationResults& results);
 
 }  // namespace asperity

@@ -153,10 +153,14 @@ Phrase qualification_of_stress(const FoundNumbers& found) {
   if (const std::size_t same = coinciding_items(found).items.size(); same > 0) {
     const std::optional<double> metric =
         found.value("stress.ratio", std::to_string(dimensions_in(found)));
-    return phrase("Analysis",
-                  "The configuration is partly degenerate: %1 items lie on one point, so that a "
-                  "low stress is not evidence of a good fit; the stress-1 of metric scaling is %2.")
-        .with(std::to_string(same), stress_text(metric.value_or(0.0)));
+    const Phrase collapsed =
+        phrase("Analysis",
+               "The configuration is partly degenerate: %1 items lie on one point, so that a "
+               "low stress is not evidence of a good fit.")
+            .with(std::to_string(same));
+    if (!metric) return collapsed;
+    return phrase("Analysis", "%1 The stress-1 of metric scaling is %2.")
+        .with(collapsed, stress_text(*metric));
   }
   if (!has_one_chosen_dimension(found)) return {};
   return phrase("Analysis", "Cross-validation chose one dimension; at least two are shown.");
@@ -173,15 +177,20 @@ EstimateSentence configuration_sentence(const AnalysisOutcome& outcome) {
   if (dimensions == 0 || !stress) return {};
   std::string text = "The configuration in " + std::to_string(dimensions) +
                      " dimensions had a stress-1 of " + stress_text(*stress);
-  if (metric) text += " (metric scaling: " + stress_text(*metric) + ')';
+  if (metric && coinciding_items(found).items.empty()) {  // otherwise the next sentence states it
+    text += " (metric scaling: " + stress_text(*metric) + ')';
+  }
   text += '.';
-  for (const Phrase& remark : remarks_on_configuration(found)) text += ' ' + remark.english();
-  if (const auto together = found.value("protest.r2")) {
+  const Phrase qualification = qualification_of_stress(found);
+  if (!qualification.empty()) text += ' ' + qualification.english();
+  const auto together = found.value("protest.r2");
+  const auto p = found.value("protest.p");
+  if (together && p) {
     text +=
         " All measured properties together, as a configuration of their standardised values: "
         "Procrustes r² = " +
-        reading_bounded(*together) + ", permutation test (PROTEST) " +
-        reading_p(found.value("protest.p").value_or(1.0)) + ", uncorrected.";
+        reading_bounded(*together) + ", permutation test (PROTEST) " + reading_p(*p) +
+        ", uncorrected.";
   }
   return {.text = text};
 }

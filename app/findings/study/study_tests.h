@@ -62,6 +62,8 @@ class StudyTests final {
   bool is_declared() const noexcept { return is_declared_; }
 
  private:
+  /// Sets the name of the family from its tests.
+  void name_family();
   /// Applies Holm's correction to the p of the family, and to the smallest attainable ones.
   void adjust();
   /// The smallest number of participants with a difference other than zero with which a test that permutes signs can be
@@ -70,7 +72,6 @@ class StudyTests final {
   std::size_t tests_in_family() const;
   /// The note below the table: the number of tests in the family, and the contents of the columns,
   /// without the symbols of the tests that are called `left_out`.
-  void name_family();
   Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
   Phrase note_on_columns(std::string_view left_out) const;
   /// The tests with participants whose difference is zero, and how many they are; empty without such a test. Signed-rank

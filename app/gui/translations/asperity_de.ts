@@ -2628,10 +2628,6 @@
         <translation>%1 Versuchspersonen und Stufen ohne Zeile: %2, weil alle ihre Durchgänge auf der Stufe den Vergleichsreiz an derselben Position hatten oder es keine Durchgänge ohne Signal gab.</translation>
     </message>
     <message>
-        <source>95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of each level being resampled %1 times and split again. There is no CI of the slope and the JND where the slope of more than 2.5 % of the resampled functions is at the bound of the fit, which would be its limit.</source>
-        <translation>95-%-KI bei Antworten „kann es nicht sagen“: Bootstrap-Perzentile, wobei die drei Ergebnisse jeder Stufe %1-mal neu gezogen und wieder aufgeteilt werden. Kein KI haben die Steigung und die JND, wo die Steigung von mehr als 2,5 % der neu gezogenen Funktionen an der Grenze der Anpassung liegt, die dann ihre Grenze wäre.</translation>
-    </message>
-    <message>
         <source>Hits are responses “different”; those at a difference of 0 are false alarms, to all pairs of equal surfaces: two standards, or two comparisons of any level.</source>
         <translation>Treffer sind Antworten „verschieden“; die bei einem Unterschied von 0 sind falsche Alarme bei allen Paaren gleicher Oberflächen: zwei Standardreizen oder zwei Vergleichsreizen einer beliebigen Stufe.</translation>
     </message>
@@ -2642,14 +2638,6 @@
     <message>
         <source>%1 Not estimated: %2 of %3 participants (%4).</source>
         <translation>%1 Nicht geschätzt: %2 von %3 Versuchspersonen (%4).</translation>
-    </message>
-    <message>
-        <source>%1 %2: the means do not include %3 of %4 thresholds, which are below the presented levels, and are too high.</source>
-        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die unter den dargebotenen Stufen liegen, und sind zu hoch.</translation>
-    </message>
-    <message>
-        <source>%1 %2: the means do not include %3 of %4 thresholds, which are above the presented levels, and are too low.</source>
-        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die über den dargebotenen Stufen liegen, und sind zu niedrig.</translation>
     </message>
     <message>
         <source>%1 %2: %3 of %4 thresholds could not be estimated (%5).</source>
@@ -2692,8 +2680,32 @@
         <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt (%2), und ihre mittleren Unähnlichkeiten sind %3 bis %4. Der Stress hängt von diesen Unähnlichkeiten nicht ab. Mit denen identischer Paare vergleichen und das Dendrogramm und den Stress der metrischen Skalierung heranziehen.</translation>
     </message>
     <message>
-        <source>The configuration is partly degenerate: %1 items lie on one point, so that a low stress is not evidence of a good fit; the stress-1 of metric scaling is %2.</source>
-        <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt, sodass ein geringer Stress kein Beleg einer guten Anpassung ist; der Stress-1 der metrischen Skalierung ist %2.</translation>
+        <source>95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of each level being resampled %1 times and split again. There is no CI of the slope where that of more than 2.5 % of the resampled functions is at the bound of the fit, which would be its limit.</source>
+        <translation>95-%-KI mit Antworten „nicht zu sagen“: Bootstrap-Perzentile; die drei Ergebnisse jeder Stufe werden %1-mal neu gezogen und wieder aufgeteilt. Die Steigung hat kein KI, wo die von mehr als 2,5 % der neu gezogenen Funktionen an der Grenze der Anpassung liegt, die dann seine Grenze wäre.</translation>
+    </message>
+    <message>
+        <source>The JND, which follows from the slope, then has no CI either.</source>
+        <translation>Die JND, die aus der Steigung folgt, hat dann ebenfalls kein KI.</translation>
+    </message>
+    <message>
+        <source>%1 %2: the means do not include %3 thresholds below and %4 above the presented levels (of %5), so that the direction of their bias is unknown.</source>
+        <translation>%1 %2: Die Mittelwerte enthalten %3 Schwellen unter und %4 über den dargebotenen Stufen nicht (von %5), sodass die Richtung ihrer Verzerrung unbekannt ist.</translation>
+    </message>
+    <message>
+        <source>%1 %2: the means do not include %3 of %4 thresholds, which are below the presented levels; means that lack one are too high.</source>
+        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die unter den dargebotenen Stufen liegen; Mittelwerte, denen eine fehlt, sind zu hoch.</translation>
+    </message>
+    <message>
+        <source>%1 %2: the means do not include %3 of %4 thresholds, which are above the presented levels; means that lack one are too low.</source>
+        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die über den dargebotenen Stufen liegen; Mittelwerte, denen eine fehlt, sind zu niedrig.</translation>
+    </message>
+    <message>
+        <source>The configuration is partly degenerate: %1 items lie on one point, so that a low stress is not evidence of a good fit.</source>
+        <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt, sodass ein niedriger Stress kein Beleg für eine gute Anpassung ist.</translation>
+    </message>
+    <message>
+        <source>%1 The stress-1 of metric scaling is %2.</source>
+        <translation>%1 Der Stress-1 der metrischen Skalierung beträgt %2.</translation>
     </message>
 </context>
 <context>
@@ -7220,6 +7232,10 @@
     <message>
         <source>contacts cannot be evaluated on a GPU: %1 (on the command line: --compute cpu; in the protocol: device.compute)</source>
         <translation>Kontakte können nicht auf einer GPU berechnet werden: %1 (auf der Kommandozeile: --compute cpu; im Protokoll: device.compute)</translation>
+    </message>
+    <message>
+        <source>no stimulus of the protocol %1 has a force model with two bodies, and only its contacts are evaluated on a GPU; leave out --compute or device.compute</source>
+        <translation>kein Stimulus des Protokolls %1 hat ein Kraftmodell mit zwei Körpern, und nur deren Kontakte werden auf einer GPU berechnet; lassen Sie --compute oder device.compute weg</translation>
     </message>
 </context>
 <context>

@@ -364,7 +364,8 @@ std::string with_modelled_times(std::string words, const std::string& analysis) 
   return words;
 }
 
-/// "62.5 µm, virtual0003" for "all|6.25e-05|virtual0003": the key of a level, with the unit of the table that states it.
+/// "62.5 µm, virtual0003" for "all|6.25e-05|virtual0003": a key of condition, level and perhaps participant, with the unit of
+/// the table that states the level.
 std::string words_of_level_key(const Finding& finding, std::span<const NamedTable> tables) {
   const auto unit_of = [&](double value) {
     for (const NamedTable& named : tables) {
@@ -379,10 +380,15 @@ std::string words_of_level_key(const Finding& finding, std::span<const NamedTabl
     return std::string();
   };
   std::vector<std::string> parts{};
-  for (const std::string& part : parts_of(finding.key)) {
-    if (part == "all") continue;
-    const auto value = number_in(part);
-    parts.push_back(value ? stated_quantity(*value, unit_of(*value)) : words_of_condition(part));
+  const std::vector<std::string> key = parts_of(finding.key);
+  for (std::size_t i = 0; i < key.size(); ++i) {
+    constexpr std::size_t kCondition = 0;
+    constexpr std::size_t kLevel = 1;
+    if (i == kCondition && key[i] == "all") continue;
+    const auto value = i == kLevel ? number_in(key[i]) : std::nullopt;
+    parts.push_back(value             ? stated_quantity(*value, unit_of(*value))
+                    : i == kCondition ? words_of_condition(key[i])
+                                      : key[i]);
   }
   std::string text{};
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
