@@ -26,8 +26,7 @@ constexpr std::size_t kGroupOfWeights = 256;  // WEIGH_GROUP
 // A body's triangles and texture on the device.
 struct DeviceBody {
   DeviceBody(const cl::Context& context, const TexturedMesh& mesh, double gain)
-      : triangles(mesh.triangles.size()),
-        rows(static_cast<cl_int>(mesh.atlas.rows)),
+      : rows(static_cast<cl_int>(mesh.atlas.rows)),
         columns(static_cast<cl_int>(mesh.atlas.columns)),
         step_m(gain * mesh.atlas.step_m) {
     std::vector<DeviceCorner> list = corners_of(mesh);
@@ -39,7 +38,6 @@ struct DeviceBody {
     texels = cl::Buffer(context, kCopied, values.size() * sizeof(std::int16_t), values.data());
   }
 
-  std::size_t triangles = 0;
   cl_int rows = 0;
   cl_int columns = 0;
   cl_double step_m = 0.0;
