@@ -21,8 +21,9 @@ struct Refit {
   std::optional<double> threshold{};
 };
 
-Refit refitted(std::span<const PsychometricBlock> blocks, const PsychometricQuestion& question) {
-  Refit refit{.maximum = maximise_psychometric(blocks, question.model)};
+Refit refitted(std::span<const PsychometricBlock> blocks, const PsychometricQuestion& question,
+               PsychometricStarts& starts) {
+  Refit refit{.maximum = maximise_psychometric(blocks, question.model, starts)};
   const bool has_threshold =
       refit.maximum.increases && judge(blocks, question.model).status == PsychometricStatus::ok;
   const double threshold = refit.maximum.function.inverse(question.performance);
@@ -71,6 +72,7 @@ ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks
                                        std::span<const std::vector<std::uint64_t>> resamples,
                                        const PsychometricQuestion& question) {
   ThresholdBootstrap answer;
+  PsychometricStarts starts{};
   std::vector<PsychometricBlock> resampled(blocks.begin(), blocks.end());
   for (const std::vector<std::uint64_t>& hits : resamples) {
     if (hits.size() != blocks.size()) {
@@ -81,7 +83,7 @@ ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks
     for (std::size_t i = 0; i < hits.size(); ++i) {
       resampled[i].hits = hits[i];
     }
-    add(refitted(resampled, question), answer);
+    add(refitted(resampled, question, starts), answer);
   }
   summarise(question.confidence, answer);
   return answer;
@@ -94,12 +96,13 @@ ParametricBootstrap parametric_bootstrap(std::span<const PsychometricBlock> bloc
   ParametricBootstrap answer;
   Random random = Random(kSeedOfTests).split("psychometric bootstrap");
   std::vector<PsychometricBlock> drawn(blocks.begin(), blocks.end());
+  PsychometricStarts starts{};
   std::size_t as_large = 1;
   for (std::size_t draw = 0; draw < draws; ++draw) {
     for (PsychometricBlock& block : drawn) {
       block.hits = binomial_draw(block.trials, fit.function.value(block.x), random);
     }
-    const Refit refit = refitted(drawn, question);
+    const Refit refit = refitted(drawn, question, starts);
     as_large += refit.maximum.deviance >= fit.deviance - kRounding ? 1 : 0;
     add(refit, answer.thresholds);
   }

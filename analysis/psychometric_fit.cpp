@@ -117,7 +117,8 @@ std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBloc
   }
   normal_limit(question.confidence);  // throws for a confidence outside (0, 1)
   const PsychometricLikelihood data(blocks, question.model);
-  const CurveSolution solution = greatest_likelihood(data);
+  PsychometricStarts starts{};
+  const CurveSolution solution = greatest_likelihood(data, starts);
   if (!is_increasing(data, solution.maximum)) {
     return std::nullopt;
   }

@@ -21,17 +21,18 @@ constexpr double kSteepest = 0.99;    // F at the end of the smallest gap, 1 −
 constexpr double kLeastProbability = 1e-300;
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-// A count of 0 has no term: 0·ln 0 would make the sum NaN.
+double log_of_hit(const PsychometricFunction& f, const StandardCurve& s) {
+  return std::log(std::max(f.gamma + (1.0 - f.gamma - f.lambda) * s.F, kLeastProbability));
+}
+double log_of_miss(const PsychometricFunction& f, const StandardCurve& s) {
+  return std::log(std::max(f.lambda + (1.0 - f.gamma - f.lambda) * s.Q, kLeastProbability));
+}
+
 double log_probability_of(const PsychometricBlock& block, const PsychometricFunction& f,
                           const StandardCurve& s) {
-  const double reach = 1.0 - f.gamma - f.lambda;
   double sum = 0.0;
-  if (hits_of(block) > 0.0) {
-    sum += hits_of(block) * std::log(std::max(f.gamma + reach * s.F, kLeastProbability));
-  }
-  if (misses_of(block) > 0.0) {
-    sum += misses_of(block) * std::log(std::max(f.lambda + reach * s.Q, kLeastProbability));
-  }
+  if (hits_of(block) > 0.0) sum += hits_of(block) * log_of_hit(f, s);
+  if (misses_of(block) > 0.0) sum += misses_of(block) * log_of_miss(f, s);
   return sum;
 }
 
@@ -173,6 +174,28 @@ double PsychometricLikelihood::value(const CurveParameters& at) const {
   for (const PsychometricBlock& block : blocks_) {
     const StandardCurve s = standard_curve(model_.shape, standard_argument(f, block.x));
     sum += log_probability_of(block, f, s);
+  }
+  return sum;
+}
+
+std::vector<LogProbabilities> PsychometricLikelihood::log_probabilities(
+    const CurveParameters& at) const {
+  const PsychometricFunction f = function(at);
+  std::vector<LogProbabilities> of_blocks{};
+  for (const PsychometricBlock& block : blocks_) {
+    const StandardCurve s = standard_curve(model_.shape, standard_argument(f, block.x));
+    of_blocks.push_back({.hit = log_of_hit(f, s), .miss = log_of_miss(f, s)});
+  }
+  return of_blocks;
+}
+
+double PsychometricLikelihood::value(std::span<const LogProbabilities> of_blocks) const {
+  double sum = constant_;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    double of_block = 0.0;
+    if (hits_of(blocks_[i]) > 0.0) of_block += hits_of(blocks_[i]) * of_blocks[i].hit;
+    if (misses_of(blocks_[i]) > 0.0) of_block += misses_of(blocks_[i]) * of_blocks[i].miss;
+    sum += of_block;
   }
   return sum;
 }

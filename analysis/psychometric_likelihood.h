@@ -81,6 +81,12 @@ struct CurveRange {
   double high = 1.0;
 };
 
+/// ln ψ and ln(1 − ψ) at the level of a block.
+struct LogProbabilities {
+  double hit = 0.0;
+  double miss = 0.0;
+};
+
 struct CurveLikelihood {
   double value = 0.0;
   CurveParameters gradient = CurveParameters::Zero();
@@ -108,6 +114,10 @@ class PsychometricLikelihood final {
 
   PsychometricFunction function(const CurveParameters& at) const;
   double value(const CurveParameters& at) const;
+  /// By block. They depend on the model and the levels, but not on the counts.
+  std::vector<LogProbabilities> log_probabilities(const CurveParameters& at) const;
+  /// `value` at the parameters of these probabilities, in every bit.
+  double value(std::span<const LogProbabilities> of_blocks) const;
   CurveLikelihood likelihood(const CurveParameters& at) const;
   /// The log likelihood with a separate probability k/n for each block: the upper limit of all models.
   double saturated() const;

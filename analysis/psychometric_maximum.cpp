@@ -64,60 +64,6 @@ CurveMaximum bobyqa(const PsychometricLikelihood& data, const CurveParameters& s
   return {.at = at, .value = data.value(at)};
 }
 
-// The best points of a grid that lie apart from each other: with guessing the likelihood has several maxima.
-std::vector<CurveParameters> starts(const PsychometricLikelihood& data) {
-  constexpr int kPositions = 41;
-  constexpr std::size_t kMost = 6;
-  const CurveBounds& bounds = data.bounds();
-  const double first = data.levels().front();
-  const double range = data.levels().back() - first;
-  const PsychometricModel& model = data.model();
-  const std::vector<double> gammas =
-      model.gamma ? std::vector<double>{*model.gamma} : std::vector<double>{0.01, 0.1, 0.3};
-  const std::vector<double> lambdas =
-      model.lambda ? std::vector<double>{*model.lambda}
-                   : std::vector<double>{0.05 * model.greatest_lambda, 0.6 * model.greatest_lambda};
-  struct Start {
-    CurveParameters at = CurveParameters::Zero();
-    double place = 0.0;  // of α among the levels
-    double value = 0.0;
-  };
-  std::vector<Start> all;
-  for (int i = 0; i < kPositions; ++i) {
-    const double place = first + range * i / (kPositions - 1);
-    const double alpha = is_weibull(model.shape) ? std::exp(place) : place;
-    for (const double less : {0.0, 0.15, 0.4, 0.7, 1.0, 1.4, 1.8, 2.2, 2.6, 3.0, 3.5, 4.0, 5.0}) {
-      for (const double gamma : gammas) {
-        for (const double lambda : lambdas) {
-          const double log_beta = std::max(bounds.low(1), bounds.high(1) - less);
-          const CurveParameters at(alpha, log_beta, gamma, lambda);
-          all.push_back({.at = at, .place = place, .value = data.value(at)});
-        }
-      }
-    }
-  }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Start& a, const Start& b) { return a.value > b.value; });
-  std::vector<Start> kept;
-  for (const Start& start : all) {
-    const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Start& other) {
-      return std::abs(start.place - other.place) > 3.0 * range / kPositions ||
-             std::abs(start.at(1) - other.at(1)) > 0.8;
-    });
-    if (is_new) {
-      kept.push_back(start);
-    }
-    if (kept.size() == kMost) {
-      break;
-    }
-  }
-  std::vector<CurveParameters> points;
-  for (const Start& start : kept) {
-    points.push_back(start.at);
-  }
-  return points;
-}
-
 }  // namespace
 
 CurveMaximum climb(const PsychometricLikelihood& data, CurveParameters at,
@@ -174,9 +120,9 @@ CurveMaximum climb(const PsychometricLikelihood& data, CurveParameters at,
   return {.at = at, .value = here.value};
 }
 
-CurveSolution greatest_likelihood(const PsychometricLikelihood& data) {
+CurveSolution greatest_likelihood(const PsychometricLikelihood& data, PsychometricStarts& starts) {
   CurveMaximum best;
-  for (const CurveParameters& start : starts(data)) {
+  for (const CurveParameters& start : starts.best(data)) {
     const CurveMaximum found = climb(data, bobyqa(data, start).at, data.free());
     if (found.value > best.value) {
       best = found;
@@ -230,15 +176,22 @@ bool is_increasing(const PsychometricLikelihood& data, const CurveMaximum& maxim
 }
 
 PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,
-                                          const PsychometricModel& model) {
+                                          const PsychometricModel& model,
+                                          PsychometricStarts& starts) {
   const PsychometricLikelihood data(blocks, model);
-  const CurveSolution solution = greatest_likelihood(data);
+  const CurveSolution solution = greatest_likelihood(data, starts);
   const double log_likelihood = std::max(solution.maximum.value, data.constant());
   return {.function = data.function(solution.maximum.at),
           .log_likelihood = log_likelihood,
           .deviance = 2.0 * (data.saturated() - log_likelihood),
           .increases = is_increasing(data, solution.maximum),
           .beta_at_bound = solution.at_bound.beta};
+}
+
+PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,
+                                          const PsychometricModel& model) {
+  PsychometricStarts starts{};
+  return maximise_psychometric(blocks, model, starts);
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_starts.h"
 
 namespace asperity {
 
@@ -34,9 +35,9 @@ struct CurveSolution {
   FreeParameters free{};  ///< without the parameters at a bound
 };
 
-/// The greatest likelihood over the starts of a grid: BOBYQA from the best of them, then `climb`. A
+/// The greatest likelihood over the best starts of a grid: BOBYQA from each of them, then `climb`. A
 /// parameter close to its bound is set to the bound where the likelihood is the same.
-CurveSolution greatest_likelihood(const PsychometricLikelihood& data);
+CurveSolution greatest_likelihood(const PsychometricLikelihood& data, PsychometricStarts& starts);
 
 /// Whether an increasing function has a greater likelihood than every constant. If not, the likelihood has
 /// no maximum: it grows towards that of a constant as β → 0 and α → ±∞.
@@ -53,5 +54,9 @@ struct PsychometricMaximum {
 };
 PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,
                                           const PsychometricModel& model);
+/// The same result; `starts` is kept for the next data set with the same levels.
+PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,
+                                          const PsychometricModel& model,
+                                          PsychometricStarts& starts);
 
 }  // namespace asperity

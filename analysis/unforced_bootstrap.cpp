@@ -54,13 +54,14 @@ UnforcedBootstrap bootstrap_unforced(std::span<const UnforcedBlock> blocks,
   std::vector<std::vector<double>> thresholds(asked);
   std::vector<double> betas{};
   std::size_t at_bound = 0;
+  PsychometricStarts starts{};
   for (std::size_t draw = 0; draw < draws; ++draw) {
     std::vector<PsychometricBlock> resampled{};
     for (const UnforcedBlock& block : blocks) {
       resampled.push_back(split_block(drawn(block, random), alternatives));
     }
     if (judge(resampled, question.model).status != PsychometricStatus::ok) continue;
-    const PsychometricMaximum maximum = maximise_psychometric(resampled, question.model);
+    const PsychometricMaximum maximum = maximise_psychometric(resampled, question.model, starts);
     std::vector<double> of_draw{};
     for (const double performance : question.performances) {
       of_draw.push_back(maximum.function.inverse(performance));

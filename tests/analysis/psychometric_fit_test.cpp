@@ -212,6 +212,37 @@ TEST(PsychometricFit, RefusesImpossibleCounts) {
   EXPECT_THROW(fit_psychometric(Blocks{{1, 4, 4}}, {}), std::invalid_argument);
 }
 
+// The grid of one data set is used for the next one only if the model and the levels are the same.
+TEST(PsychometricFit, IsTheSameWithTheStartsOfAnotherDataSet) {
+  const Blocks first{{1, 20, 4}, {2, 20, 8}, {3, 20, 15}, {4, 20, 19}};
+  const Blocks counts{{1, 20, 2}, {2, 20, 11}, {3, 20, 13}, {4, 20, 18}};
+  const Blocks levels{{1, 20, 2}, {2, 20, 11}, {3, 20, 13}, {5, 20, 18}};
+  const Blocks fewer{{1, 20, 2}, {2, 20, 11}, {3, 20, 13}};
+  PsychometricStarts starts{};
+  for (const PsychometricModel& model :
+       {PsychometricModel{}, PsychometricModel{.gamma = std::nullopt, .lambda = std::nullopt},
+        PsychometricModel{.shape = PsychometricShape::weibull, .gamma = 0.1},
+        PsychometricModel{.lambda = 0.02}}) {
+    for (const Blocks& blocks : {first, counts, levels, fewer, first}) {
+      const PsychometricMaximum kept = maximise_psychometric(blocks, model, starts);
+      const PsychometricMaximum fresh = maximise_psychometric(blocks, model);
+      EXPECT_EQ(kept.log_likelihood, fresh.log_likelihood);
+      EXPECT_EQ(kept.function.alpha, fresh.function.alpha);
+      EXPECT_EQ(kept.function.beta, fresh.function.beta);
+    }
+  }
+}
+
+// The values of a grid are those of the likelihood, in every bit.
+TEST(PsychometricLikelihood, IsTheSameFromLogProbabilities) {
+  const Blocks blocks{{1, 20, 0}, {2, 20, 11}, {3, 20, 20}, {4, 20, 18, 0.5}};
+  const PsychometricLikelihood data(blocks, {.gamma = std::nullopt});
+  for (const double gamma : {0.0, 0.2}) {
+    const CurveParameters at(2.2, 0.3, gamma, 0.0);
+    EXPECT_EQ(data.value(data.log_probabilities(at)), data.value(at));
+  }
+}
+
 // F is 0.2, 0.5 and 0.8: 10^t is 0.22, 0.69 and 1.61, and t rises by some 0.43 per unit of x.
 TEST(PsychometricFit, KeepsTheSlopeWithinTheLimitsOfTheModel) {
   const std::vector<PsychometricBlock> blocks{{.x = -1.0, .trials = 20, .hits = 12},
