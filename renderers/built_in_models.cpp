@@ -7,6 +7,7 @@
 #include "renderers/models/auto_regressive.h"
 #include "renderers/models/bump_map.h"
 #include "renderers/models/data_driven.h"
+#include "renderers/models/elastic_halfspace.h"
 #include "renderers/models/filtered_noise.h"
 #include "renderers/models/height_map.h"
 #include "renderers/models/lateral_gradient.h"
@@ -16,6 +17,7 @@
 #include "renderers/models/sinusoid.h"
 #include "renderers/models/solid_noise.h"
 #include "renderers/models/stochastic.h"
+#include "renderers/models/winkler.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 
 namespace asperity {
@@ -35,6 +37,8 @@ ModelRegistry built_in_models() {
   registry.add(auto_regressive_model());
   registry.add(recorded_model());
   registry.add(data_driven_model());
+  registry.add(elastic_halfspace_model());
+  registry.add(winkler_model());
   return registry;
 }
 

@@ -10,7 +10,7 @@
 namespace asperity {
 
 /// The registry of height_map, sinusoid, stochastic, lateral_gradient, pd_gradient, bump_map, normal_map, periodic,
-/// solid_noise, filtered_noise, auto_regressive and recorded.
+/// solid_noise, filtered_noise, auto_regressive, recorded, data_driven, elastic_halfspace and winkler.
 ModelRegistry built_in_models();
 
 /// The same models, with the contacts of two textured bodies evaluated on a compute device instead of the processor.

@@ -129,11 +129,11 @@ void add_plot_options(CLI::App& command, RenderPlot& plot) {
 #endif
 
 /// In how many of the ticks something was so that the force model does not promise anything for.
-void tell_limits(const ForceRenderer& renderer, std::size_t ticks) {
+void tell_limits(const ForceModel& model, const ForceRenderer& renderer, std::size_t ticks) {
   for (const NamedCount& limit : renderer.limits()) {
     if (limit.ticks == 0 || limit.name == "contact") continue;
     std::cerr << limit.name << ", number of ticks: " << limit.ticks << " of " << ticks
-              << "; see \"Counted conditions\" in docs/models/pd_gradient.md\n";
+              << "; see \"Counted conditions\" in docs/models/" << model.declaration.id << ".md\n";
   }
 }
 
@@ -295,7 +295,7 @@ void add_render(CLI::App& program, Job& job) {
         write_figure(plot.file, column_figure(with_tool(), plot.columns()), {}, overwrite);
       }
 #endif
-      tell_limits(*renderer, along.ticks.size());
+      tell_limits(model, *renderer, along.ticks.size());
       return 0;
     };
   });

@@ -308,8 +308,9 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
     const std::string correction =
         count.name == "fine_detail" && has_bodies ? why_too_fine(stimulus) : "";
-    sentence += correction.empty() ? " (see \"Counted conditions\" in docs/models/pd_gradient.md)"
-                                   : correction;
+    sentence += correction.empty()
+                    ? " (see \"Counted conditions\" in docs/models/" + described.model + ".md)"
+                    : correction;
     warnings.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
   }
   return warnings;

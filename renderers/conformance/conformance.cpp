@@ -18,6 +18,7 @@
 #include "renderers/conformance/check_paths.h"
 #include "renderers/conformance/finite_check.h"
 #include "renderers/conformance/heap_calls.h"
+#include "renderers/force/indentation_law.h"
 #include "renderers/offline/along_path.h"
 #include "renderers/servo/servo_thread.h"
 #include "stimuli/heights/synthetic_surface.h"
@@ -81,6 +82,11 @@ ConformanceCheck zero_amplitude(const ForceModel& model, const RendererInputs& i
     return check;
   }
   const auto renderer = make_renderer(model, without_texture(model.declaration, inputs));
+  if (dynamic_cast<const IndentationLaw*>(renderer.get()) != nullptr) {
+    check.result = Conformance::not_applicable;
+    check.measured = "the model has its own law of indentation";
+    return check;
+  }
   // height_map renders a plate up to a depth limit only, so the stroke is no deeper than 1 mm.
   std::vector<ProbeState> path = stroke(model, 0.2, kConformanceRate_Hz);
   constexpr double kPlateDepth_m = 0.001;

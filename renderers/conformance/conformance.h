@@ -40,7 +40,8 @@ struct ConformanceCourse {
 /// this order:
 ///
 ///   zero_amplitude  with the amplitude parameter at 0 and without friction, a stroke at depth d has the force k·d along +z and
-///                   the penetration d: the plate without texture
+///                   the penetration d: the plate without texture. Not of models with two bodies or with their own law of
+///                   indentation
 ///   deterministic   two renderers with the same inputs, and one that is reset, give the same bits on the same path
 ///   finite          force, torque and penetration are finite, the penetration is not negative, and there is no force without
 ///                   contact: on a path into and out of contact and across the border of the patch, up to 1 m/s, with every

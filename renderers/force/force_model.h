@@ -74,7 +74,7 @@ struct ForceModel {
   /// add energy in one direction and remove it in the other.
   std::optional<ParameterValues> conservative_with{};
   /// The parameter values with which the force on a probe that holds still keeps changing, in the same form: an empty set
-  /// for all values, nullopt for none. A force that settles within 0.1 s does not move by itself.
+  /// for all values, nullopt for none. A force that settles within 0.2 s does not move by itself.
   std::optional<ParameterValues> moves_by_itself_with{};
   /// The parameter values with which a model that declares `feels_applied_force = false` depends on the applied force
   /// nevertheless.

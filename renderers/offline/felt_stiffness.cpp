@@ -17,6 +17,7 @@
 
 #include "analysis/random.h"
 #include "device/refusal.h"
+#include "renderers/force/indentation_law.h"
 
 namespace asperity {
 namespace {
@@ -364,6 +365,16 @@ std::optional<FeltStiffness> felt_stiffness(const ForceModel& model, const Rende
   require_positive("StiffnessSearch::force_limit_N", all.force_limit_N);
   require_positive("StiffnessSearch::step_m", *all.step_m);
   StiffestPlace stiffest(model, inputs, all);
+  if (!model.declaration.needs_bodies) {
+    RendererInputs complete = inputs;
+    complete.parameters = complete_values(model.declaration, inputs.parameters);
+    const std::unique_ptr<ForceRenderer> own = model.make(complete);
+    if (const auto* const law = dynamic_cast<const IndentationLaw*>(own.get())) {
+      return FeltStiffness{
+          .stiffness_N_per_m = law->indentation_stiffness_N_per_m(all.force_limit_N),
+          .force_N = all.force_limit_N};
+    }
+  }
   std::vector<Place> places;
   if (const HeightField* const field = rendered_field(model, inputs)) {
     add_sharpest(*field, inputs.patch, *all.extent_m, places);

@@ -45,6 +45,8 @@ struct FeltStiffness {
 /// not cover jumps of a model's force (at contact, height_map's literal law at its depth limit). nullopt if no place
 /// has a stiffness: the force jumps everywhere, or does not grow.
 ///
+/// A model with its own law of indentation (indentation_law.h) has that of the surface without texture, in closed form.
+///
 /// Limits: for a model with internal motion (pd_gradient's virtual coupling) the result is that of the force directly
 /// after `reset`, which differs from what a hand feels.
 ///

@@ -15,6 +15,7 @@
 #include "analysis/spectrum.h"
 #include "device/refusal.h"
 #include "renderers/force/friction.h"
+#include "renderers/force/indentation_law.h"
 #include "renderers/offline/along_path.h"
 #include "renderers/offline/bracketed_root.h"
 #include "renderers/offline/constant_height.h"
@@ -22,8 +23,20 @@
 namespace asperity {
 namespace {
 
-constexpr double kRmsTolerance = 1e-9;
-constexpr int kAmplitudeBits = 50;  // nearly all of them
+/// How closely the two searches find their forces.
+struct Accuracy {
+  double of_height = HeightSearch{}.tolerance;
+  int height_bits = HeightSearch{}.height_bits;
+  double of_rms = 1e-9;
+  int amplitude_bits = 50;  // nearly all of them
+};
+/// Of contacts that are solved by iterations: their force has steps of up to a thousandth between heights.
+constexpr Accuracy kOfIterations{
+    .of_height = 1e-3, .height_bits = 12, .of_rms = 5e-3, .amplitude_bits = 14};
+
+Accuracy accuracy_of(const ForceRenderer& renderer) {
+  return dynamic_cast<const IndentationLaw*>(&renderer) == nullptr ? Accuracy{} : kOfIterations;
+}
 
 std::string text_of(double value) {
   char characters[32];
@@ -78,10 +91,16 @@ double mean_normal_N(std::span<const glm::dvec3> forces_N) {
 // The height over the plane at which the mean normal force is the path's.
 double height_of(const ForceModel& model, ForceRenderer& renderer, Strokes& strokes,
                  const RendererInputs& inputs, const TextureForcePath& path) {
+  const Accuracy accuracy = accuracy_of(renderer);
+  const auto* const law = dynamic_cast<const IndentationLaw*>(&renderer);
   const ConstantHeight found = constant_height(
       [&](double height_m) { return mean_normal_N(strokes.forces_N(renderer, height_m)); },
       {.force_N = path.mean_normal_force_N,
-       .stiffness_N_per_m = inputs.material.stiffness_N_per_m});
+       .stiffness_N_per_m = law == nullptr
+                                ? inputs.material.stiffness_N_per_m
+                                : law->indentation_stiffness_N_per_m(path.mean_normal_force_N),
+       .tolerance = accuracy.of_height,
+       .height_bits = accuracy.height_bits});
   if (found.height_m) return *found.height_m;
   throw std::invalid_argument(
       "the force model " + model.declaration.id + " has a mean normal force of " +
@@ -153,6 +172,7 @@ SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& i
                                 double target_rms_N, const TextureForcePath& path) {
   require_positive("target_rms_N", target_rms_N);
   const Parameter& amplitude = amplitude_of(model.declaration);
+  const Accuracy accuracy = accuracy_of(*make_renderer(model, inputs));
   RendererInputs candidate = inputs;
   const auto rms_N = [&](double value) {
     candidate.parameters[amplitude.name] = value;
@@ -169,9 +189,9 @@ SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& i
     excesses = {excesses.high, excess(value.high)};
   }
   if (excesses.low <= 0.0 && excesses.high >= 0.0) {
-    const double solved = root_of(excess, value, excesses, kAmplitudeBits);
+    const double solved = root_of(excess, value, excesses, accuracy.amplitude_bits);
     const double solved_rms_N = rms_N(solved);
-    if (std::abs(solved_rms_N / target_rms_N - 1.0) <= kRmsTolerance) {
+    if (std::abs(solved_rms_N / target_rms_N - 1.0) <= accuracy.of_rms) {
       return {amplitude.name, solved, solved_rms_N};
     }
   }

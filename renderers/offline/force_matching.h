@@ -46,8 +46,9 @@ struct SolvedAmplitude {
   double texture_force_rms_N = 0.0;
 };
 
-/// The value of the model's amplitude parameter at which the texture force has the given RMS, accurate to 1e-9 of it:
-/// the smallest solution found by doubling from the given or default value. All other inputs are unchanged.
+/// The value of the model's amplitude parameter at which the texture force has the given RMS, accurate to 1e-9 of it, and to
+/// 5e-3 for a model with its own law of indentation (indentation_law.h): the smallest solution found by doubling from the
+/// given or default value. All other inputs are unchanged.
 ///
 /// Errors: those of texture_force_rms_N; and std::invalid_argument for a target that is not positive, a model without
 /// amplitude parameter, and a target that cannot be reached within the parameter's declared range, naming model, range

@@ -294,6 +294,26 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfEveryModelFromItsOwnForces) {
   EXPECT_NEAR(half, 0.5 * stiffness("lateral_gradient", R"("gain_N": 50)"), 0.01 * half);
 }
 
+// A flat end of 3 mm on E* = 133 kPa: 2E*R = 800 N/m, and directly after a change of depth 1.2 times as much.
+TEST_F(DeviceRehearsalTest, ForetellsTheStiffnessOfASoftSurfaceInClosedForm) {
+  const auto damped = [](double damping_N_s_per_m) {
+    DeviceProfile device = ideal();
+    device.items = {numbered("damping_N_s_per_m", damping_N_s_per_m)};
+    return device;
+  };
+  const std::string protocol = one_stimulus("elastic_halfspace", R"("tip": "flat")");
+  const auto found = one(protocol, damped(0.4), "stiffness");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, 960.0, 1e-6);
+  EXPECT_NEAR(found->device, 800.0, 1e-6);
+  EXPECT_FALSE(one(protocol, damped(0.5), "stiffness"));
+  // A ball: 2 · 1.2 · E* · (3·5 N·R/(4E*))^(1/3)
+  const auto ball = one(one_stimulus("elastic_halfspace", ""), damped(0.4), "stiffness");
+  ASSERT_TRUE(ball);
+  const double reduced_Pa = 1e5 / 0.75;
+  EXPECT_NEAR(ball->asked, 2.4 * reduced_Pa * std::cbrt(0.75 * 5.0 * 0.003 / reduced_Pa), 1e-6);
+}
+
 TEST_F(DeviceRehearsalTest, NamesTheForceOfAStimulusThatNeverReachesTheLimit) {
   const DeviceProfile weak = with_item(ideal(), "damping_N_s_per_m", 1e-6);
   const auto found =

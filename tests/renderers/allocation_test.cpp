@@ -50,6 +50,8 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
       {"filtered_noise", {{}, {{"peak_wavelength_m", 1e-3}}}},
       {"auto_regressive", {{}, {{"coefficient_3", 0.1}}}},
       {"recorded", {{}, {{"axis_of_spectrum", std::string("temporal")}}}},
+      {"elastic_halfspace", {{}, {{"tip", std::string("flat")}, {"relaxation_ratio", 1.0}}}},
+      {"winkler", {{}}},
       {"data_driven", {{}, {{"axis", std::string("motion")}, {"variance", std::string("linear")}}}},
       {"pd_gradient",
        {{},

@@ -33,13 +33,14 @@ TEST(ModelRegistry, KnowsTheBuiltInModels) {
       body_mesh(PlateShape{{0.02, 0.02, 0.01}}, inputs.height_field.get()));
   inputs.tool =
       std::make_shared<const TexturedMesh>(body_mesh(SphereShape{.diameter_m = 0.004}, nullptr));
-  for (const char* id : {"height_map", "sinusoid", "stochastic", "lateral_gradient", "pd_gradient",
-                         "bump_map", "normal_map", "periodic", "solid_noise", "filtered_noise",
-                         "auto_regressive", "recorded", "data_driven"}) {
+  for (const char* id :
+       {"height_map", "sinusoid", "stochastic", "lateral_gradient", "pd_gradient", "bump_map",
+        "normal_map", "periodic", "solid_noise", "filtered_noise", "auto_regressive", "recorded",
+        "data_driven", "elastic_halfspace", "winkler"}) {
     ASSERT_NE(registry.find(id), nullptr) << id;
     EXPECT_NE(registry.make(id, inputs), nullptr);
   }
-  EXPECT_EQ(registry.models().size(), 13U);
+  EXPECT_EQ(registry.models().size(), 15U);
   EXPECT_EQ(registry.find("no_such_model"), nullptr);
 }
 

@@ -40,7 +40,7 @@ RendererInputs declared_inputs(const ForceModel& model, const ParameterValues& v
   return inputs;
 }
 
-/// The largest change of the force between two ticks of a probe that holds still, from 0.1 s after a stroke.
+/// The largest change of the force between two ticks of a probe that holds still, from 0.2 s after a stroke.
 double change_at_rest_N(const ForceModel& model, const ParameterValues& values) {
   const auto renderer = make_renderer(model, declared_inputs(model, values));
   std::vector<ProbeState> path = samples_of({.height_m = -0.0005, .duration_s = 0.2});
@@ -52,7 +52,7 @@ double change_at_rest_N(const ForceModel& model, const ParameterValues& values) 
   }
   const std::vector<RenderedTick> felt = along_path(*renderer, path, 1000.0);
   double change_N = 0.0;
-  for (std::size_t i = 301; i < felt.size(); ++i) {
+  for (std::size_t i = 401; i < felt.size(); ++i) {
     change_N = std::max(change_N, glm::length(felt[i].wrench.force_N - felt[i - 1].wrench.force_N));
   }
   return change_N;

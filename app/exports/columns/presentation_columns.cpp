@@ -106,7 +106,7 @@ std::string meaning_of_limit(const std::string& limit) {
            "or its normal force or penetration negative (docs/write-a-force-model.md)";
   }
   return "ticks in which this assumption of the force model was violated "
-         "(docs/models/pd_gradient.md)";
+         "(\"Counted conditions\" of its page in docs/models)";
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
   };
 }
 
-/// What a force model counts (docs/models/pd_gradient.md), in words.
+/// What a force model counts ("Counted conditions" of its page in docs/models), in words.
 QString limit_words(const std::string& kind) {
   if (kind == "contact") return MeasureTables::tr("a surface was touched");
   if (kind == "folded") {
@@ -153,6 +153,15 @@ QString limit_words(const std::string& kind) {
   if (kind == "no_compute") {
     return MeasureTables::tr(
         "the compute device had no answer in time, and the processor evaluated the contacts");
+  }
+  if (kind == "unfinished") {
+    return MeasureTables::tr("the contact changed faster than its computation followed");
+  }
+  if (kind == "cell_border") {
+    return MeasureTables::tr("the contact was wider than the region that is computed");
+  }
+  if (kind == "large_strain") {
+    return MeasureTables::tr("the tip was pressed in too deep for the law of small strains");
   }
   if (kind == "plugin_error") return MeasureTables::tr("the plug-in reported an error");
   if (kind == "plugin_not_valid") {

@@ -10233,6 +10233,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>the compute device had no answer in time, and the processor evaluated the contacts</source>
         <translation>das Rechengerät antwortete nicht rechtzeitig; der Prozessor wertete die Kontakte aus</translation>
     </message>
+    <message>
+        <source>the contact changed faster than its computation followed</source>
+        <translation>der Kontakt änderte sich schneller, als die Berechnung folgte</translation>
+    </message>
+    <message>
+        <source>the contact was wider than the region that is computed</source>
+        <translation>der Kontakt war breiter als der berechnete Bereich</translation>
+    </message>
+    <message>
+        <source>the tip was pressed in too deep for the law of small strains</source>
+        <translation>die Spitze war für das Gesetz kleiner Dehnungen zu tief eingedrückt</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MetadataDialog</name>
@@ -13944,6 +13956,10 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief was measured; its least-squares plane was subtracted. Compare how the force models render it. To use it in the study, convert the file with “asperity texture”.</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief wurde gemessen; seine Ausgleichsebene wurde abgezogen. Vergleichen Sie, wie die Kraftmodelle es wiedergeben. Um es in der Studie zu verwenden, wandeln Sie die Datei mit „asperity texture“ um.</translation>
+    </message>
+    <message>
+        <source>%1 The dent is that of “%2”, with the same factor. Drag to stroke, right button: light, arrow keys: turn.</source>
+        <translation>%1 Die Delle ist die von „%2“, mit demselben Faktor. Ziehen: streichen, rechte Taste: Licht, Pfeiltasten: drehen.</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,100 @@
+// Implements the rigid tip on an elastic foundation.
+
+#include "renderers/models/winkler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "renderers/elastic/surface_dent.h"
+#include "renderers/force/indentation_law.h"
+#include "renderers/force/layers.h"
+#include "renderers/models/tip_contact.h"
+
+namespace asperity {
+namespace {
+
+class Winkler final : public ForceRenderer, public IndentationLaw, public DentsSurface {
+ public:
+  explicit Winkler(const RendererInputs& inputs)
+      : tip_(inputs),
+        shape_(tip_shape_of(inputs.parameters)),
+        foundation_N_per_m3_(number_of(inputs.parameters, "foundation_N_per_m3")) {}
+
+  void reset(const ProbeState& first) noexcept override {
+    tip_.reset();
+    touched_ = nullptr;
+    at_m_ = glm::dvec2(first.position_m);
+  }
+
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
+    const PressedTip::Overlap* const overlap = tip_.overlap(probe);
+    touched_ = overlap != nullptr && overlap->deepest_m > 0.0 ? overlap : nullptr;
+    at_m_ = glm::dvec2(probe.position_m);
+    if (touched_ == nullptr) return tip_.no_contact();
+    return tip_.force(probe, overlap->depth_m, foundation_N_per_m3_ * tip_.cell_m() * tip_.cell_m(),
+                      nullptr, dt_s);
+  }
+
+  Friction* friction() noexcept override { return tip_.friction(); }
+
+  std::optional<SurfaceDent> dent() const override {
+    if (touched_ == nullptr) return {};
+    SurfaceDent dent{.centre_m = at_m_, .cell_m = tip_.cell_m(), .depth_m = touched_->depth_m};
+    for (double& depth_m : dent.depth_m) depth_m = std::max(0.0, depth_m);
+    return dent;
+  }
+
+  double indentation_stiffness_N_per_m(double force_N) const override {
+    const double per_depth = std::numbers::pi * shape_.radius_m * foundation_N_per_m3_;
+    return shape_.end == TipEnd::flat ? per_depth * shape_.radius_m
+                                      : 2.0 * std::sqrt(per_depth * force_N);
+  }
+  std::optional<std::string> indentation_problem(double) const override { return {}; }
+
+ private:
+  TipContact tip_;
+  PressedTip::Shape shape_{};
+  double foundation_N_per_m3_ = 0.0;
+  const PressedTip::Overlap* touched_ = nullptr;  ///< of the last tick
+  glm::dvec2 at_m_{0.0};
+};
+
+}  // namespace
+
+ForceModel winkler_model() {
+  ModelDeclaration declaration{.id = "winkler",
+                               .version = "1",
+                               .summary = "A rigid tip on a textured bed of springs",
+                               .source = "Johnson (1985), Contact mechanics, section 4.3",
+                               .needs_height_field = true,
+                               .amplitude_parameter = "height_scale",
+                               .replay_tolerance_N = 1e-9,
+                               .parameters = {}};
+  add_tip_parameters(declaration.parameters);
+  declaration.parameters.push_back(
+      {.name = "foundation_N_per_m3",
+       .kind = ParameterKind::number,
+       .unit = "N/m3",
+       .minimum = 1e4,
+       .maximum = 1e11,
+       .choices = {},
+       .default_value = 3e7,
+       .meaning = "Pressure per depth; the default is as stiff under a flat end of 3 mm as "
+                  "elastic_halfspace with its defaults"});
+  add_layer_parameters(declaration.parameters);
+  return {.declaration = std::move(declaration),
+          .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+            return std::make_unique<Winkler>(inputs);
+          },
+          .suggested_by = {},
+          .conservative_with = ParameterValues{},
+          .band = band_of_tip,
+          .band_formula = kBandOfTip};
+}
+
+}  // namespace asperity
