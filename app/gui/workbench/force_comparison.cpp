@@ -464,6 +464,17 @@ std::vector<PlotSeries> ForceComparison::forces() const {
   return all;
 }
 
+std::optional<ForceComparison::Dent> ForceComparison::dent() const {
+  for (std::size_t m = 0; m < stroke_.models().size(); ++m) {
+    const auto* const soft = dynamic_cast<const DentsSurface*>(stroke_.models()[m].renderer.get());
+    if (soft == nullptr || stroke_.path().empty()) continue;
+    const std::optional<SurfaceDent> dent = soft->dent();
+    if (!dent) return {};
+    return Dent{.model = model_name(*card_of(m).model), .surface = *dent};
+  }
+  return {};
+}
+
 std::vector<PlotSeries> ForceComparison::spectra() const {
   std::vector<PlotSeries> all = forces();
   for (PlotSeries& series : all) {

@@ -20,6 +20,7 @@
 #include "app/gui/workbench/force_stroke.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "app/gui/workbench/surface_card.h"
+#include "renderers/elastic/surface_dent.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/felt_roughness.h"
 
@@ -69,6 +70,12 @@ class ForceComparison final : public QWidget {
   /// The last two seconds of the stroke, and their spectra.
   std::vector<PlotSeries> forces() const;
   std::vector<PlotSeries> spectra() const;
+  /// The dent that the hand makes in the first of the stroked models with a soft surface.
+  struct Dent {
+    QString model{};  ///< its name
+    SurfaceDent surface{};
+  };
+  std::optional<Dent> dent() const;
   /// How the forces of the stroke would shake a held tool (FeltRoughness): a curve of the RMS
   /// acceleration for every model, over the same two seconds, with the newest number as its name.
   std::vector<PlotSeries> roughness() const;

@@ -74,6 +74,16 @@ void for_each_slope(const ReliefMesh& mesh, const Use& use) {
   }
 }
 
+/// The limits and the normals of its heights.
+void complete(ReliefMesh& mesh) {
+  const auto [low, high] = std::minmax_element(mesh.heights_m.begin(), mesh.heights_m.end());
+  mesh.lowest_m = static_cast<double>(*low);
+  mesh.highest_m = static_cast<double>(*high);
+  for_each_slope(mesh, [&mesh](std::size_t index, float slope_x, float slope_y) {
+    mesh.normals[index] = glm::normalize(glm::vec3{-slope_x, -slope_y, 1.0F});
+  });
+}
+
 struct Vertex {
   float x = 0.0F;
   float y = 0.0F;
@@ -192,13 +202,24 @@ ReliefMesh relief_mesh(const HeightField& field, std::size_t longest_side) {
         round_factor(std::min(kTallest * mesh.width_m / range_m, kSteepest_rms / slope_rms));
   }
   for (float& height_m : mesh.heights_m) height_m *= static_cast<float>(mesh.exaggeration);
-  mesh.lowest_m = static_cast<double>(*low);
-  mesh.highest_m = static_cast<double>(*high);
   mesh.normals.resize(mesh.heights_m.size());
-  for_each_slope(mesh, [&mesh](std::size_t index, float slope_x, float slope_y) {
-    mesh.normals[index] = glm::normalize(glm::vec3{-slope_x, -slope_y, 1.0F});
-  });
+  complete(mesh);
   return mesh;
+}
+
+ReliefMesh pressed_in(const ReliefMesh& mesh, const SurfaceDent& dent) {
+  ReliefMesh pressed = mesh;
+  for (std::size_t i = 0; i < mesh.rows; ++i) {
+    for (std::size_t j = 0; j < mesh.columns; ++j) {
+      pressed.heights_m[i * mesh.columns + j] -=
+          static_cast<float>(mesh.exaggeration * dent.depth_at({x_of(mesh, j), y_of(mesh, i)}));
+    }
+  }
+  complete(pressed);
+  // The slab below stays as thick as without the dent.
+  pressed.lowest_m = mesh.lowest_m;
+  pressed.highest_m = mesh.highest_m;
+  return pressed;
 }
 
 ReliefProjection::ReliefProjection(const ReliefLook& look, double width_m, double length_m,
@@ -255,8 +276,9 @@ QImage draw_relief(const ReliefMesh& mesh, const ReliefLook& look, QSize size) {
       const std::size_t index = i * mesh.columns + j;
       const QPointF flat = origin + static_cast<double>(j) * across + static_cast<double>(i) * down;
       const float height_m = mesh.heights_m[index];
-      vertices[index] = {static_cast<float>(flat.x()), static_cast<float>(flat.y()) + up * height_m,
-                         shade(mesh.normals[index], light, (height_m - lowest_m) * per_m)};
+      vertices[index] = {
+          static_cast<float>(flat.x()), static_cast<float>(flat.y()) + up * height_m,
+          shade(mesh.normals[index], light, std::max(0.0F, (height_m - lowest_m) * per_m))};
     }
   }
 

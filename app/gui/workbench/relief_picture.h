@@ -13,6 +13,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "renderers/elastic/surface_dent.h"
 #include "stimuli/heights/height_field.h"
 
 namespace asperity {
@@ -35,6 +36,9 @@ struct ReliefMesh {
 
 /// `longest_side` samples at most along the longer side.
 ReliefMesh relief_mesh(const HeightField& field, std::size_t longest_side);
+
+/// The relief with a dent, exaggerated as its heights are. The limits stay those of the relief without it.
+ReliefMesh pressed_in(const ReliefMesh& mesh, const SurfaceDent& dent);
 
 /// From where it is looked at and where the light comes from. Angles are about and above the plane
 /// of the relief.

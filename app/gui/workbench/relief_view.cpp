@@ -66,6 +66,12 @@ void ReliefView::set_trail(std::vector<glm::dvec2> trail_m) {
   update();
 }
 
+void ReliefView::set_dent(std::optional<SurfaceDent> dent) {
+  if (!dent && !dent_) return;
+  dent_ = std::move(dent);
+  move();
+}
+
 void ReliefView::set_look(const ReliefLook& look) {
   look_ = look;
   move();
@@ -86,9 +92,10 @@ double ReliefView::height_at(const glm::dvec2& point_m) const {
     return static_cast<std::size_t>(
         std::clamp(share * static_cast<double>(count), 0.0, static_cast<double>(count - 1)));
   };
-  return static_cast<double>(
+  const auto height_m = static_cast<double>(
       mesh.heights_m[cell(0.5 - point_m.y / mesh.length_m, mesh.rows) * mesh.columns +
                      cell(0.5 + point_m.x / mesh.width_m, mesh.columns)]);
+  return dent_ ? height_m - mesh.exaggeration * dent_->depth_at(point_m) : height_m;
 }
 
 void ReliefView::move() {
@@ -104,9 +111,9 @@ void ReliefView::draw(Quality quality) {
   const double pixels = devicePixelRatioF() * (quality == Quality::moving ? 1.0 : 2.0);
   const QSize target = size() * devicePixelRatioF();
   work_.ask(
-      [this, mesh, look = look_, pixels, target, ratio = devicePixelRatioF(),
+      [this, mesh, look = look_, dent = dent_, pixels, target, ratio = devicePixelRatioF(),
        area = size()]() -> NewestWork::Delivery {
-        QImage picture = draw_relief(*mesh, look, area * pixels);
+        QImage picture = draw_relief(dent ? pressed_in(*mesh, *dent) : *mesh, look, area * pixels);
         if (picture.size() != target) {
           picture = picture.scaled(target, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
         }

@@ -35,6 +35,8 @@ class ReliefView final : public QWidget {
   /// A line across the relief, and a point on it.
   void set_line(std::optional<double> y_m);
   void set_trail(std::vector<glm::dvec2> trail_m);
+  /// The relief is drawn with the dent until the next call.
+  void set_dent(std::optional<SurfaceDent> dent);
 
   const ReliefLook& look() const noexcept { return look_; }
   void set_look(const ReliefLook& look);
@@ -82,6 +84,7 @@ class ReliefView final : public QWidget {
   QPointF last_position_{};
   std::optional<double> line_y_m_{};
   std::vector<glm::dvec2> trail_m_{};
+  std::optional<SurfaceDent> dent_{};
   QTimer rest_{};
   NewestWork work_{};
 };

@@ -233,7 +233,10 @@ void WorkbenchPage::set_mode(Mode mode) {
   relief_->set_mouse(making ? MouseMeans::turning : MouseMeans::stroking);
   relief_->set_line(making ? std::optional(line_y_m_) : std::nullopt);
   relief_->set_trail({});
-  if (!making) {
+  if (making) {
+    relief_->set_dent({});
+    dent_of_.clear();
+  } else {
     strip_->choose(Step::relief);
     // Renderers are made for a relief that is looked at, not for every step towards it.
     comparison_->set_field(preview_.field);
@@ -426,6 +429,12 @@ void WorkbenchPage::choose_step(Step step) {
   const double times = preview_.fine->exaggeration;
   const QString height = times > 1.0 ? tr("Heights are exaggerated by a factor of %1.").arg(times)
                                      : tr("Heights are drawn to scale.");
+  if (!dent_of_.isEmpty()) {
+    caption_->setText(tr("%1 The dent is that of “%2”, with the same factor. Drag to stroke, right "
+                         "button: light, arrow keys: turn.")
+                          .arg(height, dent_of_));
+    return;
+  }
   caption_->setText(
       making ? tr("%1 Drag to turn, right button: light, wheel: zoom.").arg(height)
              : tr("%1 Drag to stroke, right button: light, arrow keys: turn.").arg(height));
@@ -467,6 +476,14 @@ void WorkbenchPage::show_forces() {
     trail_m.emplace_back(path[i].position_m.x, path[i].position_m.y);
   }
   relief_->set_trail(std::move(trail_m));
+  show_dent();
+}
+
+void WorkbenchPage::show_dent() {
+  const std::optional<ForceComparison::Dent> dent = comparison_->dent();
+  const QString of_model = dent ? dent->model : QString();
+  relief_->set_dent(dent ? std::optional(dent->surface) : std::nullopt);
+  if (std::exchange(dent_of_, of_model) != of_model) choose_step(strip_->chosen());
 }
 
 /// For the window, which makes its pages anew in another theme or language.

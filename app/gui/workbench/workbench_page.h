@@ -85,6 +85,7 @@ class WorkbenchPage final : public QWidget {
   void choose_step(Step step);
   void show_line(double y_m);
   void show_forces();
+  void show_dent();
   void keep_unsaved(bool unsaved);
 
   OpenStudy& study_;
@@ -111,6 +112,7 @@ class WorkbenchPage final : public QWidget {
   TexturePreview preview_{};
   bool has_sound_ = false;  // asked for when forces are first looked at
   double line_y_m_ = 0.0;
+  QString dent_of_{};  // the model whose dent is shown
   BackgroundTask opening_{};
   NewestWork work_{};
 };

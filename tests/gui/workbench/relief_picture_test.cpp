@@ -71,6 +71,25 @@ TEST(ReliefMesh, SaysHowManyTimesTooHighItIs) {
   EXPECT_LE(mesh.highest_m - mesh.lowest_m, mesh.width_m / 12.0);
 }
 
+// 0.2 mm deep within ±2 mm, drawn as much deeper as the ridges are higher.
+TEST(ReliefMesh, IsPressedInByADent) {
+  const ReliefMesh mesh = relief_mesh(steep_ridges(), 64);
+  SurfaceDent dent{.centre_m = {0.003, -0.002}, .cell_m = 0.004 / 31.0};
+  dent.depth_m.fill(2e-4);
+  const ReliefMesh pressed = pressed_in(mesh, dent);
+  const auto lowered_m = [&](double x_m, double y_m) {
+    const auto column = static_cast<std::size_t>((0.5 + x_m / mesh.width_m) * 64.0);
+    const auto row = static_cast<std::size_t>((0.5 - y_m / mesh.length_m) * 64.0);
+    const std::size_t at = row * mesh.columns + column;
+    return static_cast<double>(mesh.heights_m[at] - pressed.heights_m[at]);
+  };
+  EXPECT_NEAR(lowered_m(0.003, -0.002), mesh.exaggeration * 2e-4, 1e-7);
+  EXPECT_NEAR(lowered_m(0.0045, -0.0035), mesh.exaggeration * 2e-4, 1e-7);
+  EXPECT_NEAR(lowered_m(-0.005, -0.002), mesh.exaggeration * 2e-4 / 64.0,
+              0.1 * mesh.exaggeration * 2e-4 / 64.0);
+  EXPECT_EQ(pressed.lowest_m, mesh.lowest_m);
+}
+
 TEST(DrawRelief, LeavesNoHolesInTheSurface) {
   const ReliefMesh mesh = relief_mesh(steep_ridges(), 192);
   const ReliefLook look{.turn_rad = 0.7, .tilt_rad = 1.1};

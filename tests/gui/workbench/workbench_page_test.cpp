@@ -777,6 +777,32 @@ TEST_F(Workbench, StrokesAcrossOnTheSamePathHoweverTheFramesCome) {
   }
 }
 
+TEST_F(Workbench, ShowsTheDentInASoftSurfaceDuringAStroke) {
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  settle();
+  auto& relief = find<ReliefView>("relief");
+  const auto& caption = find<QLabel>("caption");
+  const QImage before = relief.picture();
+  EXPECT_FALSE(caption.text().contains("dent"));
+  find<QCheckBox>("model_elastic_halfspace").setChecked(true);
+  settle();
+  click("stroke_across");
+  auto& comparison = find<ForceComparison>("comparison");
+  ASSERT_TRUE(eventually([&] { return comparison.stroke().path().size() > 300; }));
+  comparison.end_stroke();
+  settle();
+  ASSERT_TRUE(comparison.dent());
+  EXPECT_NEAR(comparison.dent()->surface.centre_m.x, comparison.stroke().path().back().position_m.x,
+              1e-12);
+  EXPECT_TRUE(caption.text().contains("The dent is that of “Elastic halfspace”"))
+      << caption.text().toStdString();
+  EXPECT_NE(relief.picture(), before);
+  click("mode_making");
+  settle();
+  EXPECT_FALSE(caption.text().contains("dent"));
+}
+
 TEST_F(Workbench, TellsHowRoughTheStrokeIsThroughEveryModel) {
   drop(photograph("brick", 256));
   click("mode_comparing");
