@@ -52,6 +52,8 @@ struct ForceFeatures {
   /// RMS acceleration of a held tool that the force shakes. Of a recorded hand
   /// (recorded_force_features) and not of a FeltForce; 0 where there was nothing to judge.
   double shaking_m_per_s2 = 0.0;
+  /// Mean depth of the probe in the surface over the mean normal force, of a recorded hand likewise; 0 without contact.
+  double compliance_m_per_N = 0.0;
 };
 
 /// Wavelengths in metres at the borders of the bands, longest first: kFeatureBands + 1 of them.
@@ -66,7 +68,7 @@ std::span<const double> feature_band_borders_m() noexcept;
 ForceFeatures force_features(const FeltForce& felt);
 
 /// Squared Euclidean distance, each spectral band weighted 1/kFeatureBands, size and roughness 1. The
-/// shaking has no part in it: it grows with the hand's force and speed.
+/// shaking and the compliance have no part in it: the shaking grows with the hand's force and speed.
 double squared_distance(const ForceFeatures& a, const ForceFeatures& b) noexcept;
 
 }  // namespace asperity

@@ -106,6 +106,8 @@ std::string judged_force(ObserverDeclaration::MagnitudeOf what) {
       return "the variation of the normal force";
     case ObserverDeclaration::MagnitudeOf::held_tool:
       return "the vibration of a held tool";
+    case ObserverDeclaration::MagnitudeOf::compliance:
+      return "the depth to which the surface yields over the normal force";
   }
   return {};
 }

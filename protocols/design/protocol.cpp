@@ -72,6 +72,8 @@ const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept {
       return "normal_force";
     case ObserverDeclaration::MagnitudeOf::held_tool:
       return "held_tool";
+    case ObserverDeclaration::MagnitudeOf::compliance:
+      return "compliance";
   }
   return "";
 }

@@ -195,13 +195,14 @@ struct ObserverDeclaration {
     lateral_force,  ///< as a fraction of the mean normal force
     normal_force,   ///< as a fraction of the mean normal force
     held_tool,      ///< the vibration of a held tool (ForceFeatures::shaking_m_per_s2)
+    compliance,     ///< how far the surface yields (ForceFeatures::compliance_m_per_N)
   };
   MagnitudeOf magnitude_of = MagnitudeOf::lateral_force;
   double exponent = 1.0;
   /// Of a comparison: the magnitude decreases where the varied parameter increases (with the spacing).
   bool magnitude_decreases = false;
-  /// Of a yes/no task: the magnitude above which the response is "yes", as a fraction of the mean normal force, or in
-  /// m/s² (below which, where the signal has the smaller magnitude).
+  /// Of a yes/no task: the magnitude above which the response is "yes", as a fraction of the mean normal force, in m/s²,
+  /// or in mm/N (below which, where the signal has the smaller magnitude).
   std::optional<double> yes_above{};
   /// Of a same–different task: the relative difference between two magnitudes from which on the response is "different";
   /// 0.1 is a difference of 10 %.

@@ -534,7 +534,8 @@ void read_observer(const json& root, Protocol& protocol) {
     read_choice(*found, "magnitude_of", observer.magnitude_of,
                 {{"lateral_force", MagnitudeOf::lateral_force},
                  {"normal_force", MagnitudeOf::normal_force},
-                 {"held_tool", MagnitudeOf::held_tool}});
+                 {"held_tool", MagnitudeOf::held_tool},
+                 {"compliance", MagnitudeOf::compliance}});
     read(*found, "exponent", observer.exponent);
     read(*found, "yes_above", observer.yes_above);
     read(*found, "different_above", observer.different_above);

@@ -60,6 +60,11 @@ void Meaning::check_keys_of_format_2() {
       device != document_.root().end() && device->contains("compute")) {
     refuse("compute");
   }
+  if (protocol_.observer.magnitude_of == ObserverDeclaration::MagnitudeOf::compliance) {
+    report("/format",
+           "the quantity \"compliance\" of an observer requires the format "
+           "\"asperity.protocol/2\"; write that here");
+  }
   if (protocol_.groups &&
       protocol_.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
     report("/format",

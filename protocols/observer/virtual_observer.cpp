@@ -23,6 +23,10 @@ namespace asperity {
 
 namespace {
 
+constexpr double kUnitCompliance_m_per_N = 1e-3;
+/// Where nothing was felt: 100 N/mm, firmer than any force-feedback device.
+constexpr double kLeastCompliance_m_per_N = 1e-5;
+
 double evidence(const ForceFeatures& felt, const ForceFeatures& expected) {
   return -0.5 * squared_distance(felt, expected);
 }
@@ -165,9 +169,13 @@ double judged_magnitude(const ForceFeatures& felt, ObserverDeclaration::Magnitud
       const double threshold_m_per_s2 = kHeldTool.acceleration_m_per_s2() / std::numbers::sqrt2;
       return std::log(std::hypot(felt.shaking_m_per_s2, threshold_m_per_s2));
     }
+    case MagnitudeOf::compliance:
+      return std::log(std::max(felt.compliance_m_per_N, kLeastCompliance_m_per_N) /
+                      kUnitCompliance_m_per_N);
   }
   throw std::logic_error(
-      "the MagnitudeOf is unknown; it must be lateral_force, normal_force or held_tool");
+      "the MagnitudeOf is unknown; it must be lateral_force, normal_force, held_tool or "
+      "compliance");
 }
 
 double distinguished_proportion(const ObserverDeclaration& observer, double difference) {
@@ -196,7 +204,9 @@ double correct_proportion(const ObserverDeclaration& observer, double difference
 
 double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
   using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
-  if (declaration_.magnitude_of != MagnitudeOf::held_tool) {
+  const bool is_of_a_spectrum = declaration_.magnitude_of == MagnitudeOf::lateral_force ||
+                                declaration_.magnitude_of == MagnitudeOf::normal_force;
+  if (is_of_a_spectrum) {
     return judged_magnitude(perceived(felt), declaration_.magnitude_of);
   }
   return judged_magnitude(felt, declaration_.magnitude_of) +

@@ -21,12 +21,12 @@ using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
 
 /// A participant's use of numbers in magnitude estimation.
 struct NumberHabit {
-  double modulus = 10.0;  ///< the estimate for a force of the mean normal force, or for 1 m/s²
+  double modulus = 10.0;  ///< the estimate for a force of the mean normal force, for 1 m/s² or 1 mm/N
   int digits = 2;         ///< significant digits
 };
 /// A participant's use of lines (LineForm) in magnitude estimation.
 struct LineHabit {
-  /// The line for a force of the mean normal force, or for 1 m/s², over the longest one.
+  /// The line for a force of the mean normal force, for 1 m/s² or 1 mm/N, over the longest one.
   double modulus = 1.0;
 };
 /// A random habit, from participants who use half of the longest line to those who would exceed it.
@@ -71,7 +71,8 @@ double correct_proportion(const ObserverDeclaration& observer, double difference
 /// modulus, rounded to the participant's number of digits. r is the natural logarithm of the force over the mean normal
 /// force (ForceFeatures::roughness of the lateral force, ::size of the normal one), or of √(a² + a₀²/2) over 1 m/s², a
 /// being the acceleration of a held tool (ForceFeatures::shaking_m_per_s2) and a₀ its detection threshold as an
-/// amplitude (kHeldTool). A ratio to the normal force cannot show the effect of pressing harder; an acceleration can.
+/// amplitude (kHeldTool), or of the depth of the probe over the normal force over 1 mm/N (ForceFeatures::compliance_m_per_N). A ratio
+/// to the normal force cannot show the effect of pressing harder; an acceleration can.
 /// In a lapse, and if deaf, the estimate is m times the exponential of a normal number. Where a standard with the number m
 /// was felt before, r + ε of the standard is subtracted, and m is that number. A drawn line has the length of the estimate,
 /// rounded to its steps and limited to the longest line.

@@ -98,6 +98,8 @@ ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
   std::vector<double> normal_N{};
   std::vector<double> lateral_N{};
   double travelled_m = 0.0;
+  double sum_of_depths_m = 0.0;
+  double sum_of_normal_N = 0.0;
   const TickRecord* previous = nullptr;
   for (const TickRecord& record : surface.records) {
     if (!is_in_contact(record, surface.presentation)) {
@@ -120,9 +122,12 @@ ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
     travel_m.push_back(travelled_m);
     normal_N.push_back(force.z);
     lateral_N.push_back(along_N);
+    sum_of_depths_m += record.penetration_m;
+    sum_of_normal_N += force.z;
   }
   ForceFeatures features = force_features({time_s, travel_m, normal_N, lateral_N});
   features.shaking_m_per_s2 = recorded_shaking_m_per_s2(surface).value_or(0.0);
+  if (sum_of_normal_N > 0.0) features.compliance_m_per_N = sum_of_depths_m / sum_of_normal_N;
   return features;
 }
 

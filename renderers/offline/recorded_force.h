@@ -22,7 +22,7 @@ struct RecordedSurfaceSpan {
 
 /// The features of the force that was sent to the device (ramp and limits included) while the probe touched the
 /// surface. Normal: +z. Lateral: along the motion, positive against it. Includes recorded_shaking_m_per_s2 if it
-/// exists.
+/// exists. The compliance is that of the force as sent: a force that was limited makes a surface softer.
 ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface);
 
 /// The RMS acceleration of a held tool (FeltRoughness with its default hand) under the force that was sent to the

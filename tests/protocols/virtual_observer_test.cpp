@@ -193,6 +193,41 @@ TEST(VirtualObserver, SaysNumbersThatGrowWithHowAHeldToolIsShaken) {
   EXPECT_EQ(number_of(0.001), 0.066);
 }
 
+// 100·c² for a compliance of c mm/N; a surface that was not felt is as hard as 100 N/mm.
+TEST(VirtualObserver, SaysNumbersThatGrowWithTheComplianceOfASurface) {
+  ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
+  exact.magnitude_of = ObserverDeclaration::MagnitudeOf::compliance;
+  exact.exponent = 2.0;
+  const auto number_of = [&](double compliance_m_per_N) {
+    ForceFeatures felt = felt_with(-3.0);
+    felt.compliance_m_per_N = compliance_m_per_N;
+    return VirtualObserver(exact, Random(1)).estimate(felt, {.modulus = 100.0, .digits = 2});
+  };
+  EXPECT_EQ(number_of(1e-3), 100.0);
+  EXPECT_EQ(number_of(3e-3), 900.0);
+  EXPECT_EQ(number_of(0.0), 0.01);
+}
+
+// With "effect": "decreases" the harder of two bodies is chosen, with the noise of any other magnitude.
+TEST(VirtualObserver, ChoosesTheHarderOfTwoBodies) {
+  ObserverDeclaration noisy{.feature_noise = 0.1, .lapse = 0.0};
+  noisy.magnitude_of = ObserverDeclaration::MagnitudeOf::compliance;
+  noisy.magnitude_decreases = true;
+  VirtualObserver observer(noisy, Random(4));
+  ForceFeatures soft{};
+  soft.compliance_m_per_N = 1.2e-3;
+  ForceFeatures hard{};
+  hard.compliance_m_per_N = 1.0e-3;
+  constexpr int kTrials = 4000;
+  int correct = 0;
+  for (int i = 0; i < kTrials; ++i) {
+    correct += observer.compare(soft, hard, 0.0) == std::size_t{1} ? 1 : 0;
+  }
+  const auto [low, high] = bounds(kTrials, distinguished_proportion(noisy, std::log(1.2)));
+  EXPECT_GE(correct, low);
+  EXPECT_LE(correct, high);
+}
+
 TEST(VirtualObserver, HasNumberHabitsOfThePerson) {
   std::set<double> moduli{};
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -61,6 +61,7 @@ std::set<StrokeSetting> settings_of_library() {
       continue;
     }
     for (const auto& exploration : protocol.at("explorations")) {
+      if (!exploration.contains("speed_m_per_s")) continue;  // the hand presses without a stroke
       settings.insert(
           {.friction = protocol.at("material").at("friction").get<double>(),
            .force_N = exploration.at("normal_force_N").at("target").get<double>(),

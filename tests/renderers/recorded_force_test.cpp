@@ -100,6 +100,16 @@ TEST(RecordedShaking, NeedsAContactThatIsLongEnough) {
   EXPECT_FALSE(recorded_shaking_m_per_s2({all.first(640), 1, kRate_Hz}));
 }
 
+// 2 mm of 500 N/m are 1 N; of what is sent, half the force means twice the compliance.
+TEST(RecordedForceFeatures, HaveTheComplianceOfAPlate) {
+  const ModelRegistry models = built_in_models();
+  auto records = to_and_fro(*models.find("sinusoid"), sinusoid(0.0));
+  EXPECT_NEAR(recorded_force_features({records, 1, kRate_Hz}).compliance_m_per_N, 2e-3, 1e-9);
+  for (TickRecord& record : records) record.sent.force_N *= 0.5;
+  EXPECT_NEAR(recorded_force_features({records, 1, kRate_Hz}).compliance_m_per_N, 4e-3, 1e-9);
+  EXPECT_EQ(recorded_force_features({records, 2, kRate_Hz}).compliance_m_per_N, 0.0);
+}
+
 std::optional<double> texture_rms_N(const ForceModel& model, const RendererInputs& inputs,
                                     const RecordedSurfaceSpan& surface) {
   return recorded_texture_force_rms_N(recorded_texture(model, inputs, surface), {});
