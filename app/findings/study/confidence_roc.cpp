@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -153,22 +154,13 @@ void drop_degenerate_intervals(const GatheredAnswers& gathered,
     }
     if (has_single_category(together)) degenerate.insert(id);
   }
-  std::set<std::string> dropped{};
-  for (Finding& finding : findings) {
-    if (finding.quantity != "auc" || !finding.low) continue;
+  drop_intervals(findings, [&degenerate](const Finding& finding) -> std::optional<std::string> {
+    if (finding.quantity != "auc" || !finding.low) return std::nullopt;
     constexpr double kRounding = 1e-9;  // of the sum of the trapezoids
     const double area = finding.value.value_or(0.0);
     const bool is_at_end = area < kRounding || area > 1.0 - kRounding;
-    if (!is_at_end && !degenerate.contains(finding.key)) continue;
-    dropped.insert(finding.key);
-    finding.low.reset();
-    finding.high.reset();
-    finding.confidence.reset();
-    finding.method += "; without an interval, because DeLong's standard error is 0 or too small";
-  }
-  std::erase_if(findings, [&dropped](const Finding& finding) {
-    return (finding.quantity == "auc.lower" || finding.quantity == "auc.upper") &&
-           dropped.contains(finding.key);
+    if (!is_at_end && !degenerate.contains(finding.key)) return std::nullopt;
+    return "without an interval, because DeLong's standard error is 0 or too small";
   });
 }
 

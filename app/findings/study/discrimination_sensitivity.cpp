@@ -268,25 +268,11 @@ Phrase mean_sensitivities(const DiscriminationResults& results, const UnboundedA
 /// The delta method has no valid limits where d′ is near 0 and cannot be negative.
 void drop_impossible_intervals(const DiscriminationDesign& design, std::vector<Finding>& findings) {
   if (named_design(design).id != "same_different") return;
-  std::set<std::pair<std::string, std::string>> limits{};  // quantities and keys
-  for (Finding& finding : findings) {
-    if (!finding.quantity.starts_with("dprime.") || !finding.low || *finding.low >= 0.0) continue;
-    for (const char* const limit : {".lower", ".upper"}) {
-      constexpr std::string_view kCorrected = ".loglinear";
-      std::string quantity = finding.quantity;
-      const std::size_t end =
-          quantity.size() - (quantity.ends_with(kCorrected) ? kCorrected.size() : 0);
-      limits.emplace(quantity.insert(end, limit), finding.key);
-    }
-    finding.low.reset();
-    finding.high.reset();
-    finding.confidence.reset();
-    finding.method +=
-        "; without an interval, because that of the delta method contains negative values, which "
-        "d′ cannot have by this rule";
-  }
-  std::erase_if(findings, [&limits](const Finding& finding) {
-    return limits.contains({finding.quantity, finding.key});
+  drop_intervals(findings, [](const Finding& finding) -> std::optional<std::string> {
+    const bool is_negative = finding.low && *finding.low < 0.0;
+    if (!finding.quantity.starts_with("dprime.") || !is_negative) return std::nullopt;
+    return "without an interval, because that of the delta method contains negative values, which "
+           "d′ cannot have by this rule";
   });
 }
 

@@ -1,9 +1,11 @@
 #include "app/findings/study/sensitivity_bounds.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {
@@ -19,21 +21,17 @@ void mark_bounds(const DiscriminationResults& results, const UnboundedAtLevels& 
   for (const auto& [place, of] : levels) {
     if (of.is_any()) by_id[id_of_level(results, place)] = of;
   }
-  for (Finding& finding : findings) {
+  drop_intervals(findings, [&by_id](const Finding& finding) -> std::optional<std::string> {
     const auto found = by_id.find(finding.key);
-    if (finding.quantity != "dprime.mean" || found == by_id.end()) continue;
+    if (finding.quantity != "dprime.mean" || found == by_id.end()) return std::nullopt;
     const UnboundedParticipants& of = found->second;
-    finding.low.reset();
-    finding.high.reset();
-    finding.confidence.reset();
     const std::string bound = of.at_floor == 0     ? "a lower bound without an interval"
                               : of.at_ceiling == 0 ? "an upper bound without an interval"
                                                    : "without an interval, and not a bound";
-    finding.method += "; " + bound + ": d′ of " + std::to_string(of.at_ceiling + of.at_floor) +
-                      " of " + std::to_string(of.participants) +
-                      " participants depends on their numbers of trials, because a proportion is "
-                      "0 or 1";
-  }
+    return bound + ": d′ of " + std::to_string(of.at_ceiling + of.at_floor) + " of " +
+           std::to_string(of.participants) +
+           " participants depends on their numbers of trials, because a proportion is 0 or 1";
+  });
 }
 
 Phrase with_bound(const Phrase& mean, const UnboundedParticipants& of) {

@@ -1,6 +1,8 @@
 #include "app/findings/tidy/finding_list.h"
 
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "analysis/geometric_mean.h"
@@ -51,6 +53,30 @@ void FindingList::word(std::string quantity, std::string key, std::string word, 
   Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
   finding.word = std::move(word);
   finding.status = std::move(status);
+}
+
+void drop_intervals(
+    std::vector<Finding>& findings,
+    const std::function<std::optional<std::string>(const Finding&)>& reason_against) {
+  std::set<std::pair<std::string, std::string>> limits{};  // quantities and keys
+  for (Finding& finding : findings) {
+    const std::optional<std::string> reason = reason_against(finding);
+    if (!reason) continue;
+    finding.low.reset();
+    finding.high.reset();
+    finding.confidence.reset();
+    finding.method += "; " + *reason;
+    constexpr std::string_view kCorrected = ".loglinear";  // after the name of a limit
+    const bool is_corrected = finding.quantity.ends_with(kCorrected);
+    const std::size_t end = finding.quantity.size() - (is_corrected ? kCorrected.size() : 0);
+    for (const char* const limit : {".lower", ".upper"}) {
+      std::string quantity = finding.quantity;
+      limits.emplace(quantity.insert(end, limit), finding.key);
+    }
+  }
+  std::erase_if(findings, [&limits](const Finding& finding) {
+    return limits.contains({finding.quantity, finding.key});
+  });
 }
 
 void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -57,6 +58,13 @@ class FindingList final {
   Finding& add(std::string quantity, std::string key, Basis&& basis);
   std::vector<Finding> findings_{};
 };
+
+/// Withdraws the interval of every finding for which `reason_against` returns a reason: removes its limits and its confidence,
+/// appends "; " and the reason to its method, and erases the findings with the same key that state the limits, QUANTITY.lower and
+/// QUANTITY.upper (of a d′ with the log-linear correction: dprime.lower.loglinear for dprime.loglinear).
+void drop_intervals(
+    std::vector<Finding>& findings,
+    const std::function<std::optional<std::string>(const Finding&)>& reason_against);
 
 /// The spread of the participants' proportions: `subj.minimum`, `subj.median`, `subj.maximum`. Adds
 /// nothing without participants.
