@@ -1,7 +1,7 @@
 #include "app/report/text/report_paper.h"
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -28,20 +28,33 @@ constexpr std::size_t kMostExploratory = 24;
 
 bool is_of_family(const TestSentence& each) { return each.role != TestRole::exploratory; }
 
-bool is_alike(const TestSentence& a, const TestSentence& b) {
-  return a.test == b.test && a.role == b.role;
-}
+/// The tests of one kind in one role, in their order.
+struct TestsOfKind {
+  std::vector<const TestSentence*> all{};
+  std::size_t made = 0;  ///< those that could be made
+};
+using KindOfTest = std::pair<std::string, TestRole>;
 
-/// Those of the family first. Without the kinds of exploratory tests of which none could be made.
-std::vector<TestSentence> reported_sentences(const AnalysisOutcome& outcome) {
-  std::vector<TestSentence> reported{};
-  std::copy_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
-               std::back_inserter(reported), is_of_family);
+KindOfTest kind_of(const TestSentence& each) { return {each.test, each.role}; }
+
+/// The tests of an outcome that a paper reports. Refers to the outcome.
+struct ReportedTests {
+  /// Those of the family first. Without the kinds of exploratory tests of which none could be made.
+  std::vector<const TestSentence*> in_order{};
+  std::map<KindOfTest, TestsOfKind> kinds{};
+};
+
+ReportedTests reported_tests(const AnalysisOutcome& outcome) {
+  ReportedTests reported{};
   for (const TestSentence& each : outcome.test_sentences) {
-    const bool is_made = std::any_of(
-        outcome.test_sentences.begin(), outcome.test_sentences.end(),
-        [&each](const TestSentence& one) { return is_alike(one, each) && !one.is_untested; });
-    if (!is_of_family(each) && is_made) reported.push_back(each);
+    TestsOfKind& kind = reported.kinds[kind_of(each)];
+    kind.all.push_back(&each);
+    kind.made += each.is_untested ? 0 : 1;
+    if (is_of_family(each)) reported.in_order.push_back(&each);
+  }
+  for (const TestSentence& each : outcome.test_sentences) {
+    const bool is_made = reported.kinds[kind_of(each)].made > 0;
+    if (!is_of_family(each) && is_made) reported.in_order.push_back(&each);
   }
   return reported;
 }
@@ -142,19 +155,19 @@ std::string cited_name(const Phrase& name, std::string_view source, Sources& sou
 }
 
 /// "Tests: one-sample t test, effect size Cohen’s d (Cohen, 1988); …": each once.
-std::string methods_text(std::span<const TestSentence> reported, Sources& sources) {
+std::string methods_text(const ReportedTests& reported, Sources& sources) {
   struct Used {
     const TestMethod* method = nullptr;
     std::vector<std::string> effects{};
   };
   std::vector<Used> all{};
-  for (const TestSentence& each : reported) {
-    if (each.made_by == nullptr) continue;
-    const TestMethod& by = *each.made_by;
+  for (const TestSentence* const each : reported.in_order) {
+    if (each->made_by == nullptr) continue;
+    const TestMethod& by = *each->made_by;
     auto used = std::find_if(all.begin(), all.end(),
                              [&by](const Used& one) { return one.method->code == by.code; });
     if (used == all.end()) used = all.insert(all.end(), {.method = &by});
-    if (!each.has_effect || by.effect_name.empty()) continue;
+    if (!each->has_effect || by.effect_name.empty()) continue;
     const std::string effect = cited_name(by.effect_name, by.sources[1], sources);
     if (std::find(used->effects.begin(), used->effects.end(), effect) == used->effects.end()) {
       used->effects.push_back(effect);
@@ -174,7 +187,7 @@ std::string methods_text(std::span<const TestSentence> reported, Sources& source
 
 /// The statistics of one kind of responses.
 std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& outcome,
-                             std::span<const TestSentence> reported, Sources& sources) {
+                             const ReportedTests& reported, Sources& sources) {
   std::vector<std::string> sentences{};
   const StudyAnalysis* const analysis = find_analysis(outcome.kind);
   if (analysis != nullptr && analysis->fit_for_paper != nullptr && facts.file.protocol) {
@@ -183,7 +196,8 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
   }
   sentences.push_back(correction_text(outcome, sources));
   const auto is_any = [&reported](const auto& is_so) {
-    return std::any_of(reported.begin(), reported.end(), is_so);
+    return std::any_of(reported.in_order.begin(), reported.in_order.end(),
+                       [&is_so](const TestSentence* each) { return is_so(*each); });
   };
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
     sentences.emplace_back("The significance level was .05.");
@@ -242,36 +256,31 @@ std::string counted_sentence(std::span<const TestSentence* const> alike) {
 }
 
 /// The sentences of the tests in their order; of many tests of one kind, one sentence, which counts all of them.
-std::vector<TestSentence> counted_where_many(std::span<const TestSentence> reported) {
+std::vector<TestSentence> counted_where_many(const ReportedTests& reported) {
   std::vector<TestSentence> told{};
-  std::set<std::pair<std::string, TestRole>> single{};  // kinds whose tests have a sentence each
+  std::set<KindOfTest> single{};  // kinds whose tests have a sentence each
   std::size_t exploratory = 0;
-  for (const TestSentence& each : reported) {
-    std::vector<const TestSentence*> alike{};
-    for (const TestSentence& other : reported) {
-      if (is_alike(each, other)) alike.push_back(&other);
-    }
-    if (alike.front() == &each) {
-      const auto made = static_cast<std::size_t>(std::count_if(
-          alike.begin(), alike.end(), [](const TestSentence* one) { return !one->is_untested; }));
-      const bool fits = is_of_family(each) ? alike.size() <= kMostAlike
-                                           : made == 1 || (made <= kMostAlike &&
-                                                           exploratory + made <= kMostExploratory);
-      if (fits) single.emplace(each.test, each.role);
-      if (fits && !is_of_family(each)) exploratory += made;
+  for (const TestSentence* const each : reported.in_order) {
+    const bool of_family = is_of_family(*each);
+    const TestsOfKind& kind = reported.kinds.at(kind_of(*each));
+    if (kind.all.front() == each) {
+      const bool fits = of_family ? kind.all.size() <= kMostAlike
+                                  : kind.made == 1 || (kind.made <= kMostAlike &&
+                                                       exploratory + kind.made <= kMostExploratory);
+      if (fits) single.insert(kind_of(*each));
+      if (fits && !of_family) exploratory += kind.made;
       if (!fits) {
-        told.push_back(each);
-        told.back().text = counted_sentence(alike);
+        told.push_back(*each);
+        told.back().text = counted_sentence(kind.all);
       }
     }
-    const bool is_told = is_of_family(each) || !each.is_untested;
-    if (is_told && single.contains({each.test, each.role})) told.push_back(each);
+    const bool is_told = of_family || !each->is_untested;
+    if (is_told && single.contains(kind_of(*each))) told.push_back(*each);
   }
   return told;
 }
 
-std::string results_paragraph(const AnalysisOutcome& outcome,
-                              std::span<const TestSentence> reported) {
+std::string results_paragraph(const AnalysisOutcome& outcome, const ReportedTests& reported) {
   std::vector<std::string> sentences{estimate_sentence(outcome).text};
   // Without a declaration all tests are exploratory, as the methods section states.
   bool follows_confirmatory = false;
@@ -332,6 +341,8 @@ ReportSection paper_section(const ReportFacts& facts,
   const auto of_kind = [&outcomes](const AnalysisOutcome& outcome) {
     return outcomes.size() > 1 ? " (" + name_of_kind(outcome.kind) + ")" : std::string();
   };
+  std::vector<ReportedTests> tests{};  // by outcome
+  for (const AnalysisOutcome* const outcome : outcomes) tests.push_back(reported_tests(*outcome));
   std::vector<std::string> methods = paper_procedure(facts, metadata, sources);
   std::vector<std::string> analysis{};
   if (outcomes.empty()) analysis.push_back(withheld_text(facts));
@@ -344,18 +355,16 @@ ReportSection paper_section(const ReportFacts& facts,
     }
   }
   if (outcomes.size() == 1) {
-    analysis.push_back(
-        paper_statistics(facts, *outcomes.front(), reported_sentences(*outcomes.front()), sources));
+    analysis.push_back(paper_statistics(facts, *outcomes.front(), tests.front(), sources));
   }
   methods.push_back(with_sentences(analysis));
   add("Methods", methods);
-  for (const AnalysisOutcome* const outcome : outcomes) {
-    if (outcomes.size() == 1) break;
-    add("Statistics" + of_kind(*outcome),
-        {paper_statistics(facts, *outcome, reported_sentences(*outcome), sources)});
+  for (std::size_t i = 0; outcomes.size() > 1 && i < outcomes.size(); ++i) {
+    add("Statistics" + of_kind(*outcomes[i]),
+        {paper_statistics(facts, *outcomes[i], tests[i], sources)});
   }
-  for (const AnalysisOutcome* const outcome : outcomes) {
-    add("Results" + of_kind(*outcome), {results_paragraph(*outcome, reported_sentences(*outcome))});
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    add("Results" + of_kind(*outcomes[i]), {results_paragraph(*outcomes[i], tests[i])});
   }
   if (!sources.empty()) {
     ReportList entries{};
