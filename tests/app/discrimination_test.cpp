@@ -426,12 +426,13 @@ TEST(Discrimination, StatesThatAMeanWithoutThresholdsOnOneSideIsBiased) {
     made.add_session(label, protocol, trials_of(observer.choices(kAbove_m, 60, true)));
   }
   const AnalysisOutcome outcome = outcome_of_discrimination(made);
-  EXPECT_THAT(answer_to(outcome, "threshold"),
-              HasSubstr("Left out: 1 of 4 participants, whose threshold is below the presented "
-                        "levels; the mean is too high."));
+  EXPECT_THAT(
+      answer_to(outcome, "threshold"),
+      HasSubstr("Left out of 4 thresholds: 1 below the presented levels; a mean without such "
+                "thresholds is too high."));
   EXPECT_THAT(estimate_sentence(outcome).text,
-              HasSubstr("The mean JND is too high, because it does not include one of 4 JNDs, "
-                        "which is below the presented levels."));
+              HasSubstr("Of the 4 JNDs, the mean does not include 1 below the presented levels; a "
+                        "mean without such thresholds is too high."));
   EXPECT_THAT(answer_to(outcome_of_observers(kPerformer, 3, kAbove_m, true), "threshold"),
               Not(HasSubstr("Left out")));
 }

@@ -671,8 +671,8 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   text += missing_sentences(outcome.findings, "pse", "PSE") +
           missing_sentences(outcome.findings, "jnd", of_difference) +
           missing_sentences(at_unit_sensitivity, "jnd.dprime1", of_difference) +
-          bias_sentences(outcome.findings, "jnd", of_difference) +
-          bias_sentences(at_unit_sensitivity, "jnd.dprime1", of_difference) +
+          bias_sentence(outcome.findings, "jnd", of_difference) +
+          bias_sentence(at_unit_sensitivity, "jnd.dprime1", of_difference) +
           unfinished_sentence(outcome.findings) + sensitivity_sentences(outcome) +
           catch_trials_sentence(outcome) + exclusions_sentence(outcome);
   if (text.starts_with(' ')) text.erase(0, 1);

@@ -2564,22 +2564,6 @@
         <translation>Devianz mit Freiheitsgraden und p (χ²): Anpassungsgüte, bei wenigen Durchgängen je Stufe nur ein Anhaltspunkt.</translation>
     </message>
     <message>
-        <source>%1 Left out: %2 of %3 thresholds (participants by conditions), which are below the presented levels; the means are too high.</source>
-        <translation>%1 Ausgelassen: %2 von %3 Schwellen (Versuchspersonen mal Bedingungen), die unter den dargebotenen Stufen liegen; die Mittelwerte sind zu hoch.</translation>
-    </message>
-    <message>
-        <source>%1 Left out: %2 of %3 participants, whose threshold is below the presented levels; the mean is too high.</source>
-        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, deren Schwelle unter den dargebotenen Stufen liegt; der Mittelwert ist zu hoch.</translation>
-    </message>
-    <message>
-        <source>%1 Left out: %2 of %3 thresholds (participants by conditions), which are above the presented levels; the means are too low.</source>
-        <translation>%1 Ausgelassen: %2 von %3 Schwellen (Versuchspersonen mal Bedingungen), die über den dargebotenen Stufen liegen; die Mittelwerte sind zu niedrig.</translation>
-    </message>
-    <message>
-        <source>%1 Left out: %2 of %3 participants, whose threshold is above the presented levels; the mean is too low.</source>
-        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, deren Schwelle über den dargebotenen Stufen liegt; der Mittelwert ist zu niedrig.</translation>
-    </message>
-    <message>
         <source>Dissimilarity of identical pairs</source>
         <translation>Unähnlichkeit identischer Paare</translation>
     </message>
@@ -2688,24 +2672,36 @@
         <translation>Die JND, die aus der Steigung folgt, hat dann ebenfalls kein KI.</translation>
     </message>
     <message>
-        <source>%1 %2: the means do not include %3 thresholds below and %4 above the presented levels (of %5), so that the direction of their bias is unknown.</source>
-        <translation>%1 %2: Die Mittelwerte enthalten %3 Schwellen unter und %4 über den dargebotenen Stufen nicht (von %5), sodass die Richtung ihrer Verzerrung unbekannt ist.</translation>
-    </message>
-    <message>
-        <source>%1 %2: the means do not include %3 of %4 thresholds, which are below the presented levels; means that lack one are too high.</source>
-        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die unter den dargebotenen Stufen liegen; Mittelwerte, denen eine fehlt, sind zu hoch.</translation>
-    </message>
-    <message>
-        <source>%1 %2: the means do not include %3 of %4 thresholds, which are above the presented levels; means that lack one are too low.</source>
-        <translation>%1 %2: Die Mittelwerte enthalten %3 von %4 Schwellen nicht, die über den dargebotenen Stufen liegen; Mittelwerte, denen eine fehlt, sind zu niedrig.</translation>
-    </message>
-    <message>
         <source>The configuration is partly degenerate: %1 items lie on one point, so that a low stress is not evidence of a good fit.</source>
         <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt, sodass ein niedriger Stress kein Beleg für eine gute Anpassung ist.</translation>
     </message>
     <message>
         <source>%1 The stress-1 of metric scaling is %2.</source>
         <translation>%1 Der Stress-1 der metrischen Skalierung beträgt %2.</translation>
+    </message>
+    <message>
+        <source>%1 below and %2 above the presented levels; the direction of the bias of a mean without such thresholds is unknown</source>
+        <translation>%1 unter und %2 über den dargebotenen Stufen; die Richtung der Verzerrung eines Mittelwerts ohne solche Schwellen ist unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 below the presented levels; a mean without such thresholds is too high</source>
+        <translation>%1 unter den dargebotenen Stufen; ein Mittelwert ohne solche Schwellen ist zu hoch</translation>
+    </message>
+    <message>
+        <source>%1 above the presented levels; a mean without such thresholds is too low</source>
+        <translation>%1 über den dargebotenen Stufen; ein Mittelwert ohne solche Schwellen ist zu niedrig</translation>
+    </message>
+    <message>
+        <source>%1 Left out of %2 thresholds (participants by conditions): %3.</source>
+        <translation>%1 Von %2 Schwellen (Versuchspersonen mal Bedingungen) ausgelassen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 Left out of %2 thresholds: %3.</source>
+        <translation>%1 Von %2 Schwellen ausgelassen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 %2: left out of %3 thresholds: %4.</source>
+        <translation>%1 %2: von %3 Schwellen ausgelassen: %4.</translation>
     </message>
 </context>
 <context>
