@@ -498,12 +498,28 @@ TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
 
 TEST(Construct, IsNotMadeOfParticipants) {
   const std::vector<std::vector<MadeUpTrial>> people{
-      {rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
-      {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}};
+      {rated_on("wood", "1", "6"), rated_on("stone", "5", "2"), rated_on("cork", "2", "3")},
+      {rated_on("wood", "3", "6"), rated_on("stone", "7", "2"), rated_on("cork", "2", "4")}};
   const AnalysisOutcome outcome = analysed(two_scales_with("{}"), people);
   EXPECT_EQ(FoundNumbers(outcome.findings).all("cronbach.alpha").size(), 0U);
   EXPECT_EQ(table_named(outcome, "constructs"), nullptr);
   EXPECT_NE(FoundNumbers(outcome.findings).find("icc", "rough|ICC2k"), nullptr);
+}
+
+TEST(Agreement, HasAStatusWithTwoItems) {
+  const std::vector<std::vector<MadeUpTrial>> people{
+      {rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
+      {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}};
+  const AnalysisOutcome outcome = analysed(two_scales_with("{}"), people);
+  const FoundNumbers found(outcome.findings);
+  EXPECT_EQ(found.find("icc", "rough|ICC3"), nullptr);
+  const Finding* const none = found.find("icc", "rough");
+  ASSERT_NE(none, nullptr);
+  EXPECT_THAT(none->status, HasSubstr("at least 3 items that all participants rated"));
+  const NamedTable* const table = table_named(outcome, "agreement");
+  ASSERT_NE(table, nullptr);
+  ASSERT_EQ(table->table.columns.back(), "status");
+  EXPECT_EQ(table->table.rows.front().back(), Cell(std::string("too_few")));
 }
 
 std::string one_scale(const std::string& scale) {
@@ -616,19 +632,20 @@ TEST(RatingComponents, AreThoseOfAllItemsWhereTheItemsAreLevels) {
   EXPECT_EQ(FoundNumbers(outcome.findings).all("score").size(), 6U);
 }
 
-// Item c is presented once, and a is presented once more than b: two repetitions of a and b.
+// Item d is presented once, and a is presented once more than b and c: two repetitions of a, b and c.
 TEST(RatingReliability, IsThatOfTheRepetitionsThatAllRepeatedItemsHave) {
   const std::vector<std::vector<MadeUpTrial>> people{
-      {rated_on("a", "10"), rated_on("b", "30"), rated_on("c", "30"), rated_on("a", "20", {}, 2),
-       rated_on("b", "60", {}, 2), rated_on("a", "99", {}, 3)}};
+      {rated_on("a", "10"), rated_on("b", "30"), rated_on("c", "20"), rated_on("d", "30"),
+       rated_on("a", "20", {}, 2), rated_on("b", "60", {}, 2), rated_on("c", "40", {}, 2),
+       rated_on("a", "99", {}, 3)}};
   const AnalysisOutcome outcome = analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
-  // Of 10, 20 and 30, 60: MSB = 2·(15² + 15²) = 900 with 1 degree of freedom; residuals ±5: MSE = 100.
+  // Items 15, 45, 30 around 30: MSB = 2·(225 + 225 + 0)/2 = 450; residuals ±5, ∓5, ±0: MSE = 2·50/2 = 50.
   EXPECT_NEAR(FoundNumbers(outcome.findings).value("icc.mean", "rough|ICC3").value(), 0.8, 1e-12);
   const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
                                   [](const auto& one) { return one.name == "reliability_rough"; });
   ASSERT_NE(asked, outcome.questions.end());
   EXPECT_THAT(asked->answer.english(),
-              HasSubstr("the first 2 of each of the 2 repeated items are used"));
+              HasSubstr("the first 2 of each of the 3 repeated items are used"));
 }
 
 TEST(RatingReliability, IsThatOfEachParticipantsRepetitions) {

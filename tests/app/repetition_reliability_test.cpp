@@ -143,21 +143,25 @@ TEST(ReliabilityOfSelections, HasAStatusWithoutATarget) {
   EXPECT_EQ(none.status, "the protocol declares no target");
 }
 
-/// Estimates of two surfaces in repetitions from 1 on, as logarithms.
+/// Estimates of the first of three surfaces in repetitions from 1 on, as logarithms.
 AnalysisOutcome estimated(int people, int repetitions,
-                          const std::function<double(int, int, int)>& logarithm_of) {
+                          const std::function<double(int, int, int)>& logarithm_of,
+                          int surfaces = 3) {
   constexpr const char* kSource = R"({
     "estimation": {"spacing": "texture"},
-    "factors": {"texture": {"levels": ["fine", "coarse"]}},
-    "textures": {"fine": {"spacing_m": 0.001}, "coarse": {"spacing_m": 0.002}}})";
+    "factors": {"texture": {"levels": ["fine", "coarse", "coarser"]}},
+    "textures": {"fine": {"spacing_m": 0.001}, "coarse": {"spacing_m": 0.002},
+                 "coarser": {"spacing_m": 0.003}}})";
   return analysed_study("magnitude", kSource, people, [&](int i) {
     std::vector<MadeUpTrial> trials{};
     for (int repetition = 1; repetition <= repetitions; ++repetition) {
-      for (const int surface : {0, 1}) {
+      for (int surface = 0; surface < surfaces; ++surface) {
+        constexpr std::array kThreeTextures{R"({"texture": "fine"})", R"({"texture": "coarse"})",
+                                       R"({"texture": "coarser"})"};
         MadeUpTrial trial{};
         trial.repetition = repetition;
         trial.surfaces = {surface_of("s", "pd_gradient", "s")};
-        trial.factors_json = surface == 0 ? R"({"texture": "fine"})" : R"({"texture": "coarse"})";
+        trial.factors_json = kThreeTextures.at(static_cast<std::size_t>(surface));
         trial.answers = {text_of_number(std::pow(10.0, logarithm_of(i, surface, repetition)))};
         trials.push_back(trial);
       }
@@ -170,7 +174,7 @@ AnalysisOutcome estimated(int people, int repetitions,
 // −1 and −1. Their scales, a decade apart, do not matter.
 TEST(ReliabilityOfMagnitudes, IsTheMeanOfTheParticipantsOwn) {
   const AnalysisOutcome outcome = estimated(4, 2, [](int i, int surface, int repetition) {
-    return i + 0.25 * (i < 2 || repetition == 1 ? surface : 1 - surface);
+    return i + 0.25 * (i < 2 || repetition == 1 ? surface : 2 - surface);
   });
   const Finding& mean = reliability_in(outcome, "icc.mean", "ICC3");
   EXPECT_NEAR(*mean.value, 0.0, 1e-9);
@@ -194,7 +198,10 @@ TEST(ReliabilityOfMagnitudes, IsThatOfLogarithms) {
 // Correlations 1 and, with the surfaces alike on average, −1/2: the interval of three repetitions ends there.
 TEST(ReliabilityOfMagnitudes, HasAnIntervalWithinWhatCorrelationsCanBe) {
   const AnalysisOutcome outcome = estimated(2, 3, [](int i, int surface, int repetition) {
-    return i == 0 ? 0.1 * surface : 0.1 * (surface == 0 ? repetition : 4 - repetition);
+    return i == 0 ? 0.1 * surface
+                  : 0.1 * (surface == 0   ? repetition
+                           : surface == 1 ? 4 - repetition
+                                          : 2);
   });
   const Finding& mean = reliability_in(outcome, "icc.mean", "ICC3");
   EXPECT_NEAR(*mean.value, 0.25, 1e-9);
@@ -207,6 +214,30 @@ TEST(ReliabilityOfMagnitudes, LeavesOutWhoEstimatesNoDifference) {
       3, 2, [](int i, int surface, int /*repetition*/) { return i == 0 ? 1.0 : 0.1 * surface; });
   EXPECT_EQ(reliability_in(outcome, "icc.mean", "ICC3").n, 2U);
   EXPECT_NEAR(*reliability_in(outcome, "icc.mean", "ICC3").value, 1.0, 1e-9);
+}
+
+// F has one degree of freedom in its numerator.
+TEST(ReliabilityOfMagnitudes, HasAStatusWithTwoSurfaces) {
+  const auto logarithm_of = [](int i, int surface, int repetition) {
+    return i + surface + 0.1 * surface * repetition;
+  };
+  const AnalysisOutcome outcome = estimated(4, 2, logarithm_of, 2);
+  EXPECT_EQ(asked(outcome), nullptr);
+  const Finding& none = reliability_in(outcome, "icc.mean", "");
+  EXPECT_FALSE(none.value);
+  EXPECT_EQ(none.word, "too_few");
+  EXPECT_EQ(none.status,
+            "an intraclass correlation requires at least 3 surfaces with all repetitions, because "
+            "that of 2 has almost no information: add surfaces");
+  EXPECT_NE(asked(estimated(4, 2, logarithm_of)), nullptr) << "of three surfaces";
+}
+
+TEST(ReliabilityOfSelections, HasAStatusWithTwoParticipants) {
+  const AnalysisOutcome outcome =
+      analysed_study("selection", R"({"analysis": {"target": "a"}})", 2, steady_choices);
+  EXPECT_EQ(asked(outcome), nullptr);
+  EXPECT_THAT(reliability_in(outcome, "icc", "").status,
+              HasSubstr("at least 3 participants with all repetitions"));
 }
 
 }  // namespace

@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/accompanying_scales.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/estimate_sentences.h"
+#include "app/findings/study/intraclass_targets.h"
 #include "app/findings/study/kinds/rating_analysis.h"
 #include "app/findings/study/rated_scales.h"
 #include "app/findings/study/rating_components.h"
@@ -106,13 +108,15 @@ void add_means(const RatedScale& scale, const FoundNumbers& found, Table& table)
 }
 
 void add_agreement(const RatedScale& scale, const FoundNumbers& found, Table& table) {
+  const Finding* const none = found.find("icc", scale.name);
   for (const char* const form : {"ICC2", "ICC3", "ICC2k", "ICC3k"}) {
     const std::string key = scale.name + '|' + form;
-    const Finding* const icc = found.find("icc", key);
+    const Finding* const icc = none == nullptr ? found.find("icc", key) : none;
     if (icc == nullptr) continue;
     const auto [low, high] = found.interval("icc", key);
     table.rows.push_back({scale.name, std::string(form), cell_of(icc->value), low, high,
-                          static_cast<std::int64_t>(icc->n)});
+                          static_cast<std::int64_t>(icc->n),
+                          none == nullptr ? Cell{} : Cell{none->word}});
   }
 }
 
@@ -191,7 +195,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   NamedTable agreement{
       kAgreement,
       phrase("Analysis", "Agreement of the participants on each scale"),
-      {{"scale", "measure", "value", "value_low", "value_high", "items"}, {}},
+      {{"scale", "measure", "value", "value_low", "value_high", "items", "status"}, {}},
       phrase("Analysis",
              "Intraclass correlations with the items as targets and the participants as raters: "
              "ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants.")};
@@ -211,8 +215,10 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
     add_tests(scale, scales.size() == 1, found, tests);
     keep_findings(findings, outcome);
     models.add(gathered, scale, tests, outcome);
-    const std::vector<Finding> correlations =
+    std::vector<Finding> correlations =
         findings_of(kAgreement, "icc", scale, table_of(gathered, scale, "rater", "target"));
+    withhold_few_targets(correlations,
+                         {.counted = "items that all participants rated", .key = scale.name});
     add_agreement(scale, FoundNumbers(correlations), agreement.table);
     // The family's α is ICC3k with the raters as test items; that of a construct is of its scales (add_constructs).
     keep_findings(correlations, outcome,
@@ -224,6 +230,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   if (has_ratings || !accompanying.empty()) {
     outcome.tables.push_back(table_of_scales(gathered, scales, accompanying));
   }
+  drop_empty_columns(agreement.table, 2);
   if (!agreement.table.rows.empty()) outcome.tables.push_back(std::move(agreement));
   std::move(models).report(outcome);
   add_rating_components(gathered, scales, outcome);

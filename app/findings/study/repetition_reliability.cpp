@@ -11,6 +11,7 @@
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/intraclass_targets.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
 
@@ -32,8 +33,8 @@ struct MeanScore {
 /// By target and repetition.
 using Ratings = std::map<std::pair<std::uint32_t, std::uint32_t>, MeanScore>;
 
-/// The findings of the family `icc`. Numbers replace names, which no finding contains.
-std::vector<Finding> correlations_of(const Ratings& ratings) {
+/// The findings of the family `icc`, with at least three of these targets. Numbers replace names, which no finding contains.
+std::vector<Finding> correlations_of(const Ratings& ratings, const IntraclassTargets& rated) {
   LabelRows targets{};
   LabelRows raters{};
   NumberColumn scores{};
@@ -47,7 +48,14 @@ std::vector<Finding> correlations_of(const Ratings& ratings) {
                                                            {"rater", std::move(raters).take()},
                                                            {"score", std::move(scores)}},
                             "the repetitions");
-  return analysis_of(kReliability, "icc", std::move(input));
+  std::vector<Finding> findings = analysis_of(kReliability, "icc", std::move(input));
+  withhold_few_targets(findings, rated);
+  return findings;
+}
+
+bool has_too_few_targets(const FoundNumbers& found) {
+  const std::vector<const Finding*> all = found.all("icc");
+  return !all.empty() && all.front()->word == "too_few";
 }
 
 /// "ICC(3,1) = .71, 95 % CI [.38, .91]", without the interval where there is none.
@@ -71,8 +79,8 @@ Phrase reliability_question() {
 }
 
 struct OwnReliability {
-  Finding mean{};
-  Phrase answer{};
+  Finding mean{};   ///< without a value, the status that states why there is none
+  Phrase answer{};  ///< empty without a value
 };
 
 /// The repetitions that all repeated surfaces have: where their numbers differ, the first ones of each.
@@ -119,11 +127,14 @@ class SharedRepetitions final {
   std::size_t most_ = 0;
 };
 
-/// The mean over participants of their own ICC3; nothing where no participant has two targets with two repetitions.
+/// The mean over participants of their own ICC3, or the status that no participant has three targets with all repetitions;
+/// nothing where no target is repeated, and where all participants who have three respond alike to them.
 std::optional<OwnReliability> own_reliability(const GatheredAnswers& gathered,
                                               std::span<const RepeatedEstimate> estimates,
-                                              const std::string& key, const std::string& what) {
+                                              const std::string& key, const std::string& what,
+                                              const IntraclassTargets& rated) {
   const SharedRepetitions shared(estimates);
+  if (shared.repetitions() == 0) return {};
   std::vector<Ratings> own(gathered.people.size());
   for (const RepeatedEstimate& estimate : estimates) {
     if (const auto place = shared.place_of(estimate)) {
@@ -131,12 +142,25 @@ std::optional<OwnReliability> own_reliability(const GatheredAnswers& gathered,
     }
   }
   std::vector<double> correlations{};
+  std::optional<Finding> too_few{};
+  bool has_enough = false;
   for (const Ratings& ratings : own) {
-    const std::vector<Finding> findings = correlations_of(ratings);
-    const std::optional<double> icc = FoundNumbers(findings).value("icc", "ICC3");
+    if (ratings.empty()) continue;
+    const std::vector<Finding> findings = correlations_of(ratings, rated);
+    const FoundNumbers found(findings);
+    const std::optional<double> icc = found.value("icc", "ICC3");
     if (icc) correlations.push_back(*icc);
+    if (!has_too_few_targets(found)) {
+      has_enough = true;
+    } else if (!too_few) {
+      too_few = *found.find("icc", rated.key);
+    }
   }
-  if (correlations.empty()) return {};
+  if (correlations.empty()) {
+    if (has_enough || !too_few) return {};
+    too_few->quantity = "icc.mean";
+    return OwnReliability{.mean = *too_few};
+  }
   FindingList list{};
   // With k repetitions no correlation is below −1/(k − 1).
   const double least = -1.0 / (static_cast<double>(shared.repetitions()) - 1.0);
@@ -172,13 +196,17 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
   if (with_column > 0 && with_column < repeated.scores.size()) return;
   const std::size_t repetitions = repetitions_in(ratings);
   if (repetitions < 2) return;
-  const std::vector<Finding> findings = correlations_of(ratings);
+  const std::vector<Finding> findings =
+      correlations_of(ratings, {.counted = "participants with all repetitions"});
   const FoundNumbers found(findings);
   const Finding* one = found.find("icc", "ICC3");
   const Finding* agreement = found.find("icc", "ICC2");
   const Finding* all = found.find("icc", "ICC3k");
   const Finding* none = found.find("icc");
-  if (none != nullptr && none->word == "too_few") return;
+  if (has_too_few_targets(found)) {
+    keep_findings(std::span(none, 1), outcome);
+    return;
+  }
   keep_findings(findings, outcome);
   const Phrase answer =
       one == nullptr || agreement == nullptr || all == nullptr
@@ -225,9 +253,11 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
   const std::optional<OwnReliability> own = own_reliability(
       gathered, estimates, "ICC3",
       "mean of the participants' own intraclass correlations ICC3 of the logarithms, surfaces by "
-      "repetitions");
+      "repetitions",
+      {.counted = "surfaces with all repetitions"});
   if (!own) return;
   keep_findings(std::span(&own->mean, 1), outcome);
+  if (!own->mean.value) return;
   add_question(
       outcome, kReliability, reliability_question(), own->answer,
       phrase("Analysis",
@@ -243,9 +273,11 @@ void ask_reliability_of_ratings(const GatheredAnswers& gathered, const std::stri
                                 AnalysisOutcome& outcome) {
   const std::optional<OwnReliability> own = own_reliability(
       gathered, ratings, both(scale, "ICC3"),
-      "mean of the participants' own intraclass correlations ICC3, items by repetitions");
+      "mean of the participants' own intraclass correlations ICC3, items by repetitions",
+      {.counted = "items with all repetitions", .key = scale});
   if (!own) return;
   keep_findings(std::span(&own->mean, 1), outcome);
+  if (!own->mean.value) return;
   add_question(
       outcome, (kReliability + ('_' + scale)).c_str(),
       phrase("Analysis", "How reliable are the ratings on the scale “%1” over repetitions?")

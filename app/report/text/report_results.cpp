@@ -280,6 +280,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"half.difference.status", "the CI of the change of the proportion correct over the trials"},
       {"half.ratio.status", "the CI of the change of response times over the trials"},
       {"icc", "the reliability over repetitions"},
+      {"icc.mean", "the reliability over repetitions"},
       {"cv.chosen", "the number of dimensions"},
       {"hclust.average.height", "the dendrogram"},
       {"indscal.fit.mean", "the weights of the participants (INDSCAL)"},
@@ -398,8 +399,9 @@ std::string words_of_level_key(const Finding& finding, std::span<const NamedTabl
 /// "the test of the mean proportion of height_map", or empty for an intermediate result.
 std::string subject_of(const Finding& finding, std::span<const NamedTable> tables) {
   std::string words =
-      finding.quantity == "status"
-          ? words_of_analysis_without_numbers(finding.analysis)
+      finding.quantity == "status" ? words_of_analysis_without_numbers(finding.analysis)
+      : finding.quantity == "icc" && finding.analysis == "agreement"
+          ? "the agreement of the participants (ICC)"
           : with_modelled_times(words_of_unanswered(finding.quantity), finding.analysis);
   if (words.empty()) return {};
   const bool is_place = finding.analysis == "position" && number_in(finding.key);
