@@ -435,12 +435,15 @@ class FigureDrawing final {
       }
     }
     const QFontMetricsF metrics(layout_.font());
-    const auto draw = [&](const Phrase& label, const QPointF& named, const QColor& color,
+    const auto draw = [&](const QStringList& lines, const QPointF& named, const QColor& color,
                           const auto& candidates_for) {
-      const QString words = layout_.words(label);
-      if (words.isEmpty()) return;
-      const QSizeF size(metrics.horizontalAdvance(words), metrics.height());
-      const QRectF place = places.take(named, candidates_for(size));
+      TextLines words{.lines = lines,
+                      .height = static_cast<double>(lines.size()) * metrics.height()};
+      for (const QString& line : lines) {
+        words.width = std::max(words.width, metrics.horizontalAdvance(line));
+      }
+      if (words.width == 0.0) return;
+      const QRectF place = places.take(named, candidates_for(QSizeF(words.width, words.height)));
       text(words, place.topLeft(), Across::left, Along::top, color);
     };
     // Arrows first: their labels can only be in one direction. They have a dark colour of the arrow.
@@ -449,16 +452,36 @@ class FigureDrawing final {
       const QColor color = mixed(color_of(series, look_), look_.colors.text, kDark);
       for (const FigureArrow& arrow : series.arrows) {
         const QLineF line(at(0.0, 0.0), at(arrow.to.x, arrow.to.y));
-        draw(arrow.label, line.p2(), color,
+        draw({layout_.words(arrow.label)}, line.p2(), color,
              [&](const QSizeF& size) { return beyond_arrow(line, size, 0.3 * letters()); });
       }
     }
     for (const FigureSeries& series : figure_.series) {
+      QStringList names{};
+      std::vector<QPointF> middles{};
+      double widest_mark = 0.0;
       for (const FigurePoint& point : series.points) {
-        const double gap = half_width(point) + 0.3 * letters();
-        const QPointF middle = at(point.x, point.y);
-        draw(point.label, middle, look_.colors.text,
-             [&](const QSizeF& size) { return around_point(middle, size, gap); });
+        if (point.label.empty()) continue;
+        names.push_back(layout_.words(point.label));
+        middles.push_back(at(point.x, point.y));
+        widest_mark = std::max(widest_mark, half_width(point));
+      }
+      constexpr double kWidestJoined = 0.4;  // of the plot
+      for (const std::vector<std::size_t>& group : near_points(middles, metrics.height())) {
+        QStringList own{};
+        QRectF marks(middles[group.front()], QSizeF(0.0, 0.0));
+        for (const std::size_t i : group) {
+          own.push_back(names[static_cast<qsizetype>(i)]);
+          marks.setLeft(std::min(marks.left(), middles[i].x()));
+          marks.setRight(std::max(marks.right(), middles[i].x()));
+          marks.setTop(std::min(marks.top(), middles[i].y()));
+          marks.setBottom(std::max(marks.bottom(), middles[i].y()));
+        }
+        const double gap =
+            std::max(marks.width(), marks.height()) / 2.0 + widest_mark + 0.3 * letters();
+        draw(joined_names(own, metrics, kWidestJoined * layout_.plot().width()), marks.center(),
+             look_.colors.text,
+             [&](const QSizeF& size) { return around_point(marks.center(), size, gap); });
       }
     }
   }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <QtGui/QFontMetricsF>
+
 namespace asperity {
 
 namespace {
@@ -101,6 +103,43 @@ std::vector<QRectF> around_point(const QPointF& point, const QSizeF& label, doub
     }
   }
   return candidates;
+}
+
+std::vector<std::vector<std::size_t>> near_points(std::span<const QPointF> points, double reach) {
+  std::vector<std::vector<std::size_t>> groups{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto near = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return QLineF(points[group.front()], points[i]).length() < reach;
+    });
+    if (near == groups.end()) {
+      groups.push_back({i});
+    } else {
+      near->push_back(i);
+    }
+  }
+  return groups;
+}
+
+QStringList joined_names(const QStringList& names, const QFontMetricsF& metrics, double widest) {
+  constexpr qsizetype kMostLines = 2;
+  const auto broken = [&](QStringList entries) {
+    QStringList lines{};
+    for (qsizetype i = 0; i < entries.size(); ++i) {
+      const QString entry = entries[i] + (i + 1 < entries.size() ? "," : "");
+      const QString longer = lines.isEmpty() ? QString() : lines.back() + ' ' + entry;
+      if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= widest) {
+        lines.back() = longer;
+      } else {
+        lines.push_back(entry);
+      }
+    }
+    return lines;
+  };
+  QStringList lines = broken(names);
+  for (qsizetype shown = names.size() - 1; shown > 0 && lines.size() > kMostLines; --shown) {
+    lines = broken(names.first(shown) << '+' + QString::number(names.size() - shown));
+  }
+  return lines;
 }
 
 std::vector<QRectF> beyond_arrow(const QLineF& arrow, const QSizeF& label, double gap) {

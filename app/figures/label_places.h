@@ -2,11 +2,15 @@
 
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include <QtCore/QLineF>
 #include <QtCore/QRectF>
+#include <QtCore/QStringList>
+
+class QFontMetricsF;
 
 namespace asperity {
 
@@ -39,6 +43,14 @@ class LabelPlaces final {
 /// Next to a point, from the best place to the worst: right, left, above, below, in the corners; then
 /// the same at twice the distance.
 std::vector<QRectF> around_point(const QPointF& point, const QSizeF& label, double gap);
+
+/// Groups of points that have a common label, by their indices in the given order: each point is closer than `reach` to the first
+/// point of its group.
+std::vector<std::vector<std::size_t>> near_points(std::span<const QPointF> points, double reach);
+
+/// The common label of several points: "cork, felt, wool". Broken into at most two lines, which are not wider than `widest` unless one
+/// name is; if they cannot hold all names, the last entry is the number of the others: "cork, felt, +3". A single name is unchanged.
+QStringList joined_names(const QStringList& names, const QFontMetricsF& metrics, double widest);
 
 /// Beyond the head of an arrow, first in its direction, then moved sideways.
 std::vector<QRectF> beyond_arrow(const QLineF& arrow, const QSizeF& label, double gap);

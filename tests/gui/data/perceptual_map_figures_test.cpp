@@ -131,6 +131,19 @@ TEST_F(PerceptualMap, IsDrawnWithAllItsNames) {
   }
 }
 
+// Labels would cover each other.
+TEST_F(PerceptualMap, NamesItemsOnOnePlaceTogether) {
+  Figure map = figure("configuration");
+  std::vector<FigurePoint>& points = map.series[0].points;
+  points[3].x = points[1].x;
+  points[3].y = points[1].y;
+  const QString both =
+      QString::fromStdString(points[1].label.english() + ", " + points[3].label.english());
+  const QStringList words = read_svg(QByteArray::fromStdString(svg_of(map, {}))).words();
+  EXPECT_TRUE(words.contains(both)) << words.join('|').toStdString();
+  EXPECT_FALSE(words.contains(QString::fromStdString(points[3].label.english())));
+}
+
 TEST(PerceptualMapWithoutNumbers, StatesWhyThereIsNone) {
   const std::vector<Finding> none{};
   const std::vector<Figure> nothing = perceptual_map_figures(FoundNumbers(none));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <QtGui/QFont>
 #include <QtGui/QFontInfo>
 #include <QtGui/QFontMetricsF>
 #include <gtest/gtest.h>
@@ -388,6 +389,27 @@ TEST(LabelPlaces, StayOnTheSideOfAnArrowOnWhichTheNamedPointIs) {
   const QRectF above(QPointF(30, 35), label);
   const QRectF below(QPointF(30, 55), label);
   EXPECT_EQ(places.take(QPointF(40, 70), std::array{above, below}), below);
+}
+
+// The third point is near the second one, but not near the first one of their group.
+TEST(NearPoints, AreThoseNearTheFirstOfTheirGroup) {
+  const std::array points{QPointF(0, 0), QPointF(6, 0), QPointF(12, 0), QPointF(0, 9)};
+  const std::vector<std::vector<std::size_t>> groups{{0, 1, 3}, {2}};
+  EXPECT_EQ(near_points(points, 10.0), groups);
+  EXPECT_EQ(near_points(points, 1.0).size(), 4U);
+}
+
+TEST(JoinedNames, AreBrokenIntoTwoLinesAndThenCounted) {
+  const QFontMetricsF metrics{QFont()};
+  const QStringList names{"cork", "felt", "wool", "slate", "brick", "oak"};
+  const auto joined = [&](const QStringList& of, const QString& widest) {
+    return joined_names(of, metrics, metrics.horizontalAdvance(widest)).join('/');
+  };
+  EXPECT_EQ(joined({"cork"}, "c"), "cork");
+  EXPECT_EQ(joined(names, "cork, felt, wool, slate, brick, oak"),
+            "cork, felt, wool, slate, brick, oak");
+  EXPECT_EQ(joined(names, "slate, brick, oak"), "cork, felt, wool,/slate, brick, oak");
+  EXPECT_EQ(joined(names, "cork, felt,"), "cork, felt,/wool, +3");
 }
 
 }  // namespace
