@@ -23,7 +23,7 @@
 #include "app/study_files/program.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
-#include "bench/machine.h"
+#include "device/machine.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/machine.h"
+#include "device/machine.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "renderers/servo/servo_thread.h"

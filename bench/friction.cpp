@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/machine.h"
+#include "device/machine.h"
 #include "device/simulated_models.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/offline/friction_stroke.h"

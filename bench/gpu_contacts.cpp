@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/machine.h"
+#include "device/machine.h"
 #include "renderers/pd_gradient/gpu/gpu_penetration.h"
 #include "renderers/pd_gradient/sampling/cached_penetration.h"
 #include "renderers/pd_gradient/sampling/reference_penetration.h"

@@ -28,7 +28,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/verify_study.h"
-#include "bench/machine.h"
+#include "device/machine.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"

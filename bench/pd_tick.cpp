@@ -29,9 +29,12 @@
 #include <malloc.h>
 #include <nlohmann/json.hpp>
 
-#include "bench/detailed_bodies.h"
+#include "device/machine.h"
+#include "renderers/offline/tick_times.h"
+#include "renderers/offline/two_body_scenes.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 #include "renderers/pd_gradient/sampling/reference_penetration.h"
+#include "stimuli/meshes/detailed_bodies.h"
 #include "stimuli/meshes/mesh_decimation.h"
 #include "stimuli/meshes/mesh_file.h"
 #include "stimuli/meshes/mesh_repair.h"
@@ -43,22 +46,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kWave_m = 1e-3;  // the shortest of all textures
-constexpr double kRms_m = kWave_m / 20.0;
-constexpr double kDepth_m = 0.15e-3;
-constexpr double kSlide_m = 10e-6;  // from tick to tick: 0.1 m/s at 10 kHz
-constexpr double kTick_s = 1e-4;
-constexpr double kStiffness_N_per_m = 1000.0;
 constexpr int kWarmUp = 500;
 constexpr int kCounted = 5'000;
 constexpr int kPosesForErrors = 8;
 constexpr std::size_t kContactsForErrors = 3;  // of a pose, the longest
 constexpr int kTruthSamples = 256;             // at least, and twice those of the window
-
-std::int64_t context_switches() {
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  return usage.ru_nivcsw + usage.ru_nvcsw;
-}
 
 double peak_MiB() {
   rusage usage{};
@@ -70,38 +62,13 @@ double seconds_since(Clock::time_point started) {
   return std::chrono::duration<double>(Clock::now() - started).count();
 }
 
-struct Costs {
-  std::vector<std::int64_t> undisturbed_ns{};
-  std::int64_t preempted = 0;
+TickTimes measure(const std::function<void(int)>& work) {
+  return time_ticks({.warm_up = kWarmUp, .counted = kCounted}, work);
+}
 
-  nlohmann::json quantile_ns(double fraction) const {
-    if (undisturbed_ns.empty()) return nullptr;
-    const double last = static_cast<double>(undisturbed_ns.size() - 1);
-    return undisturbed_ns[static_cast<std::size_t>(std::llround(fraction * last))];
-  }
-};
-
-// Calls during which the kernel took the processor away are counted apart: they measure the machine.
-Costs measure(const std::function<void(int)>& work) {
-  Costs costs;
-  costs.undisturbed_ns.reserve(kCounted);
-  for (int i = 0; i < kWarmUp; ++i) work(i);
-  std::int64_t switches = context_switches();
-  for (int i = kWarmUp; i < kWarmUp + kCounted; ++i) {
-    const auto started = Clock::now();
-    work(i);
-    const auto took = Clock::now() - started;
-    const std::int64_t switches_after = context_switches();
-    if (switches_after == switches) {
-      costs.undisturbed_ns.push_back(
-          std::chrono::duration_cast<std::chrono::nanoseconds>(took).count());
-    } else {
-      ++costs.preempted;
-    }
-    switches = switches_after;
-  }
-  std::sort(costs.undisturbed_ns.begin(), costs.undisturbed_ns.end());
-  return costs;
+nlohmann::json quantile_ns(const TickTimes& times, double fraction) {
+  const auto time_ns = times.quantile_ns(fraction);
+  return time_ns ? nlohmann::json(*time_ns) : nlohmann::json(nullptr);
 }
 
 /// A body, what it was made of, and what that took.
@@ -164,74 +131,21 @@ Body bake(const std::string& name, const TriangleMesh& mesh, std::size_t triangl
   return bake(name, binary_stl(mesh), triangles);
 }
 
-/// How the tool goes about where it begins: to and fro that far, and that far in and out.
-struct Motion {
-  double way_m = 1e-3;
-  double in_m = 0.0;
-  double out_m = 0.0;
-};
-
-/// A tool and a surface, and where the tool begins.
-struct Scene {
-  std::string name{};
+/// A scene with the bodies before they were baked.
+struct BakedScene {
+  TwoBodyScene scene{};
   const Body* tool = nullptr;
   const Body* surface = nullptr;
-  Motion motion{};
-  glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
-  glm::dvec3 above_m{0.0};
 };
 
-RendererInputs inputs_of(const Scene& scene, ParameterValues parameters) {
-  RendererInputs inputs;
-  inputs.parameters = std::move(parameters);
-  inputs.material = {.stiffness_N_per_m = kStiffness_N_per_m, .friction = 0.0};
-  inputs.patch.extent_m = {1.0, 1.0};
-  inputs.tool = scene.tool->textured;
-  inputs.surface = scene.surface->textured;
-  return inputs;
+/// The tool where it begins; an error names a scene without contact.
+ProbeState pressed(const TwoBodyScene& scene) {
+  const auto start = pressed_tool(scene);
+  if (!start) throw std::runtime_error(scene.name + ": the tool does not touch the surface.");
+  return *start;
 }
 
 ParameterValues sampled_by(double cell_m) { return {{"cell_m", cell_m}, {"step_m", cell_m}}; }
-
-/// To and fro, drifting aside, rocking and turning a little; in and out no faster than to and fro.
-ProbeState moved(const Motion& motion, const ProbeState& start, int tick) {
-  constexpr double kAside_m = 1e-3;
-  const double phase_rad = kSlide_m * tick / motion.way_m;
-  ProbeState probe = start;
-  probe.position_m +=
-      glm::dvec3{motion.way_m * std::sin(phase_rad), kAside_m * std::sin(0.37 * phase_rad),
-                 0.02e-3 * std::sin(0.7 * phase_rad)};
-  const double half_m = 0.5 * (motion.in_m + motion.out_m);
-  if (half_m > 0.0) {
-    probe.position_m.z += motion.out_m - half_m * (1.0 - std::cos(kSlide_m * tick / half_m));
-  }
-  probe.velocity_m_per_s.x = kSlide_m / kTick_s * std::cos(phase_rad);
-  probe.orientation = glm::angleAxis(0.03 * std::sin(0.11 * phase_rad), glm::dvec3{1, 0, 0}) *
-                      glm::angleAxis(0.05 * std::sin(0.07 * phase_rad), glm::dvec3{0, 0, 1}) *
-                      start.orientation;
-  return probe;
-}
-
-/// Lowered until it is in by the depth.
-ProbeState pressed(const Scene& scene) {
-  constexpr double kDown_m = 20e-6;
-  const auto renderer =
-      make_renderer(pd_gradient_model(), inputs_of(scene, {{"coupling", std::string("none")}}));
-  ProbeState probe{.position_m = scene.above_m, .orientation = scene.orientation};
-  renderer->reset(probe);
-  while (renderer->tick(probe, kTick_s).penetration_m < kDepth_m && probe.position_m.z > -0.05) {
-    probe.position_m.z -= kDown_m;
-  }
-  return probe;
-}
-
-/// A tool that begins inside the surface is asked in every tick whether it is out: it begins outside.
-void start_clear(ForceRenderer& renderer, const Scene& scene, const ProbeState& start) {
-  const ProbeState above{.position_m = scene.above_m, .orientation = scene.orientation};
-  renderer.reset(above);
-  renderer.tick(above, kTick_s);
-  for (int i = 0; i < 1000; ++i) renderer.tick(start, kTick_s);  // a coupled tool comes after
-}
 
 /// Sums over the contacts of many poses.
 struct Errors {
@@ -240,8 +154,8 @@ struct Errors {
   double torque_N2_m2 = 0.0;
 
   void add(const Penetration& found, const Penetration& truth) {
-    const Wrench one = contact_wrench(found, {}, kStiffness_N_per_m);
-    const Wrench other = contact_wrench(truth, {}, kStiffness_N_per_m);
+    const Wrench one = contact_wrench(found, {}, kSceneStiffness_N_per_m);
+    const Wrench other = contact_wrench(truth, {}, kSceneStiffness_N_per_m);
     const auto square = [](const glm::dvec3& v) { return glm::dot(v, v); };
     const double depth_m = std::max(0.0, found.depth_m) - std::max(0.0, truth.depth_m);
     depth_m2 += depth_m * depth_m;
@@ -290,7 +204,8 @@ TriangleMesh without_texture(const TexturedMesh& mesh) {
 }
 
 /// Against the original meshes in the same windows, along the same n.
-nlohmann::ordered_json errors_of(const Scene& scene, double cell_m) {
+nlohmann::ordered_json errors_of(const BakedScene& baked, double cell_m) {
+  const TwoBodyScene& scene = baked.scene;
   ParameterValues parameters = sampled_by(cell_m);
   parameters["most_samples"] = 512.0;  // no contact is wide enough for longer cells
   parameters["coupling"] = std::string("none");
@@ -301,10 +216,10 @@ nlohmann::ordered_json errors_of(const Scene& scene, double cell_m) {
         return inputs;
       }(),
       instruction_sets_here().back());
-  PlainPatch tool(scene.tool->original);
-  PlainPatch surface(scene.surface->original);
-  PlainPatch plain_tool(without_texture(*scene.tool->textured));
-  PlainPatch plain_surface(without_texture(*scene.surface->textured));
+  PlainPatch tool(baked.tool->original);
+  PlainPatch surface(baked.surface->original);
+  PlainPatch plain_tool(without_texture(*scene.tool));
+  PlainPatch plain_surface(without_texture(*scene.surface));
   const ProbeState start = pressed(scene);
   renderer.reset(start);
   Errors textured;
@@ -312,8 +227,8 @@ nlohmann::ordered_json errors_of(const Scene& scene, double cell_m) {
   Errors whole;
   int contacts = 0;
   for (int i = 0; i < kPosesForErrors; ++i) {
-    const ProbeState probe = moved(scene.motion, start, 137 * i);
-    for (int again = 0; again < 40; ++again) renderer.tick(probe, kTick_s);
+    const ProbeState probe = moved_tool(scene, start, 137 * i);
+    for (int again = 0; again < 40; ++again) renderer.tick(probe, kSceneTick_s);
     const Pose a{.rotation = glm::mat3_cast(probe.orientation), .position_m = probe.position_m};
     const auto found = renderer.contacts();
     for (const TexturedContact& contact : found.first(std::min(found.size(), kContactsForErrors))) {
@@ -363,17 +278,17 @@ struct Load {
   double kept = 0.0;      ///< or goes on although nothing is cut
 };
 
-Load load_of(const Scene& scene, const ProbeState& start, double cell_m) {
-  const TexturedBody a(*scene.tool->textured, 1.0);
-  const TexturedBody b(*scene.surface->textured, 1.0);
+Load load_of(const TwoBodyScene& scene, const ProbeState& start, double cell_m) {
+  const TexturedBody a(*scene.tool, 1.0);
+  const TexturedBody b(*scene.surface, 1.0);
   MeshQuery query(a.hull_clusters(), b.hull_clusters(), TexturedContacts::kMostPairs);
-  TexturedContacts contacts({*scene.tool->textured, 1.0}, {*scene.surface->textured, 1.0},
+  TexturedContacts contacts({*scene.tool, 1.0}, {*scene.surface, 1.0},
                             {.law = HardMaximum{.step_m = cell_m}, .cell_m = cell_m},
                             instruction_sets_here().back());
   Load load;
   for (int tick = kWarmUp; tick < kWarmUp + kCounted; ++tick) {
-    const Pose pose = pose_of(moved(scene.motion, start, tick));
-    const auto found = contacts.find(pose, {}, kTick_s);
+    const Pose pose = pose_of(moved_tool(scene, start, tick));
+    const auto found = contacts.find(pose, {}, kSceneTick_s);
     load.contacts += static_cast<double>(found.size()) / kCounted;
     load.pairs += static_cast<double>(query.find(pose).size()) / kCounted;
     bool is_blending = false;
@@ -389,14 +304,14 @@ Load load_of(const Scene& scene, const ProbeState& start, double cell_m) {
   return load;
 }
 
-nlohmann::ordered_json case_of(const std::string& name, const Costs& costs, const Load& load) {
+nlohmann::ordered_json case_of(const std::string& name, const TickTimes& times, const Load& load) {
   return {{"name", name},
           {"unit", "ns"},
-          {"p50", costs.quantile_ns(0.5)},
-          {"p99", costs.quantile_ns(0.99)},
-          {"p99_9", costs.quantile_ns(0.999)},
-          {"count", costs.undisturbed_ns.size()},
-          {"preempted", costs.preempted},
+          {"p50", quantile_ns(times, 0.5)},
+          {"p99", quantile_ns(times, 0.99)},
+          {"p99_9", quantile_ns(times, 0.999)},
+          {"count", times.undisturbed_ns.size()},
+          {"preempted", times.preempted},
           {"contacts", load.contacts},
           {"pairs", load.pairs},
           {"blending", load.blending},
@@ -405,22 +320,22 @@ nlohmann::ordered_json case_of(const std::string& name, const Costs& costs, cons
 }
 
 /// The parts and the whole, over the same motion.
-void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used) {
+void time_scene(const TwoBodyScene& scene, nlohmann::ordered_json& cases, double& used) {
   const ProbeState start = pressed(scene);
   const InstructionSet widest = instruction_sets_here().back();
-  const TexturedBody a(*scene.tool->textured, 1.0);
-  const TexturedBody b(*scene.surface->textured, 1.0);
+  const TexturedBody a(*scene.tool, 1.0);
+  const TexturedBody b(*scene.surface, 1.0);
   MeshQuery query(a.hull_clusters(), b.hull_clusters(), TexturedContacts::kMostPairs);
   ContactRegions regions(a.hull(), b.hull(), TexturedContacts::kMostPairs,
                          TexturedContacts::kMostContacts);
   const Load at_8 = load_of(scene, start, kWave_m / 8.0);
   cases.push_back(case_of(scene.name + "/query", measure([&](int tick) {
                             used += static_cast<double>(
-                                query.find(pose_of(moved(scene.motion, start, tick))).size());
+                                query.find(pose_of(moved_tool(scene, start, tick))).size());
                           }),
                           at_8));
   cases.push_back(case_of(scene.name + "/query_and_regions", measure([&](int tick) {
-                            const Pose pose = pose_of(moved(scene.motion, start, tick));
+                            const Pose pose = pose_of(moved_tool(scene, start, tick));
                             used += static_cast<double>(
                                 regions.update(query.find(pose), pose, {}).size());
                           }),
@@ -436,17 +351,18 @@ void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used)
     const std::string at = scene.name + "/" + grid.name + "_samples_a_wave/";
     for (const Heights heights : {Heights::sampled, Heights::kept}) {
       TexturedContacts contacts(
-          {*scene.tool->textured, 1.0}, {*scene.surface->textured, 1.0},
+          {*scene.tool, 1.0}, {*scene.surface, 1.0},
           {.law = HardMaximum{.step_m = grid.cell_m}, .cell_m = grid.cell_m, .heights = heights},
           widest);
       const char* name = heights == Heights::kept ? "contacts_kept" : "contacts_sampled";
-      cases.push_back(case_of(at + name, measure([&](int tick) {
-                                for (const TexturedContact& contact : contacts.find(
-                                         pose_of(moved(scene.motion, start, tick)), {}, kTick_s)) {
-                                  used += contact.penetration.depth_m;
-                                }
-                              }),
-                              load));
+      cases.push_back(
+          case_of(at + name, measure([&](int tick) {
+                    for (const TexturedContact& contact :
+                         contacts.find(pose_of(moved_tool(scene, start, tick)), {}, kSceneTick_s)) {
+                      used += contact.penetration.depth_m;
+                    }
+                  }),
+                  load));
     }
     for (const char* maximum : {"hard", "smooth"}) {
       for (const char* coupling : {"none", "virtual"}) {
@@ -459,21 +375,13 @@ void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used)
         start_clear(*renderer, scene, start);
         cases.push_back(case_of(
             at + "tick_" + maximum + "_coupling_" + coupling, measure([&](int tick) {
-              used += renderer->tick(moved(scene.motion, start, tick), kTick_s).wrench.force_N.z;
+              used += renderer->tick(moved_tool(scene, start, tick), kSceneTick_s).wrench.force_N.z;
             }),
             load));
         cases.back()["bytes"] = bytes;
       }
     }
   }
-}
-
-std::string machine() {
-  std::ifstream cpus("/proc/cpuinfo");
-  for (std::string line; std::getline(cpus, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
 }
 
 std::vector<std::byte> bytes_of(const std::filesystem::path& file) {
@@ -492,106 +400,34 @@ struct Order {
   std::optional<std::filesystem::path> meshes{};
 };
 
-/// Which bodies a scene is of.
-struct Pairing {
-  const char* scene = "";
-  const char* tool = "";
-  const char* surface = "";
-};
-constexpr std::array kPairings = {
-    Pairing{"simple", "ball", "block"},   Pairing{"ten_contacts", "ten_balls", "wide_block"},
-    Pairing{"hammer", "hammer", "block"}, Pairing{"file", "file", "part"},
-    Pairing{"part", "part", "block"},     Pairing{"comb", "comb", "ribs"}};
-
-/// A comb over ribs, in up to over its teeth and out into the air: contacts begin, join, part, fade and are
-/// buried.
-constexpr const char* kComb = "comb";
-constexpr Motion kCombing{.way_m = 6e-3, .in_m = 5e-3, .out_m = 0.5e-3};
-
 /// What bodies that are given are drawn over.
 constexpr const char* kGround = "block";
 
-bool is_wanted(const Order& order, const std::string& body) {
+bool is_wanted(const Order& order, std::string_view body) {
   if (order.meshes && body == kGround) return true;
-  return !order.only || std::any_of(kPairings.begin(), kPairings.end(), [&](const Pairing& each) {
+  const auto scenes = two_body_scenes();
+  return !order.only || std::any_of(scenes.begin(), scenes.end(), [&](const SceneBodies& each) {
     return *order.only == each.scene && (body == each.tool || body == each.surface);
   });
 }
 
+/// As in docs/performance.md.
+std::size_t simplified_to(const DetailedBody& body) {
+  if (body.name == "hammer") return 700;
+  if (body.name == "file") return 600;
+  return body.name == "part" ? 750 : body.simplified;
+}
+
 /// The bodies of all scenes. By pointer: scenes refer to them.
 std::vector<std::unique_ptr<const Body>> make_bodies(const Order& order) {
-  const auto waves = [](std::uint64_t seed) { return Waves(kWave_m, kRms_m, seed); };
-  const auto smooth_step = [](double from, double to, double at) {
-    const double share = std::clamp((at - from) / (to - from), 0.0, 1.0);
-    return share * share * (3.0 - 2.0 * share);
-  };
   std::vector<std::unique_ptr<const Body>> bodies;
-  const auto add = [&](const std::string& name, const TriangleMesh& mesh, std::size_t triangles) {
-    if (!is_wanted(order, name)) return;
-    bodies.push_back(std::make_unique<const Body>(bake(name, mesh, triangles)));
+  for (const DetailedBody& each : detailed_bodies()) {
+    if (!is_wanted(order, each.name)) continue;
+    bodies.push_back(std::make_unique<const Body>(
+        bake(std::string(each.name), make_detailed_body(each.name, order.triangles),
+             simplified_to(each))));
     std::fprintf(stderr, "%s\n", bodies.back()->made.dump().c_str());
-  };
-  add("block", rough_block(0.03, waves(1), order.triangles), 500);
-  add("ball", rough_ball(0.0055, waves(2), order.triangles), 600);
-  TriangleMesh balls;
-  for (int i = 0; i < 10; ++i) {
-    append(balls,
-           rough_ball(0.0035, waves(10 + static_cast<std::uint64_t>(i)), order.triangles / 10),
-           {0.011 * (i % 5 - 2), 0.011 * (i / 5 - 0.5), 0.0});
   }
-  add("ten_balls", balls, 750);
-  add("wide_block", rough_block(0.07, waves(3), order.triangles), 500);
-  const Waves hammered = waves(4);
-  add("hammer",
-      long_body(
-          0.11,
-          [&](double z_m) {
-            const double head = smooth_step(0.025, 0.032, z_m);
-            return std::pair{0.006 + 0.012 * head, 0.006 + 0.003 * head};
-          },
-          hammered, order.triangles),
-      700);
-  const Waves grain = waves(5);
-  add("file",
-      long_body(
-          0.09,
-          [](double) {
-            return std::pair{0.007, 0.003};
-          },
-          [&](const glm::dvec3& p) {  // teeth in rows across, and grain
-            const double tooth = std::sin(2.0 * std::numbers::pi * (p.z + 0.4 * p.x) / 2e-3);
-            return 0.06e-3 * tooth + 0.5 * grain(p);
-          },
-          order.triangles),
-      600);
-  const Waves cast = waves(6);
-  add("part",
-      long_body(
-          0.06,
-          [&](double z_m) {
-            const double groove = smooth_step(0.006, 0.008, std::abs(z_m));
-            return std::pair{0.010 + 0.003 * groove, 0.010 + 0.003 * groove};
-          },
-          [&](const glm::dvec3& p) {  // traces of a cutter, and grain
-            return 0.04e-3 * std::sin(2.0 * std::numbers::pi * p.z / 1.5e-3) + 0.5 * cast(p);
-          },
-          order.triangles),
-      750);
-  TriangleMesh teeth;
-  for (int i = 0; i < 6; ++i) {
-    append(teeth, rough_ball(0.002, waves(30 + static_cast<std::uint64_t>(i)), order.triangles / 6),
-           {0.0035 * (i - 2.5), 0.0, 0.2e-3 * (i % 3)});
-  }
-  add("comb", teeth, 600);
-  const Waves on_ribs = waves(7);
-  add("ribs",
-      rough_block(
-          0.045,
-          [&](const glm::dvec3& p) {
-            return 0.6e-3 * std::cos(2.0 * std::numbers::pi * p.x / 5e-3) + on_ribs(p);
-          },
-          order.triangles),
-      600);
   std::vector<std::filesystem::path> files;
   if (order.meshes) {
     for (const auto& file : std::filesystem::directory_iterator(*order.meshes)) {
@@ -612,46 +448,25 @@ std::vector<std::unique_ptr<const Body>> make_bodies(const Order& order) {
   return bodies;
 }
 
-/// Half the body's height about its own origin, and some room.
-double half_height_m(const TexturedMesh& mesh, const glm::dquat& orientation) {
-  double half_m = 0.0;
-  for (const glm::dvec3& vertex_m : mesh.vertices_m) {
-    half_m = std::max(half_m, std::abs((orientation * vertex_m).z));
-  }
-  return half_m;
-}
-
-std::vector<Scene> scenes_of(const std::vector<std::unique_ptr<const Body>>& bodies) {
-  const auto body = [&](const std::string& name) {
+std::vector<BakedScene> scenes_of(const std::vector<std::unique_ptr<const Body>>& bodies) {
+  const auto body = [&](std::string_view name) {
     for (const auto& each : bodies) {
       if (each->name == name) return each.get();
     }
     return static_cast<const Body*>(nullptr);
   };
-  const glm::dquat upright{1.0, 0.0, 0.0, 0.0};
-  const glm::dquat lying = glm::angleAxis(0.5 * std::numbers::pi, glm::dvec3{0.0, 1.0, 0.0});
-  const glm::dquat across = glm::angleAxis(1.2, glm::dvec3{0.0, 0.0, 1.0}) * lying;
-  std::vector<Scene> scenes;
-  for (const Pairing& each : kPairings) {
-    const std::string name = each.scene;
-    if (body(each.tool) == nullptr || body(each.surface) == nullptr) continue;
-    scenes.push_back({.name = name,
-                      .tool = body(each.tool),
-                      .surface = body(each.surface),
-                      .motion = name == kComb ? kCombing : Motion{},
-                      .orientation = name == "hammer"                   ? lying
-                                     : name == "file" || name == "part" ? across
-                                                                        : upright});
+  std::vector<BakedScene> scenes;
+  const auto add = [&scenes](std::string_view name, const Body* tool, const Body* surface) {
+    if (tool == nullptr || surface == nullptr) return;
+    scenes.push_back({.scene = two_body_scene(std::string(name), tool->textured, surface->textured),
+                      .tool = tool,
+                      .surface = surface});
+  };
+  for (const SceneBodies& each : two_body_scenes()) {
+    add(each.scene, body(each.tool), body(each.surface));
   }
   for (const auto& each : bodies) {
-    if (!each->is_given) continue;
-    scenes.push_back({.name = each->name, .tool = each.get(), .surface = body(kGround)});
-  }
-  for (Scene& scene : scenes) {
-    scene.above_m.z = half_height_m(*scene.tool->textured, scene.orientation) + 0.002;
-    if (scene.surface->name == "part") {
-      scene.above_m.z += half_height_m(*scene.surface->textured, upright);
-    }
+    if (each->is_given) add(each->name, each.get(), body(kGround));
   }
   return scenes;
 }
@@ -686,13 +501,14 @@ int run(const Order& order) {
                                   {"cases", nlohmann::ordered_json::array()},
                                   {"errors", nlohmann::ordered_json::array()}};
   for (const auto& body : bodies) document["bodies"].push_back(body->made);
-  for (const Scene& scene : scenes_of(bodies)) {
+  for (const BakedScene& baked : scenes_of(bodies)) {
+    const TwoBodyScene& scene = baked.scene;
     std::fprintf(stderr, "%s\n", scene.name.c_str());
     time_scene(scene, document["cases"], used);
     if (!order.with_errors || scene.motion.in_m > 0.0)
       continue;  // there is no truth for the buried
     nlohmann::ordered_json errors{{"scene", scene.name}};
-    errors.update(errors_of(scene, kWave_m / 12.0));
+    errors.update(errors_of(baked, kWave_m / 12.0));
     document["errors"].push_back(errors);
   }
   document["peak_memory_MiB"] = peak_MiB();

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/machine.h"
+#include "device/machine.h"
 
 namespace asperity {
 namespace {

@@ -6,12 +6,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <string>
-#include <sys/resource.h>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -20,12 +17,14 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/random.h"
+#include "device/machine.h"
 #include "device/simulated_device.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/friction.h"
+#include "renderers/offline/point_strokes.h"
+#include "renderers/offline/tick_times.h"
 #include "renderers/servo/servo_loop.h"
-#include "renderers/servo/servo_thread.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/meshes/solid_body.h"
 
@@ -37,7 +36,6 @@ constexpr int kCounted = 400'000;
 constexpr int kCountedOfBodies = 20'000;  // a tick of two bodies takes hundreds of times as long
 constexpr int kCountedCold = 2'000;
 constexpr std::size_t kEvicting_bytes = 32 << 20;  // more than a core's caches hold
-constexpr double kRate_Hz = 1000.0;
 constexpr const char* kPlainest = "sinusoid";
 constexpr double kBall_m = 0.002;
 
@@ -46,58 +44,22 @@ enum class Caches { warm, cold };
 
 struct Costs {
   std::string name{};
-  std::vector<std::int64_t> undisturbed_ns{};
-  std::int64_t preempted = 0;
+  TickTimes times{};
 };
 
-std::int64_t context_switches() {
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  return usage.ru_nivcsw + usage.ru_nvcsw;
-}
-
-// Every call is timed alone, the reading of the clock included (case `clock`). Calls during which
-// the kernel took the processor away are counted apart: they measure the machine.
+// Every call is timed alone, the reading of the clock included (case `clock`).
 Costs measure(const std::string& name, Caches caches, const std::function<void(int)>& work,
               int counted_warm = kCounted) {
-  Costs costs{.name = name + (caches == Caches::cold ? "/cold" : "")};
-  const int counted = caches == Caches::cold ? kCountedCold : counted_warm;
-  std::vector<char> others(caches == Caches::cold ? kEvicting_bytes : 0);
-  costs.undisturbed_ns.reserve(static_cast<std::size_t>(counted));
-  for (int i = 0; i < kWarmUp; ++i) work(i);
-  std::int64_t switches = context_switches();
-  for (int i = kWarmUp; i < kWarmUp + counted; ++i) {
-    for (std::size_t byte = 0; byte < others.size(); byte += 64) ++others[byte];
-    if (caches == Caches::cold) switches = context_switches();
-    const std::int64_t started_ns = monotonic_now_ns();
-    work(i);
-    const std::int64_t took_ns = monotonic_now_ns() - started_ns;
-    const std::int64_t switches_after = context_switches();
-    if (switches_after == switches) {
-      costs.undisturbed_ns.push_back(took_ns);
-    } else {
-      ++costs.preempted;
-    }
-    switches = switches_after;
-  }
-  std::sort(costs.undisturbed_ns.begin(), costs.undisturbed_ns.end());
-  return costs;
+  const bool is_cold = caches == Caches::cold;
+  return {.name = name + (is_cold ? "/cold" : ""),
+          .times = time_ticks({.warm_up = kWarmUp,
+                               .counted = is_cold ? kCountedCold : counted_warm,
+                               .evicted_bytes = is_cold ? kEvicting_bytes : 0},
+                              work)};
 }
 
 std::int64_t quantile_ns(const Costs& costs, double fraction) {
-  if (costs.undisturbed_ns.empty()) return 0;
-  const double last = static_cast<double>(costs.undisturbed_ns.size() - 1);
-  return costs.undisturbed_ns[static_cast<std::size_t>(std::llround(fraction * last))];
-}
-
-// 2000 × 2000 samples over 0.1 m, 16 MB: more than fits a cache, as a photograph's field is.
-std::shared_ptr<const HeightField> rough_field() {
-  constexpr std::size_t kSide = 2000;
-  std::vector<float> heights_m(kSide * kSide);
-  Random random(1);
-  for (float& height_m : heights_m) height_m = static_cast<float>(0.0001 * random.normal());
-  return std::make_shared<const HeightField>(HeightField::Grid{kSide, kSide, 0.00005},
-                                             std::move(heights_m));
+  return costs.times.quantile_ns(fraction).value_or(0);
 }
 
 // A plate with a grating of 2 mm and a ball of 2 mm on it, for models of two bodies.
@@ -109,38 +71,6 @@ void add_bodies(RendererInputs& inputs) {
         std::make_shared<const TexturedMesh>(body_mesh(SphereShape{kBall_m}, nullptr))};
   }();
   std::tie(inputs.surface, inputs.tool) = kBodies;
-}
-
-RendererInputs stimulus(const std::shared_ptr<const HeightField>& field) {
-  RendererInputs inputs;
-  inputs.height_field = field;
-  static const auto kFiles = [&field] {
-    RendererInputs of_relief;
-    const ModelRegistry registry = built_in_models();
-    for (const ForceModel& model : registry.models()) {
-      add_files_of_relief(of_relief, model, *field);
-    }
-    return of_relief.assets;
-  }();
-  inputs.assets = kFiles;
-  inputs.seed = 1;
-  return inputs;
-}
-
-// To and fro over 60 mm at up to 94 mm/s, drifting sideways: always in contact.
-std::vector<ProbeState> stroke(double height_m) {
-  std::vector<ProbeState> samples(kWarmUp + kCounted);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double time_s = static_cast<double>(i) / kRate_Hz;
-    constexpr double kPhase_rad_per_s = std::numbers::pi;
-    ProbeState& probe = samples[i];
-    probe.time_ns = std::llround(time_s * 1e9);
-    probe.position_m = {0.030 * std::sin(kPhase_rad_per_s * time_s), 0.030 * std::sin(0.1 * time_s),
-                        height_m};
-    probe.velocity_m_per_s = {0.030 * kPhase_rad_per_s * std::cos(kPhase_rad_per_s * time_s),
-                              0.003 * std::cos(0.1 * time_s), 0.0};
-  }
-  return samples;
 }
 
 // A model with its default law, or with another one that is computed differently.
@@ -168,7 +98,7 @@ Costs model_alone(const Law& law, Caches caches, RendererInputs inputs,
       "model/" + name_of(law), caches,
       [&](int i) {
         const auto& probe = samples[static_cast<std::size_t>(i)];
-        felt_N += renderer->tick(probe, 1.0 / kRate_Hz).wrench.force_N.z;
+        felt_N += renderer->tick(probe, kStrokeTick_s).wrench.force_N.z;
       },
       has_bodies ? kCountedOfBodies : kCounted);
 }
@@ -188,14 +118,6 @@ Costs whole_tick(const ForceModel& model, Caches caches, const RendererInputs& i
     while (records.pop(record)) felt_N += record.sent.force_N.z;
   });
   return costs;
-}
-
-std::string machine() {
-  std::ifstream cpus("/proc/cpuinfo");
-  for (std::string line; std::getline(cpus, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
 }
 
 const char* instruction_set() {
@@ -237,8 +159,8 @@ void print_json(const std::vector<Costs>& all) {
                                  {"p50", quantile_ns(costs, 0.5)},
                                  {"p99", quantile_ns(costs, 0.99)},
                                  {"p99_9", quantile_ns(costs, 0.999)},
-                                 {"count", costs.undisturbed_ns.size()},
-                                 {"preempted", costs.preempted},
+                                 {"count", costs.times.undisturbed_ns.size()},
+                                 {"preempted", costs.times.preempted},
                                  {"ratio_to_plainest", ratio_to_plainest(all, costs)}});
   }
   std::puts(document.dump(2).c_str());
@@ -251,17 +173,19 @@ void print_table(const std::vector<Costs>& all) {
     std::printf("%-36s %8lld %8lld %8lld %9zu %9lld %7.2f\n", costs.name.c_str(),
                 static_cast<long long>(quantile_ns(costs, 0.5)),
                 static_cast<long long>(quantile_ns(costs, 0.99)),
-                static_cast<long long>(quantile_ns(costs, 0.999)), costs.undisturbed_ns.size(),
-                static_cast<long long>(costs.preempted), ratio_to_plainest(all, costs));
+                static_cast<long long>(quantile_ns(costs, 0.999)),
+                costs.times.undisturbed_ns.size(), static_cast<long long>(costs.times.preempted),
+                ratio_to_plainest(all, costs));
   }
 }
 
 int run(bool as_json) {
-  const auto field = rough_field();
-  const std::vector<ProbeState> of_a_point = stroke(-0.0015);
+  constexpr auto kTicks = static_cast<std::size_t>(kWarmUp + kCounted);
+  const std::vector<ProbeState> of_a_point = stroke_on_plane(kTicks, -0.0015);
   // The centre of the ball, 0.1 mm below the place where it touches crests.
-  const std::vector<ProbeState> of_a_ball = stroke(0.5 * kBall_m);
+  const std::vector<ProbeState> of_a_ball = stroke_on_plane(kTicks, 0.5 * kBall_m);
   const ModelRegistry registry = built_in_models();
+  const RendererInputs stimulus = rough_plane(registry);
   const std::vector<ForceModel>& models = registry.models();
   std::vector<Law> laws;
   for (const ForceModel& model : models) laws.push_back({.model = &model});
@@ -278,12 +202,12 @@ int run(bool as_json) {
     for (const Law& law : laws) {
       const bool has_bodies = law.model->declaration.needs_bodies;
       all.push_back(
-          model_alone(law, caches, stimulus(field), has_bodies ? of_a_ball : of_a_point, felt_N));
+          model_alone(law, caches, stimulus, has_bodies ? of_a_ball : of_a_point, felt_N));
     }
     for (const ForceModel& model : models) {
       // Next to a tick of two bodies the rest of the loop takes no time: see bench_pd_tick.
       if (model.declaration.needs_bodies) continue;
-      all.push_back(whole_tick(model, caches, stimulus(field), felt_N));
+      all.push_back(whole_tick(model, caches, stimulus, felt_N));
     }
   }
   as_json ? print_json(all) : print_table(all);

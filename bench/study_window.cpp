@@ -26,7 +26,7 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/theme.h"
-#include "bench/machine.h"
+#include "device/machine.h"
 
 namespace asperity {
 namespace {

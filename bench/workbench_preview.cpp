@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/workbench/texture_preview.h"
-#include "bench/machine.h"
+#include "device/machine.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/preview.h"
 #include "stimuli/photographs/synthetic_photograph.h"

@@ -8,30 +8,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "stimuli/meshes/detailed_bodies.h"
 #include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity {
-
-/// A torus about z whose tube is bumpy: nothing about it is symmetric or aligned with an axis.
-inline TriangleMesh bumpy_torus(std::uint32_t around, std::uint32_t along) {
-  TriangleMesh mesh{};
-  for (std::uint32_t i = 0; i < around; ++i) {
-    for (std::uint32_t j = 0; j < along; ++j) {
-      const double a = 2.0 * std::numbers::pi * i / around;
-      const double b = 2.0 * std::numbers::pi * j / along;
-      const double tube_m = 0.012 * (1.0 + 0.15 * std::sin(5.0 * a + 0.3) * std::cos(3.0 * b));
-      const double radius_m = 0.03 + tube_m * std::cos(b);
-      mesh.vertices_m.push_back(
-          {radius_m * std::cos(a), radius_m * std::sin(a), tube_m * std::sin(b)});
-      const auto at = [=](std::uint32_t k, std::uint32_t l) {
-        return (k % around) * along + l % along;
-      };
-      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return mesh;
-}
 
 /// Rings of latitude between two poles on the z axis.
 inline TriangleMesh ball(double radius_m, std::uint32_t rings, std::uint32_t around) {

@@ -1,4 +1,4 @@
-// What a measurement was made on.
+// Names the computer on which a time was measured.
 
 #pragma once
 
