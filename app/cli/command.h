@@ -16,6 +16,7 @@ using Job = std::function<int()>;
 
 void add_analyze(CLI::App& program, Job& job);
 void add_bake(CLI::App& program, Job& job);
+void add_bench(CLI::App& program, Job& job);
 void add_check(CLI::App& program, Job& job);
 void add_clean_stiffness(CLI::App& program, Job& job);
 void add_copy(CLI::App& program, Job& job);

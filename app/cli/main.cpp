@@ -82,6 +82,7 @@ int main(int argc, char** argv) {
   add_replay(program, job);
   add_sweep(program, job);
   add_clean_stiffness(program, job);
+  add_bench(program, job);
   add_copy(program, job);
   add_withdraw(program, job);
   try {

@@ -42,6 +42,8 @@ ProgramIdentity this_program() {
 
 std::string program_version() { return kProgramVersion; }
 
+std::string program_build() { return kProgramBuild; }
+
 std::string version_line() {
   return std::string("asperity ") + kProgramVersion + " (commit " + kProgramCommit + ", " +
          kProgramBuild + ")";

@@ -21,6 +21,8 @@ ProgramIdentity this_program();
 
 /// "0.1.0"
 std::string program_version();
+/// "Release": the build type, empty for none.
+std::string program_build();
 /// "asperity 0.1.0 (commit 1a2b3c4, Release)"
 std::string version_line();
 
