@@ -16,6 +16,7 @@
 #include "device/machine.h"
 #include "renderers/built_in_models.h"
 #include "renderers/compute/compute_device.h"
+#include "renderers/force/indentation_law.h"
 #include "renderers/offline/point_strokes.h"
 #include "renderers/offline/two_body_scenes.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
@@ -151,6 +152,8 @@ class Timing final {
       time_row(row, [&]() -> Tick {
         std::shared_ptr<ForceRenderer> renderer = make_renderer(model, inputs);
         renderer->reset(stroke.front());
+        // The figures are of a point. A model with a law of its own has a tip of many cells.
+        if (dynamic_cast<const IndentationLaw*>(renderer.get()) != nullptr) row.quoted.reset();
         return [renderer, &stroke](int tick) {
           return renderer->tick(stroke[static_cast<std::size_t>(tick)], kStrokeTick_s).wrench;
         };
@@ -206,9 +209,9 @@ class Timing final {
 std::vector<TimedScene> timed_scenes() {
   std::vector<TimedScene> scenes;
   for (const SceneBodies& each : two_body_scenes()) scenes.push_back({each.scene, each.meaning});
-  scenes.push_back({kPlane, "the models of a point, on a plane"});
-  scenes.push_back({kToruses[0].name, "the models of a point, on a bumpy body of 100 488 facets"});
-  scenes.push_back({kToruses[1].name, "the models of a point, on a bumpy body of 601 400 facets"});
+  scenes.push_back({kPlane, "the models of a point or a soft surface, on a plane"});
+  scenes.push_back({kToruses[0].name, "the same models, on a bumpy body of 100 488 facets"});
+  scenes.push_back({kToruses[1].name, "the same models, on a bumpy body of 601 400 facets"});
   return scenes;
 }
 

@@ -73,6 +73,13 @@ TEST(BenchCommand, MeasuresEveryModelOfAPointWithTheOrderedTicks) {
   EXPECT_THAT(table.column("model"), Each(Not("pd_gradient")));
   EXPECT_THAT(table.column("reason"), Each("n/a"));
   EXPECT_THAT(all_ticks(table), Each("30"));
+  // The figure is that of a point.
+  const auto models = table.column("model");
+  const auto quoted = table.column("quoted");
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const bool is_soft = models[i] == "elastic_halfspace" || models[i] == "winkler";
+    EXPECT_EQ(quoted[i] == "n/a", is_soft) << models[i];
+  }
   EXPECT_EQ(bench(place, arguments).status, 1);  // the table exists
 }
 
