@@ -99,44 +99,65 @@ TEST(DiscriminationMethods, StateTheRateOfCannotTell) {
               Not(HasSubstr("cannot tell")));
 }
 
-TEST(DiscriminationMethods, StateTheCoverageOfTheJndOfAComparisonWithSplitCounts) {
-  const AnalysisOutcome outcome = outcome_with_unsure({4, 2}, false);
-  const std::string coverage =
-      "the 95 % CI of the JND of a comparison contained the true JND in 84 "
-      "to 93 % of the tables";
-  EXPECT_THAT(methods_of(outcome, DiscriminationJudgement::comparison), HasSubstr(coverage));
-  EXPECT_THAT(discrimination_table(outcome, "thresholds").note.english(), HasSubstr(coverage));
-  EXPECT_THAT(discrimination_table(outcome_with_unsure({4, 2}, true), "thresholds").note.english(),
-              Not(HasSubstr(coverage)));
+TEST(DiscriminationMethods, StateTheCoverageOfTheJndWithSplitCounts) {
+  for (const bool is_performance : {false, true}) {
+    const AnalysisOutcome outcome = outcome_with_unsure({4, 2}, is_performance);
+    const std::string coverage = note_on_unforced_jnd(is_performance).english();
+    const std::string of_others = note_on_unforced_jnd(!is_performance).english();
+    const auto judgement =
+        is_performance ? DiscriminationJudgement::performance : DiscriminationJudgement::comparison;
+    EXPECT_THAT(methods_of(outcome, judgement), HasSubstr(coverage));
+    const std::string note = discrimination_table(outcome, "thresholds").note.english();
+    EXPECT_THAT(note, HasSubstr(coverage));
+    EXPECT_THAT(note, Not(HasSubstr(of_others)));
+  }
+  const AnalysisOutcome forced = outcome_with_unsure({0, 0}, true);
+  EXPECT_THAT(discrimination_table(forced, "thresholds").note.english(),
+              Not(HasSubstr("In simulations of responses “cannot tell”")));
+}
+
+/// The coverage in percent over the settings of the part `unforced_thresholds`.
+struct UnforcedCoverage {
+  double least = 100.0;
+  double most = 0.0;
+  double most_of_36_trials = 0.0;
+
+  explicit UnforcedCoverage(const std::string& judgement) {
+    std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/data/coverage.tsv");
+    for (std::string line{}; std::getline(file, line);) {
+      std::istringstream cells(line);
+      std::vector<std::string> row{};
+      for (std::string cell{}; std::getline(cells, cell, '\t');) row.push_back(cell);
+      if (row.size() < 13 || row[0] != "unforced_thresholds" || row[6] != "jnd" ||
+          row[7] != judgement) {
+        continue;
+      }
+      EXPECT_EQ(row[9], "2000");
+      const double covered =
+          100.0 * (1.0 - (std::stod(row[11]) + std::stod(row[12])) / std::stod(row[10]));
+      least = std::min(least, covered);
+      most = std::max(most, covered);
+      if (std::stoi(row[1]) * std::stoi(row[2]) == 36) {
+        most_of_36_trials = std::max(most_of_36_trials, covered);
+      }
+    }
+  }
+};
+
+std::string range_text(double low, double high) {
+  return std::to_string(std::lround(low)) + " to " + std::to_string(std::lround(high)) + " %";
 }
 
 // The stated percentages are those of the simulations.
 TEST(DiscriminationMethods, HaveTheCoverageOfTheSimulations) {
-  std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/data/coverage.tsv");
-  double least = 100.0;
-  double most = 0.0;
-  double most_of_few = 0.0;
-  for (std::string line{}; std::getline(file, line);) {
-    std::istringstream cells(line);
-    std::vector<std::string> row{};
-    for (std::string cell{}; std::getline(cells, cell, '\t');) row.push_back(cell);
-    if (row.size() < 13 || row[0] != "unforced_thresholds" || row[6] != "jnd" ||
-        row[7] != "comparison") {
-      continue;
-    }
-    EXPECT_EQ(row[9], "400");
-    const double covered =
-        100.0 * (1.0 - (std::stod(row[11]) + std::stod(row[12])) / std::stod(row[10]));
-    least = std::min(least, covered);
-    most = std::max(most, covered);
-    const int trials = std::stoi(row[1]) * std::stoi(row[2]);
-    if (trials <= 60) most_of_few = std::max(most_of_few, covered);
-  }
-  const std::string note = note_on_unforced_jnd().english();
-  EXPECT_THAT(note, HasSubstr(std::to_string(static_cast<int>(least)) + " to " +
-                              std::to_string(static_cast<int>(most)) + " % of the tables"));
-  EXPECT_THAT(note, HasSubstr("too narrow (" + std::to_string(static_cast<int>(least)) + " to " +
-                              std::to_string(static_cast<int>(most_of_few)) + " %)"));
+  const UnforcedCoverage comparison("comparison");
+  EXPECT_THAT(note_on_unforced_jnd(false).english(),
+              HasSubstr(range_text(comparison.least, comparison.most) + " of the tables"));
+  const UnforcedCoverage performance("performance");
+  const std::string note = note_on_unforced_jnd(true).english();
+  EXPECT_THAT(note, HasSubstr(range_text(performance.least, performance.most) + " of the tables"));
+  EXPECT_THAT(note, HasSubstr("too narrow (" +
+                              range_text(performance.least, performance.most_of_36_trials) + ')'));
 }
 
 /// A yes/no trial with a rating of confidence from 1 to 3.

@@ -34,8 +34,8 @@ struct BlockWithProcedure {
 /// and that of all simulated procedures for those that were not simulated. Empty if there is nothing to state.
 Phrase note_on_coverage(std::span<const BlockWithProcedure> blocks);
 
-/// The simulated coverage of the 95 % interval of the JND of a comparison with responses "cannot tell" at constant levels: the
-/// rows `unforced_thresholds` of docs/data/coverage.tsv.
-Phrase note_on_unforced_jnd();
+/// The simulated coverage of the 95 % interval of the JND, of a judgement of performance or of a comparison, with responses
+/// "cannot tell" at constant levels: the rows `unforced_thresholds` of docs/data/coverage.tsv.
+Phrase note_on_unforced_jnd(bool is_performance);
 
 }  // namespace asperity

@@ -88,8 +88,8 @@ std::string interval_at_constant_levels(const Block& block, const UnforcedPartic
          std::string(unforced.has_forced ? " with responses “cannot tell”" : "") +
          " are bootstrap percentiles (" + std::to_string(kUnforcedResamples) +
          " resamples of the three outcomes at each level)" +
-         (unforced.has_forced ? "; those of the other participants are" + delta : "") + '.' +
-         (is_of_performance ? std::string() : ' ' + note_on_unforced_jnd().english());
+         (unforced.has_forced ? "; those of the other participants are" + delta : "") + '.' + ' ' +
+         note_on_unforced_jnd(is_of_performance).english();
 }
 
 /// How the intervals of single participants are made, and how the slope is limited where a procedure chose the levels.

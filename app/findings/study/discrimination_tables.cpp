@@ -243,8 +243,10 @@ struct ShownFunctions {
   bool has_unfinished_tracks = false;
   bool has_posterior = false;
   bool has_unsure = false;
-  bool has_unforced_jnd = false;  ///< of a comparison with constant levels
-  bool has_resamples = false;     ///< bootstrap intervals of functions with such responses
+  // With constant levels and responses "cannot tell":
+  bool has_unforced_comparison = false;
+  bool has_unforced_performance = false;
+  bool has_resamples = false;  ///< bootstrap intervals of functions with such responses
   bool has_deviance = false;
   bool has_yes_no = false;
   bool has_same_different = false;
@@ -277,8 +279,9 @@ ShownFunctions shown_functions(const std::vector<DiscriminationResults>& all) {
       shown.has_delta_comparison = shown.has_delta_comparison || (!is_performance && has_delta);
       shown.has_unsure = shown.has_unsure || has_unsure(function.data);
       shown.has_resamples = shown.has_resamples || (!by_procedure && has_unsure(function.data));
-      shown.has_unforced_jnd =
-          shown.has_unforced_jnd || (!by_procedure && !is_performance && has_unsure(function.data));
+      if (!by_procedure && has_unsure(function.data)) {
+        (is_performance ? shown.has_unforced_performance : shown.has_unforced_comparison) = true;
+      }
       shown.has_limited_slopes = shown.has_limited_slopes || (is_performance && by_procedure);
       shown.has_repeated_procedure =
           shown.has_repeated_procedure || thresholds.find("without", function.data.key) != nullptr;
@@ -365,11 +368,12 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
             "where that of more than 2.5 % of the resampled functions is at the bound of the fit, "
             "which would be its limit.")
             .with(std::to_string(kUnforcedResamples)));
-    if (shown.has_unforced_jnd) {
+    if (shown.has_unforced_comparison) {
       add(phrase("Analysis", "The JND, which follows from the slope, then has no CI either."));
     }
   }
-  if (shown.has_unforced_jnd) add(note_on_unforced_jnd());
+  if (shown.has_unforced_performance) add(note_on_unforced_jnd(true));
+  if (shown.has_unforced_comparison) add(note_on_unforced_jnd(false));
   if (shown.has_limited_slopes) {
     add(phrase("Analysis",
                "With an adaptive procedure, the slope of a Weibull function is limited to %1 to "

@@ -2544,10 +2544,6 @@
         <translation>Gleich–verschieden: d_a ist nicht das d′ der Differenzregel, sondern beschreibt die Verteilungen des beurteilten Unterschieds der Oberflächen. Ungleiche Varianzen sind zu erwarten, weil gleiche Paare und verschiedene Paare in beiden Reihenfolgen nach der absoluten Differenz zweier Eindrücke beurteilt werden.</translation>
     </message>
     <message>
-        <source>In simulations of responses “cannot tell” (36 to 144 trials at five levels, 400 tables per setting), the 95 % CI of the JND of a comparison contained the true JND in 84 to 93 % of the tables; with 36 to 60 trials it is too narrow (84 to 90 %).</source>
-        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 400 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 84 bis 93 % der Tabellen; bei 36 bis 60 Durchgängen ist es zu schmal (84 bis 90 %).</translation>
-    </message>
-    <message>
         <source>%1 (at least; ceiling: %2 of %3 participants)</source>
         <translation>%1 (mindestens; Deckeneffekt: %2 von %3 Versuchspersonen)</translation>
     </message>
@@ -2702,6 +2698,14 @@
     <message>
         <source>%1 %2: left out of %3 thresholds: %4.</source>
         <translation>%1 %2: von %3 Schwellen ausgelassen: %4.</translation>
+    </message>
+    <message>
+        <source>In simulations of responses “cannot tell” (two alternatives, 36 to 144 trials at five levels, 2000 tables per setting), the 95 % CI of the JND of a judgement of performance contained the true JND in 88 to 95 % of the tables; with 36 trials it is too narrow (88 to 90 %).</source>
+        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (zwei Alternativen, 36 bis 144 Durchgänge auf fünf Stufen, 2000 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Leistungsurteils die wahre JND in 88 bis 95 % der Tabellen; bei 36 Durchgängen ist es zu schmal (88 bis 90 %).</translation>
+    </message>
+    <message>
+        <source>In simulations of responses “cannot tell” (36 to 144 trials at five levels, 2000 tables per setting), the 95 % CI of the JND of a comparison contained the true JND in 90 to 95 % of the tables that had one.</source>
+        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 2000 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 90 bis 95 % der Tabellen, die eines hatten.</translation>
     </message>
 </context>
 <context>
