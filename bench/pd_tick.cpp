@@ -62,8 +62,8 @@ double seconds_since(Clock::time_point started) {
   return std::chrono::duration<double>(Clock::now() - started).count();
 }
 
-TickTimes measure(const std::function<void(int)>& work) {
-  return time_ticks({.warm_up = kWarmUp, .counted = kCounted}, work);
+TickTimes measure(int rounds, const RepeatedTicks& motion) {
+  return shortest_of_ticks({.warm_up = kWarmUp, .counted = kCounted}, rounds, motion);
 }
 
 nlohmann::json quantile_ns(const TickTimes& times, double fraction) {
@@ -310,6 +310,8 @@ nlohmann::ordered_json case_of(const std::string& name, const TickTimes& times, 
           {"p50", quantile_ns(times, 0.5)},
           {"p99", quantile_ns(times, 0.99)},
           {"p99_9", quantile_ns(times, 0.999)},
+          {"longest", quantile_ns(times, 1.0)},
+          {"over_5_medians", times.longer_than_medians(5.0)},
           {"count", times.undisturbed_ns.size()},
           {"preempted", times.preempted},
           {"contacts", load.contacts},
@@ -320,7 +322,8 @@ nlohmann::ordered_json case_of(const std::string& name, const TickTimes& times, 
 }
 
 /// The parts and the whole, over the same motion.
-void time_scene(const TwoBodyScene& scene, nlohmann::ordered_json& cases, double& used) {
+void time_scene(const TwoBodyScene& scene, int rounds, nlohmann::ordered_json& cases,
+                double& used) {
   const ProbeState start = pressed(scene);
   const InstructionSet widest = instruction_sets_here().back();
   const TexturedBody a(*scene.tool, 1.0);
@@ -329,17 +332,24 @@ void time_scene(const TwoBodyScene& scene, nlohmann::ordered_json& cases, double
   ContactRegions regions(a.hull(), b.hull(), TexturedContacts::kMostPairs,
                          TexturedContacts::kMostContacts);
   const Load at_8 = load_of(scene, start, kWave_m / 8.0);
-  cases.push_back(case_of(scene.name + "/query", measure([&](int tick) {
-                            used += static_cast<double>(
-                                query.find(pose_of(moved_tool(scene, start, tick))).size());
-                          }),
-                          at_8));
-  cases.push_back(case_of(scene.name + "/query_and_regions", measure([&](int tick) {
-                            const Pose pose = pose_of(moved_tool(scene, start, tick));
-                            used += static_cast<double>(
-                                regions.update(query.find(pose), pose, {}).size());
-                          }),
-                          at_8));
+  const auto add_case = [&](const std::string& name, const Load& load,
+                            const RepeatedTicks& motion) {
+    cases.push_back(case_of(name, measure(rounds, motion), load));
+  };
+  add_case(scene.name + "/query", at_8,
+           {.restart = [] {},
+            .tick =
+                [&](int tick) {
+                  used += static_cast<double>(
+                      query.find(pose_of(moved_tool(scene, start, tick))).size());
+                }});
+  add_case(scene.name + "/query_and_regions", at_8,
+           {.restart = [&] { regions.reset(); },
+            .tick =
+                [&](int tick) {
+                  const Pose pose = pose_of(moved_tool(scene, start, tick));
+                  used += static_cast<double>(regions.update(query.find(pose), pose, {}).size());
+                }});
   struct Grid {
     const char* name = "";
     double cell_m = 0.0;
@@ -355,14 +365,15 @@ void time_scene(const TwoBodyScene& scene, nlohmann::ordered_json& cases, double
           {.law = HardMaximum{.step_m = grid.cell_m}, .cell_m = grid.cell_m, .heights = heights},
           widest);
       const char* name = heights == Heights::kept ? "contacts_kept" : "contacts_sampled";
-      cases.push_back(
-          case_of(at + name, measure([&](int tick) {
-                    for (const TexturedContact& contact :
-                         contacts.find(pose_of(moved_tool(scene, start, tick)), {}, kSceneTick_s)) {
-                      used += contact.penetration.depth_m;
-                    }
-                  }),
-                  load));
+      add_case(at + name, load,
+               {.restart = [&] { contacts.reset(); },
+                .tick =
+                    [&](int tick) {
+                      const Pose pose = pose_of(moved_tool(scene, start, tick));
+                      for (const TexturedContact& contact : contacts.find(pose, {}, kSceneTick_s)) {
+                        used += contact.penetration.depth_m;
+                      }
+                    }});
     }
     for (const char* maximum : {"hard", "smooth"}) {
       for (const char* coupling : {"none", "virtual"}) {
@@ -372,12 +383,13 @@ void time_scene(const TwoBodyScene& scene, nlohmann::ordered_json& cases, double
         const std::size_t before_bytes = allocated_bytes();
         const auto renderer = make_renderer(pd_gradient_model(), inputs_of(scene, parameters));
         const std::size_t bytes = allocated_bytes() - before_bytes;
-        start_clear(*renderer, scene, start);
-        cases.push_back(case_of(
-            at + "tick_" + maximum + "_coupling_" + coupling, measure([&](int tick) {
-              used += renderer->tick(moved_tool(scene, start, tick), kSceneTick_s).wrench.force_N.z;
-            }),
-            load));
+        add_case(at + "tick_" + maximum + "_coupling_" + coupling, load,
+                 {.restart = [&] { start_clear(*renderer, scene, start); },
+                  .tick =
+                      [&](int tick) {
+                        used += renderer->tick(moved_tool(scene, start, tick), kSceneTick_s)
+                                    .wrench.force_N.z;
+                      }});
         cases.back()["bytes"] = bytes;
       }
     }
@@ -395,6 +407,7 @@ std::vector<std::byte> bytes_of(const std::filesystem::path& file) {
 struct Order {
   bool as_json = false;
   bool with_errors = true;
+  int rounds = 1;
   std::size_t triangles = 300'000;
   std::optional<std::string> only{};  ///< a scene
   std::optional<std::filesystem::path> meshes{};
@@ -478,12 +491,13 @@ void print(const nlohmann::ordered_json& document) {
                 body["triangles"].get<long>(), body["import_s"].get<double>(),
                 body["simplify_s"].get<double>(), body["bake_s"].get<double>());
   }
-  std::printf("%-64s %8s %8s %8s %9s %6s %6s %4s\n", "case (ns)", "p50", "p99", "p99.9",
-              "preempted", "cont.", "pairs", "N");
+  std::printf("%-64s %8s %8s %8s %8s %9s %9s %6s %6s %4s\n", "case (ns)", "p50", "p99", "p99.9",
+              "longest", "5 medians", "preempted", "cont.", "pairs", "N");
   for (const auto& each : document["cases"]) {
-    std::printf("%-64s %8s %8s %8s %9ld %6.1f %6.1f %4.0f\n",
+    std::printf("%-64s %8s %8s %8s %8s %9ld %9ld %6.1f %6.1f %4.0f\n",
                 each["name"].get<std::string>().c_str(), each["p50"].dump().c_str(),
                 each["p99"].dump().c_str(), each["p99_9"].dump().c_str(),
+                each["longest"].dump().c_str(), each["over_5_medians"].get<long>(),
                 each["preempted"].get<long>(), each["contacts"].get<double>(),
                 each["pairs"].get<double>(), each["window_samples"].get<double>());
   }
@@ -504,7 +518,7 @@ int run(const Order& order) {
   for (const BakedScene& baked : scenes_of(bodies)) {
     const TwoBodyScene& scene = baked.scene;
     std::fprintf(stderr, "%s\n", scene.name.c_str());
-    time_scene(scene, document["cases"], used);
+    time_scene(scene, order.rounds, document["cases"], used);
     if (!order.with_errors || scene.motion.in_m > 0.0)
       continue;  // there is no truth for the buried
     nlohmann::ordered_json errors{{"scene", scene.name}};
@@ -533,15 +547,17 @@ int main(int argc, char** argv) {
       order.with_errors = false;
     } else if (argument == "--triangles" && i + 1 < argc) {
       order.triangles = static_cast<std::size_t>(std::atol(argv[++i]));
+    } else if (argument == "--rounds" && i + 1 < argc) {
+      order.rounds = std::max(1, std::atoi(argv[++i]));
     } else if (argument == "--scene" && i + 1 < argc) {
       order.only = argv[++i];
     } else if (argument == "--meshes" && i + 1 < argc) {
       order.meshes = argv[++i];
     } else {
-      std::fprintf(
-          stderr,
-          "usage: %s [--json] [--no-errors] [--triangles N] [--scene NAME] [--meshes DIR]\n",
-          argv[0]);
+      std::fprintf(stderr,
+                   "usage: %s [--json] [--no-errors] [--triangles N] [--scene NAME] [--meshes DIR] "
+                   "[--rounds N]\n",
+                   argv[0]);
       return 2;
     }
   }

@@ -59,6 +59,36 @@ TEST(TickTimes, HaveQuantiles) {
   EXPECT_EQ(times.quantile_ns(1.0), 1000);
 }
 
+TEST(TickTimes, CountTheTicksLongerThanMedians) {
+  TickTimes times;
+  EXPECT_EQ(times.longer_than_medians(5.0), 0);
+  times.undisturbed_ns = {1, 2, 10, 50, 50, 51, 260};
+  EXPECT_EQ(times.longer_than_medians(1.0), 2);
+  EXPECT_EQ(times.longer_than_medians(5.0), 1);
+}
+
+// In each repetition another tick is disturbed.
+TEST(TickTimes, AreTheShortestOfEachTickOverRepetitions) {
+  constexpr auto kDisturbance = std::chrono::milliseconds(50);
+  int repetition = -1;
+  std::vector<int> called;
+  const TickTimes times = shortest_of_ticks(
+      {.warm_up = 1, .counted = 3}, 3,
+      {.restart = [&repetition] { ++repetition; },
+       .tick =
+           [&](int tick) {
+             called.push_back(tick);
+             const auto until = std::chrono::steady_clock::now() + kDisturbance;
+             while (tick == repetition + 1 && std::chrono::steady_clock::now() < until) {
+             }
+           }});
+  EXPECT_EQ(called, (std::vector<int>{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3}));
+  EXPECT_EQ(static_cast<std::int64_t>(times.undisturbed_ns.size()) + times.preempted, 3);
+  for (const std::int64_t took_ns : times.undisturbed_ns) {
+    EXPECT_LT(std::chrono::nanoseconds(took_ns), kDisturbance);
+  }
+}
+
 TwoBodyScene ball_over_plate(double plate_m) {
   const auto mesh = [](const Shape& shape) {
     return std::make_shared<const TexturedMesh>(body_mesh(shape, nullptr));
