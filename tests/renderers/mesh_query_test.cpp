@@ -112,6 +112,48 @@ TEST(MeshQuery, FindsTheSamePairsInTheSameOrderWithEveryInstructionSet) {
   }
 }
 
+// A walk with steps of random length, and some jumps. A new query has no list and searches all pairs.
+TEST(MeshQuery, FindsTheSamePairsInTheSameOrderFromListsOfNearPairs) {
+  const auto tool = std::make_shared<ClusteredMesh>(bumpy_torus(17, 13));
+  const auto surface = std::make_shared<ClusteredMesh>(bumpy_torus(24, 15));
+  Random random(15);
+  MeshQuery query(tool, surface, 10000);
+  Pose pose = random_pose(random, 0.03);
+  std::size_t pairs = 0;
+  constexpr int kSteps = 1500;
+  for (int step = 0; step < kSteps; ++step) {
+    if (step % 500 == 499) pose = random_pose(random, 0.03);
+    const double step_m = step % 50 < 5 ? 1e-3 : 30e-6;
+    const auto some = [&](double most) { return most * (2.0 * random.uniform() - 1.0); };
+    const glm::dvec3 drift{std::sin(0.01 * step), std::cos(0.013 * step), std::sin(0.007 * step)};
+    pose.position_m += 0.5 * step_m * drift + glm::dvec3{some(step_m), some(step_m), some(step_m)};
+    const glm::dquat turn =
+        glm::angleAxis(some(20.0 * step_m), glm::normalize(glm::dvec3{some(1), some(1), some(1)}));
+    pose.rotation = glm::mat3_cast(turn) * pose.rotation;
+    const auto found = query.find(pose);
+    MeshQuery without_list(tool, surface, 10000);
+    const auto expected = without_list.find(pose);
+    ASSERT_THAT(found, testing::ElementsAreArray(expected.begin(), expected.end())) << step;
+    pairs += found.size();
+  }
+  EXPECT_GT(pairs, 50'000U);
+  EXPECT_GT(query.listed_calls(), 700U);
+}
+
+TEST(MeshQuery, SearchesAllPairsWhereAListHasNoRoom) {
+  const auto mesh = std::make_shared<ClusteredMesh>(bumpy_torus(17, 13));
+  MeshQuery roomy(mesh, mesh, 10000);
+  MeshQuery narrow(mesh, mesh, 20);
+  for (int step = 0; step < 120; ++step) {
+    const Pose pose{.position_m = {0.005 + 1e-6 * step, 0.0, 0.004}};
+    roomy.find(pose);
+    narrow.find(pose);
+    ASSERT_EQ(narrow.count(), roomy.count());
+  }
+  EXPECT_GT(roomy.listed_calls(), 50U);
+  EXPECT_EQ(narrow.listed_calls(), 0U);
+}
+
 TriangleMesh triangle(const glm::dvec3& first, const glm::dvec3& second, const glm::dvec3& third) {
   return {.vertices_m = {first, second, third}, .triangles = {{0, 1, 2}}};
 }

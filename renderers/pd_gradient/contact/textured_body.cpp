@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -168,11 +169,6 @@ double thickness_m(const TriangleMesh& mesh) {
   return least_m;
 }
 
-/// The half-extent of a box along an axis.
-double reach_m(const glm::dvec3& half_m, const glm::dvec3& axis) noexcept {
-  return glm::dot(half_m, glm::abs(axis));
-}
-
 /// The intersection of a ray, from a point along a unit vector, with a face.
 struct Crossing {
   double way_m = std::numeric_limits<double>::infinity();  // not behind the point
@@ -222,41 +218,16 @@ TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
 std::size_t TexturedBody::find_triangles(const ContactFrame& frame, const glm::dvec3& facing,
                                          const WindowBox& box,
                                          std::span<std::uint32_t> room) const noexcept {
-  struct Side {
-    glm::dvec3 axis{0.0};
-    double half_m = 0.0;
-  };
-  const std::array<Side, 3> sides{Side{frame.u, box.half_width_m}, Side{frame.v, box.half_width_m},
-                                  Side{frame.n, box.half_height_m}};
-  const glm::dvec3 clusters_origin_m = frame.origin_m - plain_clusters_.centre_m();
+  const SlabBox slabs =
+      plain_clusters_.slab_box({.centre_m = frame.origin_m,
+                                .axes = {frame.u, frame.v, frame.n},
+                                .half_m = {box.half_width_m, box.half_width_m, box.half_height_m},
+                                .facing = facing});
   std::size_t found = 0;
   const std::span<const TriangleCluster> clusters = plain_clusters_.clusters();
   for (std::size_t i = 0; i < clusters.size(); ++i) {
-    const ClusterBoxes& boxes = plain_clusters_.boxes()[i / kClusterSize];
-    const std::size_t lane = i % kClusterSize;
-    const glm::dvec3 low{boxes.low[0][lane], boxes.low[1][lane], boxes.low[2][lane]};
-    const glm::dvec3 high{boxes.high[0][lane], boxes.high[1][lane], boxes.high[2][lane]};
-    const glm::dvec3 half_m = 0.5 * (high - low);
-    const glm::dvec3 way_m = 0.5 * (high + low) - clusters_origin_m;
-    const bool is_apart = std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
-      return std::abs(glm::dot(side.axis, way_m)) > side.half_m + reach_m(half_m, side.axis);
-    });
-    if (is_apart) continue;
-    for (std::size_t place = 0; place < kClusterSize; ++place) {
-      if ((clusters[i].used >> place & 1U) == 0) continue;
-      const std::uint32_t triangle = clusters[i].triangles[place];
-      const auto& corners = plain_clusters_.corners_m(triangle);
-      if (!(glm::dot(facing, glm::cross(corners[1] - corners[0], corners[2] - corners[0])) > 0.0)) {
-        continue;
-      }
-      const bool is_beside = std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
-        const auto [least, most] = std::minmax({glm::dot(side.axis, corners[0] - frame.origin_m),
-                                                glm::dot(side.axis, corners[1] - frame.origin_m),
-                                                glm::dot(side.axis, corners[2] - frame.origin_m)});
-        return least > side.half_m || most < -side.half_m;
-      });
-      if (is_beside) continue;
-      if (found < room.size()) room[found] = triangle;
+    for (std::uint32_t left = plain_clusters_.find_in_box(i, slabs); left != 0; left &= left - 1) {
+      if (found < room.size()) room[found] = clusters[i].triangles[std::countr_zero(left)];
       ++found;
     }
   }

@@ -66,8 +66,8 @@ class TexturedBody final {
   /// The wavelength of the finest waves of the texture (finest_wave.h).
   double finest_wave_m() const noexcept { return finest_wave_m_; }
 
-  /// Fills `room` with the triangles that face `facing` and touch the box around the frame's origin, by their
-  /// undisplaced corners, always in the same order. The frame is in the mesh's own axes; `facing` is n or −n. Returns
+  /// Fills `room` with the triangles that face `facing` and touch the box around the frame's origin or are within the rounding
+  /// error of single precision of touching it, by their undisplaced corners, always in the same order. The frame is in the mesh's own axes; `facing` is n or −n. Returns
   /// the number of triangles found, which may exceed the room.
   std::size_t find_triangles(const ContactFrame& frame, const glm::dvec3& facing,
                              const WindowBox& box, std::span<std::uint32_t> room) const noexcept;

@@ -22,34 +22,42 @@ constexpr double kSmallestDirection = 0.05;       // relative to n of equal norm
 constexpr double kWidthStep = 1.189207115002721;  // 2^(1/4)
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// The intersection of a triangle with the line in which another's plane cuts its own, as two positions along it.
-struct Interval {
-  std::pair<double, glm::dvec3> low{std::numeric_limits<double>::infinity(), glm::dvec3(0.0)};
-  std::pair<double, glm::dvec3> high{-std::numeric_limits<double>::infinity(), glm::dvec3(0.0)};
-
-  void add(const glm::dvec3& place, const glm::dvec3& along) noexcept {
-    const double where = glm::dot(place, along);
-    if (where < low.first) low = {where, place};
-    if (where > high.first) high = {where, place};
-  }
+/// A point on a line and its position along it.
+struct PointOnLine {
+  double along = 0.0;
+  glm::dvec3 place_m{0.0};
 };
 
+/// The intersection of a triangle with the line in which another's plane cuts its own.
+struct Interval {
+  PointOnLine low{.along = std::numeric_limits<double>::infinity()};
+  PointOnLine high{.along = -std::numeric_limits<double>::infinity()};
+};
+
+/// The two edges that cross a plane, by the corners below it: bit i is corner i, and edge i goes to the next corner.
+constexpr std::array<std::array<std::uint8_t, 2>, 8> kCrossingEdges{
+    {{}, {0, 2}, {0, 1}, {1, 2}, {1, 2}, {0, 1}, {0, 2}, {}}};
+
+// With a table and without branches: which corners are below is not predictable.
 Interval cut(const Corners& corners, const glm::dvec3& normal, const glm::dvec3& on_plane,
              const glm::dvec3& along) noexcept {
-  Interval interval{};
   double heights[3];
-  for (std::size_t i = 0; i < 3; ++i) heights[i] = glm::dot(normal, corners[i] - on_plane);
+  unsigned below = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    if ((heights[i] < 0.0) == (heights[j] < 0.0)) continue;
-    const double share = heights[i] / (heights[i] - heights[j]);
-    interval.add(corners[i] + share * (corners[j] - corners[i]), along);
+    heights[i] = glm::dot(normal, corners[i] - on_plane);
+    below |= (heights[i] < 0.0 ? 1U : 0U) << i;
   }
-  return interval;
-}
-
-glm::dvec3 placed(const Pose& pose, const glm::dvec3& place_m) noexcept {
-  return pose.rotation * place_m + pose.position_m;
+  if (below == 0 || below == 7) return {};
+  const auto crossing = [&](std::size_t i) -> PointOnLine {
+    const std::size_t j = (i + 1) % 3;
+    const double share = heights[i] / (heights[i] - heights[j]);
+    const glm::dvec3 place_m = corners[i] + share * (corners[j] - corners[i]);
+    return {.along = glm::dot(place_m, along), .place_m = place_m};
+  };
+  const PointOnLine first = crossing(kCrossingEdges[below][0]);
+  const PointOnLine second = crossing(kCrossingEdges[below][1]);
+  return {.low = second.along < first.along ? second : first,
+          .high = second.along > first.along ? second : first};
 }
 
 /// Applies to a third vector the rotation that takes one unit vector to another, about their common normal.
@@ -123,6 +131,22 @@ ContactRegions::Body::Body(const TriangleMesh& mesh)
   }
   last_of_triangle.assign(triangles.size(), kNone);
   last_of_vertex.assign(vertices_m.size(), kNone);
+  placed.resize(triangles.size());
+}
+
+// Most triangles belong to several pairs.
+const ContactRegions::PlacedTriangle& ContactRegions::Body::at(std::uint32_t triangle,
+                                                               const Pose& pose,
+                                                               std::uint64_t update) noexcept {
+  PlacedTriangle& found = placed[triangle];
+  if (found.update == update) return found;
+  found.update = update;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    found.corners_m[corner] =
+        pose.rotation * vertices_m[triangles[triangle][corner]] + pose.position_m;
+  }
+  found.normal = pose.rotation * normals[triangle];
+  return found;
 }
 
 ContactRegions::ContactRegions(const TriangleMesh& a, const TriangleMesh& b,
@@ -130,6 +154,7 @@ ContactRegions::ContactRegions(const TriangleMesh& a, const TriangleMesh& b,
     : a_(a), b_(b), maximum_regions_(maximum_regions) {
   segments_.reserve(maximum_pairs);
   parents_.reserve(maximum_pairs);
+  joined_.reserve(maximum_pairs);
   before_it_.resize(maximum_pairs);
   sum_of_root_.reserve(maximum_pairs);
   sums_.reserve(maximum_pairs);
@@ -266,31 +291,29 @@ std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePa
   kept_.clear();
   taken_.assign(before_.size(), false);
   segments_.clear();
+  ++updates_;
   for (const TrianglePair& pair : pairs) {
-    Corners p{};
-    Corners q{};
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      p[corner] = placed(a, a_.vertices_m[a_.triangles[pair.a][corner]]);
-      q[corner] = placed(b, b_.vertices_m[b_.triangles[pair.b][corner]]);
-    }
-    const glm::dvec3 p_normal = a.rotation * a_.normals[pair.a];
-    const glm::dvec3 q_normal = b.rotation * b_.normals[pair.b];
-    Segment segment{.normal_a = p_normal, .normal_b = q_normal};
-    const glm::dvec3 along = glm::cross(p_normal, q_normal);
-    const Interval of_p = cut(p, q_normal, q[0], along);
-    const Interval of_q = cut(q, p_normal, p[0], along);
-    const auto& low = of_p.low.first > of_q.low.first ? of_p.low : of_q.low;
-    const auto& high = of_p.high.first < of_q.high.first ? of_p.high : of_q.high;
-    if (low.first < high.first) {
-      segment.ends_m[0] = low.second;
-      segment.ends_m[1] = high.second;
-      segment.length_m = glm::distance(low.second, high.second);
+    const PlacedTriangle& p = a_.at(pair.a, a, updates_);
+    const PlacedTriangle& q = b_.at(pair.b, b, updates_);
+    Segment segment{.normal_a = p.normal, .normal_b = q.normal};
+    const glm::dvec3 along = glm::cross(p.normal, q.normal);
+    const Interval of_p = cut(p.corners_m, q.normal, q.corners_m[0], along);
+    const Interval of_q = cut(q.corners_m, p.normal, p.corners_m[0], along);
+    const PointOnLine& low = of_p.low.along > of_q.low.along ? of_p.low : of_q.low;
+    const PointOnLine& high = of_p.high.along < of_q.high.along ? of_p.high : of_q.high;
+    if (low.along < high.along) {
+      segment.ends_m[0] = low.place_m;
+      segment.ends_m[1] = high.place_m;
+      segment.length_m = glm::distance(low.place_m, high.place_m);
     }
     segments_.push_back(segment);
   }
-  parents_.resize(pairs.size());
-  std::iota(parents_.begin(), parents_.end(), 0U);
-  join_neighbours(pairs);
+  if (!std::equal(pairs.begin(), pairs.end(), joined_.begin(), joined_.end())) {
+    joined_.assign(pairs.begin(), pairs.end());
+    parents_.resize(pairs.size());
+    std::iota(parents_.begin(), parents_.end(), 0U);
+    join_neighbours(pairs);
+  }
   add_up();
   keep_longest();
   lasts_.clear();

@@ -74,6 +74,12 @@ class ContactRegions final {
   std::size_t regions_left_out() const noexcept { return left_out_; }  ///< in the last update
 
  private:
+  /// A triangle in the pose of an update.
+  struct PlacedTriangle {
+    std::array<glm::dvec3, 3> corners_m{};
+    glm::dvec3 normal{0.0};
+    std::uint64_t update = 0;
+  };
   struct Body {
     std::vector<glm::dvec3> vertices_m{};
     std::vector<std::array<std::uint32_t, 3>> triangles{};
@@ -81,7 +87,10 @@ class ContactRegions final {
     // During the joining: for every triangle its last pair, for every vertex the last pair of the current list.
     std::vector<std::uint32_t> last_of_triangle{};
     std::vector<std::uint32_t> last_of_vertex{};
+    std::vector<PlacedTriangle> placed{};
     explicit Body(const TriangleMesh& mesh);
+    const PlacedTriangle& at(std::uint32_t triangle, const Pose& pose,
+                             std::uint64_t update) noexcept;
   };
   /// A body, and its triangle in a pair.
   struct Side {
@@ -119,6 +128,8 @@ class ContactRegions final {
   // As long as the pairs of the last update; the memory is reserved in advance.
   std::vector<Segment> segments_{};
   std::vector<std::uint32_t> parents_{};
+  std::vector<TrianglePair>
+      joined_{};  // the pairs of parents_; often the same as in the previous tick
   std::vector<std::uint32_t> before_it_{};  // the previous pair with the same triangle
   std::vector<std::uint32_t> sum_of_root_{};
   std::vector<Sum> sums_{};
@@ -128,6 +139,7 @@ class ContactRegions final {
   std::vector<const ContactRegion*> lasts_{};  // the kept regions' states in the previous tick
   std::vector<double> half_extents_m_{};
   std::uint64_t next_id_ = 0;
+  std::uint64_t updates_ = 0;
   std::size_t left_out_ = 0;
 };
 

@@ -20,6 +20,14 @@ namespace {
 using Corners = std::array<glm::dvec3, 3>;
 
 constexpr std::size_t kLanes = kClusterSize;
+// The rounding error of a position in single precision, with a margin for the products of the test.
+constexpr float kRoundingOfRadius = 4e-6F;
+// With a wider margin lists are made less often, and contain more pairs that do not intersect.
+constexpr double kMarginOfRadius = 0.03;
+constexpr double kSoftMargin = 0.3;  // of the margin: there the next list is begun
+// A list is made in about this number of calls, if it takes as much work as the last one.
+constexpr std::size_t kCallsOfAList = 16;
+constexpr std::size_t kWorkOfFirstList = 256;  // in comparisons with sixteen triangles
 
 glm::dvec3 middle_of(const Corners& corners) {
   return (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -196,17 +204,74 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
     }
   }
   for (TriangleCluster& cluster : clusters_) set_slab(cluster);
+  loops_ = &loops_for(instruction_sets_here().back());
 }
 
 MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
                      std::size_t maximum_pairs)
     : MeshQuery(std::move(a), std::move(b), maximum_pairs, instruction_sets_here().back()) {}
 
+std::array<std::array<float, 3>, 3> ClusteredMesh::corners_from_centre_m(
+    std::uint32_t triangle) const noexcept {
+  std::array<std::array<float, 3>, 3> corners{};
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const glm::dvec3 place_m = corners_m_[triangle][corner] - centre_m_;
+    corners[corner] = {static_cast<float>(place_m.x), static_cast<float>(place_m.y),
+                       static_cast<float>(place_m.z)};
+  }
+  return corners;
+}
+
 MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
                      std::size_t maximum_pairs, InstructionSet set)
-    : a_(std::move(a)), b_(std::move(b)), loops_(&loops_for(set)), pairs_(maximum_pairs) {}
+    : a_(std::move(a)),
+      b_(std::move(b)),
+      loops_(&loops_for(set)),
+      pairs_(maximum_pairs),
+      margin_m_(kMarginOfRadius * std::min(a_->radius_m(), b_->radius_m())),
+      work_of_list_(kWorkOfFirstList) {
+  for (NearPairs* list : {&listed_, &next_}) {
+    list->batches.assign((maximum_pairs + kLanes - 1) / kLanes, PairBatch{});
+  }
+}
 
-std::span<const TrianglePair> MeshQuery::find(const Pose& a_in_b) noexcept {
+void MeshQuery::NearPairs::add(const MeshQuery& query, std::uint32_t a, std::uint32_t b) noexcept {
+  const std::size_t at = count++;
+  if (is_overfull()) return;
+  PairBatch& batch = batches[at / kLanes];
+  const std::size_t lane = at % kLanes;
+  const auto corners_a = query.a_->corners_from_centre_m(a);
+  const auto corners_b = query.b_->corners_from_centre_m(b);
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      batch.a[corner][axis][lane] = corners_a[corner][axis];
+      batch.b[corner][axis][lane] = corners_b[corner][axis];
+    }
+  }
+  batch.triangles_a[lane] = a;
+  batch.triangles_b[lane] = b;
+}
+
+SlabBox ClusteredMesh::slab_box(const Box& box) const noexcept {
+  SlabBox slabs{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3& axis = box.axes[i];
+    const double along_m = glm::dot(axis, box.centre_m - centre_m_);
+    slabs.slabs[i] = {
+        {static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
+        static_cast<float>(along_m - box.half_m[i]),
+        static_cast<float>(along_m + box.half_m[i])};
+    slabs.facing[i] = static_cast<float>(box.facing[static_cast<int>(i)]);
+  }
+  return slabs;
+}
+
+std::uint32_t ClusteredMesh::find_in_box(std::size_t cluster, const SlabBox& box) const noexcept {
+  return loops_->find_in_box(clusters_[cluster], box,
+                             kRoundingOfRadius * static_cast<float>(radius_m_));
+}
+
+ClusterPose MeshQuery::cluster_pose(const Pose& a_in_b) const noexcept {
   ClusterPose pose{};
   const glm::dvec3 shift_m =
       a_in_b.rotation * a_->centre_m() + a_in_b.position_m - b_->centre_m();  // between the centres
@@ -217,9 +282,73 @@ std::span<const TrianglePair> MeshQuery::find(const Pose& a_in_b) noexcept {
     }
     pose.shift_m[static_cast<std::size_t>(row)] = static_cast<float>(shift_m[row]);
   }
-  // The rounding error of a position in single precision, with a margin for the products of the test.
-  pose.tolerance_m = 4e-6F * static_cast<float>(a_->radius_m() + b_->radius_m());
+  pose.tolerance_m = kRoundingOfRadius * static_cast<float>(a_->radius_m() + b_->radius_m());
+  return pose;
+}
 
+// No point of A moves further: the norm of the change of a rotation by θ is √8·sin(θ/2), and a point at a distance r
+// moves by at most 2·r·sin(θ/2).
+double MeshQuery::way_m(const Pose& from, const Pose& to) const noexcept {
+  const glm::dvec3 centre_m = (to.rotation - from.rotation) * a_->centre_m();
+  double squares = 0.0;
+  for (int column = 0; column < 3; ++column) {
+    const glm::dvec3 change = to.rotation[column] - from.rotation[column];
+    squares += glm::dot(change, change);
+  }
+  return glm::length(centre_m + to.position_m - from.position_m) +
+         a_->radius_m() * std::sqrt(0.5 * squares);
+}
+
+bool MeshQuery::is_whole(const NearPairs& list) const noexcept {
+  return list.searched == a_->clusters().size() * b_->clusters().size();
+}
+
+// Searches the next clusters for pairs within the margin. Those at the contact need most of the work: the parts are equal in
+// work, not in clusters.
+void MeshQuery::continue_list() noexcept {
+  ClusterPose pose = cluster_pose(next_.pose);
+  pose.tolerance_m += static_cast<float>(margin_m_);
+  struct Listing {
+    const MeshQuery& query;
+    NearPairs& list;
+  } listing{*this, next_};
+  const auto take = [](void* to, std::uint32_t a, std::uint32_t b, bool) noexcept {
+    const Listing& into = *static_cast<Listing*>(to);
+    into.list.add(into.query, a, b);
+  };
+  SearchPart part{.first = next_.searched, .most_work = work_of_list_ / kCallsOfAList + 1};
+  loops_->find_pairs(clusters_of(*a_), clusters_of(*b_), pose, part, take, &listing);
+  next_.searched = part.next;
+  next_.work += part.work;
+  if (!is_whole(next_)) return;
+  is_listing_ = false;
+  work_of_list_ = next_.work;
+  std::swap(listed_, next_);
+}
+
+// The list that is valid at this pose, or nullptr; continues or begins the next one.
+const MeshQuery::NearPairs* MeshQuery::list_for(const Pose& a_in_b) noexcept {
+  const bool is_slow = has_last_ && way_m(last_pose_, a_in_b) * kCallsOfAList < margin_m_;
+  last_pose_ = a_in_b;
+  has_last_ = true;
+  if (!is_slow) {
+    is_listing_ = false;
+    return nullptr;
+  }
+  if (is_listing_) continue_list();
+  const double used =
+      is_whole(listed_) && !listed_.is_overfull() ? way_m(listed_.pose, a_in_b) / margin_m_ : 1.0;
+  if (!is_listing_ && !(used < kSoftMargin)) {
+    next_.pose = a_in_b;
+    next_.searched = 0;
+    next_.work = 0;
+    next_.count = 0;
+    is_listing_ = true;
+  }
+  return used < 1.0 ? &listed_ : nullptr;
+}
+
+std::span<const TrianglePair> MeshQuery::find(const Pose& a_in_b) noexcept {
   struct Found {
     MeshQuery& query;
     const Pose& a_in_b;
@@ -236,7 +365,14 @@ std::span<const TrianglePair> MeshQuery::find(const Pose& a_in_b) noexcept {
     if (into.query.count_ < into.query.pairs_.size()) into.query.pairs_[into.query.count_] = {a, b};
     ++into.query.count_;
   };
-  loops_->find_pairs(clusters_of(*a_), clusters_of(*b_), pose, take, &found);
+  const ClusterPose pose = cluster_pose(a_in_b);
+  if (const NearPairs* list = list_for(a_in_b)) {
+    ++listed_calls_;
+    loops_->test_pairs(list->batches.data(), list->count, pose, take, &found);
+  } else {
+    SearchPart all{};
+    loops_->find_pairs(clusters_of(*a_), clusters_of(*b_), pose, all, take, &found);
+  }
   return std::span(pairs_).first(std::min(count_, pairs_.size()));
 }
 

@@ -35,6 +35,19 @@ class ClusteredMesh final {
   double radius_m() const noexcept { return radius_m_; }  ///< of a sphere around the centre
   std::span<const TriangleCluster> clusters() const noexcept { return clusters_; }
   std::span<const ClusterBoxes> boxes() const noexcept { return boxes_; }
+  /// The corners of a triangle as in the clusters: [corner][axis], from the centre.
+  std::array<std::array<float, 3>, 3> corners_from_centre_m(std::uint32_t triangle) const noexcept;
+  /// A box with three perpendicular unit vectors and its half-size along each, and a direction.
+  struct Box {
+    glm::dvec3 centre_m{0.0};
+    std::array<glm::dvec3, 3> axes{};
+    std::array<double, 3> half_m{};
+    glm::dvec3 facing{0.0};
+  };
+  /// The same from the centre of the mesh, in single precision.
+  SlabBox slab_box(const Box& box) const noexcept;
+  /// The triangles of a cluster, as bits, that face the direction and touch the box or are within the rounding error of touching it.
+  std::uint32_t find_in_box(std::size_t cluster, const SlabBox& box) const noexcept;
   /// A triangle's corners, as in the mesh.
   const std::array<glm::dvec3, 3>& corners_m(std::uint32_t triangle) const noexcept {
     return corners_m_[triangle];
@@ -43,6 +56,7 @@ class ClusteredMesh final {
  private:
   glm::dvec3 centre_m_{0.0};
   double radius_m_ = 0.0;
+  const TriangleLoops* loops_ = nullptr;
   std::vector<TriangleCluster> clusters_{};
   std::vector<ClusterBoxes> boxes_{};
   std::vector<std::array<glm::dvec3, 3>> corners_m_{};
@@ -54,6 +68,11 @@ class ClusteredMesh final {
 /// the triangles, the nine products of their edges, and the six in their planes perpendicular to an edge. The test runs
 /// in single precision on sixteen triangles at once; results within the rounding error of touching are decided in
 /// double precision. Touching triangles are a pair.
+///
+/// While A moves slowly, only pairs that were within a margin of each other at an earlier pose are tested: no other pair
+/// can intersect before a point of A has moved by the margin. These lists are made during about sixteen calls, and the
+/// next one is begun when 0.3 of the margin has been used. Pairs and their order are the same with and without a list; without a
+/// valid one, all pairs are searched.
 ///
 /// The pairs and their order do not depend on the processor: the code is compiled for SSE2, AVX2 and AVX-512 without
 /// contraction, and the widest set of the processor is used.
@@ -74,17 +93,45 @@ class MeshQuery final {
   std::span<const TrianglePair> find(const Pose& a_in_b) noexcept;
   /// The number of all intersecting pairs in the last `find`.
   std::size_t count() const noexcept { return count_; }
+  /// The number of calls of `find` that used a list.
+  std::uint64_t listed_calls() const noexcept { return listed_calls_; }
 
   const ClusteredMesh& a() const noexcept { return *a_; }
   const ClusteredMesh& b() const noexcept { return *b_; }
 
  private:
+  /// The pairs within the margin of each other at one pose, in the order of the search.
+  struct NearPairs {
+    Pose pose{};
+    std::size_t searched = 0;  ///< pairs of clusters
+    std::size_t work = 0;      ///< in comparisons with sixteen triangles
+    std::size_t count = 0;
+    std::vector<PairBatch> batches{};
+
+    void add(const MeshQuery& query, std::uint32_t a, std::uint32_t b) noexcept;
+    bool is_overfull() const noexcept { return count > batches.size() * kClusterSize; }
+  };
+
+  ClusterPose cluster_pose(const Pose& a_in_b) const noexcept;
+  double way_m(const Pose& from, const Pose& to) const noexcept;
+  bool is_whole(const NearPairs& list) const noexcept;
+  void continue_list() noexcept;
+  const NearPairs* list_for(const Pose& a_in_b) noexcept;
+
   // Shared, because every stimulus with the same tool or surface has a separate query.
   std::shared_ptr<const ClusteredMesh> a_{};
   std::shared_ptr<const ClusteredMesh> b_{};
   const TriangleLoops* loops_ = nullptr;
   std::vector<TrianglePair> pairs_{};
   std::size_t count_ = 0;
+  double margin_m_ = 0.0;
+  Pose last_pose_{};
+  bool has_last_ = false;
+  bool is_listing_ = false;
+  NearPairs listed_{};
+  NearPairs next_{};  // being made while is_listing_
+  std::size_t work_of_list_ = 0;
+  std::uint64_t listed_calls_ = 0;
 };
 
 /// Whether two triangles share a point, in double precision; used by `MeshQuery` for uncertain pairs.

@@ -99,5 +99,6 @@ struct Lanes {
 namespace asperity {
 const SampleLoops kAvx512Loops{sample_surface_by_lanes, compare_by_lanes,      weigh_by_lanes,
                                bound_rows_by_lanes,     compare_kept_by_lanes, weigh_kept_by_lanes};
-const TriangleLoops kAvx512TriangleLoops{find_pairs_by_lanes};
+const TriangleLoops kAvx512TriangleLoops{find_pairs_by_lanes, test_pairs_by_lanes,
+                                         find_in_box_by_lanes};
 }  // namespace asperity

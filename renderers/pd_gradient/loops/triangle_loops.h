@@ -36,6 +36,38 @@ struct TriangleClusters {
   const ClusterBoxes* boxes = nullptr;
 };
 
+/// A part of a search of all pairs. Positions count pairs of clusters in the order of the search: all of B for the first cluster
+/// of A, then all of B for the second.
+struct SearchPart {
+  std::size_t first = 0;
+  /// In comparisons with sixteen triangles of B; the pair of clusters with which it is reached is searched to its end.
+  std::size_t most_work = static_cast<std::size_t>(-1);
+  // What the search returns:
+  std::size_t next = 0;  ///< the first position that has not been searched
+  std::size_t work = 0;
+};
+
+/// Sixteen pairs of triangles, in metres from the centres of their meshes: [corner][axis][lane].
+struct alignas(64) PairBatch {
+  float a[3][3][kClusterSize];
+  float b[3][3][kClusterSize];
+  std::uint32_t triangles_a[kClusterSize];
+  std::uint32_t triangles_b[kClusterSize];
+};
+
+/// The region between two planes perpendicular to a unit vector.
+struct Slab {
+  float normal[3];
+  float low_m = 0.0F;
+  float high_m = 0.0F;
+};
+
+/// A box as the intersection of three slabs, and a direction: triangles face it if their outer sides are less than 90° from it.
+struct SlabBox {
+  Slab slabs[3];
+  float facing[3];
+};
+
 /// The transformation from A's frame to B's, both with their origins in the meshes' centres.
 struct ClusterPose {
   float turn[9] = {};  ///< row by row
@@ -46,10 +78,16 @@ struct ClusterPose {
 /// Receives a pair; if `is_sure` is false, the triangles may be separated by less than the tolerance.
 using TakePair = void (*)(void* to, std::uint32_t a, std::uint32_t b, bool is_sure) noexcept;
 
-/// The loop for one instruction set. Real-time: no allocation, no lock, no exception.
+/// The loops for one instruction set. Real-time: no allocation, no lock, no exception.
 struct TriangleLoops {
   void (*find_pairs)(const TriangleClusters& a, const TriangleClusters& b, const ClusterPose& pose,
+                     SearchPart& part, TakePair take, void* to) noexcept = nullptr;
+  /// The same test of `count` given pairs, with bit-identical results.
+  void (*test_pairs)(const PairBatch* batches, std::size_t count, const ClusterPose& pose,
                      TakePair take, void* to) noexcept = nullptr;
+  /// The triangles of a cluster, as bits, that face a direction and reach into a box or are within twice the tolerance of it.
+  unsigned (*find_in_box)(const TriangleCluster& cluster, const SlabBox& box,
+                          float tolerance_m) noexcept = nullptr;
 };
 
 extern const TriangleLoops kSse2TriangleLoops;

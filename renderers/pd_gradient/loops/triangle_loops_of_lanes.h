@@ -80,8 +80,8 @@ inline Sixteen sum_of_magnitudes(const Sixteen3& p) {
   return magnitude(p.x) + magnitude(p.y) + magnitude(p.z);
 }
 
-/// One triangle of A, in B's frame: the same three corners in every lane.
-struct OneTriangle {
+/// The triangles of A, in B's frame: the same one in every lane, or one for each lane.
+struct TrianglesOfA {
   Sixteen3 corners[3];
 };
 
@@ -90,9 +90,9 @@ struct Verdict {
   unsigned unsure = 0;    ///< of these, the ones too close to touching for a decision
 };
 
-inline Sixteen3 corner_of(const TriangleCluster& cluster, int corner) {
-  return {sixteen_at(cluster.corners[corner][0]), sixteen_at(cluster.corners[corner][1]),
-          sixteen_at(cluster.corners[corner][2])};
+inline Sixteen3 corner_of(const float (&corners)[3][3][kClusterSize], int corner) {
+  return {sixteen_at(corners[corner][0]), sixteen_at(corners[corner][1]),
+          sixteen_at(corners[corner][2])};
 }
 
 /// Removes the triangles whose projections on an axis leave a gap between [p_low, p_high] and [q_low, q_high].
@@ -105,7 +105,7 @@ inline void look_along(const Sixteen3& axis, const Sixteen& p_low, const Sixteen
   verdict.unsure |= is_less(all_sixteen(0.0F) - tolerance, gap);
 }
 
-inline Verdict compare(const OneTriangle& a, const TriangleCluster& b, unsigned lanes,
+inline Verdict compare(const TrianglesOfA& a, const float (&b)[3][3][kClusterSize], unsigned lanes,
                        float tolerance_m) {
   Verdict verdict{.together = lanes, .unsure = 0};
   // Relative to a corner of A, where the numbers are small.
@@ -156,15 +156,19 @@ struct MovedCluster {
   alignas(64) float high[3][kClusterSize];
 };
 
-inline void move(const TriangleCluster& cluster, const ClusterPose& pose, MovedCluster& moved) {
+/// Corners of A in B's frame.
+inline Sixteen moved_to(const Sixteen3& from, const ClusterPose& pose, int axis) {
   const float* turn = pose.turn;
+  return turn[3 * axis] * from.x + turn[3 * axis + 1] * from.y + turn[3 * axis + 2] * from.z +
+         all_sixteen(pose.shift_m[axis]);
+}
+
+inline void move(const TriangleCluster& cluster, const ClusterPose& pose, MovedCluster& moved) {
   for (int axis = 0; axis < 3; ++axis) {
     Sixteen low = all_sixteen(0.0F);
     Sixteen high = low;
     for (int corner = 0; corner < 3; ++corner) {
-      const Sixteen3 from = corner_of(cluster, corner);
-      const Sixteen place = turn[3 * axis] * from.x + turn[3 * axis + 1] * from.y +
-                            turn[3 * axis + 2] * from.z + all_sixteen(pose.shift_m[axis]);
+      const Sixteen place = moved_to(corner_of(cluster.corners, corner), pose, axis);
       put(moved.corners[corner][axis], place);
       low = corner == 0 ? place : lesser(low, place);
       high = corner == 0 ? place : greater(high, place);
@@ -174,13 +178,6 @@ inline void move(const TriangleCluster& cluster, const ClusterPose& pose, MovedC
     put(moved.high[axis], high + all_sixteen(pose.tolerance_m));
   }
 }
-
-/// The region between two planes perpendicular to a unit vector.
-struct Slab {
-  float normal[3];
-  float low_m = 0.0F;
-  float high_m = 0.0F;
-};
 
 /// The slab of a cluster, in its own frame.
 inline Slab slab_of(const TriangleCluster& cluster) {
@@ -240,8 +237,8 @@ inline unsigned first_lanes(std::size_t count) {
   return count < kClusterSize ? (1U << count) - 1U : 0xFFFFU;
 }
 
-inline OneTriangle triangle_of(const MovedCluster& cluster, int lane) {
-  OneTriangle one;
+inline TrianglesOfA triangle_of(const MovedCluster& cluster, int lane) {
+  TrianglesOfA one;
   for (int corner = 0; corner < 3; ++corner) {
     one.corners[corner] = {all_sixteen(cluster.corners[corner][0][lane]),
                            all_sixteen(cluster.corners[corner][1][lane]),
@@ -268,10 +265,14 @@ inline void moved_box(const ClusterBoxes& boxes, int lane, const ClusterPose& po
 }
 
 void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
-                         const ClusterPose& pose, TakePair take, void* to) noexcept {
+                         const ClusterPose& pose, SearchPart& part, TakePair take,
+                         void* to) noexcept {
   const std::size_t groups = (b.count + kClusterSize - 1) / kClusterSize;
   MovedCluster moved;
-  for (std::size_t ca = 0; ca < a.count; ++ca) {
+  part.work = 0;
+  std::size_t begin_b = part.first % b.count;  // of the first cluster of A only
+  for (std::size_t ca = part.first / b.count; ca < a.count; ++ca) {
+    ++part.work;
     const TriangleCluster& from = a.clusters[ca];
     float box_low[3];
     float box_high[3];
@@ -279,12 +280,17 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
               box_high);
     bool has_moved = false;
     Slab slab{};
-    for (std::size_t group = 0; group < groups; ++group) {
+    for (std::size_t group = begin_b / kClusterSize; group < groups; ++group) {
       // Comparisons with NaN keep every lane, including empty ones.
       unsigned near = meeting(b.boxes[group].low, b.boxes[group].high, box_low, box_high) &
                       first_lanes(b.count - group * kClusterSize);
+      if (group * kClusterSize < begin_b) near &= ~first_lanes(begin_b % kClusterSize);
       for (; near != 0; near &= near - 1) {
         const int box = __builtin_ctz(near);
+        if (part.work >= part.most_work) {
+          part.next = ca * b.count + group * kClusterSize + static_cast<std::size_t>(box);
+          return;
+        }
         if (!has_moved) {
           move(from, pose, moved);
           slab = moved_slab(from, pose);
@@ -316,7 +322,9 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
           const unsigned lanes =
               meeting(other.low, other.high, one_low, one_high) & others & other.used;
           if (lanes == 0) continue;
-          const Verdict verdict = compare(triangle_of(moved, lane), other, lanes, pose.tolerance_m);
+          ++part.work;
+          const Verdict verdict =
+              compare(triangle_of(moved, lane), other.corners, lanes, pose.tolerance_m);
           for (unsigned left = verdict.together; left != 0; left &= left - 1) {
             const int found = __builtin_ctz(left);
             take(to, from.triangles[lane], other.triangles[found],
@@ -325,7 +333,43 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
         }
       }
     }
+    begin_b = 0;
   }
+  part.next = a.count * b.count;
+}
+
+void test_pairs_by_lanes(const PairBatch* batches, std::size_t count, const ClusterPose& pose,
+                         TakePair take, void* to) noexcept {
+  for (std::size_t first = 0; first < count; first += kClusterSize, ++batches) {
+    const PairBatch& batch = *batches;
+    TrianglesOfA moved;
+    for (int corner = 0; corner < 3; ++corner) {
+      const Sixteen3 from = corner_of(batch.a, corner);
+      moved.corners[corner] = {moved_to(from, pose, 0), moved_to(from, pose, 1),
+                               moved_to(from, pose, 2)};
+    }
+    const Verdict verdict = compare(moved, batch.b, first_lanes(count - first), pose.tolerance_m);
+    for (unsigned left = verdict.together; left != 0; left &= left - 1) {
+      const int found = __builtin_ctz(left);
+      take(to, batch.triangles_a[found], batch.triangles_b[found],
+           (verdict.unsure >> found & 1U) == 0);
+    }
+  }
+}
+
+unsigned find_in_box_by_lanes(const TriangleCluster& cluster, const SlabBox& box,
+                              float tolerance_m) noexcept {
+  unsigned found = cluster.used;
+  for (const Slab& slab : box.slabs) {
+    if (found != 0) found &= reaching(cluster.corners, slab, tolerance_m);
+  }
+  if (found == 0) return 0;
+  const Sixteen3 first = corner_of(cluster.corners, 0);
+  const Sixteen3 normal =
+      cross(corner_of(cluster.corners, 1) - first, corner_of(cluster.corners, 2) - first);
+  const Sixteen along =
+      box.facing[0] * normal.x + box.facing[1] * normal.y + box.facing[2] * normal.z;
+  return found & is_less(all_sixteen(0.0F), along);
 }
 
 }  // namespace
