@@ -6,6 +6,9 @@
 namespace asperity {
 
 DrawnUnit drawn_unit(const std::string& unit, double greatest) {
+  if (unit == "Pa" && greatest >= 1e3) {
+    return greatest < 1e6 ? DrawnUnit{"kPa", 1e3} : DrawnUnit{"MPa", 1e6};
+  }
   if (unit != "m") return {unit, 1.0};
   if (greatest < 1e-3) return {"µm", 1e-6};
   return greatest < 1.0 ? DrawnUnit{"mm", 1e-3} : DrawnUnit{unit, 1.0};

@@ -28,17 +28,20 @@ struct Prefix {
   double factor = 1.0;
 };
 
-/// The prefix that leaves one to three digits before the point; none for units other than metres,
-/// seconds and those derived from them.
+/// The prefix that leaves one to three digits before the point; none for units other than metres, seconds, those derived from
+/// them, and pascals.
 Prefix prefix_of(double value, std::string_view unit) {
-  constexpr std::array<Prefix, 4> kPrefixes{Prefix{"", 1.0}, Prefix{"m", 1e-3}, Prefix{"µ", 1e-6},
-                                            Prefix{"n", 1e-9}};
-  const bool takes_one = unit == "s" || unit == "m" || unit == "m/s";
-  if (!takes_one || value == 0.0) return {};
-  for (const Prefix& prefix : kPrefixes) {
+  constexpr std::array<Prefix, 4> kSmall{Prefix{"", 1.0}, Prefix{"m", 1e-3}, Prefix{"µ", 1e-6},
+                                         Prefix{"n", 1e-9}};
+  constexpr std::array<Prefix, 4> kLarge{Prefix{"G", 1e9}, Prefix{"M", 1e6}, Prefix{"k", 1e3},
+                                         Prefix{"", 1.0}};
+  const bool takes_small = unit == "s" || unit == "m" || unit == "m/s";
+  if ((!takes_small && unit != "Pa") || value == 0.0) return {};
+  const auto& prefixes = takes_small ? kSmall : kLarge;
+  for (const Prefix& prefix : prefixes) {
     if (std::abs(value) >= 0.9995 * prefix.factor) return prefix;
   }
-  return kPrefixes.back();
+  return prefixes.back();
 }
 
 std::string reading_digits(double value) {
@@ -69,10 +72,10 @@ bool is_relation(std::string_view word) {
 
 /// Whether the word, without the punctuation after it, is a unit as reports write them.
 bool is_unit(std::string_view word) {
-  constexpr std::array<std::string_view, 28> kUnits{
-      "%",    "N",    "mN",    "m",   "cm", "mm",    "µm",  "nm", "s",   "ms",
-      "µs",   "ns",   "min",   "h",   "Hz", "kHz",   "kg",  "g",  "N/m", "m/s",
-      "mm/s", "µm/s", "N·s/m", "rad", "dB", "dB(A)", "dBA", "bit"};
+  constexpr std::array<std::string_view, 32> kUnits{
+      "%",     "N",   "mN", "m",     "cm",  "mm",  "µm", "nm",  "s",   "ms",   "µs",
+      "ns",    "min", "h",  "Hz",    "kHz", "kg",  "g",  "N/m", "m/s", "mm/s", "µm/s",
+      "N·s/m", "rad", "dB", "dB(A)", "dBA", "bit", "Pa", "kPa", "MPa", "GPa"};
   if (std::find(kUnits.begin(), kUnits.end(), word) != kUnits.end()) return true;
   const std::size_t end = word.find_last_not_of(",.;:)]");
   return end != std::string_view::npos && end + 1 < word.size() &&

@@ -362,6 +362,7 @@ TEST(WordsOfParameters, HaveNoUnit) {
   EXPECT_EQ(words_of_parameter("amplitude_m"), "amplitude");
   EXPECT_EQ(words_of_parameter("stiffness_N_per_m"), "stiffness");
   EXPECT_EQ(words_of_parameter("wave_speed_m_per_s"), "wave speed");
+  EXPECT_EQ(words_of_parameter("youngs_modulus_Pa"), "Young’s modulus");
   EXPECT_EQ(words_of_parameter("model"), "model");
 }
 

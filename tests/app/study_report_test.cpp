@@ -1028,6 +1028,8 @@ TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
   EXPECT_EQ(reading_quantity(31e-6, "s"), "31 µs");
   EXPECT_EQ(reading_quantity(0.05, "m/s"), "50 mm/s");
   EXPECT_EQ(reading_quantity(0.8, "N"), "0.8 N");
+  EXPECT_EQ(reading_quantity(6876.0, "Pa"), "6.88 kPa");
+  EXPECT_EQ(reading_quantity(2.5e6, "Pa"), "2.5 MPa");
   EXPECT_EQ(reading_quantity(0.0, "s"), "0 s");
   EXPECT_EQ(reading_count(9999), "9999");
   EXPECT_EQ(count_in_words(3), "three");

@@ -362,6 +362,7 @@ const UnitSuffix* unit_suffix_of(const std::string& key) {
                                         UnitSuffix{"_Hz", "Hz"},
                                         UnitSuffix{"_kg", "kg"},
                                         UnitSuffix{"_dB", "dB"},
+                                        UnitSuffix{"_Pa", "Pa"},
                                         UnitSuffix{"_N", "N"},
                                         UnitSuffix{"_m", "m"},
                                         UnitSuffix{"_s", "s"}};
@@ -380,6 +381,9 @@ std::string words_of_parameter(const std::string& key) {
     words.erase(words.size() - unit->suffix.size());
   }
   std::replace(words.begin(), words.end(), '_', ' ');
+  // A name has no apostrophe.
+  if (words == "youngs modulus") return "Young’s modulus";
+  if (words == "poisson ratio") return "Poisson’s ratio";
   return words;
 }
 
