@@ -110,11 +110,20 @@ Figure configuration_figure(const FoundNumbers& found) {
     regions.lines.push_back(ellipse(item.at, *major, *minor, *angle_rad));
     for (const FigurePlace& place : regions.lines.back()) axes.hold(place);
   }
+  constexpr double kShown = 2.0;
   const Phrase fit =
-      phrase("Figures",
-             "Distances correspond to the order of the mean dissimilarities; directions cannot be "
-             "interpreted. Stress-1 in %1 dimensions: %2.")
-          .with(fixed(dimensions, 0), fixed(stress, 3));
+      dimensions > kShown
+          ? phrase(
+                "Figures",
+                "The first two of %1 dimensions; directions cannot be interpreted. Stress-1 in %1 "
+                "dimensions: %2. Distances in all dimensions correspond to the order of the mean "
+                "dissimilarities.")
+                .with(fixed(dimensions, 0), fixed(stress, 3))
+          : phrase(
+                "Figures",
+                "Distances correspond to the order of the mean dissimilarities; directions cannot "
+                "be interpreted. Stress-1 in %1 dimensions: %2.")
+                .with(fixed(dimensions, 0), fixed(stress, 3));
   figure.note = regions.lines.empty()
                     ? fit
                     : phrase("Figures",
@@ -210,9 +219,11 @@ Figure stress_figure(const FoundNumbers& found) {
     figure.instead = why_no_configuration(found);
     return figure;
   }
+  // A shorter axis would have ticks at halves.
+  constexpr double kLeastEnd = 5.5;
   figure.x = {.name = phrase("Figures", "number of dimensions"),
-              .low = 0.5,
-              .high = static_cast<double>(most) + 0.5};
+              .low = 0.0,
+              .high = std::max(static_cast<double>(most) + 0.5, kLeastEnd)};
   figure.y = {
       .name = phrase("Figures", "stress-1"), .low = 0.0, .high = 1.1 * std::max(highest, 0.01)};
   return figure;

@@ -207,6 +207,7 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent), drawing_(std::make_uniq
   connect(d.path, &QCustomPlot::afterLayout, this,
           [this] { drawing_->path->xAxis->setScaleRatio(drawing_->path->yAxis, 1.0); });
   keep_labels_apart(*d.path->yAxis, 3);
+  d.path->xAxis->setTicker(plain_ticker());
 
   restyle();
   set_exploration({});

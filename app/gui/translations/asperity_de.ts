@@ -5826,6 +5826,10 @@
         <source>%1 Open symbols with a dot: responses “cannot tell”.</source>
         <translation>%1 Offene Symbole mit einem Punkt: Antworten „kann es nicht sagen“.</translation>
     </message>
+    <message>
+        <source>The first two of %1 dimensions; directions cannot be interpreted. Stress-1 in %1 dimensions: %2. Distances in all dimensions correspond to the order of the mean dissimilarities.</source>
+        <translation>Die ersten zwei von %1 Dimensionen; Richtungen lassen sich nicht deuten. Stress-1 in %1 Dimensionen: %2. Die Abstände in allen Dimensionen entsprechen der Rangfolge der mittleren Unähnlichkeiten.</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>

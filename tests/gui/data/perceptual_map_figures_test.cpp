@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/figures/axis_ticks.h"
 #include "app/figures/figure_files.h"
 #include "app/figures/figure_kinds.h"
 #include "app/figures/figures_of.h"
@@ -103,6 +104,10 @@ TEST_F(PerceptualMap, HasTheStressOfEveryNumberOfDimensions) {
     EXPECT_EQ(point.y, number("stress.ordinal", dimensions));
   }
   EXPECT_EQ(stress.series[0].points.size(), 4U) << "six items";
+  constexpr int kLabels = 7;
+  for (const AxisTick& tick : ticks_of(stress.x, kLabels)) {
+    EXPECT_EQ(tick.value, std::round(tick.value)) << "no half a dimension";
+  }
 }
 
 TEST_F(PerceptualMap, HasTheWeightsOfEveryParticipantAndATree) {
@@ -142,6 +147,19 @@ TEST_F(PerceptualMap, NamesItemsOnOnePlaceTogether) {
   const QStringList words = read_svg(QByteArray::fromStdString(svg_of(map, {}))).words();
   EXPECT_TRUE(words.contains(both)) << words.join('|').toStdString();
   EXPECT_FALSE(words.contains(QString::fromStdString(points[3].label.english())));
+}
+
+TEST_F(PerceptualMap, StatesThatItShowsTwoOfThreeDimensions) {
+  EXPECT_EQ(figure("configuration").note.english().find("The first two of"), std::string::npos);
+  std::vector<Finding> findings = findings_;
+  for (Finding& finding : findings) {
+    if (finding.quantity == "dimensions") finding.value = 3.0;
+  }
+  EXPECT_NE(perceptual_map_figures(FoundNumbers(findings))
+                .front()
+                .note.english()
+                .find("The first two of 3 dimensions"),
+            std::string::npos);
 }
 
 TEST(PerceptualMapWithoutNumbers, StatesWhyThereIsNone) {
