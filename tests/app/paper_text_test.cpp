@@ -392,8 +392,9 @@ TEST(PaperText, NamesFactorsLevelsAndTheTask) {
       HasSubstr(" The factor was file (fine, medium and coarse). In each trial, three "
                 "stimuli were presented, one for each level of file, and each was to "
                 "be assigned to one of an equal number of pictures. The question was “Which "
-                "picture belongs to which tool?” Participants could not return to a "
-                "surface within a trial. A session was planned with 2 "
+                "picture belongs to which tool?” The surfaces of a trial were presented one after "
+                "another. Participants could not return to a surface within a trial. A session was "
+                "planned with 2 "
                 "experimental trials. Trials were presented in "));
   EXPECT_THAT(methods, HasSubstr(" 12 repetitions"));
   EXPECT_THAT(methods, HasSubstr("; attempts outside these limits were "));

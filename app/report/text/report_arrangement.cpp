@@ -42,11 +42,19 @@ bool is_named_with_task(const Protocol::Block& block) {
   return kind_of(block).has_judgement && block.vary.has_value();
 }
 
+/// Of surfaces that are presented once each.
+std::string one_visit_sentence(const Protocol::Block& block, const Verbs& verbs) {
+  const std::size_t surfaces = block.all_pairs ? 2 : block.presented.size();
+  if (surfaces < 2 || is_named_with_task(block)) return {};
+  return std::string(" The surfaces of a trial ") + verbs.are + " presented one after " +
+         (surfaces == 2 ? "the other." : "another.");
+}
+
 std::string order_sentences(const Protocol::Block& block, const Verbs& verbs) {
   const Arrangement& arrangement = block.arrangement;
   switch (arrangement.surfaces) {
     case Arrangement::Surfaces::sequential:
-      if (arrangement.minimum_visits == 1) return {};
+      if (arrangement.minimum_visits == 1) return one_visit_sentence(block, verbs);
       return std::string(" The surfaces ") + verbs.are + " presented in the same order " +
              number_of_times(arrangement.minimum_visits) + " in each trial.";
     case Arrangement::Surfaces::side_by_side:
