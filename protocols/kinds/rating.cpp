@@ -50,8 +50,8 @@ VirtualResponse rate_confidence(const Judgement& judgement) {
 /// The confidence in a response (`rate_confidence`), or a point on the scale: the standard logistic function of
 /// 3·l·(r + ε + 4.3) + b + η.
 ///
-/// r + ε is what the observer perceives of the first surface (VirtualObserver::estimate), about −4.3 for
-/// the lateral force of a stone surface. l is the loading of the question, between 0.5 and 1 with either sign, which
+/// r + ε is what the observer perceives of the first surface (VirtualObserver::estimate): with the normal force, −3 to −5.2
+/// for the textures of the demo study. l is the loading of the question, between 0.5 and 1 with either sign, which
 /// its name determines: scales correlate positively or negatively, and for all participants alike.
 /// b ~ N(0, 0.3²) is the participant's bias on this scale, and η ~ N(0, 0.4²) varies over responses.
 VirtualResponse judge_rating(const Judgement& judgement) {
