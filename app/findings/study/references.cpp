@@ -65,6 +65,9 @@ constexpr std::array kReferences{
     Reference{"Holm 1979", "Holm, 1979",
               "Holm, S. (1979). A simple sequentially rejective multiple test procedure. "
               "Scandinavian Journal of Statistics, 6(2), 65–70."},
+    Reference{"Horn 1965", "Horn, 1965",
+              "Horn, J. L. (1965). A rationale and test for the number of factors in factor "
+              "analysis. Psychometrika, 30(2), 179–185."},
     Reference{"Kaernbach 1991", "Kaernbach, 1991",
               "Kaernbach, C. (1991). Simple adaptive testing with the weighted up-down method. "
               "Perception & Psychophysics, 49(3), 227–229."},
@@ -102,6 +105,9 @@ constexpr std::array kReferences{
     Reference{"Satterthwaite 1946", "Satterthwaite, 1946",
               "Satterthwaite, F. E. (1946). An approximate distribution of estimates of variance "
               "components. Biometrics Bulletin, 2(6), 110–114."},
+    Reference{"Shrout 1979", "Shrout & Fleiss, 1979",
+              "Shrout, P. E., & Fleiss, J. L. (1979). Intraclass correlations: Uses in assessing "
+              "rater reliability. Psychological Bulletin, 86(2), 420–428."},
     Reference{"Simpson 1973", "Simpson & Fitter, 1973",
               "Simpson, A. J., & Fitter, M. J. (1973). What is the best index of detectability? "
               "Psychological Bulletin, 80(6), 481–488."},

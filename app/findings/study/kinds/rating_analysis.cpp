@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "app/findings/study/rating_sentences.h"
 #include "app/findings/study/task_words.h"
 
 namespace asperity {
@@ -44,6 +45,10 @@ std::string paper_task_of_rating(const Protocol& protocol) {
   return ", and ratings were given on " + scales_of_blocks(protocol, "rating") + '.';
 }
 
+std::string fit_of_rating(const Protocol&, const AnalysisOutcome& outcome) {
+  return rating_methods_text(outcome);
+}
+
 }  // namespace
 
 const StudyAnalysis& rating_analysis() {
@@ -53,9 +58,11 @@ const StudyAnalysis& rating_analysis() {
       .claims = kRatingClaims,
       .task = task_of_rating,
       .task_for_paper = paper_task_of_rating,
+      .fit_for_paper = fit_of_rating,
       .transformation =
           "Each participant's ratings of an item were averaged before they were analysed.",
-      .analyze = analyze_rating};
+      .analyze = analyze_rating,
+      .estimates = rating_estimates_sentence};
   return kAnalysis;
 }
 

@@ -1,0 +1,137 @@
+#include "app/findings/study/rating_sentences.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "app/findings/reading_number.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kAgreementAnalysis = "agreement";
+constexpr std::string_view kReliabilityAnalysis = "reliability";
+constexpr std::string_view kConstructAnalysis = "constructs";
+constexpr std::string_view kComponentAnalysis = "components";
+
+/// The findings with a number, in their order; those of a key that ends with `ending`, if it is not empty.
+std::vector<const Finding*> numbers_of_rating(const AnalysisOutcome& outcome,
+                                              std::string_view analysis, std::string_view quantity,
+                                              std::string_view ending = {}) {
+  std::vector<const Finding*> found{};
+  for (const Finding& one : outcome.findings) {
+    if (one.analysis == analysis && one.quantity == quantity && one.value &&
+        one.key.ends_with(ending)) {
+      found.push_back(&one);
+    }
+  }
+  return found;
+}
+
+/// "= .71, 95 % CI [.38, .91]", without the interval where there is none.
+std::string estimate_with_interval(const Finding& one) {
+  std::string text = "= " + reading_bounded(*one.value);
+  if (one.low && one.high) {
+    text += ", 95 % CI [" + reading_bounded(*one.low) + ", " + reading_bounded(*one.high) + ']';
+  }
+  return text;
+}
+
+/// "rough" for "rough|ICC2".
+std::string scale_of_key(const Finding& one) { return one.key.substr(0, one.key.rfind('|')); }
+
+/// " Agreement of the participants: on the scale “rough”, ICC(2,1) = .71, 95 % CI [.38, .91], and ICC(3,k) = …; …"
+std::string agreement_text(const AnalysisOutcome& outcome) {
+  std::string text{};
+  const std::vector<const Finding*> means =
+      numbers_of_rating(outcome, kAgreementAnalysis, "icc", "|ICC3k");
+  for (const Finding* const one : numbers_of_rating(outcome, kAgreementAnalysis, "icc", "|ICC2")) {
+    text += std::string(text.empty() ? " Agreement of the participants: on the scale “" : "; “") +
+            scale_of_key(*one) + "”, ICC(2,1) " + estimate_with_interval(*one);
+    const auto mean = std::find_if(means.begin(), means.end(), [one](const Finding* other) {
+      return scale_of_key(*other) == scale_of_key(*one);
+    });
+    if (mean != means.end()) text += ", and ICC(3,k) " + estimate_with_interval(**mean);
+  }
+  return text.empty() ? text : text + '.';
+}
+
+std::string reliability_text(const AnalysisOutcome& outcome) {
+  std::string text{};
+  for (const Finding* const one : numbers_of_rating(outcome, kReliabilityAnalysis, "icc.mean")) {
+    text += std::string(text.empty() ? " Reliability over repetitions: on the scale “" : "; “") +
+            scale_of_key(*one) + "”, mean ICC(3,1) " + estimate_with_interval(*one) +
+            ", N = " + std::to_string(one->n);
+  }
+  return text.empty() ? text : text + '.';
+}
+
+std::string construct_text(const AnalysisOutcome& outcome) {
+  std::string text{};
+  for (const Finding* const one :
+       numbers_of_rating(outcome, kConstructAnalysis, "cronbach.alpha")) {
+    text +=
+        " For the construct “" + one->key + "”, Cronbach’s α " + estimate_with_interval(*one) + '.';
+  }
+  return text;
+}
+
+std::string components_text(const AnalysisOutcome& outcome) {
+  const std::vector<const Finding*> first =
+      numbers_of_rating(outcome, kComponentAnalysis, "proportion", "C1");
+  const std::vector<const Finding*> retained =
+      numbers_of_rating(outcome, kComponentAnalysis, "retained");
+  if (first.empty() || retained.empty()) return {};
+  const Finding& share = *first.front();
+  std::string text =
+      " The first principal component had " + reading_percent(*share.value) + " of the variance";
+  if (share.low && share.high) {
+    text +=
+        " (95 % CI [" + reading_percent(*share.low) + ", " + reading_percent(*share.high) + "])";
+  }
+  const auto count = static_cast<std::uint64_t>(*retained.front()->value);
+  return text + "; parallel analysis retained " + count_in_words(count) +
+         (count == 1 ? " component." : " components.");
+}
+
+}  // namespace
+
+std::string rating_methods_text(const AnalysisOutcome& outcome) {
+  std::string text{};
+  const auto add = [&text](const char* sentence) {
+    text += (text.empty() ? "" : " ") + std::string(sentence);
+  };
+  if (!numbers_of_rating(outcome, kAgreementAnalysis, "icc").empty()) {
+    add("The agreement of the participants was estimated by intraclass correlations of their mean "
+        "ratings, with the items as "
+        "targets: ICC(2,1), absolute agreement of one participant, and ICC(3,k), consistency of "
+        "the mean of all participants "
+        "[Shrout 1979].");
+  }
+  if (!numbers_of_rating(outcome, kReliabilityAnalysis, "icc.mean").empty()) {
+    add("Reliability over repetitions is the mean over participants of ICC(3,1) of their own "
+        "ratings.");
+  }
+  if (!numbers_of_rating(outcome, kConstructAnalysis, "cronbach.alpha").empty()) {
+    add("Cronbach’s α of the scales of a construct was computed over the combinations of a "
+        "participant and an item; its CI is "
+        "from a bootstrap over the participants.");
+  }
+  if (!numbers_of_rating(outcome, kComponentAnalysis, "eigenvalue").empty()) {
+    add("Principal components are those of the correlations of the scales over the items’ mean "
+        "ratings; components were "
+        "retained by parallel analysis [Horn 1965], and CIs are from a bootstrap over the "
+        "participants.");
+  }
+  return text;
+}
+
+EstimateSentence rating_estimates_sentence(const AnalysisOutcome& outcome) {
+  std::string text = agreement_text(outcome) + reliability_text(outcome) + construct_text(outcome) +
+                     components_text(outcome);
+  if (!text.empty()) text.erase(0, 1);
+  return {.text = text};
+}
+
+}  // namespace asperity
