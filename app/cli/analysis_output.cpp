@@ -135,7 +135,8 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
     text += paragraph("  ", question.answer.english());
   }
   for (const NamedTable& table : outcome.tables) {
-    if (table.name == kTracks) continue;  // of hundreds of lines; with --json and in trials.tsv
+    // It has hundreds of lines, and is in --json and trials.tsv.
+    if (table.name == kTracks && outcome.tables.size() > 1) continue;
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
     text += aligned(in_words(reading_table(table)));

@@ -5,8 +5,10 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -28,6 +30,7 @@ namespace {
 struct AnalyzeOptions {
   std::string study{};
   std::optional<std::string> protocol{};
+  std::optional<std::string> only{};
   bool json = false;
   std::vector<std::string> tables{};
   std::string kind{};
@@ -112,10 +115,35 @@ int analyze_tables(const AnalyzeOptions& options) {
   return 0;
 }
 
+/// The outcomes that have the table, each with this table alone. Its remarks remain: they state whose responses it shows.
+std::vector<AnalysisOutcome> with_only_table(std::vector<AnalysisOutcome> outcomes,
+                                             const std::string& name) {
+  std::set<std::string> names{};
+  for (AnalysisOutcome& outcome : outcomes) {
+    for (const NamedTable& table : outcome.tables) names.insert(table.name);
+    std::erase_if(outcome.tables, [&](const NamedTable& table) { return table.name != name; });
+    outcome.questions.clear();
+  }
+  if (names.empty()) {
+    throw std::runtime_error("the analysis has no tables yet; leave out --only to see its remarks");
+  }
+  if (!names.contains(name)) {
+    std::string known{};
+    for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
+    throw std::runtime_error("--only " + name +
+                             ": the analysis has no table of this name; choose one of " + known);
+  }
+  std::erase_if(outcomes, [](const AnalysisOutcome& outcome) { return outcome.tables.empty(); });
+  return outcomes;
+}
+
 int analyze_answers(const AnalyzeOptions& options) {
   const Study study = Study::open(options.study, Access::read_only);
-  const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options.protocol);
+  std::vector<AnalysisOutcome> outcomes = analyze_study(study, options.protocol);
   say_condition(study);
+  if (options.only && !outcomes.empty()) {
+    outcomes = with_only_table(std::move(outcomes), *options.only);
+  }
   if (options.json) {
     std::cout << analysis_json(study.name(), outcomes);
     return 0;
@@ -143,6 +171,9 @@ void add_analyze(CLI::App& program, Job& job) {
   auto* study = command->add_option("STUDY", options->study, "Folder of the study");
   auto* protocol =
       command->add_option("--protocol", options->protocol, "Only the protocol with this name");
+  auto* only = command->add_option(
+      "--only", options->only,
+      "Print only the table with this name, such as table_1; an unknown name lists all names");
   auto* json = command->add_flag("--json", options->json, "Print one JSON document");
   auto* tables = command->add_option(
       "--table", options->tables, "Instead of a study: tables, one observation per row (CSV, TSV)");
@@ -167,6 +198,7 @@ void add_analyze(CLI::App& program, Job& job) {
   auto* out = command->add_option(
       "--out", options->out, "Write the results of the case to this file as quantity,key,value");
   protocol->needs(study);
+  only->needs(study)->excludes(json);
   tables->excludes(study)->needs(kind);
   kind->needs(tables);
   file->needs(tables);
