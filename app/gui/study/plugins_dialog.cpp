@@ -49,7 +49,10 @@ PluginsDialog::PluginsDialog(const std::vector<std::filesystem::path>& files, QW
   layout->addLayout(buttons);
 
   connect(add, &QPushButton::clicked, this, &PluginsDialog::add_files);
-  connect(remove, &QPushButton::clicked, this, [this] { delete list_->currentItem(); });
+  remove->setEnabled(false);  // until a plug-in is selected
+  connect(list_, &QListWidget::itemSelectionChanged, this,
+          [this, remove] { remove->setEnabled(!list_->selectedItems().isEmpty()); });
+  connect(remove, &QPushButton::clicked, this, [this] { qDeleteAll(list_->selectedItems()); });
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(load, &QPushButton::clicked, this, [this] {
     emit wanted(listed_files());

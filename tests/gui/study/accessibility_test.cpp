@@ -1,5 +1,6 @@
 // Every page and dialog, as somebody meets them who has a keyboard and a screen reader.
 
+#include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@
 #include "app/gui/study/about_dialog.h"
 #include "app/gui/study/metadata_dialog.h"
 #include "app/gui/study/new_study_dialog.h"
+#include "app/gui/study/plugin_loading.h"
+#include "app/gui/study/plugins_dialog.h"
 #include "app/gui/study/share_study_dialog.h"
 #include "app/gui/study/trials_page.h"
 #include "app/gui/study/withdraw_dialog.h"
@@ -56,7 +59,9 @@ class Accessibility : public QuietHome, public testing::WithParamInterface<const
   /// Deletes the dialog.
   static void expect_accessible_dialog(QDialog* dialog) {
     const std::unique_ptr<QDialog> shown(dialog);
+    shown->setAttribute(Qt::WA_DeleteOnClose, false);  // it may close when its work ends
     shown->show();
+    ASSERT_TRUE(shown->isVisible()) << shown->metaObject()->className();
     expect_accessible(*shown, shown->metaObject()->className());
   }
 };
@@ -121,6 +126,10 @@ TEST_P(Accessibility, EveryDialogHasNamesAndTheOrderOfReading) {
   expect_accessible_dialog(new ShareStudyDialog(home()));
   expect_accessible_dialog(new DriverSetup(
       std::vector<std::string>{"falcon", "force_dimension", "forcefeedback_joystick"}));
+  const std::filesystem::path plugins = ASPERITY_TEST_PLUGINS;
+  expect_accessible_dialog(
+      new PluginsDialog({plugins / "faulty_none.so", plugins / "faulty_slow.so"}));
+  expect_accessible_dialog(new PluginLoading({plugins / "faulty_slow.so"}));
   expect_accessible_dialog(new AbortDialog(nullptr, [](const Phrase&) {}));
   expect_accessible_dialog(new CloseDialog(nullptr, [](Leaving) {}));
 }

@@ -163,6 +163,21 @@ TEST_F(PluginsDialogTest, CanBeClosedWithItsWindowWhilePluginsAreChecked) {
   }
 }
 
+TEST_F(PluginsDialogTest, RemovesTheSelectedPlugin) {
+  remember_plugin_files({test_plugin("faulty_nan.so"), test_plugin("faulty_none.so")});
+  StudyWindow window{};
+  window.show();
+  QDialog& dialog = opened_dialog(window);
+  auto& list = child<QListWidget>(dialog, "plugins_list");
+  auto& remove = child<QPushButton>(dialog, "plugins_remove");
+  EXPECT_FALSE(remove.isEnabled()) << "no plug-in is selected";
+  list.setCurrentRow(0);
+  ASSERT_TRUE(remove.isEnabled());
+  QTest::mouseClick(&remove, Qt::LeftButton);
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_TRUE(list.item(0)->text().endsWith("faulty_none.so"));
+}
+
 TEST_F(PluginsDialogTest, ChangesNothingIfItIsCancelled) {
   remember_plugin_files({test_plugin("faulty_none.so")});
   StudyWindow window{};
