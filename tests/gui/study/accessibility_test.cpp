@@ -61,8 +61,9 @@ class Accessibility : public QuietHome, public testing::WithParamInterface<const
     const std::unique_ptr<QDialog> shown(dialog);
     shown->setAttribute(Qt::WA_DeleteOnClose, false);  // it may close when its work ends
     shown->show();
-    ASSERT_TRUE(shown->isVisible()) << shown->metaObject()->className();
     expect_accessible(*shown, shown->metaObject()->className());
+    // Nothing is found in a hidden window.
+    EXPECT_TRUE(shown->isVisible()) << shown->metaObject()->className();
   }
 };
 
@@ -129,7 +130,7 @@ TEST_P(Accessibility, EveryDialogHasNamesAndTheOrderOfReading) {
   const std::filesystem::path plugins = ASPERITY_TEST_PLUGINS;
   expect_accessible_dialog(
       new PluginsDialog({plugins / "faulty_none.so", plugins / "faulty_slow.so"}));
-  expect_accessible_dialog(new PluginLoading({plugins / "faulty_slow.so"}));
+  expect_accessible_dialog(new PluginLoading(std::vector(3, plugins / "faulty_slow.so")));
   expect_accessible_dialog(new AbortDialog(nullptr, [](const Phrase&) {}));
   expect_accessible_dialog(new CloseDialog(nullptr, [](Leaving) {}));
 }
