@@ -46,7 +46,8 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     const auto model = models_.find(id);
     if (model == models_.end()) {
       report(place, unknown_name("force model", id, models_) +
-                        "; if it is in a plug-in, load the plug-in");
+                        "; if it is in a plug-in, load the plug-in with --plugin FILE, or under "
+                        "Study → Plug-ins… in the windows");
       continue;
     }
     models.push_back(model->second);

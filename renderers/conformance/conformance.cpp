@@ -186,7 +186,8 @@ ConformanceCheck band(const ForceModel& model, const RendererInputs& inputs) {
     return check;
   }
   check.result = within_N2 >= kPowerInBand * all_N2 ? Conformance::met : Conformance::violated;
-  check.measured = percent(within_N2 / all_N2) + " of " + number_text(std::sqrt(all_N2)) + " N RMS";
+  check.measured =
+      percent(within_N2 / all_N2) + " of " + fixed(1e3 * std::sqrt(all_N2), 2) + " mN RMS";
   return check;
 }
 
