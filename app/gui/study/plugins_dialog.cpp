@@ -3,11 +3,25 @@
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QStyledItemDelegate>
 #include <QtWidgets/QVBoxLayout>
 
 #include "app/gui/look/controls.h"
 
 namespace asperity {
+
+namespace {
+
+/// Rows no wider than the list, so that the view shortens a long path. The name of the file, at its end, remains legible.
+class PathRows final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return {0, QStyledItemDelegate::sizeHint(option, index).height()};
+  }
+};
+
+}  // namespace
 
 PluginsDialog::PluginsDialog(const std::vector<std::filesystem::path>& files, QWidget* parent)
     : QDialog(parent) {
@@ -27,6 +41,14 @@ PluginsDialog::PluginsDialog(const std::vector<std::filesystem::path>& files, QW
   list_ = new QListWidget(this);
   list_->setObjectName("plugins_list");
   list_->setAccessibleName(tr("Files of the plug-ins"));
+  list_->setTextElideMode(Qt::ElideMiddle);
+  list_->setItemDelegate(new PathRows(list_));
+  connect(list_->model(), &QAbstractItemModel::rowsInserted, list_,
+          [this](const QModelIndex&, int first, int last) {
+            for (int row = first; row <= last; ++row) {
+              list_->item(row)->setToolTip(list_->item(row)->text());
+            }
+          });
   for (const std::filesystem::path& file : files) {
     list_->addItem(QString::fromStdString(file.string()));
   }

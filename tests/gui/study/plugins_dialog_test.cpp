@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <QtTest/QTest>
@@ -12,6 +13,7 @@
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
 
 #include "app/gui/base/settings.h"
 #include "app/gui/look/controls.h"
@@ -176,6 +178,16 @@ TEST_F(PluginsDialogTest, RemovesTheSelectedPlugin) {
   QTest::mouseClick(&remove, Qt::LeftButton);
   ASSERT_EQ(list.count(), 1);
   EXPECT_TRUE(list.item(0)->text().endsWith("faulty_none.so"));
+}
+
+TEST_F(PluginsDialogTest, ShortensALongPath) {
+  const std::filesystem::path file =
+      std::filesystem::path("/") / std::string(200, 'a') / "ridges.so";
+  PluginsDialog dialog({file});
+  dialog.show();
+  const auto& list = child<QListWidget>(dialog, "plugins_list");
+  EXPECT_EQ(list.horizontalScrollBar()->maximum(), 0);
+  EXPECT_EQ(list.item(0)->toolTip().toStdString(), file.string());
 }
 
 TEST_F(PluginsDialogTest, ChangesNothingIfItIsCancelled) {
