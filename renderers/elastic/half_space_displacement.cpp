@@ -10,6 +10,74 @@
 #include "renderers/elastic/love_kernel.h"
 
 namespace asperity {
+namespace {
+
+/// The factors of a turn p of a step: exp(−2πi·kp/length) for k = 1, 2, 3, as cosine and sine.
+struct Turns {
+  double c1 = 1.0;
+  double s1 = 0.0;
+  double c2 = 1.0;
+  double s2 = 0.0;
+  double c3 = 1.0;
+  double s3 = 0.0;
+};
+
+// The butterflies of one turn: four rows of `run` numbers, `apart` from each other, to four rows that follow each other. Without
+// contraction every instruction set gives the same bits. The rows do not overlap, which the compiler would not examine: it would
+// have to compare twelve pairs of them.
+[[gnu::always_inline]] inline void combine(const Turns& turns, std::size_t run, std::size_t apart,
+                                           const double* __restrict a_re,
+                                           const double* __restrict a_im, double* __restrict to_re,
+                                           double* __restrict to_im) noexcept {
+  const auto [c1, s1, c2, s2, c3, s3] = turns;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < run; ++i) {
+    const double even_re = a_re[i] + a_re[i + 2 * apart];
+    const double even_im = a_im[i] + a_im[i + 2 * apart];
+    const double odd_re = a_re[i] - a_re[i + 2 * apart];
+    const double odd_im = a_im[i] - a_im[i + 2 * apart];
+    const double sum_re = a_re[i + apart] + a_re[i + 3 * apart];
+    const double sum_im = a_im[i + apart] + a_im[i + 3 * apart];
+    const double turned_re = a_im[i + 3 * apart] - a_im[i + apart];  // i·(b − d)
+    const double turned_im = a_re[i + apart] - a_re[i + 3 * apart];
+    const double one_re = odd_re - turned_re;
+    const double one_im = odd_im - turned_im;
+    const double two_re = even_re - sum_re;
+    const double two_im = even_im - sum_im;
+    const double three_re = odd_re + turned_re;
+    const double three_im = odd_im + turned_im;
+    to_re[i] = even_re + sum_re;
+    to_im[i] = even_im + sum_im;
+    to_re[i + run] = c1 * one_re + s1 * one_im;
+    to_im[i + run] = c1 * one_im - s1 * one_re;
+    to_re[i + 2 * run] = c2 * two_re + s2 * two_im;
+    to_im[i + 2 * run] = c2 * two_im - s2 * two_re;
+    to_re[i + 3 * run] = c3 * three_re + s3 * three_im;
+    to_im[i + 3 * run] = c3 * three_im - s3 * three_re;
+  }
+}
+
+using Combine = void(const Turns& turns, std::size_t run, std::size_t apart,
+                     const double* __restrict a_re, const double* __restrict a_im,
+                     double* __restrict to_re, double* __restrict to_im) noexcept;
+
+void combine_by_two(const Turns& turns, std::size_t run, std::size_t apart,
+                    const double* __restrict a_re, const double* __restrict a_im,
+                    double* __restrict to_re, double* __restrict to_im) noexcept {
+  combine(turns, run, apart, a_re, a_im, to_re, to_im);
+}
+
+[[gnu::target("avx2")]] void combine_by_four(const Turns& turns, std::size_t run, std::size_t apart,
+                                             const double* __restrict a_re,
+                                             const double* __restrict a_im,
+                                             double* __restrict to_re,
+                                             double* __restrict to_im) noexcept {
+  combine(turns, run, apart, a_re, a_im, to_re, to_im);
+}
+
+Combine* const kCombineHere = __builtin_cpu_supports("avx2") ? combine_by_four : combine_by_two;
+
+}  // namespace
 
 // Three steps of radix 4, from one buffer to the other and without bit reversal (Stockham): the innermost loop runs over
 // contiguous numbers. `batch` transforms lie next to each other.
@@ -21,41 +89,14 @@ void HalfSpaceDisplacement::transform(std::size_t batch, double*& re, double*& i
     const std::size_t run = stride * batch;
     for (std::size_t p = 0; p < quarter; ++p) {
       const std::size_t turn = p * stride;
-      const double c1 = cosine_[turn];
-      const double s1 = sine_[turn];
-      const double c2 = cosine_[2 * turn];
-      const double s2 = sine_[2 * turn];
-      const double c3 = cosine_[3 * turn];
-      const double s3 = sine_[3 * turn];
-      const double* const __restrict a_re = re + p * run;
-      const double* const __restrict a_im = im + p * run;
-      const std::size_t apart = quarter * run;
-      double* const __restrict to_re = other_re + 4 * p * run;
-      double* const __restrict to_im = other_im + 4 * p * run;
-      for (std::size_t i = 0; i < run; ++i) {
-        const double even_re = a_re[i] + a_re[i + 2 * apart];
-        const double even_im = a_im[i] + a_im[i + 2 * apart];
-        const double odd_re = a_re[i] - a_re[i + 2 * apart];
-        const double odd_im = a_im[i] - a_im[i + 2 * apart];
-        const double sum_re = a_re[i + apart] + a_re[i + 3 * apart];
-        const double sum_im = a_im[i + apart] + a_im[i + 3 * apart];
-        const double turned_re = a_im[i + 3 * apart] - a_im[i + apart];  // i·(b − d)
-        const double turned_im = a_re[i + apart] - a_re[i + 3 * apart];
-        const double one_re = odd_re - turned_re;
-        const double one_im = odd_im - turned_im;
-        const double two_re = even_re - sum_re;
-        const double two_im = even_im - sum_im;
-        const double three_re = odd_re + turned_re;
-        const double three_im = odd_im + turned_im;
-        to_re[i] = even_re + sum_re;
-        to_im[i] = even_im + sum_im;
-        to_re[i + run] = c1 * one_re + s1 * one_im;
-        to_im[i + run] = c1 * one_im - s1 * one_re;
-        to_re[i + 2 * run] = c2 * two_re + s2 * two_im;
-        to_im[i + 2 * run] = c2 * two_im - s2 * two_re;
-        to_re[i + 3 * run] = c3 * three_re + s3 * three_im;
-        to_im[i + 3 * run] = c3 * three_im - s3 * three_re;
-      }
+      kCombineHere({.c1 = cosine_[turn],
+                    .s1 = sine_[turn],
+                    .c2 = cosine_[2 * turn],
+                    .s2 = sine_[2 * turn],
+                    .c3 = cosine_[3 * turn],
+                    .s3 = sine_[3 * turn]},
+                   run, quarter * run, re + p * run, im + p * run, other_re + 4 * p * run,
+                   other_im + 4 * p * run);
     }
     std::swap(re, other_re);
     std::swap(im, other_im);
