@@ -32,6 +32,7 @@ constexpr double kMostTurnOfLanes = 2.0 / (kMostLanes - 1);  // 3 rows contain a
 constexpr int kStepOfWindow = 4;                             // cells: a whole number of kBoundRows
 constexpr double kHurryWithoutHeights = 0.15;  // of the work: sampling anew costs as much
 constexpr double kLittle = 1e-9;
+constexpr double kNewestGrowth = 0.25;  // the weight of a call in the mean growth of the strain
 constexpr int kTrianglesInACall = 12;
 
 Pose after(const Pose& second, const Pose& first) noexcept {
@@ -222,15 +223,16 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
   };
   found.column = first(aside.x);
   found.row = first(aside.y);
-  // A's heights under the window's middle, and the greatest distance from there that is used.
+  // A's heights under the requested origin, and the greatest distance from there that is used. The window's middle is at most half
+  // a tile off; with its own place, the strain would jump with every step of the window.
   const KeptPlaces places =
-      places_of(found.motion, lattice_, samples, {found.column, found.row}, 0.0);
+      places_of(found.motion, lattice_, samples, static_cast<double>(margin_) + aside, 0.0);
   const double half = 0.5 * (samples - 1);
   const double middle = 0.5 * (lattice_.samples - 1);
   const double x = places.x + half * (double{places.x_per_column} + double{places.x_per_row});
   const double y = places.y + half * (double{places.y_per_column} + double{places.y_per_row});
-  const double reach =
-      (half + step_cells_) * (1.0 + turn) / (1.0 - tilt) + 3.0;  // rows between rows
+  const double reach = (half + 0.5 * kStepOfWindow + step_cells_) * (1.0 + turn) / (1.0 - tilt) +
+                       3.0;  // rows between rows
   strained(std::abs(x - middle) / (middle - reach));
   strained(std::abs(y - middle) / (middle - reach));
   return fits ? std::optional(found) : std::nullopt;
@@ -267,7 +269,10 @@ std::optional<Penetration> CachedPenetration::evaluate(const PackedPatch& a, con
   ++calls_;
   const Choice choice = choose(a, b, frame);
   if (choice.place) places_[*choice.place].last_used = calls_;
-  if (choice.begins) begin(a, b, frame);
+  if (choice.begins) {
+    begin(a, b, frame);
+    work_.strain_before = choice.fit.strain;
+  }
   const bool serves_until_then = choice.place && (choice.begins || choice.is_coming);
   continue_work(serves_until_then ? hurry(choice.fit.strain)
                 : choice.place    ? 0.0
@@ -378,16 +383,17 @@ void CachedPenetration::begin(const PackedPatch& a, const PackedPatch& b,
   work_.triangles_a.assign(a.triangles.begin(), a.triangles.end());
   work_.triangles_b.assign(b.triangles.begin(), b.triangles.end());
   work_.next_triangle = 0;
-  work_.strain_before = kSoftStrain;
+  work_.growth = 0.0;
   triangle_count_ = 0;
 }
 
 // The fraction of the work that has to be done now: if the bodies continue their motion, the kept heights become
-// invalid before all of it would be done.
+// invalid before all of it would be done. The growth is a mean over some calls: the frame of a contact can jump in one.
 double CachedPenetration::hurry(double strain) noexcept {
   const double grown = std::max(0.0, strain - work_.strain_before);
   work_.strain_before = strain;
-  return std::min(1.0, 2.0 * grown / std::max(1.0 - strain, grown + kLittle));
+  work_.growth += kNewestGrowth * (grown - work_.growth);
+  return std::min(1.0, 2.0 * work_.growth / std::max(1.0 - strain, work_.growth + kLittle));
 }
 
 // Continues with some triangles or some rows, more if `hurry` requires it.

@@ -139,6 +139,7 @@ class CachedPenetration final {
     std::size_t next_triangle = 0;
     int next_row = 0;
     double strain_before = 0.0;
+    double growth = 0.0;  // of the strain per call, a mean
   };
 
   std::optional<Fit> fit(const Place& place, const PackedPatch& a, const PackedPatch& b,
