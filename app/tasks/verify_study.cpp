@@ -102,6 +102,8 @@ struct SessionFaults {
   int recordings_without_plugin = 0;
   /// Of surfaces whose contacts the replay evaluates elsewhere than the session did: device and the largest difference.
   std::map<std::string, double> differences_by_device_N{};
+  /// Of surfaces whose model had another version, by model and version, with the largest difference beyond the tolerance.
+  std::map<std::string, double> differences_by_version_N{};
   bool has_stated_levels = false;  ///< of an external program
   bool exact_used = false;
   bool tolerance_used = false;
@@ -247,6 +249,16 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
                                     " (" + surface.row.model + "): " + *differing);
         }
         if (difference_N <= tolerance_N) continue;
+        const ModelDeclaration& declaration = surface.stimulus.model->declaration;
+        if (surface.row.model_version != declaration.version) {
+          double& largest_N =
+              faults.differences_by_version_N["forces of " + declaration.id +
+                                              " that were recorded with its version " +
+                                              surface.row.model_version +
+                                              " and replayed with version " + declaration.version];
+          largest_N = std::max(largest_N, difference_N);
+          continue;
+        }
         std::string sentence = name + ", surface " + std::to_string(surface.row.position) + " (" +
                                surface.row.model +
                                "): the replay of the recorded hand does not reproduce the recorded "
@@ -469,6 +481,7 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
   bool exact_used = false;
   bool tolerance_used = false;
   std::map<std::string, double> differences_by_device_N{};
+  std::map<std::string, double> differences_by_version_N{};
   int with_stated_levels = 0;
   int without_plugin = 0;
   for (SessionFaults& faults : found) {
@@ -481,6 +494,10 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
     with_stated_levels += faults.has_stated_levels ? 1 : 0;
     for (const auto& [device, difference_N] : faults.differences_by_device_N) {
       double& largest_N = differences_by_device_N[device];
+      largest_N = std::max(largest_N, difference_N);
+    }
+    for (const auto& [versions, difference_N] : faults.differences_by_version_N) {
+      double& largest_N = differences_by_version_N[versions];
       largest_N = std::max(largest_N, difference_N);
     }
     exact_used = exact_used || faults.exact_used;
@@ -496,6 +513,9 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
                              ", of which the processor computed at least a part (then or in the "
                              "replay), differ by up to " +
                              text_of_number(difference_N) + " N; they are not compared further");
+  }
+  for (const auto& [versions, difference_N] : differences_by_version_N) {
+    result.remarks.push_back(versions + " differ by up to " + text_of_number(difference_N) + " N");
   }
   if (with_stated_levels > 0) {
     result.rules.push_back(

@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/renderers/contact_scenes.h"
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/textured_bodies.h"
 #include "tests/support/allocation_guard.h"
@@ -24,30 +25,9 @@
 namespace asperity {
 namespace {
 
-WindowSampling hard(double step_m, int cells = 1) {
-  return {.law = HardMaximum{.step_m = step_m}, .cell_m = step_m / cells, .most_samples = 512};
-}
-
-TexturedContacts between(const TexturedMesh& a, const TexturedMesh& b,
-                         const WindowSampling& sampling) {
-  return {{a, 1.0}, {b, 1.0}, sampling, instruction_sets_here().back()};
-}
-
 Pose moved(const Pose& motion, const Pose& pose) {
   return {.rotation = motion.rotation * pose.rotation,
           .position_m = motion.rotation * pose.position_m + motion.position_m};
-}
-
-// The force on A, and its torque about a point of the world.
-Wrench wrench_about(const glm::dvec3& point_m, std::span<const TexturedContact> contacts) {
-  Wrench sum{};
-  for (const TexturedContact& contact : contacts) {
-    const Wrench one =
-        contact_wrench(contact.penetration, contact.frame, contact.share * kStiffness_N_per_m);
-    sum.force_N += one.force_N;
-    sum.torque_N_m += one.torque_N_m + glm::cross(contact.frame.origin_m - point_m, one.force_N);
-  }
-  return sum;
 }
 
 // A ball of radius R with its lowest point at the origin of its frame, on h(x) = A·sin(2πx/λ).
@@ -314,97 +294,6 @@ TEST(TexturedContacts, BeginWithoutAStepWithTheSmoothMaximumToo) {
   }
 }
 
-// A bumpy ring that lies on a block and rocks, pressed and lifted: bumps become one contact and part.
-class RingOnABlock : public testing::Test {
- protected:
-  static glm::dmat3 rocked(double phase) {
-    return turn_about({1, 0.1, 0.2}, 0.02 + 0.05 * std::sin(phase)) *
-           turn_about({0, 1, 0}, 0.04 * std::sin(1.7 * phase)) * turn_about({0, 0, 1}, 0.1 * phase);
-  }
-  // That much deeper than where it touches first.
-  Pose pressed(double phase, double depth_m) const {
-    const glm::dmat3 turn = rocked(phase);
-    double lowest_m = 1.0;
-    for (const glm::dvec3& vertex_m : ring_.vertices_m) {
-      lowest_m = std::min(lowest_m, (turn * vertex_m).z);
-    }
-    return {.rotation = turn, .position_m = {0.3e-3 * phase, 0.0, 0.05 - lowest_m - depth_m}};
-  }
-  const TexturedMesh ring_ = bare(bumpy_torus(30, 20));
-  const TexturedMesh block_ = bare(box({0.1, 0.1, 0.1}));
-  WindowSampling sampling_{.law = HardMaximum{.step_m = 0.2e-3}, .cell_m = 0.2e-3};
-};
-
-TEST_F(RingOnABlock, JumpsLittleWhereContactsPartAndJoin) {
-  TexturedContacts contacts = between(ring_, block_, sampling_);
-  constexpr int kTicks = 1000;
-  const auto pose = [&](int tick) {
-    const double phase = 2.0 * std::numbers::pi * (0.45 + 0.5 * tick / kTicks);
-    return pressed(phase, 1e-3 + 0.8e-3 * std::sin(7.0 * phase));
-  };
-  for (int tick = 0; tick < 30; ++tick)
-    contacts.find(pose(0), {}, kTick_s);  // what is new rises once
-  struct Jumps {
-    glm::dvec3 before_N{0.0};
-    double largest_N = 0.0;
-    double squares_N2 = 0.0;
-    void add(const glm::dvec3& force_N, bool is_first) {
-      if (!is_first) largest_N = std::max(largest_N, glm::distance(force_N, before_N));
-      squares_N2 += glm::dot(force_N, force_N);
-      before_N = force_N;
-    }
-    double of_rms() const { return largest_N / std::sqrt(squares_N2 / kTicks); }
-  };
-  Jumps felt;
-  Jumps whole;  // as if every contact counted wholly from its first tick to its last
-  for (int tick = 0; tick < kTicks; ++tick) {
-    glm::dvec3 whole_N{0.0};
-    const auto found = contacts.find(pose(tick), {}, kTick_s);
-    for (const TexturedContact& contact : found) {
-      EXPECT_GT(contact.share, 0.0);
-      EXPECT_LE(contact.share, 1.0);
-      if (contact.is_fading || !is_felt(contact)) continue;
-      whole_N += contact_wrench(contact.penetration, contact.frame, kStiffness_N_per_m).force_N;
-    }
-    felt.add(wrench_about({}, found).force_N, tick == 0);
-    whole.add(whole_N, tick == 0);
-  }
-  RecordProperty("jumps_of_rms",
-                 std::to_string(felt.of_rms()) + " " + std::to_string(whole.of_rms()));
-  EXPECT_GT(whole.of_rms(), 0.5);
-  EXPECT_LT(felt.of_rms(), 0.2);
-}
-
-// Net over gross work of pressing and lifting without rocking. The shares lag, and less the slower it goes.
-TEST_F(RingOnABlock, TakesALittleEnergyFromAHandThatPressesAndLifts) {
-  const auto net_over_gross = [&](int ticks) {
-    TexturedContacts contacts = between(ring_, block_, sampling_);
-    const auto pose = [&](int tick) {
-      return pressed(0.0, 1e-3 - 0.8e-3 * std::cos(2.0 * std::numbers::pi * tick / ticks));
-    };
-    double net_J = 0.0;
-    double gross_J = 0.0;
-    for (int tick = 0; tick < ticks; ++tick) {
-      const Pose from = pose(tick);
-      const Pose to = pose(tick + 1);
-      const Pose half{.rotation = from.rotation,
-                      .position_m = 0.5 * (from.position_m + to.position_m)};
-      const double work_J = glm::dot(wrench_about({}, contacts.find(half, {}, kTick_s)).force_N,
-                                     to.position_m - from.position_m);
-      net_J += work_J;
-      gross_J += std::abs(work_J);
-    }
-    return net_J / gross_J;
-  };
-  const double fast = net_over_gross(400);
-  const double slow = net_over_gross(1600);
-  RecordProperty("net_over_gross", std::to_string(fast) + " " + std::to_string(slow));
-  EXPECT_LT(fast, 0.0);
-  EXPECT_GT(fast, -0.15);
-  EXPECT_LT(slow, 0.0);
-  EXPECT_GT(slow, 0.6 * fast);
-}
-
 TEST(TexturedContacts, OfABoxThatLiesOnAPlateAreOne) {
   const TexturedMesh box = with_grating(BoxShape{{0.008, 0.008, 0.008}},
                                         {.amplitude_m = 0.02e-3, .wavelength_m = 1e-3}, 0.001);
@@ -621,34 +510,6 @@ TEST(TexturedContacts, OfABallThatGoesThroughAThinPlateAreNoDeeperThanItsRadius)
   EXPECT_LT(largest_step_N, 0.23);  // it was 1.56 where the ring of its curve parts
 }
 
-/// A floor, and at x = 0 a wall of that angle and 40 mm.
-TriangleMesh floor_and_wall(double angle_rad) {
-  constexpr double kHigh_m = 40e-3;
-  const double run_m = kHigh_m / std::tan(angle_rad);
-  TriangleMesh step;
-  for (const double y_m : {-10e-3, 10e-3}) {
-    for (const glm::dvec2& place_m : std::array<glm::dvec2, 6>{{{-10e-3, -5e-3},
-                                                                {40e-3, -5e-3},
-                                                                {40e-3, kHigh_m},
-                                                                {run_m, kHigh_m},
-                                                                {0.0, 0.0},
-                                                                {-10e-3, 0.0}}}) {
-      step.vertices_m.push_back({place_m.x, y_m, place_m.y});
-    }
-  }
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    const std::uint32_t next = (i + 1) % 6;
-    step.triangles.push_back({i, next + 6, next});
-    step.triangles.push_back({i, i + 6, next + 6});
-  }
-  for (const auto& [a, b, c] :
-       std::array<std::array<std::uint32_t, 3>, 4>{{{0, 1, 4}, {0, 4, 5}, {1, 2, 4}, {2, 3, 4}}}) {
-    step.triangles.push_back({a, b, c});
-    step.triangles.push_back({a + 6, c + 6, b + 6});
-  }
-  return step;
-}
-
 // A ball that is pressed on the floor and goes into the wall. Along the n of the floor it is as deep as the wall
 // goes up in the window, and along that of the wall as deep as the floor goes on: it was felt 2.9 mm deep and
 // between 0.15 and 5 N. It is about as deep as it is in both, at every angle.
@@ -795,20 +656,6 @@ TEST(TexturedContacts, LeaveOutSheetsThatAreFarFromTheContact) {
   EXPECT_EQ(found[0].penetration.folded, 0);
 }
 
-// Balls as one body.
-TexturedMesh balls_at(std::initializer_list<glm::dvec3> middles_m, double radius_m) {
-  const TriangleMesh one = ball(radius_m, 12, 16);
-  TriangleMesh all;
-  for (const glm::dvec3& middle_m : middles_m) {
-    const auto first = static_cast<std::uint32_t>(all.vertices_m.size());
-    for (const glm::dvec3& vertex_m : one.vertices_m) all.vertices_m.push_back(vertex_m + middle_m);
-    for (const auto& [a, b, c] : one.triangles) {
-      all.triangles.push_back({a + first, b + first, c + first});
-    }
-  }
-  return bare(all);
-}
-
 // Each of two contacts 1 mm wide has a window of 3.2 mm, and sees the other's place too.
 TEST(TexturedContacts, FeelOfTwoSpikesThatAreCloseTheDeeperOneOnce) {
   const TexturedMesh spikes = balls_at({{-0.65e-3, 0.0, 0.3e-3}, {0.65e-3, 0.0, 0.5e-3}}, 0.3e-3);
@@ -862,7 +709,8 @@ TEST(TexturedContacts, FadeTheOneOfTwoBallsThatGoesWhollyIn) {
     before_N = force_N;
     for (const TexturedContact& contact : found) faded += contact.is_fading ? 1 : 0;
   }
-  EXPECT_NEAR(faded, TexturedContacts::kBlend_s / kTick_s - 1.0, 1.0);
+  // From 2.7 to 1.9 N by 4 % of the force in a tick, and by a tenth of its own where that is less.
+  EXPECT_NEAR(faded, 25, 8);
   EXPECT_NEAR(before_N.z, 1.8, 0.1);  // of the other one
 }
 
@@ -873,7 +721,7 @@ TEST(TexturedContacts, RiseOnceADoubtfulDepthIsBelieved) {
   }
   TexturedContacts contacts = between(bare(needle), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
   double before_N = 0.0;
-  for (int tick = 0; tick < 60; ++tick) {
+  for (int tick = 0; tick < 150; ++tick) {
     const auto found = contacts.find(pose_at({0.0, 0.0, 0.00525 - 3e-3}), {}, kTick_s);
     const double force_N = is_felt(found[0]) ? wrench_about({}, found).force_N.z : 0.0;
     EXPECT_LT(std::abs(force_N - before_N), 0.4) << tick;
@@ -907,7 +755,8 @@ TEST(TexturedContacts, RiseWhereABallComesOutAgain) {
       rose += tick > kDown && !contact.is_fading && contact.share < 1.0 ? 1 : 0;
     }
   }
-  EXPECT_NEAR(rose, TexturedContacts::kBlend_s / kTick_s - 1.0, 1.0);
+  EXPECT_GT(rose, TexturedContacts::kBlend_s / kTick_s);
+  EXPECT_LT(rose, 50);
 }
 
 // Four times as many ticks at 4 kHz.
@@ -927,7 +776,7 @@ TEST(TexturedContacts, BlendAndBelieveWithinTheSameTimeAtEveryRate) {
         faded_s += contact.is_fading ? tick_s : 0.0;
       }
     }
-    EXPECT_NEAR(faded_s, TexturedContacts::kBlend_s, 1.5e-3) << tick_s;
+    EXPECT_NEAR(faded_s, 0.025, 1.5e-3) << tick_s;
     TexturedContacts sudden = between(bare(needle), block, hard(0.1e-3));
     double doubted_s = 0.0;
     while (doubted_s < 0.1 &&
@@ -1081,17 +930,6 @@ TEST(TexturedContacts, LeaveTheHeapAlone) {
   EXPECT_GT(found, 20U);
 }
 
-/// Two sheets of that thickness, their middles `gap_m` apart, the upper one's at zero.
-TriangleMesh two_sheets(double thickness_m, double gap_m) {
-  TriangleMesh sheets = box({0.02, 0.02, thickness_m});
-  const TriangleMesh lower = sheets;
-  for (const glm::dvec3& vertex_m : lower.vertices_m) {
-    sheets.vertices_m.push_back(vertex_m - glm::dvec3{0.0, 0.0, gap_m});
-  }
-  for (const auto& [p, q, r] : lower.triangles) sheets.triangles.push_back({p + 8, q + 8, r + 8});
-  return sheets;
-}
-
 // A block through both: its curves are as long as each other, each in the other one's window.
 TEST(TexturedContacts, StayTheOnesTheyWereWhereCurvesAreAsLong) {
   TexturedContacts contacts = between(bare(box({3.135e-3, 2.461e-3, 2.25e-3})),
@@ -1206,9 +1044,9 @@ TEST(TexturedContacts, LoseEnergyWhereABoundedDepthRisesTooSlowly) {
   const double slow = net_over_gross(1600);
   RecordProperty("net_over_gross", std::to_string(fast) + " " + std::to_string(slow));
   EXPECT_LT(fast, -0.1);
-  EXPECT_GT(fast, -0.6);
+  EXPECT_GT(fast, -0.75);
   EXPECT_LT(slow, 0.0);
-  EXPECT_GT(slow, 0.5 * fast);
+  EXPECT_GT(slow, 0.6 * fast);
 }
 
 // The lower sheet comes into the box in which triangles are looked for while the heights of the upper one are

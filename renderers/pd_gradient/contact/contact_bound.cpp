@@ -54,9 +54,8 @@ double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose
 }
 
 // If the deepest place is at a rim, the distance to the end of the body changes with every sample of its motion. Therefore
-// a bound falls at once, and rises at the rate at which doubtful depths are accepted.
+// a bound falls at once, while the previous contact fades, and rises at the rate at which doubtful depths are accepted.
 double TexturedContacts::most_after_m(const TexturedContact& contact) const noexcept {
-  if (contact.is_fading) return std::numeric_limits<double>::infinity();
   for (const TexturedContact& last : before_) {
     if (last.id != contact.id || !is_felt(last) || !last.is_bounded || last.is_fading) continue;
     return last.penetration.depth_m + kReachGrowth_m_per_s * dt_s_;

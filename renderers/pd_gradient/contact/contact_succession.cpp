@@ -7,14 +7,15 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "renderers/pd_gradient/contact/textured_contacts.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kLeastShare = 1e-9;  // smaller shares are rounding
-constexpr double kAlike = 0.1;        // of a force: the change of a share in a millisecond
+constexpr double kAlike = 0.25;                   // of the permitted change of the force
+constexpr double kSteepest = 1.7320508075688772;  // tan 60°, of the surfaces of a contact
 
 }  // namespace
 
@@ -59,8 +60,50 @@ std::size_t TexturedContacts::predecessor_of(std::size_t contact, const Successo
   const TexturedContact& last = before_[predecessor];
   const glm::dvec3 way_m = last.frame.to_frame(deepest_m(now) - last.frame.origin_m);
   const bool was_seen = std::max(std::abs(way_m.x), std::abs(way_m.y)) <= 0.5 * last.grid.width_m;
-  if (!was_seen || (last.id != now.id && !is_felt_on(last, now, a, b))) return kMostContacts;
-  return is_cut_off(last, now, a, b) ? kMostContacts : predecessor;
+  if (!was_seen) return kMostContacts;
+  const bool continues = is_due_to_motion(last, now, a, b) || is_felt_on(last, now, a, b);
+  return continues ? predecessor : kMostContacts;
+}
+
+// How far A has moved at a place of the world since the previous tick, relative to B.
+glm::dvec3 TexturedContacts::way_since_m(const glm::dvec3& now_m, const Pose& a,
+                                         const Pose& b) const noexcept {
+  const glm::dvec3 before_m = a_before_.rotation * in_body(a, now_m) + a_before_.position_m;
+  return now_m - (b.rotation * in_body(b_before_, before_m) + b.position_m);
+}
+
+// Where a place of A is now that was there in the previous tick.
+glm::dvec3 TexturedContacts::now_on_a_m(const glm::dvec3& before_m, const Pose& a) const noexcept {
+  return a.rotation * in_body(a_before_, before_m) + a.position_m;
+}
+
+// The farthest that A has moved since the previous tick relative to B, at the deepest place and at the window's border.
+double TexturedContacts::farthest_way_m(const TexturedContact& contact, const Pose& a,
+                                        const Pose& b) const noexcept {
+  const ContactFrame& frame = contact.frame;
+  const double half_m = 0.5 * contact.grid.width_m;
+  double farthest_m = glm::length(way_since_m(deepest_m(contact), a, b));
+  for (const glm::dvec3& aside : {frame.u, -frame.u, frame.v, -frame.v}) {
+    farthest_m =
+        std::max(farthest_m, glm::length(way_since_m(frame.origin_m + half_m * aside, a, b)));
+  }
+  return farthest_m;
+}
+
+// The change of a force in this tick that is no other contact, for a stiffness of 1 N/m.
+double TexturedContacts::alike_m() const noexcept { return kAlike * permitted_change_m(force_m_); }
+
+// Whether surfaces of at most 60° permit the change of the force. At a low step they do not: its upper side is in the
+// window, and in the displaced configurations of the differences, before the edge of A has come up to it.
+bool TexturedContacts::is_due_to_motion(const TexturedContact& last, const TexturedContact& now,
+                                        const Pose& a, const Pose& b) const noexcept {
+  const double way_m = kSteepest * farthest_way_m(now, a, b);
+  const double depth_m = now.penetration.depth_m;
+  if (std::abs(depth_m - last.penetration.depth_m) > way_m + alike_m()) return false;
+  const glm::dvec3 gradient_before = last.frame.to_world({last.penetration.slope, -1.0});
+  const glm::dvec3 gradient = now.frame.to_world({now.penetration.slope, -1.0});
+  const double most_m = depth_m * way_m / now.filter_m + alike_m();
+  return depth_m * glm::distance(gradient, gradient_before) <= most_m;
 }
 
 // Whether a contact exerts the force of the previous one, extrapolated: its deepest place moves with A relative to B by
@@ -68,19 +111,11 @@ std::size_t TexturedContacts::predecessor_of(std::size_t contact, const Successo
 bool TexturedContacts::is_felt_on(const TexturedContact& last, const TexturedContact& now,
                                   const Pose& a, const Pose& b) const noexcept {
   const ContactFrame frame = continued(last, a, b).frame;
-  const glm::dvec3 place_m = a.rotation * in_body(a_before_, deepest_m(last)) + a.position_m;
-  const glm::dvec3 on_b_m = b.rotation * in_body(b_before_, deepest_m(last)) + b.position_m;
+  const glm::dvec3 way_m = way_since_m(now_on_a_m(deepest_m(last), a), a, b);
   const glm::dvec3 gradient = frame.to_world({last.penetration.slope, -1.0});
-  const double depth_m = last.penetration.depth_m + glm::dot(gradient, place_m - on_b_m);
+  const double depth_m = last.penetration.depth_m + glm::dot(gradient, way_m);
   const glm::dvec3 gradient_now = now.frame.to_world({now.penetration.slope, -1.0});
-  return glm::distance(now.penetration.depth_m * gradient_now, depth_m * gradient) <=
-         kAlike * now.penetration.depth_m + kReachGrowth_m_per_s * dt_s_;
-}
-
-// Whether the bound of a depth changed, so that the depth may fall at once.
-bool TexturedContacts::is_cut_off(const TexturedContact& last, const TexturedContact& now,
-                                  const Pose& a, const Pose& b) const noexcept {
-  return (is_cut_short(last) || is_cut_short(now)) && !is_felt_on(last, now, a, b);
+  return glm::distance(now.penetration.depth_m * gradient_now, depth_m * gradient) <= alike_m();
 }
 
 // After a contact has divided: the part that is nearest to its deepest place and exerts its force inherits its share.
@@ -105,10 +140,7 @@ void TexturedContacts::divide(const TexturedContact& last, std::size_t predecess
 bool TexturedContacts::was_deep(const TexturedContact& contact, const Pose& a,
                                 const Pose& b) const noexcept {
   if (is_first_ || !is_felt(contact)) return false;
-  const glm::dvec3 now_m = deepest_m(contact);
-  const glm::dvec3 before_m = a_before_.rotation * in_body(a, now_m) + a_before_.position_m;
-  const glm::dvec3 on_b_m = b.rotation * in_body(b_before_, before_m) + b.position_m;
-  const glm::dvec3 way_m = contact.frame.to_frame(now_m - on_b_m);
+  const glm::dvec3 way_m = contact.frame.to_frame(way_since_m(deepest_m(contact), a, b));
   if (glm::length(way_m) > 0.5 * contact.grid.width_m) return false;
   const glm::dvec3 gradient{contact.penetration.slope, -1.0};
   return contact.penetration.depth_m - glm::dot(gradient, way_m) > 0.0;
@@ -177,9 +209,9 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
     if (owner[i] != i) {
       contact.share = 0.0;
     } else if (predecessors[i] < kMostContacts) {
-      contact.share = std::min(1.0, before_[predecessors[i]].share + rise_);
+      contact.share = before_[predecessors[i]].share;
     } else if (had_any || was_deep(contact, a, b)) {
-      contact.share = rise_;
+      contact.share = 0.0;
       begun[i] = true;
       parts = true;
     }
@@ -190,45 +222,9 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
   for (std::size_t i = 0; !are_apart && i < before_.size(); ++i) {
     const TexturedContact& last = before_[i];
     const bool continues = successors[i] < now && predecessors[successors[i]] == i;
-    if (!continues && is_felt(last) && last.share > rise_ + kLeastShare) fade(last, a, b);
+    if (!continues && is_felt(last)) fade(last, a, b);
   }
-}
-
-// Adds a fading contact. If its window shows a place that another contact renders, or its bound has changed, it continues
-// at its own place.
-void TexturedContacts::fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept {
-  const std::size_t others = contacts_.size();
-  TexturedContact fading = continued(last, a, b);
-  fading.share = last.share - rise_;
-  fading.is_fading = true;
-  add(fading, a, b);
-  if (contacts_.size() == others) return;
-  const std::span<const TexturedContact> before_it = std::span(contacts_).first(others);
-  TexturedContact& added = contacts_.back();
-  const auto is_at_its_place = [&](const TexturedContact& other) {
-    return other.share > 0.0 && (are_at_one_place(added, other) || shows_place_of(added, other));
-  };
-  if (added.is_doubtful || std::any_of(before_it.begin(), before_it.end(), is_at_its_place)) {
-    added.is_doubtful = !lead_on(added, last, a, b);
-  } else if (is_cut_off(last, added, a, b)) {
-    lead_on(added, last, a, b);
-  }
-  if (!is_felt(added) || added.share <= kLeastShare) contacts_.pop_back();
-}
-
-// Continues a contact as if its deepest place moved with A along the gradient. False if it has moved too far for that.
-bool TexturedContacts::lead_on(TexturedContact& contact, const TexturedContact& last, const Pose& a,
-                               const Pose& b) const noexcept {
-  const glm::dvec3 place_m = a.rotation * in_body(a_before_, deepest_m(last)) + a.position_m;
-  const glm::dvec3 on_b_m = b.rotation * in_body(b_before_, deepest_m(last)) + b.position_m;
-  const glm::dvec3 way_m = contact.frame.to_frame(place_m - on_b_m);
-  if (glm::length(way_m) > kSamePlace * last.grid.spacing_m()) return false;
-  contact.penetration = last.penetration;
-  contact.sampled_depth_m = last.sampled_depth_m;
-  contact.is_bounded = last.is_bounded;
-  contact.penetration.depth_m += glm::dot(glm::dvec3{last.penetration.slope, -1.0}, way_m);
-  contact.penetration.deepest_m = contact.frame.to_frame(place_m - contact.frame.origin_m);
-  return true;
+  change_shares(std::span(owner).first(now));
 }
 
 }  // namespace asperity

@@ -341,7 +341,7 @@ bool has_virtual_coupling(const ParameterValues& values) {
 ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute) {
   ModelDeclaration declaration{
       .id = "pd_gradient",
-      .version = "5",
+      .version = "6",
       .summary = "Two textured meshes in six degrees of freedom: the gradient of penetration depth",
       .source =
           "Otaduy, Jain, Sud, Lin (2004), Haptic display of interaction between textured models, "

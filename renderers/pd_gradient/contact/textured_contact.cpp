@@ -67,8 +67,8 @@ bool are_at_one_place(const TexturedContact& one, const TexturedContact& other) 
          glm::distance(deepest_m(one), deepest_m(other)) <= kSamePlace * cell_m;
 }
 
-bool is_cut_short(const TexturedContact& contact) noexcept {
-  return contact.penetration.depth_m < contact.sampled_depth_m;
+glm::dvec3 force_m(const TexturedContact& contact) noexcept {
+  return contact_wrench(contact.penetration, contact.frame, 1.0).force_N;
 }
 
 bool is_beside_curve(const TexturedContact& contact) noexcept {

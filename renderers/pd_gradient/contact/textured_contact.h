@@ -27,6 +27,7 @@ struct TexturedContact {
   bool is_fading = false;      ///< replaced by another contact; its share falls to 0
   bool is_kept = false;        ///< without a curve; the frame continues from the previous tick
   bool is_coarse = false;      ///< sampled with a longer step than declared
+  double filter_m = 0.0;       ///< the way within which slopes may change: the step, or τ
   double half_height_m = 0.0;  ///< of the box in which its triangles are
   double reach_m = 0.0;        ///< the greatest credible depth
   bool is_doubtful = false;    ///< deeper than that: not rendered
@@ -57,8 +58,8 @@ Pose relative(const Pose& a, const Pose& b) noexcept;
 
 /// The deepest sample, in the world.
 glm::dvec3 deepest_m(const TexturedContact& contact) noexcept;
-/// Whether the depth was reduced to a bound.
-bool is_cut_short(const TexturedContact& contact) noexcept;
+/// The force of the whole contact on A, for a stiffness of 1 N/m.
+glm::dvec3 force_m(const TexturedContact& contact) noexcept;
 /// Whether the deepest sample is outside the square around the contact's curve.
 bool is_beside_curve(const TexturedContact& contact) noexcept;
 

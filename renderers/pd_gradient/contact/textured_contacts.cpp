@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -47,6 +48,7 @@ void TexturedContacts::reset() noexcept {
   before_.clear();
   samplers_.reset();
   left_out_ = {};
+  force_m_ = 0.0;
   is_first_ = true;
   is_inside_ = false;
 }
@@ -219,8 +221,7 @@ void TexturedContacts::set_reach(TexturedContact& contact) const noexcept {
   }
 }
 
-// Submits everything that this tick may need: all regions, and the contacts of the previous tick, which may fade or be
-// kept.
+// Submits everything that this tick may need: all regions, or else the contacts of the previous tick, which may be kept.
 void TexturedContacts::compute(std::span<const ContactRegion* const> regions, const Pose& a,
                                const Pose& b) noexcept {
   computed_->begin();
@@ -231,9 +232,9 @@ void TexturedContacts::compute(std::span<const ContactRegion* const> regions, co
   };
   for (const ContactRegion* region : regions) request(contact_of(*region));
   for (const TexturedContact& last : before_) {
-    if (!is_felt(last) || last.share == 0.0) continue;
+    if (!regions.empty() || !is_felt(last) || last.is_fading || last.share == 0.0) continue;
     TexturedContact contact = continued(last, a, b);
-    contact.is_fading = true;
+    contact.is_kept = true;
     request(contact);
   }
   computed_->submit();
@@ -271,9 +272,9 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   }
   set_reach(contact);
   WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
-  const SamplingGrid& grid = window.sampler.grid();
+  contact.grid = window.sampler.grid();
   const std::optional<Penetration> found = evaluated(contact, window, a, b);
-  if (!found && (contact.is_kept || contact.is_fading)) return;
+  if (!found && contact.is_kept) return;
   contact.penetration = found.value_or(Penetration{});
   contact.is_doubtful = !found || found->depth_m > contact.reach_m;
   left_out_.depths += found && contact.is_doubtful ? 1 : 0;
@@ -290,8 +291,10 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
       contact.is_bounded = true;
     }
   }
-  contact.grid = grid;
   contact.is_coarse = window.is_coarse;
+  const auto* differences = std::get_if<HardMaximum>(&window.law);
+  contact.filter_m =
+      differences != nullptr ? differences->step_m : std::get<SmoothMaximum>(window.law).tau_m;
   contact.origin_in_a_m = in_body(a, contact.frame.origin_m);
   contacts_.push_back(contact);
 }

@@ -93,18 +93,30 @@ struct LeftOut {
 /// without earlier contact has no n and makes no contact; `is_inside` reports this.
 ///
 /// When one contact divides into two, or two merge into one, the sum of their forces would jump, because each has a
-/// separate depth. The force of a contact is therefore multiplied by its `share`, which rises from 0 to 1 or falls within
-/// `kBlend_s`, independently of the length of a tick.
-/// - When contacts merge, the one whose deepest place is that of the new one continues and the others fade,
-///   each with its own window, or, if that shows a place that another one renders, from its own place along its gradient.
+/// separate depth. The force of a contact is therefore multiplied by its `share`, which rises from 0 to 1 or falls, in
+/// no less than `kBlend_s`. All shares together change the force by at most the fraction `kMostChange` of the current
+/// forces in a millisecond, and by `kLeastChange_m` times the stiffness where they are small:
+///
+///   |Σ Δs_i·F_i| ≤ max(0.04·Σ s_i·|F_i|, 5 µm·k)      in a tick of 1 ms or longer; proportionally less in a shorter one
+///
+/// The magnitudes are added, because the contacts of the two sides of a sheet oppose each other: little of their forces is
+/// left there, and a part of that would let a ball fall through.
+///
+/// - When contacts merge, the one whose deepest place is that of the new one continues and the others fade.
 /// - When a contact divides, the part with its deepest place continues and the others rise.
-/// - A contact continues under another id, or with another bound, only if its force agrees with that of the previous one,
-///   to a tenth and the growth of depth in the time; otherwise the old one fades and the new one rises.
+/// - A contact continues only if its force is the previous one moved along its gradient, to a quarter of the permitted
+///   change; or if surfaces of at most 60° permit the changes of depth and slopes by the motion: |Δδ| ≤ tan 60°·|Δx|,
+///   |Δ∇δ| ≤ tan 60°·|Δx| / step. Otherwise the old one fades and the new one rises.
+///   This is so where a contact has another id, n or bound, and at a step of the surface: its upper side is in the window
+///   and within the step of the differences before the tool is at it.
+/// - A contact that fades moves with A along its gradient, and never becomes deeper: it takes energy and gives none. Two
+///   that fade under one id are one with the sum of their forces.
 /// - A doubtful contact that becomes credible rises; a rendered contact fades when it becomes doubtful or loses its
 ///   curve while the bodies intersect or contain each other, as one ball of two that enters completely.
 /// - Places that a wider window adds rise, and also a new contact that would have been rendered in the previous tick,
 ///   given the motion of its deepest place: it comes out of the other body, where it was not rendered.
 /// - A contact that begins has its whole force at once, from the depth of its first tick.
+/// - Bodies that are apart have no force from the next tick on, also where the tool leaves the surface over an edge.
 /// The sum of the shares never exceeds the number of contacts before or after, nor 1 at one place, except while a share
 /// is fading there. During that time the force also depends on time: it lags, and takes energy from a hand that presses
 /// contacts together and lifts them apart. On every measured path without bounded depths, it took energy and never gave
@@ -125,11 +137,16 @@ class TexturedContacts final {
  public:
   static constexpr std::size_t kMostPairs = 4096;
   static constexpr std::size_t kMostContacts = 16;
-  static constexpr std::size_t kMostComputed = 2 * kMostContacts;  ///< of ComputedContacts: also those of the last tick
+  static constexpr std::size_t kMostComputed =
+      2 * kMostContacts;  ///< of ComputedContacts: also those of the last tick
   static constexpr std::size_t kMostTriangles = 8192;  ///< of a body in one window
   static constexpr double kReachGrowth_m_per_s = 0.1;
   static constexpr double kBlend_s =
       0.010;  ///< too short to be perceived as a delay, too long to be perceived as an impact
+  /// Of the force, in a tick of 1 ms: less than the differences in force that people perceive, 7 to 10 %.
+  static constexpr double kMostChange = 0.04;
+  static constexpr double kLeastChange_m =
+      5e-6;  ///< the same for small forces, times the stiffness
 
   /// With `computed`, made for the same bodies, contacts are evaluated there; where it has no answer, as without it.
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
@@ -182,8 +199,6 @@ class TexturedContacts final {
   std::span<const TexturedContact> felt_once() noexcept;
   void blend(const Pose& a, const Pose& b, bool are_apart) noexcept;
   void fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept;
-  bool lead_on(TexturedContact& contact, const TexturedContact& last, const Pose& a,
-               const Pose& b) const noexcept;
   /// For each contact of the previous tick, the present one at its place.
   using Successors = std::array<std::size_t, kMostContacts>;
   std::size_t successor_of(const TexturedContact& last) const noexcept;
@@ -191,8 +206,15 @@ class TexturedContacts final {
                              const Pose& b) const noexcept;
   bool is_felt_on(const TexturedContact& last, const TexturedContact& now, const Pose& a,
                   const Pose& b) const noexcept;
-  bool is_cut_off(const TexturedContact& last, const TexturedContact& now, const Pose& a,
-                  const Pose& b) const noexcept;
+  bool is_due_to_motion(const TexturedContact& last, const TexturedContact& now, const Pose& a,
+                        const Pose& b) const noexcept;
+  double farthest_way_m(const TexturedContact& contact, const Pose& a,
+                        const Pose& b) const noexcept;
+  glm::dvec3 way_since_m(const glm::dvec3& now_m, const Pose& a, const Pose& b) const noexcept;
+  glm::dvec3 now_on_a_m(const glm::dvec3& before_m, const Pose& a) const noexcept;
+  double alike_m() const noexcept;
+  double permitted_change_m(double force_m) const noexcept;
+  void change_shares(std::span<const std::size_t> owner) noexcept;
   double share_before(const TexturedContact& contact) const noexcept;
   Successors owners() const noexcept;
   bool was_deep(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
@@ -220,6 +242,7 @@ class TexturedContacts final {
   LeftOut left_out_{};
   double dt_s_ = 0.0;       // of this call
   double rise_ = 0.0;       // of a share, in it
+  double force_m_ = 0.0;    // of all contacts in the last tick, for a stiffness of 1 N/m
   double thinner_m_ = 0.0;  // the thickness of the thinner body
   glm::dvec3 a_in_b_before_m_{0.0};
   bool is_first_ = true;
