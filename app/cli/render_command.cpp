@@ -134,6 +134,10 @@ void tell_limits(const ForceModel& model, const ForceRenderer& renderer, std::si
     if (limit.ticks == 0 || limit.name == "contact") continue;
     std::cerr << limit.name << ", number of ticks: " << limit.ticks << " of " << ticks
               << "; see \"Counted conditions\" in docs/models/" << model.declaration.id << ".md\n";
+    if (limit.name == "wholly_inside") {
+      std::cerr << "In these ticks the tool is completely inside the surface, where it has no "
+                   "force; begin the path outside the surface\n";
+    }
   }
 }
 

@@ -11,6 +11,7 @@ namespace asperity {
 namespace {
 
 // The rate at which displayed numbers are refreshed, slow enough to be read.
+constexpr double kUnexplained_s = 0.5;  // a shorter silence needs no explanation
 constexpr std::int64_t kHealthEvery_ns = 250'000'000;
 
 }  // namespace
@@ -150,6 +151,7 @@ void SessionCourse::publish_now() {
   const std::int64_t now = now_ns();
   const Fault fault = rig_.loop().status().fault;
   const double contact_s = recorder_.live().contact_s;
+  const bool is_inside = recorder_.live().silent_s >= kUnexplained_s;
   std::optional<LoopHealth> health{};
   if (now - health_shown_ns_ >= kHealthEvery_ns || health_shown_ns_ == 0) {
     health_shown_ns_ = now;
@@ -163,6 +165,7 @@ void SessionCourse::publish_now() {
     snapshot.hand = hand;
     snapshot.fault = fault;
     snapshot.masking = masking;
+    snapshot.is_inside = is_inside;
     if (snapshot.surface != 0) snapshot.contact_s = contact_s;
     if (health) snapshot.health = *health;
   });

@@ -144,6 +144,8 @@ struct SessionSnapshot {
   int surface = 0;            ///< position, from 1; 0 while none is felt
   double contact_s = 0.0;     ///< with the current surface
   double wanted_contact_s = 0.0;
+  /// The surface appeared around the probe, which has not left it yet: there is no force.
+  bool is_inside = false;
   HandSoFar hand{};  ///< kept until the next attempt begins
   int block = 0;     ///< 1-based; 0 outside blocks
   int blocks = 0;

@@ -93,6 +93,26 @@ TEST(Contact, IsTheSameForEveryNumberAndDisplay) {
   EXPECT_NEAR(curves.contacts.front().end_s, 0.010, 1e-12);
 }
 
+TEST(Recorder, CountsHowLongASurfaceThatAppearedAroundTheProbeIsSilent) {
+  Recorder recorder;
+  RecordRing ring(64);
+  recorder.begin(nullptr, 1000.0, ring);
+  recorder.watch(1);
+  const auto silent_s = [&](double penetration_m, double gain) {
+    TickRecord record{};
+    record.presentation = 1;
+    record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
+    record.penetration_m = penetration_m;
+    record.gain = gain;
+    ring.push(record);
+    recorder.drain(ring);
+    return recorder.live().silent_s;
+  };
+  for (int tick = 1; tick <= 5; ++tick) EXPECT_NEAR(silent_s(1e-3, 0.0), 1e-3 * tick, 1e-12);
+  EXPECT_EQ(silent_s(0.0, 0.0), 0.0);
+  EXPECT_EQ(silent_s(1e-3, 0.5), 0.0);
+}
+
 /// Two patches of 47 mm in a workspace of 100 mm, whose border fades over 5 mm; between them 6 mm.
 std::vector<SurfacePatch> two_patches(bool along_x) {
   std::vector<SurfacePatch> patches(2);

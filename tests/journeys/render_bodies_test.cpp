@@ -161,6 +161,7 @@ TEST_F(RenderBodies, SaysWhenThePathBeginsWhollyInside) {
   const Outcome inside = render({{.z_m = 0.0}, {.z_m = -0.0001}}, bodies);
   EXPECT_EQ(inside.status, 0);
   EXPECT_THAT(inside.err, HasSubstr("wholly_inside, number of ticks: 2 of 2"));
+  EXPECT_THAT(inside.err, HasSubstr("no force; begin the path outside the surface"));
   EXPECT_EQ(last("fz_N"), 0.0);
   const Outcome above = render({{.z_m = 0.0135}, {.z_m = 0.0128}}, bodies);
   EXPECT_GT(last("fz_N"), 0.0);

@@ -53,7 +53,7 @@ void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts
   const bool is_heard =
       snapshot.masking != MaskingState::silent && snapshot.masking != MaskingState::no_card;
   const bool fine = is_heard && h.missed_deadlines == 0 && h.lost_records == 0 &&
-                    snapshot.fault == Fault::none &&
+                    snapshot.fault == Fault::none && !snapshot.is_inside &&
                     std::abs(h.rate_Hz - asked_Hz) <= kRateTolerance * asked_Hz;
   QStringList parts{
       tr("%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated")
@@ -63,6 +63,9 @@ void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts
           .arg(h.missed_deadlines)
           .arg(h.lost_records)
           .arg(h.saturated_ticks)};
+  if (snapshot.is_inside) {
+    parts += tr("the probe is inside the surface: no force until it has left the surface");
+  }
   if (const QString noise = text_of(snapshot.masking); !noise.isEmpty()) parts += noise;
   health_->set_state(fine ? State::fine : State::look, parts.join(" · "));
 }

@@ -9741,6 +9741,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>masking noise from another source (measured)</source>
         <translation>Maskierrauschen aus einer anderen Quelle (gemessen)</translation>
     </message>
+    <message>
+        <source>the probe is inside the surface: no force until it has left the surface</source>
+        <translation>die Sonde ist in der Oberfläche: keine Kraft, bis sie die Oberfläche verlassen hat</translation>
+    </message>
 </context>
 <context>
     <name>asperity::HistoryTables</name>

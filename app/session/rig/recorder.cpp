@@ -35,8 +35,11 @@ void Recorder::drain(RecordRing& records, std::int64_t ahead_ns) {
       live_.presented = true;
       live_.touching = is_in_contact(record);
       if (live_.touching) live_.contact_s += 1.0 / rate_Hz_;
+      const bool is_silent = live_.touching && record.gain == 0.0;
+      live_.silent_s = is_silent ? live_.silent_s + 1.0 / rate_Hz_ : 0.0;
     } else {
       live_.touching = false;
+      live_.silent_s = 0.0;
     }
     if (writer_ && !write_error_) {
       try {

@@ -23,6 +23,8 @@ struct LiveContact {
   double contact_s = 0.0;
   bool touching = false;
   bool presented = false;  ///< the servo has taken the surface
+  /// For how long the probe has been in the surface without a force: the surface appeared around it, and it has not left it.
+  double silent_s = 0.0;
 };
 
 /// Takes the records out of the ring between `begin` and `finish`, and discards them at other

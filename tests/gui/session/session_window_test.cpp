@@ -576,6 +576,17 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
                   .endsWith(" · the sound card produces no sound: no masking noise"));
 }
 
+TEST(SessionWindow, StatesWhyASurfaceThatAppearedAroundTheProbeHasNoForce) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  session.monitor.update([](SessionSnapshot& s) { s.is_inside = true; });
+  const auto window = session.window();
+  const QString health = child<QLabel>(*window, "health").text();
+  EXPECT_TRUE(health.contains("the probe is inside the surface: no force until it has left"));
+  EXPECT_TRUE(health.contains("▲"));
+}
+
 TEST(SessionWindow, SaysFromWhenTheTimeOfAnAnswerCounts) {
   FilledMonitor session{};
   session.answer_up_to(16);
