@@ -75,7 +75,9 @@ RatingModels::RatingModels()
               phrase("Analysis",
                      "Difference of the ratings, relative to the reference, with 95 % CIs: items "
                      "as fixed effects, participants as random intercepts, REML, Satterthwaite’s "
-                     "degrees of freedom. Every response counts. The p values are uncorrected.")} {}
+                     "degrees of freedom. Every response counts. The p values are uncorrected and "
+                     "slightly too small: in simulations in which neither items nor participants "
+                     "differed the Type I error rate at α = .05 was up to 7 %.")} {}
 
 void RatingModels::add(const GatheredAnswers& gathered, const RatedScale& scale, StudyTests& tests,
                        AnalysisOutcome& outcome) {

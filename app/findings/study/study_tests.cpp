@@ -424,7 +424,13 @@ Phrase StudyTests::note_on_columns(std::string_view left_out) const {
   std::string pooled{};
   bool has_interval = false;
   bool has_epsilon = false;
-  std::vector<Phrase> coverages{};
+  std::vector<Phrase> simulated{};
+  const auto add_simulated = [&simulated](const Phrase& sentence) {
+    if (sentence.empty()) return;
+    if (std::find(simulated.begin(), simulated.end(), sentence) == simulated.end()) {
+      simulated.push_back(sentence);
+    }
+  };
   const auto add_symbol = [&symbols](std::string_view symbol, const Phrase& name) {
     const bool is_known = std::any_of(symbols.begin(), symbols.end(),
                                       [symbol](const auto& one) { return one.first == symbol; });
@@ -434,15 +440,12 @@ Phrase StudyTests::note_on_columns(std::string_view left_out) const {
     if (!test.p || test.made_by == nullptr || test.name == left_out) continue;
     if (test.statistic) add_symbol(test.made_by->symbol, test.made_by->symbol_name);
     has_epsilon = has_epsilon || test.epsilon;
+    add_simulated(test.made_by->size);
     if (!test.effect) continue;
     const std::string_view symbol = test.made_by->effect_symbol;
     add_symbol(symbol, test.made_by->effect_name);
     has_interval = has_interval || test.effect->low;
-    const Phrase& coverage = test.made_by->coverage;
-    if (test.effect->low && !coverage.empty() &&
-        std::find(coverages.begin(), coverages.end(), coverage) == coverages.end()) {
-      coverages.push_back(coverage);
-    }
+    if (test.effect->low) add_simulated(test.made_by->coverage);
     const bool is_named = pooled.find(symbol) != std::string::npos;
     if (!test.effect->takes_trials_as_independent || is_named) continue;
     pooled += (pooled.empty() ? "" : ", ") + std::string(symbol);
@@ -462,7 +465,7 @@ Phrase StudyTests::note_on_columns(std::string_view left_out) const {
         "ε: factor by which both degrees of freedom are multiplied (Greenhouse and Geisser)."));
   }
   if (has_interval) add(phrase("Analysis", "Brackets: 95 % CI."));
-  for (const Phrase& coverage : coverages) add(coverage);
+  for (const Phrase& sentence : simulated) add(sentence);
   if (!pooled.empty()) {
     add(phrase("Analysis", "Estimated from trials as if they were independent: %1.").with(pooled));
   }

@@ -1,0 +1,122 @@
+// The Type I error rates that stand next to the p values of the mixed models of ratings are those of the simulations.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/study_tests.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The greatest Type I error rate in percent over the designs of a part of docs/data/coverage.tsv. An interval of an effect that is 0 has that of
+/// the test that it inverts: the proportion of tables in which it does not contain 0.
+class SimulatedSize {
+ public:
+  SimulatedSize(const std::string& part, const std::string& quantity) {
+    std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/data/coverage.tsv");
+    for (std::string line{}; std::getline(file, line);) {
+      std::istringstream cells(line);
+      std::vector<std::string> row{};
+      for (std::string cell{}; std::getline(cells, cell, '\t');) row.push_back(cell);
+      if (row.size() < 15 || row[0] != part || row[3] != "0" || row[6] != quantity) continue;
+      const double rejected =
+          row[5] == "test" ? std::stod(row[13]) : std::stod(row[11]) + std::stod(row[12]);
+      double& greatest = row[1] == "2" ? of_two_ : of_more_;
+      greatest = std::max(greatest, 100.0 * rejected / std::stod(row[10]));
+    }
+  }
+  /// "up to 7 %"
+  std::string of_two() const { return words_of(of_two_); }
+  std::string of_more() const { return words_of(of_more_); }
+  std::string of_all() const { return words_of(std::max(of_two_, of_more_)); }
+
+ private:
+  static std::string words_of(double percent) {
+    return "up to " + std::to_string(std::lround(percent)) + " %";
+  }
+  double of_two_ = 0.0;
+  double of_more_ = 0.0;
+};
+
+/// Four participants rate two items on this scale.
+AnalysisOutcome ratings_on(const std::string& scale) {
+  MadeUpStudy made{};
+  const std::int64_t protocol =
+      made.add_protocol("made", "rating",
+                        R"({"kind": "rating", "blocks": {"only": {"question":
+          {"name": "rough", "prompt": "How rough?", "scale": )" +
+                            scale + "}}}}");
+  int person = 0;
+  for (const auto& [wood, stone] : {std::pair{1, 3}, {3, 2}, {2, 4}, {4, 7}}) {
+    std::vector<MadeUpTrial> trials{};
+    for (const auto& [item, rating] : {std::pair{"wood", wood}, {"stone", stone}}) {
+      MadeUpTrial& trial = trials.emplace_back();
+      trial.surfaces = {surface_of(item, "height_map", item)};
+      trial.questions = {"rough"};
+      trial.answers = {std::to_string(rating)};
+    }
+    const std::string label = "p" + std::to_string(++person);
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials);
+  }
+  return analyze_study(made.study(), std::nullopt, {}).at(0);
+}
+
+std::string note_below(const AnalysisOutcome& outcome, std::string_view name) {
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name == name) return table.note.english();
+  }
+  throw std::runtime_error("no table " + std::string(name));
+}
+
+constexpr const char* kLinearTest = "The F test of the linear mixed model";
+constexpr const char* kOrdinalTest = "The likelihood-ratio test of the cumulative link mixed model";
+
+TEST(RatingModel, StatesTheSizeOfItsTestsOnAContinuousScale) {
+  const AnalysisOutcome outcome = ratings_on(R"({"minimum": 0, "maximum": 10})");
+  EXPECT_THAT(note_below(outcome, "mixed_model"),
+              HasSubstr("neither items nor participants differed the Type I error rate at "
+                        "α = .05 was " +
+                        SimulatedSize("continuous_scale", "lmm.beta").of_all() + '.'));
+  const std::string tests = note_below(outcome, StudyTests::kTable);
+  EXPECT_THAT(tests, HasSubstr(std::string(kLinearTest) +
+                               " is slightly liberal: in simulations without differences, its "
+                               "Type I error rate at α = .05 was " +
+                               SimulatedSize("continuous_scale", "lmm.F.p").of_all() + '.'));
+  EXPECT_THAT(tests, Not(HasSubstr(kOrdinalTest)));
+}
+
+TEST(RatingModel, StatesTheSizeOfItsTestsOnOrderedCategories) {
+  const AnalysisOutcome outcome = ratings_on(R"({"minimum": 1, "maximum": 7, "points": 7})");
+  EXPECT_THAT(note_below(outcome, "ordinal"),
+              HasSubstr("without differences the Type I error rate at α = .05 was " +
+                        SimulatedSize("ordered_categories", "wald.p").of_all() + '.'));
+  const SimulatedSize ratio("ordered_categories", "lr.p");
+  const std::string tests = note_below(outcome, StudyTests::kTable);
+  EXPECT_THAT(tests,
+              HasSubstr(std::string(kOrdinalTest) +
+                        " is slightly liberal: in simulations without differences, its "
+                        "Type I error rate at α = .05 was " +
+                        ratio.of_more() + ", and " + ratio.of_two() + " with two participants."));
+  EXPECT_THAT(tests, Not(HasSubstr(kLinearTest)));
+}
+
+}  // namespace
+}  // namespace asperity
