@@ -244,7 +244,8 @@ std::span<const CoveragePart> agreement_parts() {
                    .draw = draw_ratings,
                    .findings = icc_findings,
                    .intervals = rating_intervals,
-                   .tests = rating_tests},
+                   .tests = rating_tests,
+                   .tables = 10000},
       CoveragePart{.name = "repetitions",
                    .model = "proportions correct in 3 repetitions (of 20 trials: 4); a "
                             "participant's logit is normal and the same in all of them",

@@ -215,7 +215,8 @@ std::span<const CoveragePart> detection_parts() {
                    .draw = draw_sensitivities,
                    .findings = dprime_findings,
                    .intervals = sensitivity_intervals,
-                   .tests = no_tests},
+                   .tests = no_tests,
+                   .tables = 10000},
       CoveragePart{.name = "choices_of_three",
                    .model = "one participant with as many trials as the design has in all: the "
                             "strongest of three (3AFC), and the different one of three (oddity, "

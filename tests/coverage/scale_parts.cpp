@@ -310,7 +310,8 @@ std::span<const CoveragePart> scale_parts() {
                    .draw = draw_pairs,
                    .findings = paired_findings,
                    .intervals = pair_intervals,
-                   .tests = pair_tests},
+                   .tests = pair_tests,
+                   .tables = 10000},
       CoveragePart{.name = "worths",
                    .model = "the best of three items; a participant's utilities are normal, and "
                             "the choice follows Luce's rule",
