@@ -10,8 +10,8 @@ namespace asperity {
 
 namespace {
 
-// The rate at which displayed numbers are refreshed, slow enough to be read.
 constexpr double kUnexplained_s = 0.5;  // a shorter silence needs no explanation
+// The rate at which displayed numbers are refreshed, slow enough to be read.
 constexpr std::int64_t kHealthEvery_ns = 250'000'000;
 
 }  // namespace

@@ -110,8 +110,8 @@ std::string rating_methods_text(const AnalysisOutcome& outcome) {
         "[Shrout 1979].");
   }
   if (!numbers_of_rating(outcome, kReliabilityAnalysis, "icc.mean").empty()) {
-    add("Reliability over repetitions is the mean over participants of ICC(3,1) of their own "
-        "ratings.");
+    add("Reliability over repetitions is the mean over participants of the ICC(3,1) of a "
+        "participant’s ratings.");
   }
   if (!numbers_of_rating(outcome, kConstructAnalysis, "cronbach.alpha").empty()) {
     add("Cronbach’s α of the scales of a construct was computed over the combinations of a "
