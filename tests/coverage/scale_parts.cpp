@@ -321,7 +321,8 @@ std::span<const CoveragePart> scale_parts() {
                    .draw = draw_best_of_three,
                    .findings = ranking_findings,
                    .intervals = best_of_three_intervals,
-                   .tests = best_of_three_tests},
+                   .tests = best_of_three_tests,
+                   .tables = 10000},
       CoveragePart{
           .name = "magnitudes",
           .model = "seven spacings; the logarithm of an estimate is a quadratic function of the "
@@ -332,7 +333,8 @@ std::span<const CoveragePart> scale_parts() {
           .draw = draw_estimates,
           .findings = magnitude_findings,
           .intervals = estimate_intervals,
-          .tests = estimate_tests},
+          .tests = estimate_tests,
+          .tables = 10000},
       CoveragePart{.name = "exponents",
                    .model = "five stimuli and a standard with a modulus; the logarithm of an "
                             "estimate is linear in that of the predictor, with each participant's "
