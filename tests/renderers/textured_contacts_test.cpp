@@ -252,9 +252,10 @@ TEST_F(BallAroundALoop, DoesNoNetWorkInTheLimitOfSmallSteps) {
 }
 
 TEST_F(BallAroundALoop, DoesHardlyAnyWithTheSmoothMaximum) {
-  // The window goes along with the ball, and its samples meet the texture elsewhere each time.
+  // The window goes along with the ball, and its samples meet the texture elsewhere each time: what is left depends on the ticks
+  // in which heights are renewed.
   EXPECT_LT(net_over_gross({.law = SmoothMaximum{.tau_m = 20e-6}, .cell_m = kWavelength_m / 60.0}),
-            3e-5);
+            5e-5);
 }
 
 TEST(TexturedContacts, AreContinuousAlongASlowPath) {
