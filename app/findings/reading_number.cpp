@@ -177,6 +177,14 @@ std::string reading_signed(double value, int decimals) {
   return (value < 0.0 && !is_nothing ? "−" : "") + text;
 }
 
+int decimals_of(double size) {
+  constexpr int kFewest = 2;
+  constexpr int kMost = 5;
+  if (!(size > 0.0) || !std::isfinite(size)) return kFewest;
+  constexpr double kRounding = 1e-9;  // of a width that is a power of ten but for it
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(size) + kRounding)), kFewest, kMost);
+}
+
 std::string reading_bounded(double value, int decimals) {
   std::string text = reading_signed(value, decimals);
   const std::size_t digits = text.find_first_of("0123456789");

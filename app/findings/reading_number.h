@@ -26,6 +26,10 @@ std::string reading_percent(double share);
 /// sign.
 std::string reading_signed(double value, int decimals);
 
+/// The decimals of a number whose interval has this width, or of a standard error or other number of this size: as many as show two
+/// significant digits of it, but at least two and at most five. "0.93 [0.87, 0.99]", "1.0012 [0.9993, 1.0031]".
+int decimals_of(double size);
+
 /// This many decimals of a number that cannot exceed 1, such as a correlation: without the zero
 /// before the point, in APA style: ".71", "−.10", "1.00".
 std::string reading_bounded(double value, int decimals = 2);

@@ -23,10 +23,11 @@ std::optional<double> number_of(const Cell& cell);
 /// rows is unchanged.
 void drop_empty_columns(Table& table, std::size_t kept);
 
-/// The same table with its numbers rounded to their significant digits (a proportion to two
-/// decimals, a force to a millinewton, a length to ten micrometres, a p to three decimals or "<
-/// .001"), and `x_low` and `x_high` combined in one column: "[0.36, 0.81]". Numbers are rounded
-/// here and nowhere before. Integers stay numbers; everything else becomes text or missing.
+/// The same table with its numbers rounded to their significant digits, and `x_low` and `x_high` combined in one column: "[0.36,
+/// 0.81]". A force is rounded to a millinewton, a length to ten micrometres, a p to three decimals or "< .001", a test statistic to
+/// two decimals; all other numbers of a quantity, with their intervals and standard errors, to the same number of decimals:
+/// `decimals_of` the narrowest interval, or without intervals two and more for small numbers. Numbers are rounded here and
+/// nowhere before. Integers stay numbers; everything else becomes text or missing.
 Table reading_table(const Table& table);
 
 }  // namespace asperity

@@ -300,7 +300,7 @@ TEST(ExplorationModel, FindsAPlantedTrendAndCondition) {
   EXPECT_LT(response.number("ratio_low"), 1.0);
   EXPECT_GT(response.number("ratio_high"), 1.0);
   EXPECT_THAT(exploration_table(outcome, kExplorationModel)->note.english(),
-              HasSubstr("Contact time changes by a factor of 0.6"));
+              HasSubstr("Contact time changes by a factor of 0.597 "));
 }
 
 // Every p is in the table, so that reports do not list it among the tests that no table has.

@@ -224,12 +224,34 @@ bool agree(const std::string& stored, const std::string& now) {
              std::max(kRounding, kTolerance * std::max(std::abs(*a), std::abs(*b)));
 }
 
-/// Whether all numbers of a row of a report are in another, in the same order; ".33" is the number "0.33".
+/// The place value of the last digit of a printed number, 0.01 of "0.30"; nothing for a whole number.
+std::optional<double> last_place(const std::string& number) {
+  const std::size_t exponent = std::min(number.find('e'), number.size());
+  const std::size_t point = number.find('.');
+  if (exponent == number.size() && point == std::string::npos) return {};
+  const double power =
+      number_in(number.substr(std::min(exponent + 1, number.size()))).value_or(0.0);
+  const auto decimals = point < exponent ? static_cast<double>(exponent - point - 1) : 0.0;
+  return std::pow(10.0, power - decimals);
+}
+
+/// Whether printed numbers are the same but for rounding: "0.0039" is "0.00388" with fewer digits.
+bool agree_as_printed(const std::string& stored, const std::string& now) {
+  if (agree(stored, now)) return true;
+  const std::optional<double> a = last_place(stored);
+  const std::optional<double> b = last_place(now);
+  if (!a || !b) return false;
+  const double place = std::max(*a, *b);
+  return std::abs(*number_in(stored) - *number_in(now)) <= (0.5 + kTolerance) * place;
+}
+
+/// Whether all numbers of a row of a report are in another, in the same order, with more or fewer digits; ".33" is the number
+/// "0.33".
 bool holds_in_order(const std::string& now, const std::string& stored) {
   std::size_t found = 0;
   const std::vector<std::string> wanted = split(stored, ' ');
   for (const std::string& number : split(now, ' ')) {
-    if (found < wanted.size() && agree(wanted[found], number)) ++found;
+    if (found < wanted.size() && agree_as_printed(wanted[found], number)) ++found;
   }
   return found == wanted.size();
 }

@@ -98,6 +98,21 @@ TEST(Numbers, OfAReportMayHaveOthersBetween) {
               IsEmpty());
 }
 
+TEST(Numbers, OfAReportMayHaveMoreOrFewerDigits) {
+  const auto differ = [](const std::string& stored, const std::string& now) {
+    const auto row = [](const std::string& cell) {
+      return numbers_of_report("<tr><td class=\"n\">" + cell + "</td></tr>");
+    };
+    return !differences(row(stored), row(now)).empty();
+  };
+  EXPECT_FALSE(differ("0.00388", "0.0039"));
+  EXPECT_FALSE(differ("0.01", "0.0094"));
+  EXPECT_FALSE(differ("5.2e-04", "0.00052"));
+  EXPECT_TRUE(differ("0.00388", "0.0038"));
+  EXPECT_TRUE(differ("0.30", "0.306"));
+  EXPECT_TRUE(differ("3", "3.4")) << "counts are whole";
+}
+
 TEST(Corrections, ChangeOneCellWithAReason) {
   Numbers stored = kStored;
   correct(stored, read_corrections("# TABLE ROW COLUMN WAS IS REASON\n"

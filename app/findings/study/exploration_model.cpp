@@ -200,7 +200,8 @@ class ModelTable final {
 void add_change_sentence(const ModelledTimes& times, const Phrase& sentence, const Finding* ratio,
                          Phrase& note) {
   if (ratio == nullptr || !ratio->low || !ratio->high) return;
-  const auto digits = [](double value) { return reading_signed(value, 2); };
+  const int decimals = decimals_of(*ratio->high - *ratio->low);
+  const auto digits = [decimals](double value) { return reading_signed(value, decimals); };
   note = phrase("Analysis", "%1 %2")
              .with(note, Phrase(sentence).with(times.name, digits(*ratio->value),
                                                digits(*ratio->low), digits(*ratio->high)));

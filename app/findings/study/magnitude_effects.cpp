@@ -43,7 +43,8 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
       if (const auto spacing_m = number_in(*name)) *name = reading_quantity(*spacing_m, "m");
     }
   }
-  const std::string ratio = fixed(std::pow(10.0, std::abs(*most->value)), 2);
+  const double times = std::pow(10.0, std::abs(*most->value));
+  const std::string ratio = fixed(times, 2);
   if (levels.size() > 2) {
     return phrase("Analysis", "%1 was roughest and %2 least rough (ratio of geometric means: %3)")
         .with(names.first, names.second, ratio);
@@ -54,9 +55,10 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
   }
   const double low = std::pow(10.0, is_turned ? -*most->high : *most->low);
   const double high = std::pow(10.0, is_turned ? -*most->low : *most->high);
+  const int decimals = decimals_of(high - low);
   return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (%4 % CI [%5, %6])")
-      .with(names.first, names.second, ratio, fixed(100.0 * *most->confidence, 0), fixed(low, 2),
-            fixed(high, 2));
+      .with(names.first, names.second, fixed(times, decimals), fixed(100.0 * *most->confidence, 0),
+            fixed(low, decimals), fixed(high, decimals));
 }
 
 /// "F(1, 3) = 20.30, partial η² = .87, p = .020, Holm-corrected". Nothing where one of the numbers

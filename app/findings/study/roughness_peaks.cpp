@@ -163,11 +163,13 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
     const Finding* ratio = found.find("peakratio", test.about);
     if (ratio == nullptr || !ratio->value || !ratio->low || !ratio->high) continue;
     const std::size_t bar = test.about.find('|');
+    const int decimals = decimals_of(*ratio->high - *ratio->low);
     const Phrase numbers =
         phrase("Analysis",
                "the peak of %1 is at %2 times the spacing of the peak of %3 (95 % CI [%4, %5])")
-            .with(test.about.substr(0, bar), fixed(*ratio->value, 2), test.about.substr(bar + 1),
-                  fixed(*ratio->low, 2), fixed(*ratio->high, 2));
+            .with(test.about.substr(0, bar), fixed(*ratio->value, decimals),
+                  test.about.substr(bar + 1), fixed(*ratio->low, decimals),
+                  fixed(*ratio->high, decimals));
     const Phrase one =
         phrase("Analysis", "%1, %2, %3")
             .with(numbers, statistic_text("t", test.degrees, *test.statistic), p_text(test));
