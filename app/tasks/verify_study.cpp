@@ -90,6 +90,12 @@ std::int64_t ticks_without_compute(const RecordedSurface& surface) {
   return found == limits.end() ? 0 : found->ticks;
 }
 
+void keep_largest(std::map<std::string, double>& largest_N, const std::string& of,
+                  double difference_N) {
+  double& known_N = largest_N[of];
+  known_N = std::max(known_N, difference_N);
+}
+
 /// The problems of one session.
 struct SessionFaults {
   struct Failure {
@@ -232,8 +238,7 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
             maker.compute && surface.stimulus.model->declaration.needs_bodies;
         // The processor keeps heights, whose errors the device does not have.
         if (computed_then && (!compute || ticks_without_compute(surface) > 0)) {
-          double& largest_N = faults.differences_by_device_N[described(*maker.compute)];
-          largest_N = std::max(largest_N, difference_N);
+          keep_largest(faults.differences_by_device_N, described(*maker.compute), difference_N);
           continue;
         }
         const bool exact = maker.is_this_program &&
@@ -251,12 +256,11 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
         if (difference_N <= tolerance_N) continue;
         const ModelDeclaration& declaration = surface.stimulus.model->declaration;
         if (surface.row.model_version != declaration.version) {
-          double& largest_N =
-              faults.differences_by_version_N["forces of " + declaration.id +
-                                              " that were recorded with its version " +
-                                              surface.row.model_version +
-                                              " and replayed with version " + declaration.version];
-          largest_N = std::max(largest_N, difference_N);
+          keep_largest(faults.differences_by_version_N,
+                       "forces of " + declaration.id + " that were recorded with its version " +
+                           surface.row.model_version + " and replayed with version " +
+                           declaration.version,
+                       difference_N);
           continue;
         }
         std::string sentence = name + ", surface " + std::to_string(surface.row.position) + " (" +
@@ -493,12 +497,10 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
     without_plugin += faults.recordings_without_plugin;
     with_stated_levels += faults.has_stated_levels ? 1 : 0;
     for (const auto& [device, difference_N] : faults.differences_by_device_N) {
-      double& largest_N = differences_by_device_N[device];
-      largest_N = std::max(largest_N, difference_N);
+      keep_largest(differences_by_device_N, device, difference_N);
     }
     for (const auto& [versions, difference_N] : faults.differences_by_version_N) {
-      double& largest_N = differences_by_version_N[versions];
-      largest_N = std::max(largest_N, difference_N);
+      keep_largest(differences_by_version_N, versions, difference_N);
     }
     exact_used = exact_used || faults.exact_used;
     tolerance_used = tolerance_used || faults.tolerance_used;

@@ -27,14 +27,9 @@ std::string one_estimate(const Finding& estimate, const std::string& about,
 
 std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
                                             std::string_view analysis, std::string_view quantity) {
-  std::vector<const Finding*> found{};
-  for (const Finding& finding : outcome.findings) {
-    // The key of a pair consists of both names.
-    if (finding.analysis == analysis && finding.quantity == quantity && finding.value &&
-        finding.key.find('|') == std::string::npos) {
-      found.push_back(&finding);
-    }
-  }
+  std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
+  // The key of a pair consists of both names.
+  std::erase_if(found, [](const Finding* one) { return one->key.find('|') != std::string::npos; });
   return found;
 }
 
@@ -51,6 +46,17 @@ std::string all_estimates(const std::vector<const Finding*>& estimates, const st
 }
 
 }  // namespace
+
+std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::string_view analysis,
+                                          std::string_view quantity) {
+  std::vector<const Finding*> found{};
+  for (const Finding& finding : outcome.findings) {
+    if (finding.analysis == analysis && finding.quantity == quantity && finding.value) {
+      found.push_back(&finding);
+    }
+  }
+  return found;
+}
 
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
   const std::vector<const Finding*> means = estimates_among(outcome, "choice", "subj.mean");

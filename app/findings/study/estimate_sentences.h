@@ -10,6 +10,10 @@
 
 namespace asperity {
 
+/// The findings of an analysis that are numbers of this quantity, in their order. The outcome must outlive them.
+std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::string_view analysis,
+                                          std::string_view quantity);
+
 /// In English; empty for kinds whose tests state their estimates (matching, recognition).
 struct EstimateSentence {
   std::string text{};

@@ -15,17 +15,12 @@ constexpr std::string_view kReliabilityAnalysis = "reliability";
 constexpr std::string_view kConstructAnalysis = "constructs";
 constexpr std::string_view kComponentAnalysis = "components";
 
-/// The findings with a number, in their order; those of a key that ends with `ending`, if it is not empty.
-std::vector<const Finding*> numbers_of_rating(const AnalysisOutcome& outcome,
-                                              std::string_view analysis, std::string_view quantity,
-                                              std::string_view ending = {}) {
-  std::vector<const Finding*> found{};
-  for (const Finding& one : outcome.findings) {
-    if (one.analysis == analysis && one.quantity == quantity && one.value &&
-        one.key.ends_with(ending)) {
-      found.push_back(&one);
-    }
-  }
+/// Those of a key that ends with `ending`.
+std::vector<const Finding*> numbers_ending(const AnalysisOutcome& outcome,
+                                           std::string_view analysis, std::string_view quantity,
+                                           std::string_view ending) {
+  std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
+  std::erase_if(found, [ending](const Finding* one) { return !one->key.ends_with(ending); });
   return found;
 }
 
@@ -45,8 +40,8 @@ std::string scale_of_key(const Finding& one) { return one.key.substr(0, one.key.
 std::string agreement_text(const AnalysisOutcome& outcome) {
   std::string text{};
   const std::vector<const Finding*> means =
-      numbers_of_rating(outcome, kAgreementAnalysis, "icc", "|ICC3k");
-  for (const Finding* const one : numbers_of_rating(outcome, kAgreementAnalysis, "icc", "|ICC2")) {
+      numbers_ending(outcome, kAgreementAnalysis, "icc", "|ICC3k");
+  for (const Finding* const one : numbers_ending(outcome, kAgreementAnalysis, "icc", "|ICC2")) {
     text += std::string(text.empty() ? " Agreement of the participants: on the scale “" : "; “") +
             scale_of_key(*one) + "”, ICC(2,1) " + estimate_with_interval(*one);
     const auto mean = std::find_if(means.begin(), means.end(), [one](const Finding* other) {
@@ -59,7 +54,7 @@ std::string agreement_text(const AnalysisOutcome& outcome) {
 
 std::string reliability_text(const AnalysisOutcome& outcome) {
   std::string text{};
-  for (const Finding* const one : numbers_of_rating(outcome, kReliabilityAnalysis, "icc.mean")) {
+  for (const Finding* const one : numbers_among(outcome, kReliabilityAnalysis, "icc.mean")) {
     text += std::string(text.empty() ? " Reliability over repetitions: on the scale “" : "; “") +
             scale_of_key(*one) + "”, mean ICC(3,1) " + estimate_with_interval(*one) +
             ", N = " + std::to_string(one->n);
@@ -69,8 +64,7 @@ std::string reliability_text(const AnalysisOutcome& outcome) {
 
 std::string construct_text(const AnalysisOutcome& outcome) {
   std::string text{};
-  for (const Finding* const one :
-       numbers_of_rating(outcome, kConstructAnalysis, "cronbach.alpha")) {
+  for (const Finding* const one : numbers_among(outcome, kConstructAnalysis, "cronbach.alpha")) {
     text +=
         " For the construct “" + one->key + "”, Cronbach’s α " + estimate_with_interval(*one) + '.';
   }
@@ -79,9 +73,9 @@ std::string construct_text(const AnalysisOutcome& outcome) {
 
 std::string components_text(const AnalysisOutcome& outcome) {
   const std::vector<const Finding*> first =
-      numbers_of_rating(outcome, kComponentAnalysis, "proportion", "C1");
+      numbers_ending(outcome, kComponentAnalysis, "proportion", "C1");
   const std::vector<const Finding*> retained =
-      numbers_of_rating(outcome, kComponentAnalysis, "retained");
+      numbers_among(outcome, kComponentAnalysis, "retained");
   if (first.empty() || retained.empty()) return {};
   const Finding& share = *first.front();
   std::string text =
@@ -102,23 +96,23 @@ std::string rating_methods_text(const AnalysisOutcome& outcome) {
   const auto add = [&text](const char* sentence) {
     text += (text.empty() ? "" : " ") + std::string(sentence);
   };
-  if (!numbers_of_rating(outcome, kAgreementAnalysis, "icc").empty()) {
+  if (!numbers_among(outcome, kAgreementAnalysis, "icc").empty()) {
     add("The agreement of the participants was estimated by intraclass correlations of their mean "
         "ratings, with the items as "
         "targets: ICC(2,1), absolute agreement of one participant, and ICC(3,k), consistency of "
         "the mean of all participants "
         "[Shrout 1979].");
   }
-  if (!numbers_of_rating(outcome, kReliabilityAnalysis, "icc.mean").empty()) {
+  if (!numbers_among(outcome, kReliabilityAnalysis, "icc.mean").empty()) {
     add("Reliability over repetitions is the mean over participants of the ICC(3,1) of a "
         "participant’s ratings.");
   }
-  if (!numbers_of_rating(outcome, kConstructAnalysis, "cronbach.alpha").empty()) {
+  if (!numbers_among(outcome, kConstructAnalysis, "cronbach.alpha").empty()) {
     add("Cronbach’s α of the scales of a construct was computed over the combinations of a "
         "participant and an item; its CI is "
         "from a bootstrap over the participants.");
   }
-  if (!numbers_of_rating(outcome, kComponentAnalysis, "eigenvalue").empty()) {
+  if (!numbers_among(outcome, kComponentAnalysis, "eigenvalue").empty()) {
     add("Principal components are those of the correlations of the scales over the items’ mean "
         "ratings; components were "
         "retained by parallel analysis [Horn 1965], and CIs are from a bootstrap over the "

@@ -185,13 +185,12 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
     const std::uint32_t triangle = order[std::min(place, order.size() - 1)];
     cluster.triangles[lane] = triangle;
     if (is_used) cluster.used |= 1U << lane;
+    const std::array<std::array<float, 3>, 3> corners_m = corners_from_centre_m(triangle);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int component = static_cast<int>(axis);
       float lowest = kFar;
       float highest = -kFar;
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const auto place_m =
-            static_cast<float>(corners_m_[triangle][corner][component] - centre_m_[component]);
+        const float place_m = corners_m[corner][axis];
         cluster.corners[corner][axis][lane] = place_m;
         lowest = std::min(lowest, place_m);
         highest = std::max(highest, place_m);
