@@ -12,24 +12,27 @@
 namespace asperity {
 namespace {
 
-/// The factors of a turn p of a step: exp(−2πi·kp/length) for k = 1, 2, 3, as cosine and sine.
-struct Turns {
+/// One turn p of a step: four rows of `run` numbers, `apart` from each other, are combined into four rows that follow each other.
+/// The factors are exp(−2πi·kp/length) for k = 1, 2, 3, as cosine and sine.
+struct Butterflies {
   double c1 = 1.0;
   double s1 = 0.0;
   double c2 = 1.0;
   double s2 = 0.0;
   double c3 = 1.0;
   double s3 = 0.0;
+  std::size_t run = 0;
+  std::size_t apart = 0;
+  const double* from_re = nullptr;
+  const double* from_im = nullptr;
+  double* to_re = nullptr;
+  double* to_im = nullptr;
 };
 
-// The butterflies of one turn: four rows of `run` numbers, `apart` from each other, to four rows that follow each other. Without
-// contraction every instruction set gives the same bits. The rows do not overlap, which the compiler would not examine: it would
-// have to compare twelve pairs of them.
-[[gnu::always_inline]] inline void combine(const Turns& turns, std::size_t run, std::size_t apart,
-                                           const double* __restrict a_re,
-                                           const double* __restrict a_im, double* __restrict to_re,
-                                           double* __restrict to_im) noexcept {
-  const auto [c1, s1, c2, s2, c3, s3] = turns;
+// Without contraction every instruction set gives the same bits. The rows do not overlap, which the compiler would not examine: it
+// would have to compare twelve pairs of them.
+[[gnu::always_inline]] inline void combine(const Butterflies& butterflies) noexcept {
+  const auto [c1, s1, c2, s2, c3, s3, run, apart, a_re, a_im, to_re, to_im] = butterflies;
 #pragma GCC ivdep
   for (std::size_t i = 0; i < run; ++i) {
     const double even_re = a_re[i] + a_re[i + 2 * apart];
@@ -57,24 +60,12 @@ struct Turns {
   }
 }
 
-using Combine = void(const Turns& turns, std::size_t run, std::size_t apart,
-                     const double* __restrict a_re, const double* __restrict a_im,
-                     double* __restrict to_re, double* __restrict to_im) noexcept;
-
-void combine_by_two(const Turns& turns, std::size_t run, std::size_t apart,
-                    const double* __restrict a_re, const double* __restrict a_im,
-                    double* __restrict to_re, double* __restrict to_im) noexcept {
-  combine(turns, run, apart, a_re, a_im, to_re, to_im);
+void combine_by_two(const Butterflies& butterflies) noexcept { combine(butterflies); }
+[[gnu::target("avx2")]] void combine_by_four(const Butterflies& butterflies) noexcept {
+  combine(butterflies);
 }
 
-[[gnu::target("avx2")]] void combine_by_four(const Turns& turns, std::size_t run, std::size_t apart,
-                                             const double* __restrict a_re,
-                                             const double* __restrict a_im,
-                                             double* __restrict to_re,
-                                             double* __restrict to_im) noexcept {
-  combine(turns, run, apart, a_re, a_im, to_re, to_im);
-}
-
+using Combine = void(const Butterflies& butterflies) noexcept;
 Combine* const kCombineHere = __builtin_cpu_supports("avx2") ? combine_by_four : combine_by_two;
 
 }  // namespace
@@ -94,9 +85,13 @@ void HalfSpaceDisplacement::transform(std::size_t batch, double*& re, double*& i
                     .c2 = cosine_[2 * turn],
                     .s2 = sine_[2 * turn],
                     .c3 = cosine_[3 * turn],
-                    .s3 = sine_[3 * turn]},
-                   run, quarter * run, re + p * run, im + p * run, other_re + 4 * p * run,
-                   other_im + 4 * p * run);
+                    .s3 = sine_[3 * turn],
+                    .run = run,
+                    .apart = quarter * run,
+                    .from_re = re + p * run,
+                    .from_im = im + p * run,
+                    .to_re = other_re + 4 * p * run,
+                    .to_im = other_im + 4 * p * run});
     }
     std::swap(re, other_re);
     std::swap(im, other_im);
