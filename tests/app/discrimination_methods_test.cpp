@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +20,7 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
+#include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"
 
 namespace asperity {
@@ -123,21 +122,13 @@ struct UnforcedCoverage {
   double most_of_36_trials = 0.0;
 
   explicit UnforcedCoverage(const std::string& judgement) {
-    std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/data/coverage.tsv");
-    for (std::string line{}; std::getline(file, line);) {
-      std::istringstream cells(line);
-      std::vector<std::string> row{};
-      for (std::string cell{}; std::getline(cells, cell, '\t');) row.push_back(cell);
-      if (row.size() < 13 || row[0] != "unforced_thresholds" || row[6] != "jnd" ||
-          row[7] != judgement) {
-        continue;
-      }
-      EXPECT_EQ(row[9], "2000");
-      const double covered =
-          100.0 * (1.0 - (std::stod(row[11]) + std::stod(row[12])) / std::stod(row[10]));
+    for (const CoverageCount& count : coverage_counts("unforced_thresholds", "jnd")) {
+      if (count.key != judgement) continue;
+      EXPECT_EQ(count.tables, 2000.0);
+      const double covered = 100.0 * (1.0 - count.failed / count.given);
       least = std::min(least, covered);
       most = std::max(most, covered);
-      if (std::stoi(row[1]) * std::stoi(row[2]) == 36) {
+      if (count.participants * count.trials == 36.0) {
         most_of_36_trials = std::max(most_of_36_trials, covered);
       }
     }

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,6 +15,7 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/study_tests.h"
+#include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -30,16 +29,10 @@ using ::testing::Not;
 class SimulatedSize {
  public:
   SimulatedSize(const std::string& part, const std::string& quantity) {
-    std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/data/coverage.tsv");
-    for (std::string line{}; std::getline(file, line);) {
-      std::istringstream cells(line);
-      std::vector<std::string> row{};
-      for (std::string cell{}; std::getline(cells, cell, '\t');) row.push_back(cell);
-      if (row.size() < 15 || row[0] != part || row[3] != "0" || row[6] != quantity) continue;
-      const double rejected =
-          row[5] == "test" ? std::stod(row[13]) : std::stod(row[11]) + std::stod(row[12]);
-      double& greatest = row[1] == "2" ? of_two_ : of_more_;
-      greatest = std::max(greatest, 100.0 * rejected / std::stod(row[10]));
+    for (const CoverageCount& count : coverage_counts(part, quantity)) {
+      if (count.effect != 0.0) continue;
+      double& greatest = count.participants == 2.0 ? of_two_ : of_more_;
+      greatest = std::max(greatest, 100.0 * count.failed / count.given);
     }
   }
   /// "up to 7 %"

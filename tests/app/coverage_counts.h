@@ -1,0 +1,61 @@
+// The counts of docs/data/coverage.tsv, with which tests compare what the program states about its intervals and tests.
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/tidy_table.h"
+
+namespace asperity {
+
+/// A row: of the simulated tables, those with the number, and those whose interval is above or below the true value or whose test
+/// rejects.
+struct CoverageCount {
+  double participants = 0.0;
+  double trials = 0.0;  ///< of each participant
+  double effect = 0.0;
+  std::string key{};
+  double tables = 0.0;
+  double given = 0.0;
+  double failed = 0.0;
+};
+
+/// The rows of a quantity of a part, in their order.
+inline std::vector<CoverageCount> coverage_counts(const std::string& part,
+                                                  const std::string& quantity) {
+  const std::filesystem::path path =
+      std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/data/coverage.tsv";
+  const TidyTable table(read_file(path), path.string());
+  const auto parts = table.texts("part");
+  const auto quantities = table.texts("quantity");
+  const auto kinds = table.texts("what");
+  const auto keys = table.texts("key");
+  const auto participants = table.all_numbers("participants");
+  const auto trials = table.all_numbers("trials");
+  const auto effects = table.all_numbers("effect");
+  const auto tables = table.all_numbers("tables");
+  const auto given = table.all_numbers("given");
+  const auto below = table.numbers("below");
+  const auto above = table.numbers("above");
+  const auto rejected = table.numbers("rejected");
+  std::vector<CoverageCount> counts;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (parts[row] != part || quantities[row] != quantity) continue;
+    const bool is_test = kinds[row] == "test";
+    counts.push_back(
+        {.participants = participants[row],
+         .trials = trials[row],
+         .effect = effects[row],
+         .key = std::string(keys[row]),
+         .tables = tables[row],
+         .given = given[row],
+         .failed = is_test ? rejected[row].value() : below[row].value() + above[row].value()});
+  }
+  return counts;
+}
+
+}  // namespace asperity
