@@ -77,6 +77,10 @@ std::span<const CoveragePart> detection_parts();
 std::span<const CoveragePart> discrimination_parts();
 /// Of ratings on ordered categories and continuous scales.
 std::span<const CoveragePart> rating_parts();
+/// Of choices that depend on the exploration.
+std::span<const CoveragePart> exploration_parts();
+/// Of rated dissimilarities.
+std::span<const CoveragePart> similarity_parts();
 
 /// All combinations: the designs are 20 × 3, 12 × 12, 6 × 20 and 2 to 5 participants × 12.
 std::vector<CoverageSetting> all_designs(std::span<const double> effects,

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -139,7 +142,8 @@ TEST(CoverageParts, HaveTrueValuesWhereManyParticipantsAre) {
                                  "thresholds_of_three",
                                  "exponents",
                                  "ordered_categories",
-                                 "continuous_scale"}) {
+                                 "continuous_scale",
+                                 "explored_choices"}) {
     const CoveragePart part = part_named(name);
     for (CoverageSetting setting : part.settings) {
       if (setting.participants != 12) continue;
@@ -156,6 +160,46 @@ TEST(CoverageParts, HaveTrueValuesWhereManyParticipantsAre) {
       }
     }
   }
+}
+
+/// P(p ≤ .05) of a permutation test of m items with B random orders, if their statistics differ: of m! orders the observed
+/// one has every rank k with the same probability, and p = (1 + b)/(B + 1) with b ~ B(B, k/m!).
+double attainable_size(std::size_t items) {
+  constexpr double kDraws = 9999.0;
+  constexpr double kMost = 499.0;  // p ≤ .05
+  const double orders = std::tgamma(static_cast<double>(items) + 1.0);
+  if (orders > kDraws) return (kMost + 1.0) / (kDraws + 1.0);
+  double size = 0.0;
+  for (double k = 1.0; k < orders; k += 1.0) {
+    const double p = k / orders;
+    for (double b = 0.0; b <= kMost; b += 1.0) {
+      size += std::exp(std::lgamma(kDraws + 1.0) - std::lgamma(b + 1.0) -
+                       std::lgamma(kDraws - b + 1.0) + b * std::log(p) +
+                       (kDraws - b) * std::log1p(-p)) /
+              orders;
+    }
+  }
+  return size;
+}
+
+// The stress of 199 permutations has p ≤ .05 at ten of 200 ranks.
+TEST(CoverageCounts, HaveTheAttainableSizeOfPermutationTests) {
+  std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/data/coverage.tsv");
+  std::map<std::string, std::size_t> settings{};
+  for (std::string line{}; std::getline(file, line);) {
+    std::istringstream cells(line);
+    std::vector<std::string> row{};
+    for (std::string cell{}; std::getline(cells, cell, '\t');) row.push_back(cell);
+    const bool is_of_stress = row.at(0) == "guessed_pairs";
+    if (!is_of_stress && row.at(0) != "unrelated_properties") continue;
+    const double given = std::stod(row.at(10));
+    const double rejected = std::stod(row.at(13)) / given;
+    const double attainable = is_of_stress ? 0.05 : attainable_size(std::stoul(row.at(1)));
+    EXPECT_LE(rejected, 0.06) << line;
+    EXPECT_NEAR(rejected, attainable, four_errors(attainable, given)) << line;
+    ++settings[row.at(0)];
+  }
+  if (settings.empty()) GTEST_SKIP() << "these parts are not drawn yet";
 }
 
 TEST(CoverageParts, KnowTheMeanOfALogisticVariable) {
