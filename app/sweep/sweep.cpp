@@ -351,8 +351,8 @@ Table table_of(const Sweep& sweep) {
                           row.value, row.spacing_m, text_of(sweep.order.stroke.mode)});
     for (const MeasureEntry& entry : sweep_measures()) {
       if (!is_shown(entry, sweep.order)) continue;
-      const std::optional<double> value = entry.value(row);
-      cells.push_back(value ? Cell(*value) : Cell());
+      Cell& cell = cells.emplace_back();
+      if (const std::optional<double> value = entry.value(row)) cell = *value;
     }
     cells.push_back(row.status);
   }
