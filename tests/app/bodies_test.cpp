@@ -422,6 +422,30 @@ TEST_F(FeltBodies, GiveTheRecordedHandTheRecordedForceUnlessOneWasExchanged) {
   save_rasp(study(), kRasp_m);
 }
 
+TEST_F(FeltBodies, DifferWithARemarkAndNoProblemInAnotherVersionOfTheModel) {
+  const ModelRegistry built_in = built_in_models();
+  ForceModel model = *built_in.find("pd_gradient");
+  const std::string recorded = model.declaration.version;
+  model.make = [make = model.make](RendererInputs inputs) {
+    inputs.parameters["texture_gain"] = 1.2;
+    return make(inputs);
+  };
+  const auto verified = [&model] {
+    ModelRegistry models = built_in_models();
+    models.replace(model);
+    Study opened = Study::open(study(), Access::read_only);
+    return verify_study(opened, models, true, {}, [](double) {});
+  };
+  EXPECT_THAT(verified().problems, testing::Contains(HasSubstr("does not reproduce")));
+  model.declaration.version = "1000";
+  const VerifyResult result = verified();
+  EXPECT_THAT(result.problems, IsEmpty());
+  EXPECT_THAT(result.remarks,
+              testing::Contains(testing::MatchesRegex(
+                  "forces of pd_gradient that were recorded with its version " + recorded +
+                  " and replayed with version 1000 differ by up to .* N")));
+}
+
 TEST_F(FeltBodies, AreColumnsOfAnExport) {
   const Study opened = Study::open(study(), Access::read_only);
   const TemporaryFolder folder{};
