@@ -128,6 +128,22 @@ TEST(BenchCommand, MeasuresAMeshOfTheUserOverTheBlock) {
   EXPECT_EQ(rows[0].at("reason"), nullptr);
 }
 
+TEST(BenchCommand, MeasuresATexturedMeshOfTheUserAsItIs) {
+  const TemporaryFolder place{};
+  write_text(place / "ball.obj", obj_of(bumpy_ball(3, 6.0, 0.2, 9.0)));
+  const Outcome baked =
+      asperity({"bake", place / "ball.obj", "--triangles", "200", "--out", place / "ball.mesh"});
+  ASSERT_EQ(baked.status, 0) << baked.err;
+  const Outcome outcome = bench(
+      place, {"--mesh", place / "ball.mesh", "--triangles", "1000", "--ticks", "10", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto row = nlohmann::json::parse(outcome.out).at("rows").at(0);
+  EXPECT_EQ(row.at("scene"), "ball.mesh");
+  EXPECT_EQ(row.at("tool_simplified_triangles"), 200);
+  EXPECT_EQ(row.at("reason"), nullptr);
+  EXPECT_GT(row.at("largest_force_N"), 0.01);
+}
+
 TEST(BenchCommand, RefusesAnUnknownSceneAndABrokenMesh) {
   const TemporaryFolder place{};
   const Outcome unknown = bench(place, {"--scene", "anvil"});
