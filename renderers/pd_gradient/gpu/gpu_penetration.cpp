@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "renderers/compute/open_cl.h"
+#include "renderers/compute/transfer_memory.h"
 #include "renderers/pd_gradient/gpu/device_task.h"
 #include "renderers/pd_gradient/gpu/penetration_kernels.h"
 
@@ -65,16 +66,17 @@ class GpuPenetration::Program final {
         room_(room),
         most_tiles_((room.samples / kSamplesOfTile) * (room.samples / kSamplesOfTile)),
         tasks_(room.contacts),
-        input_(room.contacts * sizeof(DeviceTask) + room.triangles * sizeof(std::int32_t)),
-        answers_(room.contacts) {
+        input_(context_, queue_,
+               room.contacts * sizeof(DeviceTask) + room.triangles * sizeof(std::int32_t)),
+        answers_(context_, queue_, room.contacts) {
     lists_.reserve(room.triangles);
     make_kernels(program_);
     const auto samples = static_cast<std::size_t>(room.samples * room.samples);
     const auto make = [this](std::size_t bytes) {
       return cl::Buffer(context_, CL_MEM_READ_WRITE, bytes);
     };
-    device_input_ = make(input_.size());
-    device_answers_ = make(room.contacts * sizeof(DeviceAnswer));
+    device_input_ = make(input_.bytes());
+    device_answers_ = make(answers_.bytes());
     faces_ = make(room.triangles * (kDeviceSurfaces - 1) * kFaceBytes);
     heights_m_ = make(room.contacts * 2 * samples * sizeof(double));
     rates_ = make(room.is_smooth ? room.contacts * kDeviceRates * samples * sizeof(double) : 1);
@@ -213,8 +215,8 @@ class GpuPenetration::Program final {
     }
     const auto tiles = static_cast<std::size_t>(used_tiles_) * kGroup;
     const cl::NDRange group(kGroup, 1, 1);
-    queue_.enqueueNDRangeKernel(sample_here_, cl::NullRange, cl::NDRange(tiles, contacts, 1),
-                                group);
+    queue_.enqueueNDRangeKernel(sample_here_, cl::NullRange, cl::NDRange(2 * tiles, contacts, 1),
+                                cl::NDRange(2 * kGroup, 1, 1));
     const std::size_t moved = static_cast<std::size_t>(used_surfaces_) - 2;
     if (moved > 0) {
       queue_.enqueueNDRangeKernel(find_bounds_, cl::NullRange,
@@ -266,8 +268,8 @@ class GpuPenetration::Program final {
   cl::Buffer bounds_m_{};
   cl::Buffer found_{};
   std::vector<DeviceTask> tasks_{};
-  std::vector<std::byte> input_{};  // the tasks, then the lists
-  std::vector<DeviceAnswer> answers_{};
+  TransferMemory<std::byte> input_;  // the tasks, then the lists
+  TransferMemory<DeviceAnswer> answers_;
   std::vector<std::int32_t> lists_{};
   std::size_t most_count_ = 0;
   std::int32_t used_tiles_ = 0;

@@ -49,6 +49,7 @@ double top_of(__global const Face* face, const Tile* tile) {
 typedef struct {
   __global const Face* faces;
   int count;
+  int most_count;  // of the surfaces that the work group samples side by side
   double outwards;
   Atlas atlas;
 } Surface;
@@ -62,7 +63,7 @@ bool sample_tile(const Surface* surface, const Tile* tile, int item, double abov
   *folded = 0;
   bool is_over = false;  // the same for all work items
   // Faces are visited in their order: which of them overlap the tile is determined for GROUP at a time.
-  for (int base = 0; base < surface->count; base += GROUP) {
+  for (int base = 0; base < surface->most_count; base += GROUP) {
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item < GROUP / 32) overlapping[item] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -149,73 +150,61 @@ __global Found* found_of(__global Found* found, int contact, int surface, int mo
   return found + ((size_t)contact * SURFACES + surface) * most_tiles;
 }
 
-// One work group: one tile of the window of one contact, with both surfaces at their poses.
-__kernel __attribute__((reqd_work_group_size(GROUP, 1, 1)))
+// One work group: one tile of the window of one contact. Half of it samples B, the other half A at its pose.
+__kernel __attribute__((reqd_work_group_size(2 * GROUP, 1, 1)))
 void sample_here(__global const Task* restrict tasks, __global const Face* restrict faces,
                  __global const short* restrict values_b, int rows_b, int columns_b, double step_b_m,
                  __global const short* restrict values_a, int rows_a, int columns_a, double step_a_m, int most_tiles,
                  __global double* restrict heights_m, int most_samples, __global Found* restrict found) {
-  const int item = get_local_id(0);
+  const int body = get_local_id(0) / GROUP;
+  const int item = get_local_id(0) % GROUP;
   const int index = get_group_id(0);
   const int contact = get_group_id(1);
   __global const Task* task = tasks + contact;
   const int across = task->samples / TILE;
   if (index >= across * across) return;
   const Tile tile = tile_at(task, index, item);
-  __local uint overlapping[GROUP / 32];
-  __local Shared shared;
-  __global double* heights_of_b_m = heights_m + (size_t)(2 * contact) * most_samples;
+  __local uint overlapping[2][GROUP / 32];
+  __local Shared shared[2];
+  __local double heights_of_b_m[PER_ITEM][GROUP];
 
-  const Surface b = {faces + task->first_face, task->count[0], 1.0, {values_b, rows_b, columns_b, step_b_m}};
-  double heights_of_b[PER_ITEM];
+  const int most_count = max(task->count[0], task->count[1]);
+  const Surface b = {faces + task->first_face, task->count[0], most_count, 1.0, {values_b, rows_b, columns_b, step_b_m}};
+  const Surface a = {b.faces + task->count[0], task->count[1], most_count, -1.0, {values_a, rows_a, columns_a, step_a_m}};
+  const Surface own = body == 0 ? b : a;
+  double most[PER_ITEM];  // h_B or -h_A
   uint folded;
-  sample_tile(&b, &tile, item, 0.0, -INFINITY, overlapping, heights_of_b, &folded);
-  double highest = -INFINITY;
+  sample_tile(&own, &tile, item, 0.0, -INFINITY, overlapping[body], most, &folded);
+  __global double* own_heights_m = heights_m + (size_t)(2 * contact + body) * most_samples;
   for (int k = 0; k < PER_ITEM; ++k) {
-    heights_of_b_m[sample_of(&tile, task, k)] = heights_of_b[k];
-    highest = fmax(highest, heights_of_b[k]);
-  }
-  shared.depth_m[item] = highest;
-  shared.sample[item] = 0;
-  shared.covered[item] = 0;
-  shared.folded[item] = popcount(folded);
-  reduce(&shared, item);
-  if (item == 0) {
-    __global Found* mine = found_of(found, contact, 0, most_tiles) + index;
-    mine->depth_m = shared.depth_m[0];
-    mine->folded = shared.folded[0];
+    own_heights_m[sample_of(&tile, task, k)] = most[k];
+    if (body == 0) heights_of_b_m[k][item] = most[k];
   }
   barrier(CLK_LOCAL_MEM_FENCE);
-
-  const Surface a = {faces + task->first_face + task->count[0], task->count[1], -1.0,
-                     {values_a, rows_a, columns_a, step_a_m}};
-  double most[PER_ITEM];  // -h_A
-  sample_tile(&a, &tile, item, 0.0, -INFINITY, overlapping, most, &folded);
-  double deepest = -INFINITY;
-  int deepest_sample = sample_of(&tile, task, 0);
+  // Of B the highest sample, of A the deepest.
+  double greatest = -INFINITY;
+  int its_sample = sample_of(&tile, task, 0);
   int covered = 0;
   for (int k = 0; k < PER_ITEM; ++k) {
-    const int sample = sample_of(&tile, task, k);
-    heights_of_b_m[most_samples + sample] = most[k];
     // -INFINITY where one of the surfaces is missing
-    const double depth = most[k] == -INFINITY ? -INFINITY : heights_of_b[k] + most[k];
-    if (depth > deepest) {
-      deepest = depth;
-      deepest_sample = sample;
+    const double value = body == 0 || most[k] == -INFINITY ? most[k] : heights_of_b_m[k][item] + most[k];
+    if (value > greatest) {
+      greatest = value;
+      its_sample = sample_of(&tile, task, k);
     }
-    covered += depth == -INFINITY ? 0 : 1;
+    covered += value == -INFINITY ? 0 : 1;
   }
-  shared.depth_m[item] = deepest;
-  shared.sample[item] = deepest_sample;
-  shared.covered[item] = covered;
-  shared.folded[item] = popcount(folded);
-  reduce(&shared, item);
+  shared[body].depth_m[item] = greatest;
+  shared[body].sample[item] = its_sample;
+  shared[body].covered[item] = covered;
+  shared[body].folded[item] = popcount(folded);
+  reduce(&shared[body], item);
   if (item == 0) {
-    __global Found* mine = found_of(found, contact, 1, most_tiles) + index;
-    mine->depth_m = shared.depth_m[0];
-    mine->sample = shared.sample[0];
-    mine->covered = shared.covered[0];
-    mine->folded = shared.folded[0];
+    __global Found* mine = found_of(found, contact, body, most_tiles) + index;
+    mine->depth_m = shared[body].depth_m[0];
+    mine->sample = shared[body].sample[0];
+    mine->covered = shared[body].covered[0];
+    mine->folded = shared[body].folded[0];
   }
 }
 
@@ -271,7 +260,7 @@ void find_bounds(__global const Task* restrict tasks, __global const Face* restr
   const int across = task->samples / TILE;
   find_here(found + ((size_t)contact * SURFACES + 1) * most_tiles, across * across, &shared, item);
   const int row = shared.sample[0] / task->samples, column = shared.sample[0] % task->samples;
-  const Surface a = {faces + task->first_face + task->count[0] + (surface - 1) * task->count[1], task->count[1], -1.0,
+  const Surface a = {faces + task->first_face + task->count[0] + (surface - 1) * task->count[1], task->count[1], task->count[1], -1.0,
                      {values_a, rows_a, columns_a, step_a_m}};
   const double depth = depth_in_tile(task, contact, row / TILE * across + column / TILE, item, &a, 0.0,
                                      -INFINITY, heights_m, most_samples, overlapping, shared.depth_m);
@@ -298,7 +287,7 @@ void sample_moved(__global const Task* restrict tasks, __global const Face* rest
   double depth = -INFINITY;
   if (highest_of_b != -INFINITY) {
     const Surface a = {faces + task->first_face + task->count[0] + (surface - 1) * task->count[1], task->count[1],
-                       -1.0, {values_a, rows_a, columns_a, step_a_m}};
+                       task->count[1], -1.0, {values_a, rows_a, columns_a, step_a_m}};
     depth = depth_in_tile(task, contact, index, item, &a, highest_of_b, bound_m, heights_m, most_samples,
                           overlapping, shared);
   }
