@@ -303,7 +303,7 @@ TEST(CachedPenetration, SamplesAnewWhereTrianglesAreOfAnotherBox) {
     PackedPatch patch_a{
         .surface = a, .pose = upside_down({0.0, 0.0, -0.1e-3}), .half_height_m = half_height_m};
     PackedPatch patch_b{.surface = b, .half_height_m = half_height_m};
-    if (cached.needs_triangles(patch_a, patch_b, {})) {
+    if (cached.choose(patch_a, patch_b, {}).needs_triangles()) {
       patch_a.triangles = of_a;
       patch_b.triangles = std::span(of_b).first(half_height_m < 1e-3 ? 2 : 4);
     }

@@ -243,17 +243,20 @@ WayOut TexturedBody::way_out(const glm::dvec3& point_m, const glm::dvec3& along,
   const glm::dvec3 middle_m = point_m + half_way_m - plain_clusters_.centre_m();
   const glm::dvec3 reach_m = glm::abs(half_way_m) + kRounding_m;
   const std::span<const TriangleCluster> clusters = plain_clusters_.clusters();
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    const ClusterBoxes& boxes = plain_clusters_.boxes()[i / kClusterSize];
-    const std::size_t lane = i % kClusterSize;
-    bool is_apart = false;
+  // Of a box among sixteen; that of an unused lane is empty.
+  const auto is_apart = [&](const auto& boxes, std::size_t lane) {
     for (int axis = 0; axis < 3; ++axis) {
-      is_apart = is_apart || boxes.low[axis][lane] > middle_m[axis] + reach_m[axis] ||
-                 boxes.high[axis][lane] < middle_m[axis] - reach_m[axis];
+      if (boxes.low[axis][lane] > middle_m[axis] + reach_m[axis] ||
+          boxes.high[axis][lane] < middle_m[axis] - reach_m[axis]) {
+        return true;
+      }
     }
-    if (is_apart) continue;
+    return false;
+  };
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (is_apart(plain_clusters_.boxes()[i / kClusterSize], i % kClusterSize)) continue;
     for (std::size_t place = 0; place < kClusterSize; ++place) {
-      if ((clusters[i].used >> place & 1U) == 0) continue;
+      if (is_apart(clusters[i], place)) continue;
       const Crossing met =
           crossing(plain_clusters_.corners_m(clusters[i].triangles[place]), point_m, along);
       double& nearest_m = met.is_out ? out_m : in_m;

@@ -256,13 +256,14 @@ std::optional<Penetration> TexturedContacts::evaluated(const TexturedContact& co
                       .pose = b,
                       .half_height_m = contact.half_height_m,
                       .leaning_cosine = contact.leaning_b};
-  if (window.sampler.needs_triangles(patch_a, patch_b, contact.frame)) {
+  const CachedPenetration::Choice choice = window.sampler.choose(patch_a, patch_b, contact.frame);
+  if (choice.needs_triangles()) {
     const WindowBox box{.half_width_m = 0.5 * window.sampler.patch_width_m(),
                         .half_height_m = contact.half_height_m};
     patch_a.triangles = triangles_in(a_, a, contact.frame, -1.0, box, triangles_a_);
     patch_b.triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_);
   }
-  return window.sampler.evaluate(patch_a, patch_b, contact.frame);
+  return window.sampler.evaluate(choice, patch_a, patch_b, contact.frame);
 }
 
 void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b) noexcept {

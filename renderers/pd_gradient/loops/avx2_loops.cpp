@@ -53,6 +53,11 @@ struct Lanes {
     store(to, choose(where, a, load(to)));
   }
   static unsigned bits(Mask a) { return static_cast<unsigned>(_mm256_movemask_ps(a)); }
+  static float largest(Floats a) {
+    const __m128 four = _mm_max_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
+    const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+    return _mm_cvtss_f32(_mm_max_ps(two, _mm_shuffle_ps(two, two, 1)));
+  }
 
   // 16384 times the texture at non-negative positions.
   static Floats texture(const PairedTexels& texels, Floats x, Floats y) {

@@ -49,6 +49,7 @@ struct Lanes {
   }
   static void store_where(float* to, Mask where, Floats a) { _mm512_mask_storeu_ps(to, where, a); }
   static unsigned bits(Mask a) { return a; }
+  static float largest(Floats a) { return _mm512_reduce_max_ps(a); }
 
   // 16384 times the texture at non-negative positions.
   static Floats texture(const PairedTexels& texels, Floats x, Floats y) {

@@ -19,13 +19,7 @@ constexpr float kFarBelow_m = -4.0F;  // below any sum of two surfaces, present 
 inline std::int32_t later(std::int32_t a, std::int32_t b) { return a < b ? b : a; }
 inline std::int32_t sooner(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
 
-inline float largest(Floats a) {
-  float lanes[Lanes::kWidth];
-  Lanes::store(lanes, a);
-  float most = lanes[0];
-  for (const float lane : lanes) most = lane > most ? lane : most;
-  return most;
-}
+inline float largest(Floats a) { return Lanes::largest(a); }
 
 inline Floats between(Floats low, Floats high, Floats weight) {
   return Lanes::add(low, Lanes::mul(weight, Lanes::sub(high, low)));

@@ -52,6 +52,10 @@ struct Lanes {
     store(to, choose(where, a, load(to)));
   }
   static unsigned bits(Mask a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
+  static float largest(Floats a) {
+    const Floats two = max(a, _mm_movehl_ps(a, a));
+    return _mm_cvtss_f32(max(two, _mm_shuffle_ps(two, two, 1)));
+  }
 
   // 16384 times the texture at non-negative positions.
   static Floats texture(const PairedTexels& texels, Floats x, Floats y) {

@@ -49,6 +49,9 @@ Pose pose_of(const ContactFrame& frame) noexcept {
   return {.rotation = glm::dmat3(frame.u, frame.v, frame.n), .position_m = frame.origin_m};
 }
 
+// Of a window along one axis; it is at most half a tile off.
+double most_aside_cells(int margin) noexcept { return margin - kStepOfWindow; }
+
 int rounded_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 
 // The positions in A's heights for the window whose first sample is at (column, row) of B's lattice, with A turned
@@ -132,6 +135,10 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
   margin_ = rounded_up(grid.samples / 4 + step_cells_ + 5, kStepOfWindow);
   lattice_.samples = grid.samples + 2 * margin_;
   lattice_.width_m = lattice_.samples * grid.spacing_m();
+  const double most_aside_m = most_aside_cells(margin_) * grid.spacing_m();
+  constexpr double kRounding = 1.001;
+  most_away_m_ =
+      kRounding * glm::length(glm::dvec3{most_aside_m, most_aside_m, 0.5 * grid.width_m});
   stride_ = stride_of_samples(lattice_.samples);
   // The reach of find_bounds along a row, with a margin for lattices that are not parallel.
   const double around = 1.05 * step_cells_;
@@ -186,6 +193,9 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
     const Place& place, const PackedPatch& a, const PackedPatch& b,
     const ContactFrame& frame) const noexcept {
   if (place.surface_a != &a.surface || place.surface_b != &b.surface) return std::nullopt;
+  // Most places belong to other contacts.
+  const glm::dvec3 middle_m = b.pose.rotation * place.lattice_in_b.position_m + b.pose.position_m;
+  if (glm::distance(middle_m, frame.origin_m) > most_away_m_) return std::nullopt;
   Fit found{.lattice = after(b.pose, place.lattice_in_b)};
   const Pose back = inverse(found.lattice);
   found.motion = after(back, after(a.pose, place.lattice_in_a));
@@ -193,8 +203,7 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
   const glm::dvec3 n = back.rotation * frame.n;
   const int samples = grid().samples;
   const double cell_m = lattice_.spacing_m();
-  const double most_aside =
-      margin_ - kStepOfWindow;  // cells; the window is at most half a tile off
+  const double most_aside = most_aside_cells(margin_);
   const glm::dvec2 aside = glm::dvec2{origin_m} / cell_m;
   const glm::dmat3& r = found.motion.rotation;
 
@@ -258,16 +267,10 @@ CachedPenetration::Choice CachedPenetration::choose(const PackedPatch& a, const 
   return choice;
 }
 
-bool CachedPenetration::needs_triangles(const PackedPatch& a, const PackedPatch& b,
-                                        const ContactFrame& frame) const noexcept {
-  const Choice choice = choose(a, b, frame);
-  return choice.begins || !choice.place;
-}
-
-std::optional<Penetration> CachedPenetration::evaluate(const PackedPatch& a, const PackedPatch& b,
+std::optional<Penetration> CachedPenetration::evaluate(const Choice& choice, const PackedPatch& a,
+                                                       const PackedPatch& b,
                                                        const ContactFrame& frame) noexcept {
   ++calls_;
-  const Choice choice = choose(a, b, frame);
   if (choice.place) places_[*choice.place].last_used = calls_;
   if (choice.begins) {
     begin(a, b, frame);

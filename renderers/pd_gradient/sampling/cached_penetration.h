@@ -73,14 +73,36 @@ class CachedPenetration final {
   /// Clears all heights.
   void reset() noexcept;
 
-  /// Whether `evaluate` will read triangles. If not, the patches may be passed without any.
-  bool needs_triangles(const PackedPatch& a, const PackedPatch& b,
-                       const ContactFrame& frame) const noexcept;
+  /// The suitability of kept heights for a request.
+  struct Fit {
+    double strain = 0.0;  // 1: at the limits of motion
+    Pose lattice{};       // in the world
+    Pose motion{};        // of A relative to it
+    int column = 0;       // of the window's first sample in B's lattice
+    int row = 0;
+  };
+  /// The place whose heights give the result, and whether others are, or will be, sampled for it.
+  struct Choice {
+    std::optional<std::size_t> place{};
+    Fit fit{};
+    bool is_coming = false;
+    bool begins = false;
 
-  /// As PenetrationSampler::evaluate. The triangles have to cover a square of `patch_width_m()` around the frame's
-  /// origin, and the surfaces have to live until the next `reset`.
+    /// Whether `evaluate` will read triangles. If not, the patches may be passed without any.
+    bool needs_triangles() const noexcept { return begins || !place; }
+  };
+  /// Does not read triangles; valid until the next `evaluate`.
+  Choice choose(const PackedPatch& a, const PackedPatch& b,
+                const ContactFrame& frame) const noexcept;
+
+  /// As PenetrationSampler::evaluate, with the choice for this request. The triangles have to cover a square of
+  /// `patch_width_m()` around the frame's origin, and the surfaces have to live until the next `reset`.
+  std::optional<Penetration> evaluate(const Choice& choice, const PackedPatch& a,
+                                      const PackedPatch& b, const ContactFrame& frame) noexcept;
   std::optional<Penetration> evaluate(const PackedPatch& a, const PackedPatch& b,
-                                      const ContactFrame& frame) noexcept;
+                                      const ContactFrame& frame) noexcept {
+    return evaluate(choose(a, b, frame), a, b, frame);
+  }
 
   const SamplingGrid& grid() const noexcept { return sampler_.grid(); }
   double patch_width_m() const noexcept { return patch_width_m_; }
@@ -111,21 +133,6 @@ class CachedPenetration final {
     int deepest_block = 0;  // in the last result
     std::uint64_t last_used = 0;
   };
-  // The suitability of a place for a request.
-  struct Fit {
-    double strain = 0.0;  // 1: at the limits of motion
-    Pose lattice{};       // in the world
-    Pose motion{};        // of A relative to it
-    int column = 0;       // of the window's first sample in B's lattice
-    int row = 0;
-  };
-  // The place of the result, and the one that is being sampled for it.
-  struct Choice {
-    std::optional<std::size_t> place{};
-    Fit fit{};
-    bool is_coming = false;
-    bool begins = false;
-  };
   enum class Step { idle, triangles_of_a, rows_of_a, triangles_of_b, rows_of_b };
   // The place that is being sampled.
   struct Work {
@@ -144,8 +151,6 @@ class CachedPenetration final {
 
   std::optional<Fit> fit(const Place& place, const PackedPatch& a, const PackedPatch& b,
                          const ContactFrame& frame) const noexcept;
-  Choice choose(const PackedPatch& a, const PackedPatch& b,
-                const ContactFrame& frame) const noexcept;
   std::optional<Penetration> from_place(Place& place, const Fit& fit,
                                         const ContactFrame& frame) noexcept;
   KeptHeights kept(BodyHeights& heights, int span) const noexcept;
@@ -163,7 +168,8 @@ class CachedPenetration final {
   MaximumLaw law_{};
   DifferenceSteps steps_{};
   int step_cells_ = 0;
-  int margin_ = 0;  // samples of the lattice around a centred window
+  int margin_ = 0;            // samples of the lattice around a centred window
+  double most_away_m_ = 0.0;  // of a request from a lattice's middle
   SamplingGrid lattice_{};
   double patch_width_m_ = 0.0;
   int stride_ = 0;
