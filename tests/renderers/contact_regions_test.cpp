@@ -144,6 +144,46 @@ TEST(ContactRegions, AreWhatHangsTogetherWhateverTheirPairsShare) {
   EXPECT_GE(most_parts, 2U);
 }
 
+// Segments of pairs that were there in the previous update, and places in the list that others have taken since.
+TEST(ContactRegions, AreThoseOfThePresentPairsWithEveryInstructionSet) {
+  const TriangleMesh ring = bumpy_torus(40, 20);
+  const TriangleMesh other = box({0.1, 0.1, 0.1});
+  Meeting meeting(ring, other);
+  std::vector<ContactRegions> all;
+  for (const InstructionSet set : instruction_sets_here()) {
+    all.emplace_back(ring, other, 4000, 16, set);
+  }
+  std::size_t regions = 0;
+  for (int step = 0; step < 60; ++step) {
+    const Pose pose = turned_to(0.3 + 0.01 * step, {1.0, 0.3, 0.2}, {0.0, 0.003, 0.05});
+    const Pose surface = pose_at({0.0, 1e-5 * step, 0.0});
+    const auto pairs = meeting.query.find(
+        {.rotation = pose.rotation, .position_m = pose.position_m - surface.position_m});
+    const auto expected = all.front().update(pairs, pose, surface);
+    regions += expected.size();
+    for (ContactRegions& each : all) {
+      if (&each == &all.front()) continue;
+      const auto found = each.update(pairs, pose, surface);
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].frame.origin_m, expected[i].frame.origin_m);
+        EXPECT_EQ(found[i].frame.n, expected[i].frame.n);
+        EXPECT_EQ(found[i].half_extent_m, expected[i].half_extent_m);
+        EXPECT_EQ(found[i].upright_a, expected[i].upright_a);
+        EXPECT_EQ(found[i].upright_b, expected[i].upright_b);
+      }
+    }
+    ContactRegions fresh(ring, other, 4000, 16);
+    const auto first = fresh.update(pairs, pose, surface);
+    ASSERT_EQ(first.size(), expected.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      EXPECT_EQ(first[i].pairs, expected[i].pairs);
+      EXPECT_EQ(first[i].frame.origin_m, expected[i].frame.origin_m);
+    }
+  }
+  EXPECT_GE(regions, 60U);
+}
+
 TEST(ContactRegions, ExchangingTheBodiesReversesTheDirection) {
   const TriangleMesh one = ball(kBallRadius_m, 12, 20);
   const TriangleMesh other = bumpy_torus(24, 15);

@@ -397,6 +397,22 @@ TEST(CachedPenetration, SamplesAnewWhereNothingIsKept) {
   EXPECT_EQ(cached.sampled_answers(), 40U);
 }
 
+// A contact may move by nearly a quarter of its window along both axes before its heights are those of another one.
+TEST(CachedPenetration, KeepsHeightsUpToTheCornersOfTheirMargin) {
+  ContactsByChance chance(48);
+  const Bodies bodies(chance, ContactKind::flat);
+  CachedPenetration cached(settings_for(64, step_of(64, 1)));
+  settle(cached, bodies, bodies.contact.pose_a);
+  const std::uint64_t sampled = cached.sampled_answers();
+  for (const double x_m : {-2.2e-3, 2.2e-3}) {
+    for (const double y_m : {-2.2e-3, 2.2e-3}) {
+      cached.evaluate(bodies.patch_a(bodies.contact.pose_a), bodies.patch_b(),
+                      {.origin_m = {x_m, y_m, 0.0}});
+    }
+  }
+  EXPECT_EQ(cached.sampled_answers(), sampled);
+}
+
 TEST(CachedPenetration, AnswersTheSameCallsTheSameAfterAReset) {
   ContactsByChance chance(37);
   const Bodies bodies(chance, ContactKind::ridge);

@@ -119,6 +119,35 @@ TEST(TexturedBody, FindsTheTrianglesThatTouchTheWindowAndLookTheRightWay) {
   EXPECT_TRUE(std::equal(narrow.begin(), narrow.end(), room.begin()));
 }
 
+// A short line meets only the boxes near it.
+TEST(TexturedBody, FindsTheWayOutWhateverTheLengthOfTheLine) {
+  const TriangleMesh torus = bumpy_torus(24, 15);
+  const TexturedBody body(bare(torus), 1.0);
+  int found = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double angle_rad = 0.4 * i;
+    const glm::dvec3 from_m = 0.03 * glm::dvec3{std::cos(angle_rad), std::sin(angle_rad), 0.0} +
+                              1e-3 * glm::dvec3{std::sin(2.0 * i), std::cos(3.0 * i), 0.0};
+    const glm::dvec3 along =
+        glm::normalize(glm::dvec3{std::sin(1.3 * i), std::cos(0.7 * i), std::sin(0.2 * i)});
+    const WayOut whole = body.way_out(from_m, along, 1.0);
+    if (!whole.is_inside) continue;
+    ++found;
+    for (const double share : {0.5, 0.999}) {
+      const WayOut shorter = body.way_out(from_m, along, share * whole.way_m);
+      EXPECT_FALSE(shorter.is_inside) << i;
+      EXPECT_EQ(shorter.way_m, share * whole.way_m) << i;
+    }
+    for (const double share : {1.001, 1.5}) {
+      const WayOut longer = body.way_out(from_m, along, share * whole.way_m);
+      EXPECT_TRUE(longer.is_inside) << i;
+      EXPECT_EQ(longer.way_m, whole.way_m) << i;
+    }
+    EXPECT_FALSE(body.whereabouts(from_m + 1.001 * whole.way_m * along).is_inside) << i;
+  }
+  EXPECT_GT(found, 150);
+}
+
 TEST(TexturedBody, KnowsWhatIsInside) {
   const TexturedBody torus(bare(bumpy_torus(24, 15)), 1.0);
   EXPECT_TRUE(torus.whereabouts({0.03, 0.0, 0.0}).is_inside);

@@ -31,7 +31,7 @@ TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowS
     : a_(std::move(a)),
       b_(std::move(b)),
       query_(a_.hull_clusters(), b_.hull_clusters(), kMostPairs, instructions),
-      regions_(a_.hull(), b_.hull(), kMostPairs, kMostContacts),
+      regions_(a_.hull(), b_.hull(), kMostPairs, kMostContacts, instructions),
       samplers_(sampling, widest_window_m(a_, b_),
                 std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())), instructions),
       triangles_a_(std::min(kMostTriangles, a_.triangles())),

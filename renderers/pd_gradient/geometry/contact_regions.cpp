@@ -16,48 +16,24 @@
 namespace asperity {
 namespace {
 
-using Corners = std::array<glm::dvec3, 3>;
-
 constexpr double kSmallestDirection = 0.05;       // relative to n of equal normals
 constexpr double kWidthStep = 1.189207115002721;  // 2^(1/4)
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A point on a line and its position along it.
-struct PointOnLine {
-  double along = 0.0;
-  glm::dvec3 place_m{0.0};
-};
-
-/// The intersection of a triangle with the line in which another's plane cuts its own.
-struct Interval {
-  PointOnLine low{.along = std::numeric_limits<double>::infinity()};
-  PointOnLine high{.along = -std::numeric_limits<double>::infinity()};
-};
-
-/// The two edges that cross a plane, by the corners below it: bit i is corner i, and edge i goes to the next corner.
-constexpr std::array<std::array<std::uint8_t, 2>, 8> kCrossingEdges{
-    {{}, {0, 2}, {0, 1}, {1, 2}, {1, 2}, {0, 1}, {0, 2}, {}}};
-
-// With a table and without branches: which corners are below is not predictable.
-Interval cut(const Corners& corners, const glm::dvec3& normal, const glm::dvec3& on_plane,
-             const glm::dvec3& along) noexcept {
-  double heights[3];
-  unsigned below = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    heights[i] = glm::dot(normal, corners[i] - on_plane);
-    below |= (heights[i] < 0.0 ? 1U : 0U) << i;
+PlacedBody placed_body(const Pose& pose) noexcept {
+  PlacedBody body{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      body.turn[3 * row + column] = pose.rotation[column][row];
+    }
+    body.shift_m[row] = pose.position_m[row];
   }
-  if (below == 0 || below == 7) return {};
-  const auto crossing = [&](std::size_t i) -> PointOnLine {
-    const std::size_t j = (i + 1) % 3;
-    const double share = heights[i] / (heights[i] - heights[j]);
-    const glm::dvec3 place_m = corners[i] + share * (corners[j] - corners[i]);
-    return {.along = glm::dot(place_m, along), .place_m = place_m};
-  };
-  const PointOnLine first = crossing(kCrossingEdges[below][0]);
-  const PointOnLine second = crossing(kCrossingEdges[below][1]);
-  return {.low = second.along < first.along ? second : first,
-          .high = second.along > first.along ? second : first};
+  return body;
+}
+
+/// A vector of one lane of eight.
+glm::dvec3 in_lane(const double (&vectors)[3][kSegmentLanes], std::size_t lane) noexcept {
+  return {vectors[0][lane], vectors[1][lane], vectors[2][lane]};
 }
 
 /// Applies to a third vector the rotation that takes one unit vector to another, about their common normal.
@@ -131,28 +107,30 @@ ContactRegions::Body::Body(const TriangleMesh& mesh)
   }
   last_of_triangle.assign(triangles.size(), kNone);
   last_of_vertex.assign(vertices_m.size(), kNone);
-  placed.resize(triangles.size());
 }
 
-// Most triangles belong to several pairs.
-const ContactRegions::PlacedTriangle& ContactRegions::Body::at(std::uint32_t triangle,
-                                                               const Pose& pose,
-                                                               std::uint64_t update) noexcept {
-  PlacedTriangle& found = placed[triangle];
-  if (found.update == update) return found;
-  found.update = update;
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    found.corners_m[corner] =
-        pose.rotation * vertices_m[triangles[triangle][corner]] + pose.position_m;
+void ContactRegions::Body::put(std::uint32_t triangle, SegmentTriangles& batch,
+                               std::size_t lane) const noexcept {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      batch.corners[corner][axis][lane] = vertices_m[triangles[triangle][corner]][axis];
+    }
+    batch.normal[axis][lane] = normals[triangle][axis];
   }
-  found.normal = pose.rotation * normals[triangle];
-  return found;
 }
 
 ContactRegions::ContactRegions(const TriangleMesh& a, const TriangleMesh& b,
-                               std::size_t maximum_pairs, std::size_t maximum_regions)
-    : a_(a), b_(b), maximum_regions_(maximum_regions) {
-  segments_.reserve(maximum_pairs);
+                               std::size_t maximum_pairs, std::size_t maximum_regions,
+                               InstructionSet set)
+    : loops_(&triangle_loops_of(set)),
+      a_(a),
+      b_(b),
+      maximum_pairs_(maximum_pairs),
+      maximum_regions_(maximum_regions) {
+  const std::size_t batches = (maximum_pairs + kSegmentLanes - 1) / kSegmentLanes;
+  triangles_a_.assign(batches, SegmentTriangles{});
+  triangles_b_.assign(batches, SegmentTriangles{});
+  segments_.assign(batches, Segments{});
   parents_.reserve(maximum_pairs);
   joined_.reserve(maximum_pairs);
   before_it_.resize(maximum_pairs);
@@ -219,19 +197,20 @@ void ContactRegions::join_neighbours(std::span<const TrianglePair> pairs) noexce
 
 void ContactRegions::add_up() noexcept {
   sums_.clear();
-  sum_of_root_.assign(segments_.size(), kNone);
-  for (std::uint32_t pair = 0; pair < segments_.size(); ++pair) {
+  sum_of_root_.assign(joined_.size(), kNone);
+  for (std::uint32_t pair = 0; pair < joined_.size(); ++pair) {
     const std::uint32_t root = root_of(pair);
     if (sum_of_root_[root] == kNone) {
       sum_of_root_[root] = static_cast<std::uint32_t>(sums_.size());
       sums_.push_back({.root = root});
     }
     Sum& sum = sums_[sum_of_root_[root]];
-    const Segment& segment = segments_[pair];
-    sum.length_m += segment.length_m;
-    sum.middles += segment.length_m * 0.5 * (segment.ends_m[0] + segment.ends_m[1]);
-    sum.normals_a += segment.length_m * segment.normal_a;
-    sum.normals_b += segment.length_m * segment.normal_b;
+    const Segments& segments = segments_[pair / kSegmentLanes];
+    const std::size_t lane = pair % kSegmentLanes;
+    sum.length_m += segments.length_m[lane];
+    sum.middles += in_lane(segments.middles_m2, lane);
+    sum.normals_a += in_lane(segments.normals_a_m, lane);
+    sum.normals_b += in_lane(segments.normals_b_m, lane);
     ++sum.pairs;
   }
 }
@@ -269,51 +248,48 @@ const ContactRegion* ContactRegions::before(const glm::dvec3& origin_m) noexcept
 void ContactRegions::find_half_extents() noexcept {
   half_extents_m_.assign(kept_.size(), 0.0);
   // The regions are in the order of their sums; regions that were left out have none.
-  sum_of_root_.assign(segments_.size(), kNone);
+  sum_of_root_.assign(joined_.size(), kNone);
   for (std::uint32_t i = 0; i < sums_.size(); ++i) sum_of_root_[sums_[i].root] = i;
-  for (std::uint32_t pair = 0; pair < segments_.size(); ++pair) {
+  for (std::uint32_t pair = 0; pair < joined_.size(); ++pair) {
     const std::uint32_t region = sum_of_root_[root_of(pair)];
-    if (region == kNone || segments_[pair].length_m == 0.0) continue;
+    const Segments& segments = segments_[pair / kSegmentLanes];
+    const std::size_t lane = pair % kSegmentLanes;
+    if (region == kNone || segments.length_m[lane] == 0.0) continue;
     const ContactFrame& frame = kept_[region].frame;
     double& extent_m = half_extents_m_[region];
-    for (const glm::dvec3& end : segments_[pair].ends_m) {
-      const glm::dvec3 way = end - frame.origin_m;
+    for (const auto& ends_m : segments.ends_m) {
+      const glm::dvec3 way = in_lane(ends_m, lane) - frame.origin_m;
       extent_m =
           std::max({extent_m, std::abs(glm::dot(frame.u, way)), std::abs(glm::dot(frame.v, way))});
     }
   }
 }
 
+// The pairs and the batches of their triangles, in the frames of the bodies. Many are the same as in the previous tick.
+void ContactRegions::set_pairs(std::span<const TrianglePair> pairs) noexcept {
+  bool has_changed = pairs.size() != joined_.size();
+  joined_.resize(pairs.size(), {.a = kNone, .b = kNone});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (joined_[i] == pairs[i]) continue;
+    joined_[i] = pairs[i];
+    a_.put(pairs[i].a, triangles_a_[i / kSegmentLanes], i % kSegmentLanes);
+    b_.put(pairs[i].b, triangles_b_[i / kSegmentLanes], i % kSegmentLanes);
+    has_changed = true;
+  }
+  if (!has_changed) return;
+  parents_.resize(pairs.size());
+  std::iota(parents_.begin(), parents_.end(), 0U);
+  join_neighbours(pairs);
+}
+
 std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePair> pairs,
                                                       const Pose& a, const Pose& b) noexcept {
-  pairs = pairs.first(std::min(pairs.size(), segments_.capacity()));
   std::swap(before_, kept_);
   kept_.clear();
   taken_.assign(before_.size(), false);
-  segments_.clear();
-  ++updates_;
-  for (const TrianglePair& pair : pairs) {
-    const PlacedTriangle& p = a_.at(pair.a, a, updates_);
-    const PlacedTriangle& q = b_.at(pair.b, b, updates_);
-    Segment segment{.normal_a = p.normal, .normal_b = q.normal};
-    const glm::dvec3 along = glm::cross(p.normal, q.normal);
-    const Interval of_p = cut(p.corners_m, q.normal, q.corners_m[0], along);
-    const Interval of_q = cut(q.corners_m, p.normal, p.corners_m[0], along);
-    const PointOnLine& low = of_p.low.along > of_q.low.along ? of_p.low : of_q.low;
-    const PointOnLine& high = of_p.high.along < of_q.high.along ? of_p.high : of_q.high;
-    if (low.along < high.along) {
-      segment.ends_m[0] = low.place_m;
-      segment.ends_m[1] = high.place_m;
-      segment.length_m = glm::distance(low.place_m, high.place_m);
-    }
-    segments_.push_back(segment);
-  }
-  if (!std::equal(pairs.begin(), pairs.end(), joined_.begin(), joined_.end())) {
-    joined_.assign(pairs.begin(), pairs.end());
-    parents_.resize(pairs.size());
-    std::iota(parents_.begin(), parents_.end(), 0U);
-    join_neighbours(pairs);
-  }
+  set_pairs(pairs.first(std::min(pairs.size(), maximum_pairs_)));
+  loops_->cut_pairs(triangles_a_.data(), triangles_b_.data(), joined_.size(), placed_body(a),
+                    placed_body(b), segments_.data());
   add_up();
   keep_longest();
   lasts_.clear();

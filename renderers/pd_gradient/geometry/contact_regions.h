@@ -12,6 +12,8 @@
 
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
 #include "renderers/pd_gradient/geometry/mesh_query.h"
+#include "renderers/pd_gradient/loops/instruction_set.h"
+#include "renderers/pd_gradient/loops/triangle_loops.h"
 
 namespace asperity {
 
@@ -59,7 +61,7 @@ class ContactRegions final {
 
   /// Errors: std::invalid_argument for a mesh whose triangles refer to missing vertices.
   ContactRegions(const TriangleMesh& a, const TriangleMesh& b, std::size_t maximum_pairs,
-                 std::size_t maximum_regions);
+                 std::size_t maximum_regions, InstructionSet set = instruction_sets_here().back());
 
   /// Clears the previous tick.
   void reset() noexcept {
@@ -74,12 +76,6 @@ class ContactRegions final {
   std::size_t regions_left_out() const noexcept { return left_out_; }  ///< in the last update
 
  private:
-  /// A triangle in the pose of an update.
-  struct PlacedTriangle {
-    std::array<glm::dvec3, 3> corners_m{};
-    glm::dvec3 normal{0.0};
-    std::uint64_t update = 0;
-  };
   struct Body {
     std::vector<glm::dvec3> vertices_m{};
     std::vector<std::array<std::uint32_t, 3>> triangles{};
@@ -87,22 +83,13 @@ class ContactRegions final {
     // During the joining: for every triangle its last pair, for every vertex the last pair of the current list.
     std::vector<std::uint32_t> last_of_triangle{};
     std::vector<std::uint32_t> last_of_vertex{};
-    std::vector<PlacedTriangle> placed{};
     explicit Body(const TriangleMesh& mesh);
-    const PlacedTriangle& at(std::uint32_t triangle, const Pose& pose,
-                             std::uint64_t update) noexcept;
+    void put(std::uint32_t triangle, SegmentTriangles& batch, std::size_t lane) const noexcept;
   };
   /// A body, and its triangle in a pair.
   struct Side {
     Body* body = nullptr;
     std::uint32_t TrianglePair::*of_pair = nullptr;
-  };
-  /// The intersection of two triangles.
-  struct Segment {
-    glm::dvec3 ends_m[2]{glm::dvec3(0.0), glm::dvec3(0.0)};
-    glm::dvec3 normal_a{0.0};
-    glm::dvec3 normal_b{0.0};
-    double length_m = 0.0;
   };
   struct Sum {
     double length_m = 0.0;
@@ -115,6 +102,7 @@ class ContactRegions final {
 
   std::uint32_t root_of(std::uint32_t pair) noexcept;
   void join(std::uint32_t one, std::uint32_t other) noexcept;
+  void set_pairs(std::span<const TrianglePair> pairs) noexcept;
   void join_neighbours(std::span<const TrianglePair> pairs) noexcept;
   void join_along(std::span<const TrianglePair> pairs, Side same, Side other) noexcept;
   void add_up() noexcept;
@@ -122,11 +110,16 @@ class ContactRegions final {
   const ContactRegion* before(const glm::dvec3& origin_m) noexcept;
   void find_half_extents() noexcept;
 
+  const TriangleLoops* loops_ = nullptr;
   Body a_;
   Body b_;
+  std::size_t maximum_pairs_ = 0;
   std::size_t maximum_regions_ = 0;
+  // Of the pairs, eight at a time.
+  std::vector<SegmentTriangles> triangles_a_{};
+  std::vector<SegmentTriangles> triangles_b_{};
+  std::vector<Segments> segments_{};
   // As long as the pairs of the last update; the memory is reserved in advance.
-  std::vector<Segment> segments_{};
   std::vector<std::uint32_t> parents_{};
   std::vector<TrianglePair>
       joined_{};  // the pairs of parents_; often the same as in the previous tick
@@ -139,7 +132,6 @@ class ContactRegions final {
   std::vector<const ContactRegion*> lasts_{};  // the kept regions' states in the previous tick
   std::vector<double> half_extents_m_{};
   std::uint64_t next_id_ = 0;
-  std::uint64_t updates_ = 0;
   std::size_t left_out_ = 0;
 };
 

@@ -96,18 +96,6 @@ bool separates(const glm::dvec3& axis, const Corners& a, const Corners& b) noexc
   return a_high < b_low || b_high < a_low;
 }
 
-const TriangleLoops& loops_for(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::sse2:
-      return kSse2TriangleLoops;
-    case InstructionSet::avx2:
-      return kAvx2TriangleLoops;
-    case InstructionSet::avx512:
-      return kAvx512TriangleLoops;
-  }
-  return kSse2TriangleLoops;
-}
-
 TriangleClusters clusters_of(const ClusteredMesh& mesh) {
   return {.clusters = mesh.clusters().data(),
           .count = mesh.clusters().size(),
@@ -203,7 +191,7 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
     }
   }
   for (TriangleCluster& cluster : clusters_) set_slab(cluster);
-  loops_ = &loops_for(instruction_sets_here().back());
+  loops_ = &triangle_loops_of(instruction_sets_here().back());
 }
 
 MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
@@ -225,7 +213,7 @@ MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<con
                      std::size_t maximum_pairs, InstructionSet set)
     : a_(std::move(a)),
       b_(std::move(b)),
-      loops_(&loops_for(set)),
+      loops_(&triangle_loops_of(set)),
       pairs_(maximum_pairs),
       margin_m_(kMarginOfRadius * std::min(a_->radius_m(), b_->radius_m())),
       work_of_list_(kWorkOfFirstList) {

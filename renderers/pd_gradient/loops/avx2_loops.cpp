@@ -94,11 +94,34 @@ struct Lanes {
   }
 };
 
+struct DoubleLanes {
+  static constexpr int kWidth = 4;
+  using Doubles = __m256d;
+  using Mask = __m256d;
+
+  static Doubles load(const double* from) { return _mm256_load_pd(from); }
+  static void store(double* to, Doubles a) { _mm256_store_pd(to, a); }
+  static Doubles all(double a) { return _mm256_set1_pd(a); }
+  static Doubles add(Doubles a, Doubles b) { return _mm256_add_pd(a, b); }
+  static Doubles sub(Doubles a, Doubles b) { return _mm256_sub_pd(a, b); }
+  static Doubles mul(Doubles a, Doubles b) { return _mm256_mul_pd(a, b); }
+  static Doubles div(Doubles a, Doubles b) { return _mm256_div_pd(a, b); }
+  static Doubles sqrt(Doubles a) { return _mm256_sqrt_pd(a); }
+  static Mask less(Doubles a, Doubles b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
+  static Mask both(Mask a, Mask b) { return _mm256_and_pd(a, b); }
+  static Mask either(Mask a, Mask b) { return _mm256_or_pd(a, b); }
+  static Mask differ(Mask a, Mask b) { return _mm256_xor_pd(a, b); }
+  static Doubles choose(Mask where, Doubles yes, Doubles no) {
+    return _mm256_blendv_pd(no, yes, where);
+  }
+};
+
 }  // namespace
 }  // namespace asperity
 
 #include "renderers/pd_gradient/loops/kept_loops_of_lanes.h"
 #include "renderers/pd_gradient/loops/sample_loops_of_lanes.h"
+#include "renderers/pd_gradient/loops/segment_loop_of_lanes.h"
 #include "renderers/pd_gradient/loops/smooth_loop_of_lanes.h"
 #include "renderers/pd_gradient/loops/triangle_loops_of_lanes.h"
 
@@ -106,5 +129,5 @@ namespace asperity {
 const SampleLoops kAvx2Loops{sample_surface_by_lanes, compare_by_lanes,      weigh_by_lanes,
                              bound_rows_by_lanes,     compare_kept_by_lanes, weigh_kept_by_lanes};
 const TriangleLoops kAvx2TriangleLoops{find_pairs_by_lanes, test_pairs_by_lanes,
-                                       find_in_box_by_lanes};
+                                       find_in_box_by_lanes, cut_pairs_by_lanes};
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include "renderers/pd_gradient/loops/instruction_set.h"
 
 #include "renderers/pd_gradient/loops/sample_loops.h"
+#include "renderers/pd_gradient/loops/triangle_loops.h"
 
 namespace asperity {
 
@@ -38,6 +39,18 @@ const SampleLoops& loops_of(InstructionSet set) noexcept {
       return kAvx512Loops;
   }
   return kSse2Loops;
+}
+
+const TriangleLoops& triangle_loops_of(InstructionSet set) noexcept {
+  switch (set) {
+    case InstructionSet::sse2:
+      return kSse2TriangleLoops;
+    case InstructionSet::avx2:
+      return kAvx2TriangleLoops;
+    case InstructionSet::avx512:
+      return kAvx512TriangleLoops;
+  }
+  return kSse2TriangleLoops;
 }
 
 }  // namespace asperity

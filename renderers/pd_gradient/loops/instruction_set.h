@@ -7,6 +7,7 @@
 namespace asperity {
 
 struct SampleLoops;
+struct TriangleLoops;
 
 /// The instruction sets. All sets use the same source with the same operations in the same order and without fused
 /// multiplications: the results are identical to the bit, and wider sets are faster. x86-64 only.
@@ -18,7 +19,8 @@ const char* name_of(InstructionSet set) noexcept;
 /// The sets that this processor and system support, the widest last; never empty.
 std::vector<InstructionSet> instruction_sets_here();
 
-/// The sample loops that are compiled for a set.
+/// The loops that are compiled for a set.
 const SampleLoops& loops_of(InstructionSet set) noexcept;
+const TriangleLoops& triangle_loops_of(InstructionSet set) noexcept;
 
 }  // namespace asperity

@@ -86,11 +86,34 @@ struct Lanes {
   }
 };
 
+struct DoubleLanes {
+  static constexpr int kWidth = 2;
+  using Doubles = __m128d;
+  using Mask = __m128d;
+
+  static Doubles load(const double* from) { return _mm_load_pd(from); }
+  static void store(double* to, Doubles a) { _mm_store_pd(to, a); }
+  static Doubles all(double a) { return _mm_set1_pd(a); }
+  static Doubles add(Doubles a, Doubles b) { return _mm_add_pd(a, b); }
+  static Doubles sub(Doubles a, Doubles b) { return _mm_sub_pd(a, b); }
+  static Doubles mul(Doubles a, Doubles b) { return _mm_mul_pd(a, b); }
+  static Doubles div(Doubles a, Doubles b) { return _mm_div_pd(a, b); }
+  static Doubles sqrt(Doubles a) { return _mm_sqrt_pd(a); }
+  static Mask less(Doubles a, Doubles b) { return _mm_cmplt_pd(a, b); }
+  static Mask both(Mask a, Mask b) { return _mm_and_pd(a, b); }
+  static Mask either(Mask a, Mask b) { return _mm_or_pd(a, b); }
+  static Mask differ(Mask a, Mask b) { return _mm_xor_pd(a, b); }
+  static Doubles choose(Mask where, Doubles yes, Doubles no) {
+    return _mm_or_pd(_mm_and_pd(where, yes), _mm_andnot_pd(where, no));
+  }
+};
+
 }  // namespace
 }  // namespace asperity
 
 #include "renderers/pd_gradient/loops/kept_loops_of_lanes.h"
 #include "renderers/pd_gradient/loops/sample_loops_of_lanes.h"
+#include "renderers/pd_gradient/loops/segment_loop_of_lanes.h"
 #include "renderers/pd_gradient/loops/smooth_loop_of_lanes.h"
 #include "renderers/pd_gradient/loops/triangle_loops_of_lanes.h"
 
@@ -98,5 +121,5 @@ namespace asperity {
 const SampleLoops kSse2Loops{sample_surface_by_lanes, compare_by_lanes,      weigh_by_lanes,
                              bound_rows_by_lanes,     compare_kept_by_lanes, weigh_kept_by_lanes};
 const TriangleLoops kSse2TriangleLoops{find_pairs_by_lanes, test_pairs_by_lanes,
-                                       find_in_box_by_lanes};
+                                       find_in_box_by_lanes, cut_pairs_by_lanes};
 }  // namespace asperity

@@ -78,6 +78,29 @@ struct ClusterPose {
 /// Receives a pair; if `is_sure` is false, the triangles may be separated by less than the tolerance.
 using TakePair = void (*)(void* to, std::uint32_t a, std::uint32_t b, bool is_sure) noexcept;
 
+inline constexpr int kSegmentLanes = 8;
+
+/// Eight triangles in a body's frame: [corner][axis][lane], and their unit normals.
+struct alignas(64) SegmentTriangles {
+  double corners[3][3][kSegmentLanes];
+  double normal[3][kSegmentLanes];
+};
+
+/// The pose of a body in the world.
+struct PlacedBody {
+  double turn[9] = {};  ///< row by row
+  double shift_m[3] = {};
+};
+
+/// The segments in which eight pairs of triangles intersect, in the world; zero for a pair that does not intersect in a segment.
+struct alignas(64) Segments {
+  double ends_m[2][3][kSegmentLanes];
+  double length_m[kSegmentLanes];
+  double middles_m2[3][kSegmentLanes];   ///< the middle times the length
+  double normals_a_m[3][kSegmentLanes];  ///< the normal of A's triangle times the length
+  double normals_b_m[3][kSegmentLanes];
+};
+
 /// The loops for one instruction set. Real-time: no allocation, no lock, no exception.
 struct TriangleLoops {
   void (*find_pairs)(const TriangleClusters& a, const TriangleClusters& b, const ClusterPose& pose,
@@ -88,6 +111,10 @@ struct TriangleLoops {
   /// The triangles of a cluster, as bits, that face a direction and reach into a box or are within twice the tolerance of it.
   unsigned (*find_in_box)(const TriangleCluster& cluster, const SlabBox& box,
                           float tolerance_m) noexcept = nullptr;
+  /// The segments of `count` pairs of a triangle of A and the one of B in the same lane.
+  void (*cut_pairs)(const SegmentTriangles* a, const SegmentTriangles* b, std::size_t count,
+                    const PlacedBody& body_a, const PlacedBody& body_b,
+                    Segments* segments) noexcept = nullptr;
 };
 
 extern const TriangleLoops kSse2TriangleLoops;
