@@ -10,8 +10,8 @@
 
 namespace asperity {
 
-double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose& a,
-                                      const Pose& b) const noexcept {
+double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose& X_WA,
+                                      const Pose& X_WB) const noexcept {
   constexpr double kBeyond = 1.01;  // so that the surface itself is met in spite of rounding
   const glm::dvec3& n = contact.frame.n;
   const double depth_m = contact.penetration.depth_m;
@@ -41,14 +41,14 @@ double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose
                       : std::min(depth_m, contact.half_extent_m + a_.furthest_displacement_m() +
                                               b_.furthest_displacement_m());
   // One short line decides for most contacts.
-  if (half_window_m == depth_m && way_out(b_, b, on_b_m, -n).way_m == depth_m) return depth_m;
-  const double of_b_m = thickness_m(b_, b, on_b_m, -n);
-  const double of_a_m = thickness_m(a_, a, on_a_m, n);
+  if (half_window_m == depth_m && way_out(b_, X_WB, on_b_m, -n).way_m == depth_m) return depth_m;
+  const double of_b_m = thickness_m(b_, X_WB, on_b_m, -n);
+  const double of_a_m = thickness_m(a_, X_WA, on_a_m, n);
   const double median_m =
       std::max(std::min(of_a_m, of_b_m), std::min(std::max(of_a_m, of_b_m), half_window_m));
   if (median_m == depth_m) return depth_m;
-  const WayOut out_of_b = way_out(b_, b, on_a_m, n);
-  const WayOut out_of_a = way_out(a_, a, on_b_m, -n);
+  const WayOut out_of_b = way_out(b_, X_WB, on_a_m, n);
+  const WayOut out_of_a = way_out(a_, X_WA, on_b_m, -n);
   if (out_of_a.is_inside == out_of_b.is_inside) return median_m;
   return std::min(median_m, out_of_b.is_inside ? out_of_b.way_m : out_of_a.way_m);
 }

@@ -76,14 +76,15 @@ void TexturedContacts::change_shares(std::span<const std::size_t> owner) noexcep
 
 // A fading contact continues as if its deepest place moved with A along the gradient: its window may show the place of
 // another contact or another bound. It never becomes deeper, so that it does not push back more than it was pressed.
-void TexturedContacts::fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept {
+void TexturedContacts::fade(const TexturedContact& last, const Pose& X_WA,
+                            const Pose& X_WB) noexcept {
   if (last.share <= kLeastShare) return;
   TexturedContact fading = last;
-  fading.frame = continued(last, a, b).frame;
+  fading.frame = continued(last, X_WA, X_WB).frame;
   fading.is_fading = true;
   fading.is_kept = false;
-  const glm::dvec3 place_m = now_on_a_m(deepest_m(last), a);
-  const glm::dvec3 way_m = fading.frame.to_frame(way_since_m(place_m, a, b));
+  const glm::dvec3 place_m = now_on_a_m(deepest_m(last), X_WA);
+  const glm::dvec3 way_m = fading.frame.to_frame(way_since_m(place_m, X_WA, X_WB));
   if (glm::length(way_m) > 0.5 * last.grid.width_m) return;  // moved too far to be the same place
   fading.penetration.depth_m +=
       std::min(0.0, glm::dot(glm::dvec3{last.penetration.slope, -1.0}, way_m));

@@ -40,7 +40,7 @@ std::size_t TexturedContacts::successor_of(const TexturedContact& last) const no
 // it, that is the one with the nearest deepest place. There is none (kMostContacts) if the deepest place was in no window
 // before, or if the force under another id would differ.
 std::size_t TexturedContacts::predecessor_of(std::size_t contact, const Successors& successors,
-                                             const Pose& a, const Pose& b) const noexcept {
+                                             const Pose& X_WA, const Pose& X_WB) const noexcept {
   const TexturedContact& now = contacts_[contact];
   std::size_t predecessor = kMostContacts;
   std::size_t nearest = kMostContacts;
@@ -61,31 +61,33 @@ std::size_t TexturedContacts::predecessor_of(std::size_t contact, const Successo
   const glm::dvec3 way_m = last.frame.to_frame(deepest_m(now) - last.frame.origin_m);
   const bool was_seen = std::max(std::abs(way_m.x), std::abs(way_m.y)) <= 0.5 * last.grid.width_m;
   if (!was_seen) return kMostContacts;
-  const bool continues = is_due_to_motion(last, now, a, b) || is_felt_on(last, now, a, b);
+  const bool continues =
+      is_due_to_motion(last, now, X_WA, X_WB) || is_felt_on(last, now, X_WA, X_WB);
   return continues ? predecessor : kMostContacts;
 }
 
 // How far A has moved at a place of the world since the previous tick, relative to B.
-glm::dvec3 TexturedContacts::way_since_m(const glm::dvec3& now_m, const Pose& a,
-                                         const Pose& b) const noexcept {
-  const glm::dvec3 before_m = a_before_.rotation * in_body(a, now_m) + a_before_.position_m;
-  return now_m - (b.rotation * in_body(b_before_, before_m) + b.position_m);
+glm::dvec3 TexturedContacts::way_since_m(const glm::dvec3& now_m, const Pose& X_WA,
+                                         const Pose& X_WB) const noexcept {
+  const glm::dvec3 before_m = X_WA_before_ * in_body(X_WA, now_m);
+  return now_m - X_WB * in_body(X_WB_before_, before_m);
 }
 
 // Where a place of A is now that was there in the previous tick.
-glm::dvec3 TexturedContacts::now_on_a_m(const glm::dvec3& before_m, const Pose& a) const noexcept {
-  return a.rotation * in_body(a_before_, before_m) + a.position_m;
+glm::dvec3 TexturedContacts::now_on_a_m(const glm::dvec3& before_m,
+                                        const Pose& X_WA) const noexcept {
+  return X_WA * in_body(X_WA_before_, before_m);
 }
 
 // The farthest that A has moved since the previous tick relative to B, at the deepest place and at the window's border.
-double TexturedContacts::farthest_way_m(const TexturedContact& contact, const Pose& a,
-                                        const Pose& b) const noexcept {
+double TexturedContacts::farthest_way_m(const TexturedContact& contact, const Pose& X_WA,
+                                        const Pose& X_WB) const noexcept {
   const ContactFrame& frame = contact.frame;
   const double half_m = 0.5 * contact.grid.width_m;
-  double farthest_m = glm::length(way_since_m(deepest_m(contact), a, b));
+  double farthest_m = glm::length(way_since_m(deepest_m(contact), X_WA, X_WB));
   for (const glm::dvec3& aside : {frame.u, -frame.u, frame.v, -frame.v}) {
     farthest_m =
-        std::max(farthest_m, glm::length(way_since_m(frame.origin_m + half_m * aside, a, b)));
+        std::max(farthest_m, glm::length(way_since_m(frame.origin_m + half_m * aside, X_WA, X_WB)));
   }
   return farthest_m;
 }
@@ -96,8 +98,8 @@ double TexturedContacts::alike_m() const noexcept { return kAlike * permitted_ch
 // Whether surfaces of at most 60° permit the change of the force. At a low step they do not: its upper side is in the
 // window, and in the displaced configurations of the differences, before the edge of A has come up to it.
 bool TexturedContacts::is_due_to_motion(const TexturedContact& last, const TexturedContact& now,
-                                        const Pose& a, const Pose& b) const noexcept {
-  const double way_m = kSteepest * farthest_way_m(now, a, b);
+                                        const Pose& X_WA, const Pose& X_WB) const noexcept {
+  const double way_m = kSteepest * farthest_way_m(now, X_WA, X_WB);
   const double depth_m = now.penetration.depth_m;
   if (std::abs(depth_m - last.penetration.depth_m) > way_m + alike_m()) return false;
   const glm::dvec3 gradient_before = last.frame.to_world({last.penetration.slope, -1.0});
@@ -109,9 +111,9 @@ bool TexturedContacts::is_due_to_motion(const TexturedContact& last, const Textu
 // Whether a contact exerts the force of the previous one, extrapolated: its deepest place moves with A relative to B by
 // Δx, so that the depth becomes δ + ∇δ·Δx.
 bool TexturedContacts::is_felt_on(const TexturedContact& last, const TexturedContact& now,
-                                  const Pose& a, const Pose& b) const noexcept {
-  const ContactFrame frame = continued(last, a, b).frame;
-  const glm::dvec3 way_m = way_since_m(now_on_a_m(deepest_m(last), a), a, b);
+                                  const Pose& X_WA, const Pose& X_WB) const noexcept {
+  const ContactFrame frame = continued(last, X_WA, X_WB).frame;
+  const glm::dvec3 way_m = way_since_m(now_on_a_m(deepest_m(last), X_WA), X_WA, X_WB);
   const glm::dvec3 gradient = frame.to_world({last.penetration.slope, -1.0});
   const double depth_m = last.penetration.depth_m + glm::dot(gradient, way_m);
   const glm::dvec3 gradient_now = now.frame.to_world({now.penetration.slope, -1.0});
@@ -119,13 +121,13 @@ bool TexturedContacts::is_felt_on(const TexturedContact& last, const TexturedCon
 }
 
 // After a contact has divided: the part that is nearest to its deepest place and exerts its force inherits its share.
-void TexturedContacts::divide(const TexturedContact& last, std::size_t predecessor, const Pose& a,
-                              const Pose& b, Begun& begun) noexcept {
+void TexturedContacts::divide(const TexturedContact& last, std::size_t predecessor,
+                              const Pose& X_WA, const Pose& X_WB, Begun& begun) noexcept {
   std::size_t nearest = predecessor;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const TexturedContact& contact = contacts_[i];
     if (!begun[i] || i == predecessor || !is_felt(contact)) continue;
-    if (!is_part_of(contact.frame, last) || !is_felt_on(last, contact, a, b)) continue;
+    if (!is_part_of(contact.frame, last) || !is_felt_on(last, contact, X_WA, X_WB)) continue;
     if (glm::distance(deepest_m(contact), deepest_m(last)) <
         glm::distance(deepest_m(contacts_[nearest]), deepest_m(last))) {
       nearest = i;
@@ -137,10 +139,10 @@ void TexturedContacts::divide(const TexturedContact& last, std::size_t predecess
 
 // Whether it would have been rendered in the previous tick, to first order. False if it has moved by more than half a
 // window since, because then it cannot be identified.
-bool TexturedContacts::was_deep(const TexturedContact& contact, const Pose& a,
-                                const Pose& b) const noexcept {
+bool TexturedContacts::was_deep(const TexturedContact& contact, const Pose& X_WA,
+                                const Pose& X_WB) const noexcept {
   if (is_first_ || !is_felt(contact)) return false;
-  const glm::dvec3 way_m = contact.frame.to_frame(way_since_m(deepest_m(contact), a, b));
+  const glm::dvec3 way_m = contact.frame.to_frame(way_since_m(deepest_m(contact), X_WA, X_WB));
   if (glm::length(way_m) > 0.5 * contact.grid.width_m) return false;
   const glm::dvec3 gradient{contact.penetration.slope, -1.0};
   return contact.penetration.depth_m - glm::dot(gradient, way_m) > 0.0;
@@ -184,7 +186,7 @@ TexturedContacts::Successors TexturedContacts::owners() const noexcept {
   return owners;
 }
 
-void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexcept {
+void TexturedContacts::blend(const Pose& X_WA, const Pose& X_WB, bool are_apart) noexcept {
   const std::size_t now = contacts_.size();
   const Successors owner = owners();
   Successors successors{};
@@ -198,7 +200,8 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
   bool parts = false;
   for (std::size_t i = 0; i < now; ++i) {
     TexturedContact& contact = contacts_[i];
-    predecessors[i] = contact.is_doubtful ? kMostContacts : predecessor_of(i, successors, a, b);
+    predecessors[i] =
+        contact.is_doubtful ? kMostContacts : predecessor_of(i, successors, X_WA, X_WB);
     bool had_any = contact.is_doubtful;
     for (std::size_t j = 0; j < before_.size(); ++j) {
       const TexturedContact& last = before_[j];
@@ -210,19 +213,19 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
       contact.share = 0.0;
     } else if (predecessors[i] < kMostContacts) {
       contact.share = before_[predecessors[i]].share;
-    } else if (had_any || was_deep(contact, a, b)) {
+    } else if (had_any || was_deep(contact, X_WA, X_WB)) {
       contact.share = 0.0;
       begun[i] = true;
       parts = true;
     }
   }
   for (std::size_t i = 0; parts && i < now; ++i) {
-    if (predecessors[i] < kMostContacts) divide(before_[predecessors[i]], i, a, b, begun);
+    if (predecessors[i] < kMostContacts) divide(before_[predecessors[i]], i, X_WA, X_WB, begun);
   }
   for (std::size_t i = 0; !are_apart && i < before_.size(); ++i) {
     const TexturedContact& last = before_[i];
     const bool continues = successors[i] < now && predecessors[successors[i]] == i;
-    if (!continues && is_felt(last)) fade(last, a, b);
+    if (!continues && is_felt(last)) fade(last, X_WA, X_WB);
   }
   change_shares(std::span(owner).first(now));
 }

@@ -32,18 +32,19 @@ bool is_in_reach(const Pose& pose) noexcept {
   return true;
 }
 
-glm::dvec3 in_body(const Pose& pose, const glm::dvec3& place_m) noexcept {
-  return glm::transpose(pose.rotation) * (place_m - pose.position_m);
+glm::dvec3 in_body(const Pose& X_WB, const glm::dvec3& p_WP_m) noexcept {
+  return glm::transpose(X_WB.rotation) * (p_WP_m - X_WB.position_m);
 }
 
-Pose relative(const Pose& a, const Pose& b) noexcept {
-  const glm::dmat3 back = glm::transpose(b.rotation);
-  return {.rotation = back * a.rotation, .position_m = back * (a.position_m - b.position_m)};
+Pose relative(const Pose& X_WA, const Pose& X_WB) noexcept {
+  const glm::dmat3 back = glm::transpose(X_WB.rotation);
+  return {.rotation = back * X_WA.rotation,
+          .position_m = back * (X_WA.position_m - X_WB.position_m)};
 }
 
-ContactFrame in_body(const Pose& pose, const ContactFrame& frame) noexcept {
-  const glm::dmat3 back = glm::transpose(pose.rotation);
-  return {.origin_m = in_body(pose, frame.origin_m),
+ContactFrame in_body(const Pose& X_WB, const ContactFrame& frame) noexcept {
+  const glm::dmat3 back = glm::transpose(X_WB.rotation);
+  return {.origin_m = in_body(X_WB, frame.origin_m),
           .u = back * frame.u,
           .v = back * frame.v,
           .n = back * frame.n};

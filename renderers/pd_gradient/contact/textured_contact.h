@@ -50,11 +50,12 @@ inline constexpr double kSamePlace = 1.5;
 /// another matrix, products overflow and comparisons fail.
 bool is_in_reach(const Pose& pose) noexcept;
 
-/// A point or a frame of the world, in the frame of a body.
-glm::dvec3 in_body(const Pose& pose, const glm::dvec3& place_m) noexcept;
-ContactFrame in_body(const Pose& pose, const ContactFrame& frame) noexcept;
-/// The pose of A in the frame of B.
-Pose relative(const Pose& a, const Pose& b) noexcept;
+/// A point (p_BP) or a contact's frame of the world, in the frame of a body. The difference of the positions is rounded before
+/// it is rotated, and not after it, as with inverse(X_WB).
+glm::dvec3 in_body(const Pose& X_WB, const glm::dvec3& p_WP_m) noexcept;
+ContactFrame in_body(const Pose& X_WB, const ContactFrame& frame) noexcept;
+/// X_BA, in the same order.
+Pose relative(const Pose& X_WA, const Pose& X_WB) noexcept;
 
 /// The deepest sample, in the world.
 glm::dvec3 deepest_m(const TexturedContact& contact) noexcept;

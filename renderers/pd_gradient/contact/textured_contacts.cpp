@@ -53,18 +53,18 @@ void TexturedContacts::reset() noexcept {
   is_inside_ = false;
 }
 
-std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pose& b,
+std::span<const TexturedContact> TexturedContacts::find(const Pose& X_WA, const Pose& X_WB,
                                                         double dt_s) noexcept {
   dt_s_ = dt_s;
   rise_ = std::min(1.0, dt_s / kBlend_s);
   left_out_ = {};
   std::swap(before_, contacts_);
   contacts_.clear();
-  is_inside_ = is_inside_ && is_in_reach(a) && is_in_reach(b);
-  if (!is_in_reach(a) || !is_in_reach(b)) return {};
-  const std::span<const TrianglePair> pairs = query_.find(relative(a, b));
+  is_inside_ = is_inside_ && is_in_reach(X_WA) && is_in_reach(X_WB);
+  if (!is_in_reach(X_WA) || !is_in_reach(X_WB)) return {};
+  const std::span<const TrianglePair> pairs = query_.find(relative(X_WA, X_WB));
   left_out_.pairs = query_.count() - pairs.size();
-  const std::span<const ContactRegion> regions = regions_.update(pairs, a, b);
+  const std::span<const ContactRegion> regions = regions_.update(pairs, X_WA, X_WB);
   left_out_.regions = regions_.regions_left_out();
   std::array<const ContactRegion*, kMostContacts> ordered{};
   for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -76,27 +76,27 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
   }
   const std::span<const ContactRegion* const> longest_first =
       std::span(ordered).first(regions.size());
-  if (computed_) compute(longest_first, a, b);
+  if (computed_) compute(longest_first, X_WA, X_WB);
   for (const ContactRegion* each : longest_first) {
     const ContactRegion& region = *each;
     const bool is_part = std::any_of(
         contacts_.begin(), contacts_.end(),
         [&](const TexturedContact& other) { return !other.is_doubtful && lies_in(region, other); });
     if (is_part) continue;
-    add(contact_of(region), a, b);
+    add(contact_of(region), X_WA, X_WB);
   }
   const bool were_in_contact =
       std::any_of(before_.begin(), before_.end(), [](const auto& last) { return is_felt(last); });
   // Shortly before its curve vanishes, a region has no direction.
-  if (regions.empty() && were_in_contact && (!pairs.empty() || hold_each_other(a, b))) {
-    keep_buried(a, b);
+  if (regions.empty() && were_in_contact && (!pairs.empty() || hold_each_other(X_WA, X_WB))) {
+    keep_buried(X_WA, X_WB);
   }
   const bool are_apart =
-      pairs.empty() && contacts_.empty() && (!were_in_contact || !hold_each_other(a, b));
-  blend(a, b, are_apart);
-  look_inside(a, b);
-  a_before_ = a;
-  b_before_ = b;
+      pairs.empty() && contacts_.empty() && (!were_in_contact || !hold_each_other(X_WA, X_WB));
+  blend(X_WA, X_WB, are_apart);
+  look_inside(X_WA, X_WB);
+  X_WA_before_ = X_WA;
+  X_WB_before_ = X_WB;
   return felt_once();
 }
 
@@ -114,27 +114,26 @@ std::span<const TexturedContact> TexturedContacts::felt_once() noexcept {
 }
 
 // The solid angles of all faces take too long for every tick in which a tool is in the air.
-void TexturedContacts::look_inside(const Pose& a, const Pose& b) noexcept {
-  const glm::dvec3 a_in_b_m = relative(a, b).position_m;
+void TexturedContacts::look_inside(const Pose& X_WA, const Pose& X_WB) noexcept {
+  const glm::dvec3 a_in_b_m = relative(X_WA, X_WB).position_m;
   const bool may_be =
       is_first_ || is_inside_ || glm::distance(a_in_b_m, a_in_b_before_m_) > thinner_m_;
-  is_inside_ = may_be && contacts_.empty() && query_.count() == 0 && hold_each_other(a, b);
+  is_inside_ = may_be && contacts_.empty() && query_.count() == 0 && hold_each_other(X_WA, X_WB);
   a_in_b_before_m_ = a_in_b_m;
   is_first_ = false;
 }
 
-bool TexturedContacts::touch(const Pose& a, const Pose& b) noexcept {
-  if (!is_in_reach(a) || !is_in_reach(b)) return false;
-  return !query_.find(relative(a, b)).empty() || hold_each_other(a, b);
+bool TexturedContacts::touch(const Pose& X_WA, const Pose& X_WB) noexcept {
+  if (!is_in_reach(X_WA) || !is_in_reach(X_WB)) return false;
+  return !query_.find(relative(X_WA, X_WB)).empty() || hold_each_other(X_WA, X_WB);
 }
 
 // If the surfaces do not intersect, any point of a body decides.
-bool TexturedContacts::hold_each_other(const Pose& a, const Pose& b) noexcept {
-  const auto seen_from = [](const Pose& one, const Pose& other, const TexturedBody& body) {
-    const Pose pose = relative(one, other);
-    return pose.rotation * body.hull().vertices_m.front() + pose.position_m;
+bool TexturedContacts::hold_each_other(const Pose& X_WA, const Pose& X_WB) noexcept {
+  const auto point_in = [](const Pose& X_WD, const Pose& X_WC, const TexturedBody& c) {
+    return relative(X_WC, X_WD) * c.hull().vertices_m.front();
   };
-  return a_in_b_.is_in(b_, seen_from(a, b, a_)) || b_in_a_.is_in(a_, seen_from(b, a, b_));
+  return a_in_b_.is_in(b_, point_in(X_WB, X_WA, a_)) || b_in_a_.is_in(a_, point_in(X_WA, X_WB, b_));
 }
 
 double TexturedContacts::half_height_m(double width_m, double last_depth_m) const noexcept {
@@ -177,11 +176,11 @@ TexturedContact TexturedContacts::contact_of(const ContactRegion& region) const 
 }
 
 // A contact of the previous tick in the present poses: n moves with B, the place with A.
-TexturedContact TexturedContacts::continued(const TexturedContact& last, const Pose& a,
-                                            const Pose& b) const noexcept {
-  const glm::dmat3 turned = b.rotation * glm::transpose(b_before_.rotation);
+TexturedContact TexturedContacts::continued(const TexturedContact& last, const Pose& X_WA,
+                                            const Pose& X_WB) const noexcept {
+  const glm::dmat3 turned = X_WB.rotation * glm::transpose(X_WB_before_.rotation);
   return {.id = last.id,
-          .frame = {.origin_m = a.rotation * last.origin_in_a_m + a.position_m,
+          .frame = {.origin_m = X_WA * last.origin_in_a_m,
                     .u = turned * last.frame.u,
                     .v = turned * last.frame.v,
                     .n = turned * last.frame.n},
@@ -192,12 +191,12 @@ TexturedContact TexturedContacts::continued(const TexturedContact& last, const P
           .leaning_b = last.leaning_b};
 }
 
-void TexturedContacts::keep_buried(const Pose& a, const Pose& b) noexcept {
+void TexturedContacts::keep_buried(const Pose& X_WA, const Pose& X_WB) noexcept {
   for (const TexturedContact& last : before_) {
     if (!is_felt(last) || last.is_fading || last.share == 0.0) continue;
-    TexturedContact kept = continued(last, a, b);
+    TexturedContact kept = continued(last, X_WA, X_WB);
     kept.is_kept = true;
-    add(kept, a, b);
+    add(kept, X_WA, X_WB);
   }
 }
 
@@ -222,18 +221,18 @@ void TexturedContacts::set_reach(TexturedContact& contact) const noexcept {
 }
 
 // Submits everything that this tick may need: all regions, or else the contacts of the previous tick, which may be kept.
-void TexturedContacts::compute(std::span<const ContactRegion* const> regions, const Pose& a,
-                               const Pose& b) noexcept {
+void TexturedContacts::compute(std::span<const ContactRegion* const> regions, const Pose& X_WA,
+                               const Pose& X_WB) noexcept {
   computed_->begin();
   const auto request = [&](TexturedContact contact) {
     set_reach(contact);
     left_out_.triangles +=
-        computed_->add(contact, samplers_.window_for(contact.width_m), a_, a, b_, b);
+        computed_->add(contact, samplers_.window_for(contact.width_m), a_, X_WA, b_, X_WB);
   };
   for (const ContactRegion* region : regions) request(contact_of(*region));
   for (const TexturedContact& last : before_) {
     if (!regions.empty() || !is_felt(last) || last.is_fading || last.share == 0.0) continue;
-    TexturedContact contact = continued(last, a, b);
+    TexturedContact contact = continued(last, X_WA, X_WB);
     contact.is_kept = true;
     request(contact);
   }
@@ -243,30 +242,31 @@ void TexturedContacts::compute(std::span<const ContactRegion* const> regions, co
 
 std::optional<Penetration> TexturedContacts::evaluated(const TexturedContact& contact,
                                                        WindowSamplers::Window& window,
-                                                       const Pose& a, const Pose& b) noexcept {
+                                                       const Pose& X_WA,
+                                                       const Pose& X_WB) noexcept {
   if (computed_) {
     const std::optional<Penetration>* answer = computed_->find(contact);
     if (answer != nullptr) return *answer;
   }
   PackedPatch patch_a{.surface = a_.surface(),
-                      .pose = a,
+                      .pose = X_WA,
                       .half_height_m = contact.half_height_m,
                       .leaning_cosine = contact.leaning_a};
   PackedPatch patch_b{.surface = b_.surface(),
-                      .pose = b,
+                      .pose = X_WB,
                       .half_height_m = contact.half_height_m,
                       .leaning_cosine = contact.leaning_b};
   const CachedPenetration::Choice choice = window.sampler.choose(patch_a, patch_b, contact.frame);
   if (choice.needs_triangles()) {
     const WindowBox box{.half_width_m = 0.5 * window.sampler.patch_width_m(),
                         .half_height_m = contact.half_height_m};
-    patch_a.triangles = triangles_in(a_, a, contact.frame, -1.0, box, triangles_a_);
-    patch_b.triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_);
+    patch_a.triangles = triangles_in(a_, X_WA, contact.frame, -1.0, box, triangles_a_);
+    patch_b.triangles = triangles_in(b_, X_WB, contact.frame, 1.0, box, triangles_b_);
   }
   return window.sampler.evaluate(choice, patch_a, patch_b, contact.frame);
 }
 
-void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b) noexcept {
+void TexturedContacts::add(TexturedContact contact, const Pose& X_WA, const Pose& X_WB) noexcept {
   if (contacts_.size() == kMostContacts) {
     ++left_out_.regions;
     return;
@@ -274,14 +274,14 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   set_reach(contact);
   WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
   contact.grid = window.sampler.grid();
-  const std::optional<Penetration> found = evaluated(contact, window, a, b);
+  const std::optional<Penetration> found = evaluated(contact, window, X_WA, X_WB);
   if (!found && contact.is_kept) return;
   contact.penetration = found.value_or(Penetration{});
   contact.is_doubtful = !found || found->depth_m > contact.reach_m;
   left_out_.depths += found && contact.is_doubtful ? 1 : 0;
   contact.sampled_depth_m = contact.penetration.depth_m;
   if (is_felt(contact)) {
-    const double most_m = std::min(most_depth_m(contact, a, b), most_after_m(contact));
+    const double most_m = std::min(most_depth_m(contact, X_WA, X_WB), most_after_m(contact));
     if (most_m < contact.sampled_depth_m) {
       contact.penetration = pressed_to(most_m, contact.penetration);
       contact.is_bounded = true;
@@ -296,7 +296,7 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   const auto* differences = std::get_if<HardMaximum>(&window.law);
   contact.filter_m =
       differences != nullptr ? differences->step_m : std::get<SmoothMaximum>(window.law).tau_m;
-  contact.origin_in_a_m = in_body(a, contact.frame.origin_m);
+  contact.origin_in_a_m = in_body(X_WA, contact.frame.origin_m);
   contacts_.push_back(contact);
 }
 

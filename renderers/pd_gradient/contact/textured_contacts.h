@@ -157,7 +157,7 @@ class TexturedContacts final {
 
   /// All contacts, including those that are not deep yet (δ ≤ 0) or doubtful; valid until the next call. Empty if a pose is
   /// not finite. `dt_s`: the time since the last call, positive.
-  std::span<const TexturedContact> find(const Pose& a, const Pose& b, double dt_s) noexcept;
+  std::span<const TexturedContact> find(const Pose& X_WA, const Pose& X_WB, double dt_s) noexcept;
 
   /// Of the last `find`.
   const LeftOut& left_out() const noexcept { return left_out_; }
@@ -169,7 +169,7 @@ class TexturedContacts final {
   bool is_inside() const noexcept { return is_inside_; }
 
   /// Whether the hulls intersect or one contains the other. Does not change the contacts.
-  bool touch(const Pose& a, const Pose& b) noexcept;
+  bool touch(const Pose& X_WA, const Pose& X_WB) noexcept;
 
   const TexturedBody& a() const noexcept { return a_; }
   const TexturedBody& b() const noexcept { return b_; }
@@ -178,48 +178,50 @@ class TexturedContacts final {
   /// For each contact, whether its share begins to rise.
   using Begun = std::array<bool, kMostContacts>;
 
-  void compute(std::span<const ContactRegion* const> regions, const Pose& a,
-               const Pose& b) noexcept;
-  void add(TexturedContact contact, const Pose& a, const Pose& b) noexcept;
+  void compute(std::span<const ContactRegion* const> regions, const Pose& X_WA,
+               const Pose& X_WB) noexcept;
+  void add(TexturedContact contact, const Pose& X_WA, const Pose& X_WB) noexcept;
   TexturedContact contact_of(const ContactRegion& region) const noexcept;
   void set_reach(TexturedContact& contact) const noexcept;
   std::optional<Penetration> evaluated(const TexturedContact& contact,
-                                       WindowSamplers::Window& window, const Pose& a,
-                                       const Pose& b) noexcept;
+                                       WindowSamplers::Window& window, const Pose& X_WA,
+                                       const Pose& X_WB) noexcept;
   double half_height_m(double width_m, double last_depth_m) const noexcept;
-  double most_depth_m(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
+  double most_depth_m(const TexturedContact& contact, const Pose& X_WA,
+                      const Pose& X_WB) const noexcept;
   bool goes_before(const ContactRegion& one, const ContactRegion& longer) const noexcept;
   double most_after_m(const TexturedContact& contact) const noexcept;
   double depth_before_m(const ContactRegion& region) const noexcept;
-  bool hold_each_other(const Pose& a, const Pose& b) noexcept;
-  void look_inside(const Pose& a, const Pose& b) noexcept;
-  void keep_buried(const Pose& a, const Pose& b) noexcept;
-  TexturedContact continued(const TexturedContact& last, const Pose& a,
-                            const Pose& b) const noexcept;
+  bool hold_each_other(const Pose& X_WA, const Pose& X_WB) noexcept;
+  void look_inside(const Pose& X_WA, const Pose& X_WB) noexcept;
+  void keep_buried(const Pose& X_WA, const Pose& X_WB) noexcept;
+  TexturedContact continued(const TexturedContact& last, const Pose& X_WA,
+                            const Pose& X_WB) const noexcept;
   std::span<const TexturedContact> felt_once() noexcept;
-  void blend(const Pose& a, const Pose& b, bool are_apart) noexcept;
-  void fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept;
+  void blend(const Pose& X_WA, const Pose& X_WB, bool are_apart) noexcept;
+  void fade(const TexturedContact& last, const Pose& X_WA, const Pose& X_WB) noexcept;
   /// For each contact of the previous tick, the present one at its place.
   using Successors = std::array<std::size_t, kMostContacts>;
   std::size_t successor_of(const TexturedContact& last) const noexcept;
-  std::size_t predecessor_of(std::size_t contact, const Successors& successors, const Pose& a,
-                             const Pose& b) const noexcept;
-  bool is_felt_on(const TexturedContact& last, const TexturedContact& now, const Pose& a,
-                  const Pose& b) const noexcept;
-  bool is_due_to_motion(const TexturedContact& last, const TexturedContact& now, const Pose& a,
-                        const Pose& b) const noexcept;
-  double farthest_way_m(const TexturedContact& contact, const Pose& a,
-                        const Pose& b) const noexcept;
-  glm::dvec3 way_since_m(const glm::dvec3& now_m, const Pose& a, const Pose& b) const noexcept;
-  glm::dvec3 now_on_a_m(const glm::dvec3& before_m, const Pose& a) const noexcept;
+  std::size_t predecessor_of(std::size_t contact, const Successors& successors, const Pose& X_WA,
+                             const Pose& X_WB) const noexcept;
+  bool is_felt_on(const TexturedContact& last, const TexturedContact& now, const Pose& X_WA,
+                  const Pose& X_WB) const noexcept;
+  bool is_due_to_motion(const TexturedContact& last, const TexturedContact& now, const Pose& X_WA,
+                        const Pose& X_WB) const noexcept;
+  double farthest_way_m(const TexturedContact& contact, const Pose& X_WA,
+                        const Pose& X_WB) const noexcept;
+  glm::dvec3 way_since_m(const glm::dvec3& now_m, const Pose& X_WA,
+                         const Pose& X_WB) const noexcept;
+  glm::dvec3 now_on_a_m(const glm::dvec3& before_m, const Pose& X_WA) const noexcept;
   double alike_m() const noexcept;
   double permitted_change_m(double force_m) const noexcept;
   void change_shares(std::span<const std::size_t> owner) noexcept;
   double share_before(const TexturedContact& contact) const noexcept;
   Successors owners() const noexcept;
-  bool was_deep(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
-  void divide(const TexturedContact& last, std::size_t predecessor, const Pose& a, const Pose& b,
-              Begun& begun) noexcept;
+  bool was_deep(const TexturedContact& contact, const Pose& X_WA, const Pose& X_WB) const noexcept;
+  void divide(const TexturedContact& last, std::size_t predecessor, const Pose& X_WA,
+              const Pose& X_WB, Begun& begun) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,
                                               const WindowBox& box,
@@ -235,8 +237,8 @@ class TexturedContacts final {
   std::unique_ptr<ComputedContacts> computed_{};  ///< null without a compute device
   std::vector<TexturedContact> contacts_{};
   std::vector<TexturedContact> before_{};
-  Pose a_before_{};
-  Pose b_before_{};
+  Pose X_WA_before_{};
+  Pose X_WB_before_{};
   HeldPoint a_in_b_{};
   HeldPoint b_in_a_{};
   LeftOut left_out_{};

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace asperity {
 namespace {
@@ -22,6 +23,19 @@ bool finite(const glm::dvec3& v) {
 [[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
 
 }  // namespace
+
+Pose operator*(const Pose& X_AB, const Pose& X_BC) noexcept {
+  return {.rotation = X_AB.rotation * X_BC.rotation, .position_m = X_AB * X_BC.position_m};
+}
+
+glm::dvec3 operator*(const Pose& X_AB, const glm::dvec3& p_BP_m) noexcept {
+  return X_AB.rotation * p_BP_m + X_AB.position_m;
+}
+
+Pose inverse(const Pose& X_AB) noexcept {
+  const glm::dmat3 back = glm::transpose(X_AB.rotation);
+  return {.rotation = back, .position_m = -(back * X_AB.position_m)};
+}
 
 glm::dvec3 ContactFrame::to_frame(const glm::dvec3& world) const noexcept {
   return {glm::dot(world, u), glm::dot(world, v), glm::dot(world, n)};

@@ -14,11 +14,20 @@
 
 namespace asperity {
 
-/// The pose of a body: a point p of its mesh lies at rotation·p + position in the world.
+/// The pose of a frame in another, in monogram notation: X_AB is the pose of frame B in frame A, and takes a point p with
+/// the coordinates p_BP to p_AP = rotation·p_BP + position. Frames: W the world, A and B the meshes of the two bodies, L the
+/// lattice of kept heights (CachedPenetration). A pose without another name is that of a body in the world, X_WA or X_WB.
 struct Pose {
   glm::dmat3 rotation{1.0};
   glm::dvec3 position_m{0.0};
 };
+
+/// X_AC, the pose of C in A.
+Pose operator*(const Pose& X_AB, const Pose& X_BC) noexcept;
+/// p_AP, the point P in A.
+glm::dvec3 operator*(const Pose& X_AB, const glm::dvec3& p_BP_m) noexcept;
+/// X_BA, the pose of A in B.
+Pose inverse(const Pose& X_AB) noexcept;
 
 /// The axes of one contact, in the world. u, v and n are orthonormal and right-handed; n points from surface B towards
 /// surface A, the direction in which A separates from B. The window of samples is centred on the origin, and torques

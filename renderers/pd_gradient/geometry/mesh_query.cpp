@@ -258,14 +258,13 @@ std::uint32_t ClusteredMesh::find_in_box(std::size_t cluster, const SlabBox& box
                              kRoundingOfRadius * static_cast<float>(radius_m_));
 }
 
-ClusterPose MeshQuery::cluster_pose(const Pose& a_in_b) const noexcept {
+ClusterPose MeshQuery::cluster_pose(const Pose& X_BA) const noexcept {
   ClusterPose pose{};
-  const glm::dvec3 shift_m =
-      a_in_b.rotation * a_->centre_m() + a_in_b.position_m - b_->centre_m();  // between the centres
+  const glm::dvec3 shift_m = X_BA * a_->centre_m() - b_->centre_m();  // between the centres
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       pose.turn[static_cast<std::size_t>(3 * row + column)] =
-          static_cast<float>(a_in_b.rotation[column][row]);
+          static_cast<float>(X_BA.rotation[column][row]);
     }
     pose.shift_m[static_cast<std::size_t>(row)] = static_cast<float>(shift_m[row]);
   }
@@ -314,9 +313,9 @@ void MeshQuery::continue_list() noexcept {
 }
 
 // The list that is valid at this pose, or nullptr; continues or begins the next one.
-const MeshQuery::NearPairs* MeshQuery::list_for(const Pose& a_in_b) noexcept {
-  const bool is_slow = has_last_ && way_m(last_pose_, a_in_b) * kCallsOfAList < margin_m_;
-  last_pose_ = a_in_b;
+const MeshQuery::NearPairs* MeshQuery::list_for(const Pose& X_BA) noexcept {
+  const bool is_slow = has_last_ && way_m(last_pose_, X_BA) * kCallsOfAList < margin_m_;
+  last_pose_ = X_BA;
   has_last_ = true;
   if (!is_slow) {
     is_listing_ = false;
@@ -324,9 +323,9 @@ const MeshQuery::NearPairs* MeshQuery::list_for(const Pose& a_in_b) noexcept {
   }
   if (is_listing_) continue_list();
   const double used =
-      is_whole(listed_) && !listed_.is_overfull() ? way_m(listed_.pose, a_in_b) / margin_m_ : 1.0;
+      is_whole(listed_) && !listed_.is_overfull() ? way_m(listed_.pose, X_BA) / margin_m_ : 1.0;
   if (!is_listing_ && !(used < kSoftMargin)) {
-    next_.pose = a_in_b;
+    next_.pose = X_BA;
     next_.searched = 0;
     next_.work = 0;
     next_.count = 0;
@@ -335,25 +334,24 @@ const MeshQuery::NearPairs* MeshQuery::list_for(const Pose& a_in_b) noexcept {
   return used < 1.0 ? &listed_ : nullptr;
 }
 
-std::span<const TrianglePair> MeshQuery::find(const Pose& a_in_b) noexcept {
+std::span<const TrianglePair> MeshQuery::find(const Pose& X_BA) noexcept {
   struct Found {
     MeshQuery& query;
-    const Pose& a_in_b;
-  } found{*this, a_in_b};
+    const Pose& X_BA;
+  } found{*this, X_BA};
   count_ = 0;
   const auto take = [](void* to, std::uint32_t a, std::uint32_t b, bool is_sure) noexcept {
     Found& into = *static_cast<Found*>(to);
     if (!is_sure) {
       Corners corners = into.query.a_->corners_m(a);
-      for (glm::dvec3& corner : corners)
-        corner = into.a_in_b.rotation * corner + into.a_in_b.position_m;
+      for (glm::dvec3& corner : corners) corner = into.X_BA * corner;
       if (!triangles_intersect(corners, into.query.b_->corners_m(b))) return;
     }
     if (into.query.count_ < into.query.pairs_.size()) into.query.pairs_[into.query.count_] = {a, b};
     ++into.query.count_;
   };
-  const ClusterPose pose = cluster_pose(a_in_b);
-  if (const NearPairs* list = list_for(a_in_b)) {
+  const ClusterPose pose = cluster_pose(X_BA);
+  if (const NearPairs* list = list_for(X_BA)) {
     ++listed_calls_;
     loops_->test_pairs(list->batches.data(), list->count, pose, take, &found);
   } else {

@@ -90,7 +90,7 @@ class MeshQuery final {
             std::size_t maximum_pairs, InstructionSet set);
 
   /// Ordered by cluster; valid until the next call.
-  std::span<const TrianglePair> find(const Pose& a_in_b) noexcept;
+  std::span<const TrianglePair> find(const Pose& X_BA) noexcept;
   /// The number of all intersecting pairs in the last `find`.
   std::size_t count() const noexcept { return count_; }
   /// The number of calls of `find` that used a list.
@@ -112,11 +112,11 @@ class MeshQuery final {
     bool is_overfull() const noexcept { return count > batches.size() * kClusterSize; }
   };
 
-  ClusterPose cluster_pose(const Pose& a_in_b) const noexcept;
+  ClusterPose cluster_pose(const Pose& X_BA) const noexcept;
   double way_m(const Pose& from, const Pose& to) const noexcept;
   bool is_whole(const NearPairs& list) const noexcept;
   void continue_list() noexcept;
-  const NearPairs* list_for(const Pose& a_in_b) noexcept;
+  const NearPairs* list_for(const Pose& X_BA) noexcept;
 
   // Shared, because every stimulus with the same tool or surface has a separate query.
   std::shared_ptr<const ClusteredMesh> a_{};

@@ -35,16 +35,6 @@ constexpr double kLittle = 1e-9;
 constexpr double kNewestGrowth = 0.25;  // the weight of a call in the mean growth of the strain
 constexpr int kTrianglesInACall = 12;
 
-Pose after(const Pose& second, const Pose& first) noexcept {
-  return {.rotation = second.rotation * first.rotation,
-          .position_m = second.rotation * first.position_m + second.position_m};
-}
-
-Pose inverse(const Pose& pose) noexcept {
-  const glm::dmat3 back = glm::transpose(pose.rotation);
-  return {.rotation = back, .position_m = -(back * pose.position_m)};
-}
-
 Pose pose_of(const ContactFrame& frame) noexcept {
   return {.rotation = glm::dmat3(frame.u, frame.v, frame.n), .position_m = frame.origin_m};
 }
@@ -194,18 +184,18 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
     const ContactFrame& frame) const noexcept {
   if (place.surface_a != &a.surface || place.surface_b != &b.surface) return std::nullopt;
   // Most places belong to other contacts.
-  const glm::dvec3 middle_m = b.pose.rotation * place.lattice_in_b.position_m + b.pose.position_m;
+  const glm::dvec3 middle_m = b.pose * place.X_BL.position_m;
   if (glm::distance(middle_m, frame.origin_m) > most_away_m_) return std::nullopt;
-  Fit found{.lattice = after(b.pose, place.lattice_in_b)};
-  const Pose back = inverse(found.lattice);
-  found.motion = after(back, after(a.pose, place.lattice_in_a));
-  const glm::dvec3 origin_m = back.rotation * frame.origin_m + back.position_m;
-  const glm::dvec3 n = back.rotation * frame.n;
+  Fit found{.X_WL = b.pose * place.X_BL};
+  const Pose X_LW = inverse(found.X_WL);
+  found.X_LM = X_LW * (a.pose * place.X_AL);
+  const glm::dvec3 origin_m = X_LW * frame.origin_m;
+  const glm::dvec3 n = X_LW.rotation * frame.n;
   const int samples = grid().samples;
   const double cell_m = lattice_.spacing_m();
   const double most_aside = most_aside_cells(margin_);
   const glm::dvec2 aside = glm::dvec2{origin_m} / cell_m;
-  const glm::dmat3& r = found.motion.rotation;
+  const glm::dmat3& r = found.X_LM.rotation;
 
   const double turn = std::max(std::abs(r[0].y), std::abs(r[1].x));
   const double tilt = std::max(std::abs(r[0].z), std::abs(r[1].z));
@@ -235,7 +225,7 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
   // A's heights under the requested origin, and the greatest distance from there that is used. The window's middle is at most half
   // a tile off; with its own place, the strain would jump with every step of the window.
   const KeptPlaces places =
-      places_of(found.motion, lattice_, samples, static_cast<double>(margin_) + aside, 0.0);
+      places_of(found.X_LM, lattice_, samples, static_cast<double>(margin_) + aside, 0.0);
   const double half = 0.5 * (samples - 1);
   const double middle = 0.5 * (lattice_.samples - 1);
   const double x = places.x + half * (double{places.x_per_column} + double{places.x_per_row});
@@ -302,7 +292,7 @@ std::optional<Penetration> CachedPenetration::from_place(Place& place, const Fit
   const double cell_m = lattice_.spacing_m();
   const glm::dvec2 first{fit.column, fit.row};
   const auto turned = [&](double turn_rad) {
-    return places_of(fit.motion, lattice_, samples, first, turn_rad);
+    return places_of(fit.X_LM, lattice_, samples, first, turn_rad);
   };
   KeptTask task{.a = kept(place.a, span_of_a_),
                 .b = kept(place.b, kMostLanes),
@@ -310,7 +300,7 @@ std::optional<Penetration> CachedPenetration::from_place(Place& place, const Fit
                 .b_column = fit.column,
                 .b_row = fit.row,
                 .here = turned(0.0),
-                .lift = lift_of(fit.motion, lattice_),
+                .lift = lift_of(fit.X_LM, lattice_),
                 .step_cells = step_cells_,
                 .prune = pruning_ == Pruning::on,
                 .first_block = place.deepest_block,
@@ -319,8 +309,8 @@ std::optional<Penetration> CachedPenetration::from_place(Place& place, const Fit
   // The window's middle, the reference of positions and levers.
   const glm::dvec2 aside = (first - static_cast<double>(margin_)) * cell_m;
   ContactFrame kept_frame{
-      .u = fit.lattice.rotation[0], .v = fit.lattice.rotation[1], .n = fit.lattice.rotation[2]};
-  kept_frame.origin_m = fit.lattice.position_m + kept_frame.to_world({aside, 0.0});
+      .u = fit.X_WL.rotation[0], .v = fit.X_WL.rotation[1], .n = fit.X_WL.rotation[2]};
+  kept_frame.origin_m = fit.X_WL.position_m + kept_frame.to_world({aside, 0.0});
 
   const auto deepest_m = [&](int row, int column, float here_m) {
     const auto at = static_cast<std::size_t>((fit.row + row) * stride_ + fit.column + column);
@@ -365,12 +355,12 @@ void CachedPenetration::begin(const PackedPatch& a, const PackedPatch& b,
       std::min_element(places_.begin(), places_.end(),
                        [](const Place& p, const Place& q) { return p.last_used < q.last_used; });
   Place& place = *least_used;
-  const Pose lattice = pose_of(frame);
+  const Pose X_WL = pose_of(frame);
   place.is_whole = false;
   place.surface_a = &a.surface;
   place.surface_b = &b.surface;
-  place.lattice_in_a = after(inverse(a.pose), lattice);
-  place.lattice_in_b = after(inverse(b.pose), lattice);
+  place.X_AL = inverse(a.pose) * X_WL;
+  place.X_BL = inverse(b.pose) * X_WL;
   place.half_height_m = a.half_height_m;
   place.leaning_a = a.leaning_cosine;
   place.leaning_b = b.leaning_cosine;

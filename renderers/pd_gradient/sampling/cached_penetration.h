@@ -76,8 +76,8 @@ class CachedPenetration final {
   /// The suitability of kept heights for a request.
   struct Fit {
     double strain = 0.0;  // 1: at the limits of motion
-    Pose lattice{};       // in the world
-    Pose motion{};        // of A relative to it
+    Pose X_WL{};          // by B
+    Pose X_LM{};          // M: the same lattice by A, which has moved relative to B
     int column = 0;       // of the window's first sample in B's lattice
     int row = 0;
   };
@@ -121,8 +121,8 @@ class CachedPenetration final {
     bool is_whole = false;
     const PackedSurface* surface_a = nullptr;
     const PackedSurface* surface_b = nullptr;
-    Pose lattice_in_a{};  // axes u, v, n and the middle, in the mesh's frame
-    Pose lattice_in_b{};
+    Pose X_AL{};  // of the lattice: axes u, v, n and the middle
+    Pose X_BL{};
     double half_height_m = 0.0;  // of the box by which its triangles were selected
     double leaning_a = 0.0;      // the cosines of the patches
     double leaning_b = 0.0;
