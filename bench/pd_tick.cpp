@@ -107,7 +107,7 @@ Body bake(const std::string& name, const std::vector<std::byte>& file, std::size
   Body body{.name = name};
   body.original = repair_mesh(decode_mesh(file, {}, name).mesh, {}, name).mesh;
   const double imported_s = seconds_since(started);
-  const TriangleMesh simplified = decimate_mesh(body.original, triangles, name).mesh;
+  const TriangleMesh simplified = decimate_mesh(body.original, triangles, name, workers).mesh;
   const double simplified_s = seconds_since(started);
   BakedMesh baked = bake_texture(body.original, simplified, {}, workers);
   const double all_s = seconds_since(started);

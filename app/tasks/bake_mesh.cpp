@@ -96,8 +96,8 @@ BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>&
   progress(0.0);
   Original original = read_original(order);
   progress(0.15);
-  const SimplifiedMesh simple =
-      decimate_mesh(original.mesh, order.triangles, order.mesh.string(), part(0.15, 0.5));
+  const SimplifiedMesh simple = decimate_mesh(original.mesh, order.triangles, order.mesh.string(),
+                                              {order.jobs, part(0.15, 0.5)});
   if (const auto sentence = sentence_of(simple)) {
     original.provenance.findings.push_back(*sentence);
   }

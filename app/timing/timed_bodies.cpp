@@ -114,9 +114,10 @@ TimedBody TimedBodies::baked(const TriangleMesh& original, std::size_t simplifie
   };
   if (course_.begin_step) course_.begin_step("simplifying " + name);
   follow(0.0);
-  const TriangleMesh simple = original.triangles.size() > simplified
-                                  ? decimate_mesh(original, simplified, name, part(0.0, 0.7)).mesh
-                                  : original;
+  const TriangleMesh simple =
+      original.triangles.size() > simplified
+          ? decimate_mesh(original, simplified, name, {order_.jobs, part(0.0, 0.7)}).mesh
+          : original;
   BakedMesh result = bake_texture(original, simple, {}, {order_.jobs, part(0.7, 1.0)});
   follow(1.0);
   return {.mesh = std::make_shared<const TexturedMesh>(std::move(result.mesh)),

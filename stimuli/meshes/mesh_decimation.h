@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "stimuli/meshes/side_by_side.h"
 #include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity {
@@ -20,7 +20,9 @@ struct SimplifiedMesh {
 
 /// Simplifies a mesh to at most `triangles` triangles that lie close to the given surface.
 ///
-/// Edges are collapsed one by one into one of their ends, in order of cost. The cost is measured on the given surface:
+/// Edges are collapsed into one of their ends, in order of cost. The costs of many collapses are computed at a time
+/// (batches.h), so the order is not strict: among the cheapest 1/64 of the vertices, those are removed whose neighbours
+/// were not removed immediately before. The cost is measured on the given surface:
 /// every vertex of the given mesh, weighted with its area, is a sample of the surface (if a vertex has more than 32
 /// samples, every second one is kept, with double weight). The cost is the sum of the squared distances of the removed
 /// vertex's samples from the remaining faces, plus a tenth of the quadric error [Garland 1997] (the squared distances
@@ -39,16 +41,16 @@ struct SimplifiedMesh {
 /// Handles and tunnels with a circumference below the side of a face of the result are cut (cut_narrow_handles): a scan
 /// has many that are artefacts, each would need a dozen faces, and none could be felt. Other handles remain.
 ///
-/// `mesh` is a result of repair_mesh. The same mesh gives the same result. `progress` is called with the completed
-/// fraction, from the calling thread.
+/// `mesh` is a result of repair_mesh. The same mesh gives the same result, bit for bit, with any number of
+/// `workers.jobs`. `workers.progress` is called with the completed fraction, from the calling thread; it can throw, which
+/// ends the simplification.
 ///
 /// Errors: std::invalid_argument with a sentence that begins with `name`: a target below four or above the number of
-/// triangles of the mesh, or one that cannot be reached (with the number that can).
+/// triangles of the mesh, or one that cannot be reached (with the number that can); a mesh that is not closed.
 ///
 /// [Garland 1997] Garland, Heckbert: Surface simplification using quadric error metrics.
 SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
-                             const std::string& name,
-                             const std::function<void(double)>& progress = {});
+                             const std::string& name, const Workers& workers = {});
 
 /// A sentence about the handles that were cut; nullopt if there are none.
 std::optional<std::string> sentence_of(const SimplifiedMesh& simplified);

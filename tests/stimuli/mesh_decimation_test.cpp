@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -27,6 +28,40 @@ double rms_error_m(const TriangleMesh& original, const TriangleMesh& simplified)
 
 std::string refused_decimation(const TriangleMesh& mesh, std::size_t triangles) {
   return refusal_of<std::invalid_argument>([&] { decimate_mesh(mesh, triangles, "thing"); });
+}
+
+/// A tube of three sides between two faces, which it replaces.
+void join(TriangleMesh& mesh, std::size_t one, std::size_t other) {
+  const auto a = mesh.triangles[one];
+  const std::array<std::uint32_t, 3> b{mesh.triangles[other][0], mesh.triangles[other][2],
+                                       mesh.triangles[other][1]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    mesh.triangles.push_back({a[i], a[next], b[next]});
+    mesh.triangles.push_back({a[i], b[next], b[i]});
+  }
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::max(one, other)));
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::min(one, other)));
+}
+
+/// Where a face looks straight along `direction`.
+std::size_t face_towards(const TriangleMesh& mesh, const glm::dvec3& direction) {
+  const auto reach = [&](const std::array<std::uint32_t, 3>& triangle) {
+    glm::dvec3 sum_m{0.0};
+    for (const std::uint32_t corner : triangle) sum_m += mesh.vertices_m[corner];
+    return glm::dot(sum_m, direction);
+  };
+  const auto furthest = std::max_element(
+      mesh.triangles.begin(), mesh.triangles.end(),
+      [&](const auto& each, const auto& another) { return reach(each) < reach(another); });
+  return static_cast<std::size_t>(furthest - mesh.triangles.begin());
+}
+
+/// A ball with a tunnel straight through it.
+TriangleMesh pierced_ball(int levels = 4) {
+  TriangleMesh mesh = smooth_ball(levels, 0.02);
+  join(mesh, face_towards(mesh, {1, 2, 3}), face_towards(mesh, {-1, -2, -3}));
+  return mesh;
 }
 
 TEST(Decimation, ReachesItsTargetAndStaysClosed) {
@@ -182,6 +217,35 @@ TEST(Decimation, GivesTheSameAgain) {
   EXPECT_TRUE(one.vertices_m == two.vertices_m);
 }
 
+// With handles to cut, and enough vertices that each batch of costs is divided among the threads.
+TEST(Decimation, GivesTheSameWithAnyNumberOfThreads) {
+  const TriangleMesh mesh = pierced_ball(5);
+  const SimplifiedMesh one = decimate_mesh(mesh, 150, "thing", {.jobs = 1});
+  ASSERT_EQ(one.handles_cut, 1U);
+  for (const unsigned jobs : {2U, 7U}) {
+    const SimplifiedMesh several = decimate_mesh(mesh, 150, "thing", {.jobs = jobs});
+    EXPECT_EQ(one.mesh.triangles, several.mesh.triangles) << jobs;
+    EXPECT_TRUE(one.mesh.vertices_m == several.mesh.vertices_m) << jobs;
+  }
+}
+
+TEST(Decimation, RefusesAMeshThatIsNotClosed) {
+  TriangleMesh mesh = smooth_ball(2, 0.02);
+  mesh.triangles.pop_back();
+  EXPECT_THAT(refused_decimation(mesh, 50),
+              HasSubstr("thing has a non-manifold surface at vertex "));
+}
+
+TEST(Decimation, EndsWithTheExceptionOfItsProgress) {
+  EXPECT_THROW(decimate_mesh(smooth_ball(5, 0.02), 500, "thing",
+                             {.jobs = 2,
+                              .progress =
+                                  [](double fraction) {
+                                    if (fraction > 0.3) throw std::runtime_error("stopped");
+                                  }}),
+               std::runtime_error);
+}
+
 TEST(Decimation, RefusesTargetsThatCannotBe) {
   const TriangleMesh mesh = box({0.01, 0.02, 0.03});
   EXPECT_THAT(refused_decimation(mesh, 13),
@@ -194,46 +258,12 @@ TEST(Decimation, RefusesTargetsThatCannotBe) {
 
 TEST(Decimation, TellsHowFarItIs) {
   double last = 0.0;
-  decimate_mesh(smooth_ball(5, 0.02), 500, "thing", [&last](double fraction) {
-    EXPECT_GE(fraction, last);
-    EXPECT_LE(fraction, 1.0);
-    last = fraction;
-  });
+  decimate_mesh(smooth_ball(5, 0.02), 500, "thing", {.progress = [&last](double fraction) {
+                  EXPECT_GE(fraction, last);
+                  EXPECT_LE(fraction, 1.0);
+                  last = fraction;
+                }});
   EXPECT_GT(last, 0.7);
-}
-
-/// A tube of three sides between two faces, which it replaces.
-void join(TriangleMesh& mesh, std::size_t one, std::size_t other) {
-  const auto a = mesh.triangles[one];
-  const std::array<std::uint32_t, 3> b{mesh.triangles[other][0], mesh.triangles[other][2],
-                                       mesh.triangles[other][1]};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t next = (i + 1) % 3;
-    mesh.triangles.push_back({a[i], a[next], b[next]});
-    mesh.triangles.push_back({a[i], b[next], b[i]});
-  }
-  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::max(one, other)));
-  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::min(one, other)));
-}
-
-/// Where a face looks straight along `direction`.
-std::size_t face_towards(const TriangleMesh& mesh, const glm::dvec3& direction) {
-  const auto reach = [&](const std::array<std::uint32_t, 3>& triangle) {
-    glm::dvec3 sum_m{0.0};
-    for (const std::uint32_t corner : triangle) sum_m += mesh.vertices_m[corner];
-    return glm::dot(sum_m, direction);
-  };
-  const auto furthest = std::max_element(
-      mesh.triangles.begin(), mesh.triangles.end(),
-      [&](const auto& each, const auto& another) { return reach(each) < reach(another); });
-  return static_cast<std::size_t>(furthest - mesh.triangles.begin());
-}
-
-/// A ball with a tunnel straight through it.
-TriangleMesh pierced_ball() {
-  TriangleMesh mesh = smooth_ball(4, 0.02);
-  join(mesh, face_towards(mesh, {1, 2, 3}), face_towards(mesh, {-1, -2, -3}));
-  return mesh;
 }
 
 TEST(NarrowHandles, AreCountedAndCutWhereTheyAreNarrowerThanAsked) {
