@@ -21,7 +21,7 @@ namespace asperity::decimation {
 /// reads the surface. The result does not depend on the number of threads, because neither the size of a batch nor the
 /// order within it does.
 ///
-/// Batches do not impair the result: in 20 simplifications of five bodies of detailed_bodies.h, the RMS distance from the
+/// In 20 simplifications of five bodies of detailed_bodies.h with 20 000 and 26 000 triangles, the RMS distance from the
 /// original differs from that after single collapses in strict order by (−0.2 ± 1.2) %.
 class Batches final {
  public:
