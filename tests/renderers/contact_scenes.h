@@ -51,6 +51,18 @@ inline TexturedMesh balls_at(std::initializer_list<glm::dvec3> middles_m, double
   return bare(all);
 }
 
+/// The radius of a needle's tip.
+inline constexpr double kNeedle_m = 0.25e-3;
+
+/// A needle of 8.5 mm that points down, with the middle of its tip at the origin.
+inline TriangleMesh needle() {
+  TriangleMesh mesh = ball(kNeedle_m, 8, 12);
+  for (glm::dvec3& vertex_m : mesh.vertices_m) {
+    if (vertex_m.z > 0.0) vertex_m.z += 8e-3;
+  }
+  return mesh;
+}
+
 /// Two sheets of that thickness, their middles `gap_m` apart, the upper one's at zero.
 inline TriangleMesh two_sheets(double thickness_m, double gap_m) {
   TriangleMesh sheets = box({0.02, 0.02, thickness_m});

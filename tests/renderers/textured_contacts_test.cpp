@@ -18,6 +18,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/renderers/contact_paths.h"
 #include "tests/renderers/contact_scenes.h"
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/textured_bodies.h"
@@ -380,13 +381,11 @@ TEST(TexturedContacts, KeepABallThatIsPressedWhollyIn) {
 // A needle that is suddenly 3 mm deep: its curve is 1 mm wide. It is believed after a tick for every
 // 0.1 mm beyond half of that; one that goes in slowly is felt all the way.
 TEST(TexturedContacts, DoubtADepthFarBeyondTheirWidthUntilItLasts) {
-  TriangleMesh needle = ball(0.25e-3, 8, 12);
-  for (glm::dvec3& vertex_m : needle.vertices_m) {
-    if (vertex_m.z > 0.0) vertex_m.z += 8e-3;
-  }
-  const TexturedMesh tool = bare(needle);
+  const TexturedMesh tool = bare(needle());
   const TexturedMesh plate = bare(box({0.02, 0.02, 0.01}));
-  const auto place = [](double depth_m) { return pose_at({0.0, 0.0, 0.005 + 0.25e-3 - depth_m}); };
+  const auto place = [](double depth_m) {
+    return pose_at({0.0, 0.0, 0.005 + kNeedle_m - depth_m});
+  };
   TexturedContacts sudden = between(tool, plate, hard(0.1e-3));
   int doubted = 0;
   while (doubted < 100 && !is_first_felt(sudden.find(place(3e-3), {}, kTick_s))) ++doubted;
@@ -521,23 +520,16 @@ TEST(TexturedContacts, OfABallThatGoesThroughAThinPlateAreNoDeeperThanItsRadius)
 // goes up in the window, and along that of the wall as deep as the floor goes on: it was felt 2.9 mm deep and
 // between 0.15 and 5 N. It is about as deep as it is in both, at every angle.
 TEST(TexturedContacts, AtTheFootOfAWallAreAboutAsDeepAsInFloorAndWall) {
-  constexpr double kBall_m = 2e-3;
-  constexpr double kInFloor_m = 0.8e-3;
   for (const double angle_degrees : {62.0, 68.0, 72.0, 75.0, 80.0, 88.6, 90.0}) {
-    const double angle_rad = angle_degrees * std::numbers::pi / 180.0;
-    const double sine = std::sin(angle_rad);
-    const double cosine = std::cos(angle_rad);
-    TexturedContacts contacts =
-        between(bare(ball(kBall_m, 24, 32)), bare(floor_and_wall(angle_rad)), hard(0.1e-3));
-    const double z_m = kBall_m - kInFloor_m;
+    const BallAtWall at{.angle_rad = angle_degrees * std::numbers::pi / 180.0};
+    TexturedContacts contacts = contacts_of(ball_at_foot_of_wall(at.angle_rad));
     glm::dvec3 before_N{0.0};
     double largest_jump_N = 0.0;
     for (int tick = -20; tick < 160; ++tick) {
       const double in_wall_m = 5e-6 * tick;
-      const glm::dvec3 place_m{(cosine * z_m - (kBall_m - in_wall_m)) / sine, 0.0, z_m};
-      const double expected_m = std::hypot(kInFloor_m, std::max(0.0, in_wall_m));
+      const double expected_m = std::hypot(at.in_floor_m, std::max(0.0, in_wall_m));
       glm::dvec3 force_N{0.0};
-      for (const TexturedContact& contact : contacts.find(pose_at(place_m), {}, kTick_s)) {
+      for (const TexturedContact& contact : contacts.find(at.pose(in_wall_m), {}, kTick_s)) {
         if (!is_felt(contact)) continue;
         EXPECT_LT(contact.penetration.depth_m, 1.15 * expected_m) << angle_degrees << ' ' << tick;
         force_N +=
@@ -548,7 +540,7 @@ TEST(TexturedContacts, AtTheFootOfAWallAreAboutAsDeepAsInFloorAndWall) {
         largest_jump_N = std::max(largest_jump_N, glm::distance(force_N, before_N));
       }
       before_N = force_N;
-      EXPECT_GT(glm::length(force_N), 0.95 * kStiffness_N_per_m * kInFloor_m) << angle_degrees;
+      EXPECT_GT(glm::length(force_N), 0.95 * kStiffness_N_per_m * at.in_floor_m) << angle_degrees;
       EXPECT_LT(glm::length(force_N), 1.5 * kStiffness_N_per_m * expected_m) << angle_degrees;
     }
     EXPECT_LT(largest_jump_N, 0.4) << angle_degrees;
@@ -705,12 +697,12 @@ TEST(TexturedContacts, FeelOfTwoSpikesThatAreCloseTheDeeperOneOnce) {
 }
 
 TEST(TexturedContacts, FadeTheOneOfTwoBallsThatGoesWhollyIn) {
-  const TexturedMesh balls = balls_at({{-4e-3, 0.0, 1e-3}, {4e-3, 0.0, 2e-3}}, 1e-3);
-  TexturedContacts contacts = between(balls, bare(box({0.03, 0.03, 0.01})), hard(0.1e-3));
+  const ContactPath path = one_of_two_balls_enters();
+  TexturedContacts contacts = contacts_of(path);
   glm::dvec3 before_N{0.0};
   int faded = 0;
-  for (int tick = 0; tick <= 280; ++tick) {
-    const auto found = contacts.find(pose_at({0.0, 0.0, 0.005 - 1e-5 * tick}), {}, kTick_s);
+  for (int tick = 0; tick < path.ticks; ++tick) {
+    const auto found = contacts.find(path.pose(tick), {}, kTick_s);
     const glm::dvec3 force_N = wrench_about({}, found).force_N;
     EXPECT_LT(glm::distance(force_N, before_N), 0.3) << tick;
     before_N = force_N;
@@ -722,11 +714,7 @@ TEST(TexturedContacts, FadeTheOneOfTwoBallsThatGoesWhollyIn) {
 }
 
 TEST(TexturedContacts, RiseOnceADoubtfulDepthIsBelieved) {
-  TriangleMesh needle = ball(0.25e-3, 8, 12);
-  for (glm::dvec3& vertex_m : needle.vertices_m) {
-    if (vertex_m.z > 0.0) vertex_m.z += 8e-3;
-  }
-  TexturedContacts contacts = between(bare(needle), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
+  TexturedContacts contacts = between(bare(needle()), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
   double before_N = 0.0;
   for (int tick = 0; tick < 150; ++tick) {
     const auto found = contacts.find(pose_at({0.0, 0.0, 0.00525 - 3e-3}), {}, kTick_s);
@@ -740,16 +728,13 @@ TEST(TexturedContacts, RiseOnceADoubtfulDepthIsBelieved) {
 // The smaller of two balls goes wholly in and comes out 0.4 mm deep, which is not too deep to be believed at
 // once.
 TEST(TexturedContacts, RiseWhereABallComesOutAgain) {
-  constexpr double kBall_m = 0.2e-3;
-  const TexturedMesh balls = balls_at({{-4e-3, 0.0, kBall_m}, {4e-3, 0.0, 2.5 * kBall_m}}, kBall_m);
-  TexturedContacts contacts = between(balls, bare(box({0.03, 0.03, 0.01})), hard(0.1e-3));
-  constexpr int kDown = 120;
+  const ContactPath path = small_ball_enters_and_leaves();
+  TexturedContacts contacts = contacts_of(path);
   double before_N = 0.0;
   bool has_begun = false;
   int rose = 0;
-  for (int tick = 0; tick <= 2 * kDown + 30; ++tick) {
-    const int down = std::min(tick, std::max(2 * kDown - tick, 0));
-    const auto found = contacts.find(pose_at({0.0, 0.0, 0.005 - 5e-6 * down}), {}, kTick_s);
+  for (int tick = 0; tick < path.ticks; ++tick) {
+    const auto found = contacts.find(path.pose(tick), {}, kTick_s);
     const double force_N = wrench_about({}, found).force_N.z;
     EXPECT_NEAR(force_N, before_N, 0.1) << tick;
     before_N = force_N;
@@ -759,7 +744,7 @@ TEST(TexturedContacts, RiseWhereABallComesOutAgain) {
         EXPECT_EQ(contact.share, 1.0);  // it begins here
       }
       has_begun = true;
-      rose += tick > kDown && !contact.is_fading && contact.share < 1.0 ? 1 : 0;
+      rose += tick > path.ticks / 2 && !contact.is_fading && contact.share < 1.0 ? 1 : 0;
     }
   }
   EXPECT_GT(rose, TexturedContacts::kBlend_s / kTick_s);
@@ -770,10 +755,6 @@ TEST(TexturedContacts, RiseWhereABallComesOutAgain) {
 TEST(TexturedContacts, BlendAndBelieveWithinTheSameTimeAtEveryRate) {
   const TexturedMesh balls = balls_at({{-4e-3, 0.0, 1e-3}, {4e-3, 0.0, 2e-3}}, 1e-3);
   const TexturedMesh block = bare(box({0.03, 0.03, 0.01}));
-  TriangleMesh needle = ball(0.25e-3, 8, 12);
-  for (glm::dvec3& vertex_m : needle.vertices_m) {
-    if (vertex_m.z > 0.0) vertex_m.z += 8e-3;
-  }
   for (const double tick_s : {1e-3, 0.25e-3}) {
     TexturedContacts sinking = between(balls, block, hard(0.1e-3));
     double faded_s = 0.0;
@@ -784,7 +765,7 @@ TEST(TexturedContacts, BlendAndBelieveWithinTheSameTimeAtEveryRate) {
       }
     }
     EXPECT_NEAR(faded_s, 0.025, 1.5e-3) << tick_s;
-    TexturedContacts sudden = between(bare(needle), block, hard(0.1e-3));
+    TexturedContacts sudden = between(bare(needle()), block, hard(0.1e-3));
     double doubted_s = 0.0;
     while (doubted_s < 0.1 &&
            !is_first_felt(sudden.find(pose_at({0.0, 0.0, 0.00525 - 3e-3}), {}, tick_s))) {
@@ -1022,30 +1003,13 @@ TEST(TexturedContacts, JumpLittleWhereTheirBoundIsAnotherOne) {
   EXPECT_LT(largest_jump_N, 0.4);
 }
 
-// Net over gross work of a ball on its way through a thin plate and back, aside meanwhile, the second time round.
+// Net over gross work of a ball on its way through a thin plate and back, aside meanwhile.
 // A bounded depth falls at once and rises by 0.1 m/s, so that what goes in fast and out slowly, or both in 0.4 s, loses
 // energy; less in 1.6 s.
 TEST(TexturedContacts, LoseEnergyWhereABoundedDepthRisesTooSlowly) {
-  const TexturedMesh tool = bare(ball(2e-3, 24, 32));
-  const TexturedMesh plate = bare(box({0.02, 0.02, 0.5e-3}));
-  const auto net_over_gross = [&](int ticks) {
-    TexturedContacts contacts = between(tool, plate, hard(0.1e-3));
-    const auto place_m = [&](double tick) {
-      const double phase = 2.0 * std::numbers::pi * tick / ticks;
-      return glm::dvec3{0.5e-3 * std::sin(phase + 0.4), 0.3e-3 * std::sin(2.0 * phase),
-                        0.6e-3 + 1.75e-3 * std::cos(phase)};
-    };
-    double net_J = 0.0;
-    double gross_J = 0.0;
-    for (int tick = 0; tick < 2 * ticks; ++tick) {
-      const auto found = contacts.find(pose_at(place_m(tick + 0.5)), {}, kTick_s);
-      const double work_J =
-          glm::dot(wrench_about({}, found).force_N, place_m(tick + 1) - place_m(tick));
-      if (tick < ticks) continue;
-      net_J += work_J;
-      gross_J += std::abs(work_J);
-    }
-    return net_J / gross_J;
+  const auto net_over_gross = [](int ticks) {
+    const PathWork work = work_around(ball_through_thin_plate(), ticks);
+    return work.net_J / work.gross_J;
   };
   const double fast = net_over_gross(400);
   const double slow = net_over_gross(1600);
