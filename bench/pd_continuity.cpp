@@ -1,0 +1,301 @@
+// How much the force of pd_gradient changes where contacts begin, end, divide and merge, and its work on closed paths.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <initializer_list>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/pd_continuity_scenes.h"
+#include "device/machine.h"
+#include "renderers/pd_gradient/contact/pd_gradient.h"
+#include "tests/renderers/unexplained_change.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kLeast_N = 0.1;    // relative changes of smaller forces are relative to this
+constexpr double kMuch = 0.05;      // ticks with a larger relative change are counted
+constexpr double kRounding = 1e-3;  // of that: the model permits exactly 5 % of 0.1 N
+
+/// The changes of the rendered contacts, counted by their ids.
+struct Events {
+  int begun = 0;
+  int ended = 0;
+  int split = 0;     // new in the window of one that was rendered
+  int joined = 0;    // no longer rendered, in the window of one that is
+  int replaced = 0;  // the id continues with another force, and the previous one fades
+};
+
+bool is_rendered(const TexturedContact& contact) {
+  return is_felt(contact) && !contact.is_fading && contact.share > 0.0;
+}
+
+class EventCounter final {
+ public:
+  explicit EventCounter(Events& events) : events_(events) {}
+
+  void add(std::span<const TexturedContact> found) {
+    std::vector<TexturedContact> now(found.begin(), found.end());
+    if (!is_first_) {
+      for (const TexturedContact& contact : now) count_new(contact);
+      for (const TexturedContact& last : before_) count_gone(last, now);
+    }
+    is_first_ = false;
+    before_ = std::move(now);
+  }
+
+ private:
+  static bool has_rendered(const std::vector<TexturedContact>& contacts, std::uint64_t id) {
+    return std::any_of(contacts.begin(), contacts.end(), [id](const TexturedContact& contact) {
+      return is_rendered(contact) && contact.id == id;
+    });
+  }
+  static bool is_part_of_any(const TexturedContact& part,
+                             const std::vector<TexturedContact>& contacts) {
+    return std::any_of(contacts.begin(), contacts.end(), [&](const TexturedContact& contact) {
+      return is_rendered(contact) && is_part_of(part.frame, contact);
+    });
+  }
+  void count_new(const TexturedContact& contact) {
+    if (!is_rendered(contact)) return;
+    if (has_rendered(before_, contact.id)) {
+      // It has the share of its last tick, unless it rises instead of another one.
+      events_.replaced += fell(contact) ? 1 : 0;
+    } else {
+      ++(is_part_of_any(contact, before_) ? events_.split : events_.begun);
+    }
+  }
+  bool fell(const TexturedContact& contact) const {
+    return std::any_of(before_.begin(), before_.end(), [&](const TexturedContact& last) {
+      return is_rendered(last) && last.id == contact.id && contact.share < last.share;
+    });
+  }
+  void count_gone(const TexturedContact& last, const std::vector<TexturedContact>& now) {
+    if (!is_rendered(last) || has_rendered(now, last.id)) return;
+    ++(is_part_of_any(last, now) ? events_.joined : events_.ended);
+  }
+
+  std::vector<TexturedContact> before_{};
+  Events& events_;
+  bool is_first_ = true;
+};
+
+/// Of all paths of a kind.
+struct Changes {
+  int paths = 0;
+  int ticks = 0;
+  Events events{};
+  double unexplained_N = 0.0;
+  double unexplained_part = 0.0;
+  int much = 0;          // ticks
+  double whole_N = 0.0;  // of the change in a tick
+  double force_N = 0.0;
+};
+
+void add_path(const ContactPath& path, Changes& changes) {
+  TexturedContacts contacts = contacts_of(path);
+  for (int tick = 0; tick < path.ticks_at_rest; ++tick) contacts.find(path.pose(0), {}, kTick_s);
+  UnexplainedChange unexplained;
+  EventCounter counter(changes.events);
+  for (int tick = 0; tick < path.ticks; ++tick) {
+    const Pose pose = path.pose(tick);
+    const auto found = contacts.find(pose, {}, kTick_s);
+    const UnexplainedChange::Tick change = unexplained.add(found, pose);
+    counter.add(found);
+    const double part = change.part(kLeast_N);
+    changes.unexplained_N = std::max(changes.unexplained_N, change.unexplained_N);
+    changes.unexplained_part = std::max(changes.unexplained_part, part);
+    changes.much += part > (1.0 + kRounding) * kMuch ? 1 : 0;
+    changes.whole_N = std::max(changes.whole_N, change.whole_N);
+    changes.force_N = std::max(changes.force_N, change.current_N);
+  }
+  ++changes.paths;
+  changes.ticks += path.ticks;
+}
+
+/// The ratio of net to gross work over all closed paths of a kind, and the limited contacts.
+struct Works {
+  std::vector<double> net_over_gross{};
+  double net_J = 0.0;
+  double gross_J = 0.0;
+  double rendered = 0.0;
+  double bounded = 0.0;
+};
+
+Works works_of(const std::vector<ClosedPath>& paths, int ticks) {
+  Works works;
+  for (const ClosedPath& path : paths) {
+    const PathWork work = work_around(path, ticks);
+    works.net_over_gross.push_back(work.net_J / work.gross_J);
+    works.net_J += work.net_J;
+    works.gross_J += work.gross_J;
+    works.rendered += static_cast<double>(work.rendered);
+    works.bounded += static_cast<double>(work.bounded);
+  }
+  return works;
+}
+
+class Report final {
+ public:
+  explicit Report(bool as_json) : as_json_(as_json) {}
+
+  void print_changes_header() const {
+    if (as_json_) return;
+    std::printf(
+        "largest change of the force in a tick of 1 ms that the motion does not explain, in N and\n"
+        "relative to the current force (at least %.1f N); ticks above 5 %%; largest whole change\n"
+        "%-40s %5s %6s %5s %5s %5s %6s %8s %13s %7s %6s %7s %7s\n",
+        kLeast_N, "scene", "paths", "ticks", "begun", "ended", "split", "joined", "replaced",
+        "unexplained N", "%", ">5 %", "whole N", "force N");
+  }
+  void add(const std::string& name, const Changes& changes) {
+    const Events& events = changes.events;
+    cases_.push_back({{"name", "changes/" + name},
+                      {"paths", changes.paths},
+                      {"ticks", changes.ticks},
+                      {"begun", events.begun},
+                      {"ended", events.ended},
+                      {"split", events.split},
+                      {"joined", events.joined},
+                      {"replaced", events.replaced},
+                      {"unexplained_N", changes.unexplained_N},
+                      {"unexplained_part", changes.unexplained_part},
+                      {"ticks_above_5_percent", changes.much},
+                      {"change_N", changes.whole_N},
+                      {"force_N", changes.force_N}});
+    if (as_json_) return;
+    std::printf("%-40s %5d %6d %5d %5d %5d %6d %8d %13.3f %7.1f %6d %7.3f %7.2f\n", name.c_str(),
+                changes.paths, changes.ticks, events.begun, events.ended, events.split,
+                events.joined, events.replaced, changes.unexplained_N,
+                100.0 * changes.unexplained_part, changes.much, changes.whole_N, changes.force_N);
+    std::fflush(stdout);
+  }
+
+  void print_works_header() const {
+    if (as_json_) return;
+    std::printf(
+        "\nwork on the hand on closed paths: of all paths, and the ratio of each path\n"
+        "%-45s %5s %6s %9s %8s %8s %7s %8s %8s\n",
+        "closed paths", "paths", "ticks", "limited %", "net mJ", "gross mJ", "mean %", "least %",
+        "most %");
+  }
+  void add(const std::string& name, int ticks, const Works& works) {
+    const auto [least, largest] =
+        std::minmax_element(works.net_over_gross.begin(), works.net_over_gross.end());
+    const double limited = works.bounded / std::max(1.0, works.rendered);
+    double sum = 0.0;
+    for (const double one : works.net_over_gross) sum += one;
+    const double mean = sum / static_cast<double>(works.net_over_gross.size());
+    cases_.push_back({{"name", "work/" + name + '/' + std::to_string(ticks)},
+                      {"paths", works.net_over_gross.size()},
+                      {"ticks", ticks},
+                      {"limited_part", limited},
+                      {"net_J", works.net_J},
+                      {"gross_J", works.gross_J},
+                      {"net_over_gross", works.net_over_gross},
+                      {"mean_net_over_gross", mean}});
+    if (as_json_) return;
+    std::printf("%-45s %5zu %6d %9.0f %8.3f %8.3f %7.1f %8.1f %8.1f\n", name.c_str(),
+                works.net_over_gross.size(), ticks, 100.0 * limited, 1e3 * works.net_J,
+                1e3 * works.gross_J, 100.0 * mean, 100.0 * *least, 100.0 * *largest);
+    std::fflush(stdout);
+  }
+
+  void finish() const {
+    if (!as_json_) return;
+    const nlohmann::ordered_json document{
+        {"format", "asperity.bench/1"},
+        {"machine", machine()},
+        {"commit", ASPERITY_COMMIT},
+        {"model_version", pd_gradient_model().declaration.version},
+        {"cases", cases_}};
+    std::puts(document.dump(2).c_str());
+  }
+
+ private:
+  bool as_json_ = false;
+  nlohmann::ordered_json cases_ = nlohmann::ordered_json::array();
+};
+
+void measure_changes(Report& report) {
+  report.print_changes_header();
+  const auto measure = [&](const std::vector<ContactPath>& paths) {
+    Changes changes;
+    for (const ContactPath& path : paths) add_path(path, changes);
+    report.add(paths.front().name, changes);
+  };
+  measure({ring_that_rocks()});
+  measure({one_of_two_balls_enters()});
+  measure({small_ball_enters_and_leaves()});
+  measure({needle_that_is_suddenly_deep()});
+  std::vector<ContactPath> walls;
+  for (const double angle_degrees : {62.0, 75.0, 90.0}) {
+    walls.push_back(ball_at_foot_of_wall(angle_degrees * std::numbers::pi / 180.0));
+  }
+  measure(walls);
+  std::vector<ContactPath> balls;
+  std::vector<ContactPath> boxes;
+  for (const LowStep& step : low_steps()) {
+    balls.push_back(ball_against(step));
+    boxes.push_back(box_against(step));
+  }
+  measure(balls);
+  measure(boxes);
+  measure({comb_in_ribs()});
+  constexpr std::uint64_t kThroughSheets = 24;
+  balls.clear();
+  boxes.clear();
+  for (std::uint64_t i = 0; i < kThroughSheets; ++i) {
+    const bool is_ball = i % 3 == 2;
+    (is_ball ? balls : boxes).push_back(through_sheets(i, is_ball));
+  }
+  measure(boxes);
+  measure(balls);
+}
+
+void measure_works(Report& report) {
+  report.print_works_header();
+  const auto measure = [&](const std::vector<ClosedPath>& paths,
+                           std::initializer_list<int> all_ticks) {
+    for (const int ticks : all_ticks) report.add(paths.front().name, ticks, works_of(paths, ticks));
+  };
+  measure({ring_that_is_pressed()}, {400, 1600});
+  measure({ball_through_thin_plate()}, {400, 1600});
+  constexpr std::uint64_t kRocking = 24;
+  std::vector<ClosedPath> paths;
+  for (std::uint64_t i = 0; i < kRocking; ++i) paths.push_back(block_that_rocks(i));
+  measure(paths, {400, 1600, 6400});
+  constexpr std::uint64_t kThroughSheets = 42;
+  paths.clear();
+  for (std::uint64_t i = 0; i < kThroughSheets; ++i) {
+    paths.push_back(block_through_sheets_and_back(i));
+  }
+  measure(paths, {400, 1600, 6400});
+}
+
+int run(bool as_json) {
+  Report report(as_json);
+  measure_changes(report);
+  measure_works(report);
+  report.finish();
+  return 0;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+  if (argc > 2 || (argc == 2 && std::strcmp(argv[1], "--json") != 0)) {
+    std::fprintf(stderr, "usage: %s [--json]\n", argv[0]);
+    return 2;
+  }
+  return asperity::run(argc == 2);
+}
