@@ -119,10 +119,10 @@ struct LeftOut {
 /// - Bodies that are apart have no force from the next tick on, also where the tool leaves the surface over an edge.
 /// The sum of the shares never exceeds the number of contacts before or after, nor 1 at one place, except while a share
 /// is fading there. During that time the force also depends on time: it lags, and takes energy from a hand that presses
-/// contacts together and lifts them apart. On every measured path without bounded depths, it took energy and never gave
-/// any. A bounded depth has no potential: it falls at once and rises slowly, which takes energy on the way in
-/// and out, half of the gross work in 0.4 s, and for tilted blocks returns up to 27 % of it, or takes
-/// more if they move slowly (docs/models/pd_gradient.md, textured_contacts_test.cpp).
+/// contacts together and lifts them apart. On the measured paths without bounded depths it gave at most 0.4 % of the gross
+/// work. A bounded depth has no potential: it falls at once and rises slowly, which takes energy on the way in
+/// and out, two thirds of the gross work or more in 0.4 s, and for slow tilted blocks returns up to 19 % of it, or
+/// takes up to 37 % (docs/models/pd_gradient.md, bench/pd_continuity).
 ///
 /// If the window ends before the bodies do, as for a tilted pen that is pressed deeper than its
 /// radius, the deepest sample is at the border of the window and δ is a lower bound
