@@ -3,40 +3,39 @@
 #include "stimuli/meshes/decimation/closed_surface.h"
 
 #include <algorithm>
+#include <array>
+
+#include <OpenMesh/Core/System/omstream.hh>
 
 namespace asperity::decimation {
 
 ClosedSurface::ClosedSurface(const TriangleMesh& mesh)
-    : faces_(mesh.triangles.size()),
-      points_(mesh.vertices_m),
-      half_of_(mesh.vertices_m.size(), kNoHalfEdge),
-      triangles_left_(mesh.triangles.size()) {
-  const std::vector<std::uint32_t> opposite = opposite_half_edges(mesh.triangles);
-  for (std::uint32_t half = 0; half < opposite.size(); ++half) {
-    Face& face = faces_[half / 3];
-    face.corners[half % 3] = mesh.triangles[half / 3][half % 3];
-    face.opposite[half % 3] = opposite[half];
-    half_of_[face.corners[half % 3]] = half;
+    : points_(mesh.vertices_m), triangles_left_(mesh.triangles.size()) {
+  using OpenMesh::VertexHandle;
+  omerr().disable();  // first_fault replaces its output
+  adjacency_.request_vertex_status();
+  adjacency_.request_edge_status();
+  adjacency_.request_halfedge_status();
+  adjacency_.request_face_status();
+  adjacency_.reserve(points_.size(), 3 * triangles_left_ / 2, triangles_left_);
+  for (std::size_t i = 0; i < points_.size(); ++i) adjacency_.new_vertex();
+  for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
+    std::array<VertexHandle, 3> corners;
+    std::transform(triangle.begin(), triangle.end(), corners.begin(),
+                   [](std::uint32_t vertex) { return VertexHandle(static_cast<int>(vertex)); });
+    if (adjacency_.add_face(corners.data(), corners.size()).is_valid()) continue;
+    // At one of its vertices the other faces are a closed fan already, or they have its edge in the same direction.
+    const auto full = std::find_if(corners.begin(), corners.end(), [this](VertexHandle vertex) {
+      return !adjacency_.is_isolated(vertex) && !adjacency_.is_boundary(vertex);
+    });
+    first_fault_ = number_of(full != corners.end() ? *full : corners.front());
+    return;
   }
-}
-
-std::optional<std::uint32_t> ClosedSurface::first_fault() const {
-  std::vector<std::uint32_t> faces_at(vertices(), 0);
-  for (std::uint32_t half = 0; half < 3 * faces_.size(); ++half) {
-    ++faces_at[from(half)];
-    const std::uint32_t across = opposite(half);
-    if (across == kNoHalfEdge || from(across) != to(half)) return from(half);
+  for (const auto half : adjacency_.halfedges()) {
+    if (!adjacency_.is_boundary(half)) continue;
+    first_fault_ = number_of(adjacency_.from_vertex_handle(half));
+    return;
   }
-  for (std::uint32_t vertex = 0; vertex < vertices(); ++vertex) {
-    if (!exists(vertex)) continue;
-    std::uint32_t half = half_of(vertex);
-    do {
-      half = turned(half);
-      --faces_at[vertex];
-    } while (half != half_of(vertex));
-    if (faces_at[vertex] != 0) return vertex;
-  }
-  return std::nullopt;
 }
 
 bool ClosedSurface::can_collapse(std::uint32_t half,
@@ -53,25 +52,7 @@ bool ClosedSurface::can_collapse(std::uint32_t half,
 }
 
 void ClosedSurface::collapse(std::uint32_t half) {
-  const std::uint32_t removed = from(half);
-  const std::uint32_t kept = to(half);
-  const std::uint32_t back = opposite(half);
-  for (std::uint32_t spoke = turned(half); spoke != half; spoke = turned(spoke)) {
-    faces_[spoke / 3].corners[spoke % 3] = kept;
-  }
-  // The two faces at the edge disappear: their other sides fall on one another.
-  const std::uint32_t left_out = opposite(next_half_edge(half));
-  const std::uint32_t left_in = turned(half);
-  const std::uint32_t right_in = opposite(next_half_edge(back));
-  const std::uint32_t right_out = turned(back);
-  set_opposite(left_out, left_in);
-  set_opposite(right_in, right_out);
-  half_of_[from(left_out)] = left_out;
-  half_of_[from(right_in)] = right_in;
-  half_of_[kept] = left_in;
-  half_of_[removed] = kNoHalfEdge;
-  faces_[half / 3].opposite.fill(kNoHalfEdge);
-  faces_[back / 3].opposite.fill(kNoHalfEdge);
+  adjacency_.collapse(half_edge(half));
   triangles_left_ -= 2;
 }
 
@@ -84,10 +65,14 @@ ClosedSurface::Remaining ClosedSurface::remaining() const {
     result.vertices.push_back(vertex);
     result.mesh.vertices_m.push_back(point(vertex));
   }
-  for (const Face& face : faces_) {
-    if (face.opposite[0] == kNoHalfEdge) continue;
+  for (const auto face : adjacency_.faces()) {
+    const auto first = adjacency_.halfedge_handle(face);
+    const auto second = adjacency_.next_halfedge_handle(first);
+    const auto corner = [&](OpenMesh::HalfedgeHandle side) {
+      return moved[number_of(adjacency_.from_vertex_handle(side))];
+    };
     result.mesh.triangles.push_back(
-        {moved[face.corners[0]], moved[face.corners[1]], moved[face.corners[2]]});
+        {corner(first), corner(second), corner(adjacency_.next_halfedge_handle(second))});
   }
   return result;
 }

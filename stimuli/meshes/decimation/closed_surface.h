@@ -2,13 +2,13 @@
 
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <glm/vec3.hpp>
 
 #include "stimuli/meshes/mesh_edges.h"
@@ -16,10 +16,10 @@
 
 namespace asperity::decimation {
 
-/// A closed mesh with the adjacency of its half-edges, which remains up to date while edges are collapsed.
+/// A closed mesh with the adjacency of its half-edges (OpenMesh), which remains up to date while edges are collapsed.
 ///
-/// Half-edges are numbered as in mesh_edges.h. A collapse removes one vertex and two triangles; the numbers of the
-/// others do not change, and vertices do not move.
+/// A collapse removes one vertex and two triangles; the numbers of the others do not change, and vertices do not move.
+/// kNoHalfEdge of mesh_edges.h stands for none.
 ///
 /// Threads: the const functions can be called from any number of threads at a time.
 class ClosedSurface final {
@@ -28,26 +28,30 @@ class ClosedSurface final {
   explicit ClosedSurface(const TriangleMesh& mesh);
 
   /// A vertex whose faces do not form one closed fan: the mesh was not closed, and nothing else may be called.
-  std::optional<std::uint32_t> first_fault() const;
+  std::optional<std::uint32_t> first_fault() const { return first_fault_; }
 
   std::size_t triangles() const { return triangles_left_; }
-  std::size_t vertices() const { return half_of_.size(); }  ///< including the removed ones
+  std::size_t vertices() const { return points_.size(); }  ///< including the removed ones
   /// Whether a vertex has faces: it was not removed.
-  bool exists(std::uint32_t vertex) const { return half_of_[vertex] != kNoHalfEdge; }
+  bool exists(std::uint32_t vertex) const { return half_of(vertex) != kNoHalfEdge; }
   const glm::dvec3& point(std::uint32_t vertex) const { return points_[vertex]; }
 
-  std::uint32_t from(std::uint32_t half) const { return faces_[half / 3].corners[half % 3]; }
-  std::uint32_t to(std::uint32_t half) const {
-    const std::uint32_t corner = half % 3;
-    return faces_[half / 3].corners[corner == 2 ? 0 : corner + 1];
+  std::uint32_t from(std::uint32_t half) const {
+    return number_of(adjacency_.from_vertex_handle(half_edge(half)));
   }
-  std::uint32_t opposite(std::uint32_t half) const { return faces_[half / 3].opposite[half % 3]; }
+  std::uint32_t to(std::uint32_t half) const {
+    return number_of(adjacency_.to_vertex_handle(half_edge(half)));
+  }
+  std::uint32_t opposite(std::uint32_t half) const {
+    return number_of(adjacency_.opposite_halfedge_handle(half_edge(half)));
+  }
   /// One of the half-edges that begin at a vertex.
-  std::uint32_t half_of(std::uint32_t vertex) const { return half_of_[vertex]; }
+  std::uint32_t half_of(std::uint32_t vertex) const {
+    return number_of(adjacency_.halfedge_handle(OpenMesh::VertexHandle(static_cast<int>(vertex))));
+  }
   /// The next half-edge that begins at the same vertex, counter-clockwise.
   std::uint32_t turned(std::uint32_t half) const {
-    const std::uint32_t corner = half % 3;
-    return faces_[half / 3].opposite[corner == 0 ? 2 : corner - 1];
+    return number_of(adjacency_.ccw_rotated_halfedge_handle(half_edge(half)));
   }
 
   /// Whether the surface remains closed without new contacts if the start of a half-edge is moved to its end: both have
@@ -64,21 +68,17 @@ class ClosedSurface final {
   Remaining remaining() const;
 
  private:
-  /// Together in memory, because both are needed in order to walk around a vertex.
-  struct Face {
-    std::array<std::uint32_t, 3> corners{};
-    std::array<std::uint32_t, 3> opposite{};
-  };
-
-  void set_opposite(std::uint32_t one, std::uint32_t other) {
-    faces_[one / 3].opposite[one % 3] = other;
-    faces_[other / 3].opposite[other % 3] = one;
+  static OpenMesh::HalfedgeHandle half_edge(std::uint32_t half) {
+    return OpenMesh::HalfedgeHandle(static_cast<int>(half));
+  }
+  static std::uint32_t number_of(OpenMesh::BaseHandle handle) {
+    return static_cast<std::uint32_t>(handle.idx());
   }
 
-  std::vector<Face> faces_{};  ///< a removed one has no opposite half-edges
+  OpenMesh::TriConnectivity adjacency_{};
   std::vector<glm::dvec3> points_{};
-  std::vector<std::uint32_t> half_of_{};
   std::size_t triangles_left_ = 0;
+  std::optional<std::uint32_t> first_fault_{};
 };
 
 }  // namespace asperity::decimation
