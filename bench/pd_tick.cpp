@@ -232,6 +232,7 @@ nlohmann::ordered_json errors_of(const BakedScene& baked, double cell_m) {
     const Pose a{.rotation = glm::mat3_cast(probe.orientation), .position_m = probe.position_m};
     const auto found = renderer.contacts();
     for (const TexturedContact& contact : found.first(std::min(found.size(), kContactsForErrors))) {
+      if (contact.is_fading) continue;  // it has a depth of earlier ticks
       const double step_m = cell_m;
       const auto reference = [&](PlainPatch& of_a, PlainPatch& of_b) {
         return reference_penetration(of_a.near(a, contact.frame, contact.grid.width_m),
