@@ -262,7 +262,8 @@ class CrossedFindings final {
 
   void coefficients(const CrossedFit& fit) {
     const double z = normal_limit(confidence_);
-    const auto add = [&](const std::string& key, Eigen::Index at, double null) {
+    const auto add = [&](const std::string& key, Eigen::Index at, double null,
+                         const std::string& size) {
       const double beta = fit.beta(at);
       const double error = fit.standard_error(at);
       Basis shown = basis(method_ + "; Wald interval");
@@ -273,13 +274,14 @@ class CrossedFindings final {
       const double statistic = (beta - null) / error;
       number("glmm.z", key, statistic, "Wald's z");
       number("glmm.p", key, std::erfc(std::abs(statistic) / std::sqrt(2.0)),
-             "Wald's z test, two-sided");
+             "Wald's z test, two-sided" + size);
     };
-    add("intercept", 0, null_);
+    add("intercept", 0, null_,
+        "; in simulations with four items the Type I error rate at α = .05 was up to 11 %");
     average_proportion(fit);
     for (const FixedEffect& effect : table_.effects) {
       for (Eigen::Index column = 0; column < effect.columns(); ++column) {
-        add(effect.keys[static_cast<std::size_t>(column)], effect.first_column + column, 0.0);
+        add(effect.keys[static_cast<std::size_t>(column)], effect.first_column + column, 0.0, "");
       }
     }
   }
@@ -338,7 +340,8 @@ class CrossedFindings final {
            "likelihood-ratio statistic against the model without the effect");
     number("glmm.lr.df", effect.name, df, "degrees of freedom of χ²");
     number("glmm.lr.p", effect.name, *upper_tail(ChiSquaredStatistic{.value = ratio, .df = df}),
-           "likelihood-ratio test (χ²)");
+           "likelihood-ratio test (χ²); in simulations with covariates the Type I error rate at "
+           "α = .05 was up to 7 %, and up to 9 % with fewer than five participants");
   }
 
   const CrossedTable& table_;
