@@ -195,11 +195,13 @@ TEST(CoverageCounts, HaveTheAttainableSizeOfPermutationTests) {
     const double given = std::stod(row.at(10));
     const double rejected = std::stod(row.at(13)) / given;
     const double attainable = is_of_stress ? 0.05 : attainable_size(std::stoul(row.at(1)));
-    EXPECT_LE(rejected, 0.06) << line;
+    // The standard error of the 400 tables of stress is 1.1 %.
+    EXPECT_LE(rejected, is_of_stress ? 0.07 : 0.06) << line;
     EXPECT_NEAR(rejected, attainable, four_errors(attainable, given)) << line;
     ++settings[row.at(0)];
   }
-  if (settings.empty()) GTEST_SKIP() << "these parts are not drawn yet";
+  EXPECT_THAT(settings, testing::ElementsAre(testing::Key("guessed_pairs"),
+                                             testing::Key("unrelated_properties")));
 }
 
 TEST(CoverageParts, KnowTheMeanOfALogisticVariable) {
