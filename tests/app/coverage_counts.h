@@ -14,7 +14,7 @@ namespace asperity {
 
 /// A row: of the simulated tables, those with the number, and those whose interval is above or below the true value or whose test
 /// rejects.
-struct CoverageCount {
+struct DrawnCount {
   double participants = 0.0;
   double trials = 0.0;  ///< of each participant
   double effect = 0.0;
@@ -25,8 +25,8 @@ struct CoverageCount {
 };
 
 /// The rows of a quantity of a part, in their order.
-inline std::vector<CoverageCount> coverage_counts(const std::string& part,
-                                                  const std::string& quantity) {
+inline std::vector<DrawnCount> coverage_counts(const std::string& part,
+                                               const std::string& quantity) {
   const std::filesystem::path path =
       std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/data/coverage.tsv";
   const TidyTable table(read_file(path), path.string());
@@ -42,7 +42,7 @@ inline std::vector<CoverageCount> coverage_counts(const std::string& part,
   const auto below = table.numbers("below");
   const auto above = table.numbers("above");
   const auto rejected = table.numbers("rejected");
-  std::vector<CoverageCount> counts;
+  std::vector<DrawnCount> counts;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (parts[row] != part || quantities[row] != quantity) continue;
     const bool is_test = kinds[row] == "test";

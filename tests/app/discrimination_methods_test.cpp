@@ -122,7 +122,7 @@ struct UnforcedCoverage {
   double most_of_36_trials = 0.0;
 
   explicit UnforcedCoverage(const std::string& judgement) {
-    for (const CoverageCount& count : coverage_counts("unforced_thresholds", "jnd")) {
+    for (const DrawnCount& count : coverage_counts("unforced_thresholds", "jnd")) {
       if (count.key != judgement) continue;
       EXPECT_EQ(count.tables, 2000.0);
       const double covered = 100.0 * (1.0 - count.failed / count.given);

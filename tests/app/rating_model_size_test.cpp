@@ -29,7 +29,7 @@ using ::testing::Not;
 class SimulatedSize {
  public:
   SimulatedSize(const std::string& part, const std::string& quantity) {
-    for (const CoverageCount& count : coverage_counts(part, quantity)) {
+    for (const DrawnCount& count : coverage_counts(part, quantity)) {
       if (count.effect != 0.0) continue;
       double& greatest = count.participants == 2.0 ? of_two_ : of_more_;
       greatest = std::max(greatest, 100.0 * count.failed / count.given);
