@@ -20,14 +20,14 @@ namespace {
 using Corners = std::array<glm::dvec3, 3>;
 
 constexpr std::size_t kLanes = kClusterSize;
-// The rounding error of a position in single precision, with a margin for the products of the test.
-constexpr float kRoundingOfRadius = 4e-6F;
-// With a wider margin lists are made less often, and contain more pairs that do not intersect.
+// With a wider margin lists are made less often, and contain more pairs that do not intersect. A list is begun and made during
+// motions of these fractions of the margin, and is valid for the rest of it. If one tick moves further, lists would become invalid
+// before they are whole.
 constexpr double kMarginOfRadius = 0.03;
-constexpr double kSoftMargin = 0.3;  // of the margin: there the next list is begun
-// A list is made in about this number of calls, if it takes as much work as the last one.
-constexpr std::size_t kCallsOfAList = 16;
-constexpr std::size_t kWorkOfFirstList = 256;  // in comparisons with sixteen triangles
+constexpr double kBeginning = 0.5;
+constexpr double kMaking = 0.35;
+constexpr double kMostInATick = 0.25;
+constexpr std::size_t kAllWork = std::numeric_limits<std::size_t>::max();
 
 glm::dvec3 middle_of(const Corners& corners) {
   return (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -83,19 +83,6 @@ void set_slab(TriangleCluster& cluster) {
   cluster.slab_high_m = static_cast<float>(high);
 }
 
-/// Whether there is a gap between the projections on `axis`.
-bool separates(const glm::dvec3& axis, const Corners& a, const Corners& b) noexcept {
-  const auto range = [&axis](const Corners& corners) {
-    const double first = glm::dot(axis, corners[0]);
-    const double second = glm::dot(axis, corners[1]);
-    const double third = glm::dot(axis, corners[2]);
-    return std::pair(std::min({first, second, third}), std::max({first, second, third}));
-  };
-  const auto [a_low, a_high] = range(a);
-  const auto [b_low, b_high] = range(b);
-  return a_high < b_low || b_high < a_low;
-}
-
 TriangleClusters clusters_of(const ClusteredMesh& mesh) {
   return {.clusters = mesh.clusters().data(),
           .count = mesh.clusters().size(),
@@ -103,27 +90,6 @@ TriangleClusters clusters_of(const ClusteredMesh& mesh) {
 }
 
 }  // namespace
-
-bool triangles_intersect(const Corners& a, const Corners& b) noexcept {
-  // Relative to a corner of A: the products below then preserve the small differences of two near triangles.
-  const Corners p{glm::dvec3(0.0), a[1] - a[0], a[2] - a[0]};
-  const Corners q{b[0] - a[0], b[1] - a[0], b[2] - a[0]};
-  const Corners p_edges{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
-  const Corners q_edges{q[1] - q[0], q[2] - q[1], q[0] - q[2]};
-  const glm::dvec3 p_normal = glm::cross(p_edges[0], p_edges[1]);
-  const glm::dvec3 q_normal = glm::cross(q_edges[0], q_edges[1]);
-  if (separates(p_normal, p, q) || separates(q_normal, p, q)) return false;
-  for (const glm::dvec3& edge : p_edges) {
-    for (const glm::dvec3& other : q_edges) {
-      if (separates(glm::cross(edge, other), p, q)) return false;
-    }
-    if (separates(glm::cross(p_normal, edge), p, q)) return false;
-  }
-  for (const glm::dvec3& edge : q_edges) {
-    if (separates(glm::cross(q_normal, edge), p, q)) return false;
-  }
-  return true;
-}
 
 ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) {
@@ -150,6 +116,14 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
   }
   centre_m_ = 0.5 * (low + high);
   radius_m_ = 0.5 * glm::length(high - low);
+  for (const Corners& corners : corners_m_) {
+    CornersFromCentre& from_centre_m = corners_from_centre_m_.emplace_back();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 place_m = corners[corner] - centre_m_;
+      from_centre_m[corner] = {static_cast<float>(place_m.x), static_cast<float>(place_m.y),
+                               static_cast<float>(place_m.z)};
+    }
+  }
 
   std::vector<std::uint32_t> order(corners_m_.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -173,7 +147,7 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
     const std::uint32_t triangle = order[std::min(place, order.size() - 1)];
     cluster.triangles[lane] = triangle;
     if (is_used) cluster.used |= 1U << lane;
-    const std::array<std::array<float, 3>, 3> corners_m = corners_from_centre_m(triangle);
+    const CornersFromCentre& corners_m = corners_from_centre_m(triangle);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       float lowest = kFar;
       float highest = -kFar;
@@ -198,17 +172,6 @@ MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<con
                      std::size_t maximum_pairs)
     : MeshQuery(std::move(a), std::move(b), maximum_pairs, instruction_sets_here().back()) {}
 
-std::array<std::array<float, 3>, 3> ClusteredMesh::corners_from_centre_m(
-    std::uint32_t triangle) const noexcept {
-  std::array<std::array<float, 3>, 3> corners{};
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    const glm::dvec3 place_m = corners_m_[triangle][corner] - centre_m_;
-    corners[corner] = {static_cast<float>(place_m.x), static_cast<float>(place_m.y),
-                       static_cast<float>(place_m.z)};
-  }
-  return corners;
-}
-
 MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
                      std::size_t maximum_pairs, InstructionSet set)
     : a_(std::move(a)),
@@ -216,28 +179,8 @@ MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<con
       loops_(&triangle_loops_of(set)),
       pairs_(maximum_pairs),
       margin_m_(kMarginOfRadius * std::min(a_->radius_m(), b_->radius_m())),
-      work_of_list_(kWorkOfFirstList) {
-  for (NearPairs* list : {&listed_, &next_}) {
-    list->batches.assign((maximum_pairs + kLanes - 1) / kLanes, PairBatch{});
-  }
-}
-
-void MeshQuery::NearPairs::add(const MeshQuery& query, std::uint32_t a, std::uint32_t b) noexcept {
-  const std::size_t at = count++;
-  if (is_overfull()) return;
-  PairBatch& batch = batches[at / kLanes];
-  const std::size_t lane = at % kLanes;
-  const auto corners_a = query.a_->corners_from_centre_m(a);
-  const auto corners_b = query.b_->corners_from_centre_m(b);
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      batch.a[corner][axis][lane] = corners_a[corner][axis];
-      batch.b[corner][axis][lane] = corners_b[corner][axis];
-    }
-  }
-  batch.triangles_a[lane] = a;
-  batch.triangles_b[lane] = b;
-}
+      listed_{.pairs = NearPairs(maximum_pairs)},
+      next_{.pairs = NearPairs(maximum_pairs)} {}
 
 SlabBox ClusteredMesh::slab_box(const Box& box) const noexcept {
   SlabBox slabs{};
@@ -258,20 +201,6 @@ std::uint32_t ClusteredMesh::find_in_box(std::size_t cluster, const SlabBox& box
                              kRoundingOfRadius * static_cast<float>(radius_m_));
 }
 
-ClusterPose MeshQuery::cluster_pose(const Pose& X_BA) const noexcept {
-  ClusterPose pose{};
-  const glm::dvec3 shift_m = X_BA * a_->centre_m() - b_->centre_m();  // between the centres
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      pose.turn[static_cast<std::size_t>(3 * row + column)] =
-          static_cast<float>(X_BA.rotation[column][row]);
-    }
-    pose.shift_m[static_cast<std::size_t>(row)] = static_cast<float>(shift_m[row]);
-  }
-  pose.tolerance_m = kRoundingOfRadius * static_cast<float>(a_->radius_m() + b_->radius_m());
-  return pose;
-}
-
 // No point of A moves further: the norm of the change of a rotation by θ is √8·sin(θ/2), and a point at a distance r
 // moves by at most 2·r·sin(θ/2).
 double MeshQuery::way_m(const Pose& from, const Pose& to) const noexcept {
@@ -285,78 +214,89 @@ double MeshQuery::way_m(const Pose& from, const Pose& to) const noexcept {
          a_->radius_m() * std::sqrt(0.5 * squares);
 }
 
-bool MeshQuery::is_whole(const NearPairs& list) const noexcept {
-  return list.searched == a_->clusters().size() * b_->clusters().size();
+bool MeshQuery::is_whole(const List& list) const noexcept {
+  return list.searched == kLanes * a_->clusters().size() * b_->clusters().size();
 }
 
-// Searches the next clusters for pairs within the margin. Those at the contact need most of the work: the parts are equal in
-// work, not in clusters.
-void MeshQuery::continue_list() noexcept {
-  ClusterPose pose = cluster_pose(next_.pose);
-  pose.tolerance_m += static_cast<float>(margin_m_);
-  struct Listing {
-    const MeshQuery& query;
-    NearPairs& list;
-  } listing{*this, next_};
-  const auto take = [](void* to, std::uint32_t a, std::uint32_t b, bool) noexcept {
-    const Listing& into = *static_cast<Listing*>(to);
-    into.list.add(into.query, a, b);
+void MeshQuery::begin(List& list, const Pose& X_BA, double margin_m) noexcept {
+  list.pose = X_BA;
+  list.margin_m = margin_m;
+  list.searched = 0;
+  list.work = 0;
+  list.pairs.begin(X_BA, margin_m);
+}
+
+// Searches the next clusters for pairs within the margin.
+void MeshQuery::search(List& list, std::size_t most_work) noexcept {
+  ClusterPose pose = cluster_pose(*a_, *b_, list.pose);
+  pose.tolerance_m += static_cast<float>(list.margin_m);
+  struct Found {
+    const MeshPair& meshes;
+    NearPairs& pairs;
   };
-  SearchPart part{.first = next_.searched, .most_work = work_of_list_ / kCallsOfAList + 1};
-  loops_->find_pairs(clusters_of(*a_), clusters_of(*b_), pose, part, take, &listing);
-  next_.searched = part.next;
-  next_.work += part.work;
-  if (!is_whole(next_)) return;
-  is_listing_ = false;
-  work_of_list_ = next_.work;
-  std::swap(listed_, next_);
+  const MeshPair meshes = this->meshes();
+  Found found{.meshes = meshes, .pairs = list.pairs};
+  const auto take = [](void* to, std::uint32_t a, std::uint32_t b) noexcept {
+    const Found& into = *static_cast<Found*>(to);
+    into.pairs.add(into.meshes, {.a = a, .b = b});
+  };
+  SearchPart part{.first = list.searched, .most_work = most_work};
+  loops_->find_candidates(clusters_of(*a_), clusters_of(*b_), pose, part, take, &found);
+  list.pairs.add_last(meshes);
+  list.searched = part.next;
+  list.work += part.work;
 }
 
-// The list that is valid at this pose, or nullptr; continues or begins the next one.
-const MeshQuery::NearPairs* MeshQuery::list_for(const Pose& X_BA) noexcept {
-  const bool is_slow = has_last_ && way_m(last_pose_, X_BA) * kCallsOfAList < margin_m_;
-  last_pose_ = X_BA;
-  has_last_ = true;
-  if (!is_slow) {
-    is_listing_ = false;
-    return nullptr;
+// Whether listed_ has all pairs that intersect at this pose; continues or begins the next list.
+bool MeshQuery::has_list_for(const Pose& X_BA, double moved_m) noexcept {
+  listed_.pairs.move(moved_m);
+  next_.pairs.move(moved_m);
+  if (is_listing_) {
+    const double share = moved_m / (kMaking * margin_m_);
+    search(next_, 1 + static_cast<std::size_t>(share * static_cast<double>(listed_.work)));
+    if (is_whole(next_)) {
+      is_listing_ = false;
+      is_from_list_ = false;
+      std::swap(listed_, next_);
+    }
   }
-  if (is_listing_) continue_list();
-  const double used =
-      is_whole(listed_) && !listed_.is_overfull() ? way_m(listed_.pose, X_BA) / margin_m_ : 1.0;
-  if (!is_listing_ && !(used < kSoftMargin)) {
-    next_.pose = X_BA;
-    next_.searched = 0;
-    next_.work = 0;
-    next_.count = 0;
+  if (!is_whole(listed_) || listed_.pairs.is_overfull()) return false;
+  const double way_m = this->way_m(listed_.pose, X_BA);
+  if (!is_listing_ && way_m >= kBeginning * margin_m_) {
+    begin(next_, X_BA, margin_m_);
     is_listing_ = true;
   }
-  return used < 1.0 ? &listed_ : nullptr;
+  return way_m < listed_.margin_m;
+}
+
+// All at once; with a margin if the list can be used again.
+void MeshQuery::search_all(const Pose& X_BA, double margin_m) noexcept {
+  is_listing_ = false;
+  begin(listed_, X_BA, margin_m);
+  search(listed_, kAllWork);
+  if (listed_.pairs.is_overfull() && margin_m > 0.0) {
+    search_all(X_BA, 0.0);
+    return;
+  }
+  count_ = listed_.pairs.intersecting(pairs_);
+  if (listed_.pairs.is_overfull()) count_ = listed_.pairs.count();
 }
 
 std::span<const TrianglePair> MeshQuery::find(const Pose& X_BA) noexcept {
-  struct Found {
-    MeshQuery& query;
-    const Pose& X_BA;
-  } found{*this, X_BA};
-  count_ = 0;
-  const auto take = [](void* to, std::uint32_t a, std::uint32_t b, bool is_sure) noexcept {
-    Found& into = *static_cast<Found*>(to);
-    if (!is_sure) {
-      Corners corners = into.query.a_->corners_m(a);
-      for (glm::dvec3& corner : corners) corner = into.X_BA * corner;
-      if (!triangles_intersect(corners, into.query.b_->corners_m(b))) return;
-    }
-    if (into.query.count_ < into.query.pairs_.size()) into.query.pairs_[into.query.count_] = {a, b};
-    ++into.query.count_;
-  };
-  const ClusterPose pose = cluster_pose(X_BA);
-  if (const NearPairs* list = list_for(X_BA)) {
+  const double moved_m = has_last_ ? way_m(last_pose_, X_BA) : margin_m_;
+  last_pose_ = X_BA;
+  has_last_ = true;
+  const bool is_slow = moved_m < kMostInATick * margin_m_;
+  if (is_slow && has_list_for(X_BA, moved_m)) {
     ++listed_calls_;
-    loops_->test_pairs(list->batches.data(), list->count, pose, take, &found);
+    // Its pairs are tested while it is made, so that no call tests all of them.
+    if (is_listing_) next_.pairs.renew(meshes(), X_BA);
+    const bool has_changed = listed_.pairs.renew(meshes(), X_BA);
+    if (has_changed || !is_from_list_) count_ = listed_.pairs.intersecting(pairs_);
+    is_from_list_ = true;
   } else {
-    SearchPart all{};
-    loops_->find_pairs(clusters_of(*a_), clusters_of(*b_), pose, all, take, &found);
+    search_all(X_BA, is_slow ? margin_m_ : 0.0);
+    is_from_list_ = false;
   }
   return std::span(pairs_).first(std::min(count_, pairs_.size()));
 }

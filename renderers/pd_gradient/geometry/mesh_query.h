@@ -12,18 +12,12 @@
 #include <glm/vec3.hpp>
 
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
+#include "renderers/pd_gradient/geometry/near_pairs.h"
 #include "renderers/pd_gradient/loops/instruction_set.h"
 #include "renderers/pd_gradient/loops/triangle_loops.h"
 #include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity {
-
-/// A triangle of A and a triangle of B, by their indices.
-struct TrianglePair {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-  friend bool operator==(const TrianglePair&, const TrianglePair&) = default;
-};
 
 /// Stores the triangles of one mesh in clusters of sixteen for the query.
 class ClusteredMesh final {
@@ -36,7 +30,10 @@ class ClusteredMesh final {
   std::span<const TriangleCluster> clusters() const noexcept { return clusters_; }
   std::span<const ClusterBoxes> boxes() const noexcept { return boxes_; }
   /// The corners of a triangle as in the clusters: [corner][axis], from the centre.
-  std::array<std::array<float, 3>, 3> corners_from_centre_m(std::uint32_t triangle) const noexcept;
+  using CornersFromCentre = std::array<std::array<float, 3>, 3>;
+  const CornersFromCentre& corners_from_centre_m(std::uint32_t triangle) const noexcept {
+    return corners_from_centre_m_[triangle];
+  }
   /// A box with three perpendicular unit vectors and its half-size along each, and a direction.
   struct Box {
     glm::dvec3 centre_m{0.0};
@@ -60,6 +57,7 @@ class ClusteredMesh final {
   std::vector<TriangleCluster> clusters_{};
   std::vector<ClusterBoxes> boxes_{};
   std::vector<std::array<glm::dvec3, 3>> corners_m_{};
+  std::vector<CornersFromCentre> corners_from_centre_m_{};
 };
 
 /// Finds all pairs of triangles, one of each mesh, that share a point.
@@ -69,10 +67,10 @@ class ClusteredMesh final {
 /// in single precision on sixteen triangles at once; results within the rounding error of touching are decided in
 /// double precision. Touching triangles are a pair.
 ///
-/// While A moves slowly, only pairs that were within a margin of each other at an earlier pose are tested: no other pair
-/// can intersect before a point of A has moved by the margin. These lists are made during about sixteen calls, and the
-/// next one is begun when 0.3 of the margin has been used. Pairs and their order are the same with and without a list; without a
-/// valid one, all pairs are searched.
+/// While A moves slowly, only pairs that were within a margin of each other at an earlier pose are considered: no other pair
+/// can intersect before a point of A has moved by the margin. When half of the margin has been used, the next list (NearPairs) is
+/// begun; it is made in parts that correspond to the motion. Of a list, only pairs whose verdict may have changed are tested.
+/// Without a valid list all pairs are searched. The pairs and their order are the same with and without a list.
 ///
 /// The pairs and their order do not depend on the processor: the code is compiled for SSE2, AVX2 and AVX-512 without
 /// contraction, and the widest set of the processor is used.
@@ -101,22 +99,21 @@ class MeshQuery final {
 
  private:
   /// The pairs within the margin of each other at one pose, in the order of the search.
-  struct NearPairs {
+  struct List {
     Pose pose{};
-    std::size_t searched = 0;  ///< pairs of clusters
-    std::size_t work = 0;      ///< in comparisons with sixteen triangles
-    std::size_t count = 0;
-    std::vector<PairBatch> batches{};
-
-    void add(const MeshQuery& query, std::uint32_t a, std::uint32_t b) noexcept;
-    bool is_overfull() const noexcept { return count > batches.size() * kClusterSize; }
+    double margin_m = 0.0;
+    std::size_t searched = 0;  ///< as in SearchPart
+    std::size_t work = 0;      ///< as in SearchPart
+    NearPairs pairs;           ///< those of the searched part
   };
 
-  ClusterPose cluster_pose(const Pose& X_BA) const noexcept;
+  MeshPair meshes() const noexcept { return {.a = *a_, .b = *b_, .loops = *loops_}; }
   double way_m(const Pose& from, const Pose& to) const noexcept;
-  bool is_whole(const NearPairs& list) const noexcept;
-  void continue_list() noexcept;
-  const NearPairs* list_for(const Pose& X_BA) noexcept;
+  bool is_whole(const List& list) const noexcept;
+  static void begin(List& list, const Pose& X_BA, double margin_m) noexcept;
+  void search(List& list, std::size_t most_work) noexcept;
+  bool has_list_for(const Pose& X_BA, double moved_m) noexcept;
+  void search_all(const Pose& X_BA, double margin_m) noexcept;
 
   // Shared, because every stimulus with the same tool or surface has a separate query.
   std::shared_ptr<const ClusteredMesh> a_{};
@@ -128,14 +125,10 @@ class MeshQuery final {
   Pose last_pose_{};
   bool has_last_ = false;
   bool is_listing_ = false;
-  NearPairs listed_{};
-  NearPairs next_{};  // being made while is_listing_
-  std::size_t work_of_list_ = 0;
+  List listed_;
+  List next_;                  // being made while is_listing_
+  bool is_from_list_ = false;  // pairs_ are those of listed_ in the previous call
   std::uint64_t listed_calls_ = 0;
 };
-
-/// Whether two triangles share a point, in double precision; used by `MeshQuery` for uncertain pairs.
-bool triangles_intersect(const std::array<glm::dvec3, 3>& a,
-                         const std::array<glm::dvec3, 3>& b) noexcept;
 
 }  // namespace asperity

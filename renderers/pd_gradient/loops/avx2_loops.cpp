@@ -28,6 +28,8 @@ struct Lanes {
   static Floats add(Floats a, Floats b) { return _mm256_add_ps(a, b); }
   static Floats sub(Floats a, Floats b) { return _mm256_sub_ps(a, b); }
   static Floats mul(Floats a, Floats b) { return _mm256_mul_ps(a, b); }
+  static Floats div(Floats a, Floats b) { return _mm256_div_ps(a, b); }
+  static Floats sqrt(Floats a) { return _mm256_sqrt_ps(a); }
   static Floats max(Floats a, Floats b) { return _mm256_max_ps(a, b); }
   static Floats min(Floats a, Floats b) { return _mm256_min_ps(a, b); }
   static Floats as_float(Ints a) { return _mm256_cvtepi32_ps(a); }
@@ -51,6 +53,11 @@ struct Lanes {
   }
   static void store_where(float* to, Mask where, Floats a) {
     store(to, choose(where, a, load(to)));
+  }
+  static Mask mask(unsigned bits) {
+    const Ints of_lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const Ints own = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), of_lane);
+    return _mm256_castsi256_ps(_mm256_cmpeq_epi32(own, of_lane));
   }
   static unsigned bits(Mask a) { return static_cast<unsigned>(_mm256_movemask_ps(a)); }
   static float largest(Floats a) {
@@ -128,6 +135,7 @@ struct DoubleLanes {
 namespace asperity {
 const SampleLoops kAvx2Loops{sample_surface_by_lanes, compare_by_lanes,      weigh_by_lanes,
                              bound_rows_by_lanes,     compare_kept_by_lanes, weigh_kept_by_lanes};
-const TriangleLoops kAvx2TriangleLoops{find_pairs_by_lanes, test_pairs_by_lanes,
-                                       find_in_box_by_lanes, cut_pairs_by_lanes};
+const TriangleLoops kAvx2TriangleLoops{find_candidates_by_lanes, judge_pairs_by_lanes,
+                                       use_slack_by_lanes, find_in_box_by_lanes,
+                                       cut_pairs_by_lanes};
 }  // namespace asperity

@@ -27,6 +27,8 @@ struct Lanes {
   static Floats add(Floats a, Floats b) { return _mm512_add_ps(a, b); }
   static Floats sub(Floats a, Floats b) { return _mm512_sub_ps(a, b); }
   static Floats mul(Floats a, Floats b) { return _mm512_mul_ps(a, b); }
+  static Floats div(Floats a, Floats b) { return _mm512_div_ps(a, b); }
+  static Floats sqrt(Floats a) { return _mm512_sqrt_ps(a); }
   static Floats max(Floats a, Floats b) { return _mm512_max_ps(a, b); }
   static Floats min(Floats a, Floats b) { return _mm512_min_ps(a, b); }
   static Floats as_float(Ints a) { return _mm512_cvtepi32_ps(a); }
@@ -48,6 +50,7 @@ struct Lanes {
     return _mm512_mask_blend_ps(where, no, yes);
   }
   static void store_where(float* to, Mask where, Floats a) { _mm512_mask_storeu_ps(to, where, a); }
+  static Mask mask(unsigned bits) { return static_cast<Mask>(bits); }
   static unsigned bits(Mask a) { return a; }
   static float largest(Floats a) { return _mm512_reduce_max_ps(a); }
 
@@ -123,6 +126,7 @@ struct DoubleLanes {
 namespace asperity {
 const SampleLoops kAvx512Loops{sample_surface_by_lanes, compare_by_lanes,      weigh_by_lanes,
                                bound_rows_by_lanes,     compare_kept_by_lanes, weigh_kept_by_lanes};
-const TriangleLoops kAvx512TriangleLoops{find_pairs_by_lanes, test_pairs_by_lanes,
-                                         find_in_box_by_lanes, cut_pairs_by_lanes};
+const TriangleLoops kAvx512TriangleLoops{find_candidates_by_lanes, judge_pairs_by_lanes,
+                                         use_slack_by_lanes, find_in_box_by_lanes,
+                                         cut_pairs_by_lanes};
 }  // namespace asperity

@@ -28,6 +28,8 @@ struct Lanes {
   static Floats add(Floats a, Floats b) { return _mm_add_ps(a, b); }
   static Floats sub(Floats a, Floats b) { return _mm_sub_ps(a, b); }
   static Floats mul(Floats a, Floats b) { return _mm_mul_ps(a, b); }
+  static Floats div(Floats a, Floats b) { return _mm_div_ps(a, b); }
+  static Floats sqrt(Floats a) { return _mm_sqrt_ps(a); }
   static Floats max(Floats a, Floats b) { return _mm_max_ps(a, b); }
   static Floats min(Floats a, Floats b) { return _mm_min_ps(a, b); }
   static Floats as_float(Ints a) { return _mm_cvtepi32_ps(a); }
@@ -50,6 +52,11 @@ struct Lanes {
   }
   static void store_where(float* to, Mask where, Floats a) {
     store(to, choose(where, a, load(to)));
+  }
+  static Mask mask(unsigned bits) {
+    const Ints of_lane = _mm_setr_epi32(1, 2, 4, 8);
+    const Ints own = _mm_and_si128(_mm_set1_epi32(static_cast<int>(bits)), of_lane);
+    return _mm_castsi128_ps(_mm_cmpeq_epi32(own, of_lane));
   }
   static unsigned bits(Mask a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
   static float largest(Floats a) {
@@ -120,6 +127,7 @@ struct DoubleLanes {
 namespace asperity {
 const SampleLoops kSse2Loops{sample_surface_by_lanes, compare_by_lanes,      weigh_by_lanes,
                              bound_rows_by_lanes,     compare_kept_by_lanes, weigh_kept_by_lanes};
-const TriangleLoops kSse2TriangleLoops{find_pairs_by_lanes, test_pairs_by_lanes,
-                                       find_in_box_by_lanes, cut_pairs_by_lanes};
+const TriangleLoops kSse2TriangleLoops{find_candidates_by_lanes, judge_pairs_by_lanes,
+                                       use_slack_by_lanes, find_in_box_by_lanes,
+                                       cut_pairs_by_lanes};
 }  // namespace asperity

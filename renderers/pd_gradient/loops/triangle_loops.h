@@ -36,11 +36,11 @@ struct TriangleClusters {
   const ClusterBoxes* boxes = nullptr;
 };
 
-/// A part of a search of all pairs. Positions count pairs of clusters in the order of the search: all of B for the first cluster
-/// of A, then all of B for the second.
+/// A part of a search of all pairs. Positions count the sixteen places of a cluster of A with a cluster of B, in the order of the
+/// search: all of B for the first cluster of A, then all of B for the second.
 struct SearchPart {
   std::size_t first = 0;
-  /// In comparisons with sixteen triangles of B; the pair of clusters with which it is reached is searched to its end.
+  /// In units of about ten nanoseconds; the triangle of A with which it is reached is compared to the end.
   std::size_t most_work = static_cast<std::size_t>(-1);
   // What the search returns:
   std::size_t next = 0;  ///< the first position that has not been searched
@@ -51,8 +51,14 @@ struct SearchPart {
 struct alignas(64) PairBatch {
   float a[3][3][kClusterSize];
   float b[3][3][kClusterSize];
-  std::uint32_t triangles_a[kClusterSize];
-  std::uint32_t triangles_b[kClusterSize];
+};
+
+/// What is known of sixteen pairs at one pose. Bit i is for pair i.
+struct alignas(64) PairVerdicts {
+  std::uint32_t together = 0;  ///< not found to be separate
+  std::uint32_t unsure = 0;    ///< of these, the ones too close to touching for a decision
+  /// The verdict remains true until a point of A has moved this far relative to B; if it is not above 0, the distance is unknown.
+  float slack_m[kClusterSize];
 };
 
 /// The region between two planes perpendicular to a unit vector.
@@ -75,8 +81,7 @@ struct ClusterPose {
   float tolerance_m = 0.0F;  ///< within this distance of touching, single precision does not decide
 };
 
-/// Receives a pair; if `is_sure` is false, the triangles may be separated by less than the tolerance.
-using TakePair = void (*)(void* to, std::uint32_t a, std::uint32_t b, bool is_sure) noexcept;
+using TakePair = void (*)(void* to, std::uint32_t a, std::uint32_t b) noexcept;
 
 inline constexpr int kSegmentLanes = 8;
 
@@ -103,11 +108,16 @@ struct alignas(64) Segments {
 
 /// The loops for one instruction set. Real-time: no allocation, no lock, no exception.
 struct TriangleLoops {
-  void (*find_pairs)(const TriangleClusters& a, const TriangleClusters& b, const ClusterPose& pose,
-                     SearchPart& part, TakePair take, void* to) noexcept = nullptr;
-  /// The same test of `count` given pairs, with bit-identical results.
-  void (*test_pairs)(const PairBatch* batches, std::size_t count, const ClusterPose& pose,
-                     TakePair take, void* to) noexcept = nullptr;
+  /// The pairs that are not separated by more than the tolerance along the axes of B's frame or a normal of either triangle: all that
+  /// are within the tolerance of each other, and others.
+  void (*find_candidates)(const TriangleClusters& a, const TriangleClusters& b,
+                          const ClusterPose& pose, SearchPart& part, TakePair take,
+                          void* to) noexcept = nullptr;
+  /// Tests sixteen pairs with separating axes.
+  void (*judge_pairs)(const PairBatch& batch, const ClusterPose& pose,
+                      PairVerdicts& verdicts) noexcept = nullptr;
+  /// Subtracts a distance from sixteen slacks; returns the ones that are not above 0 then, as bits.
+  unsigned (*use_slack)(float* slack_m, float way_m) noexcept = nullptr;
   /// The triangles of a cluster, as bits, that face a direction and reach into a box or are within twice the tolerance of it.
   unsigned (*find_in_box)(const TriangleCluster& cluster, const SlabBox& box,
                           float tolerance_m) noexcept = nullptr;
