@@ -95,6 +95,7 @@ struct Changes {
   Events events{};
   double unexplained_N = 0.0;
   double unexplained_part = 0.0;
+  double part_of_magnitudes = 0.0;
   int much = 0;          // ticks
   double whole_N = 0.0;  // of the change in a tick
   double force_N = 0.0;
@@ -113,6 +114,8 @@ void add_path(const ContactPath& path, Changes& changes) {
     const double part = change.part(kLeast_N);
     changes.unexplained_N = std::max(changes.unexplained_N, change.unexplained_N);
     changes.unexplained_part = std::max(changes.unexplained_part, part);
+    changes.part_of_magnitudes =
+        std::max(changes.part_of_magnitudes, change.part_of_magnitudes(kLeast_N));
     changes.much += part > (1.0 + kRounding) * kMuch ? 1 : 0;
     changes.whole_N = std::max(changes.whole_N, change.whole_N);
     changes.force_N = std::max(changes.force_N, change.current_N);
@@ -151,10 +154,12 @@ class Report final {
     if (as_json_) return;
     std::printf(
         "largest change of the force in a tick of 1 ms that the motion does not explain, in N and\n"
-        "relative to the current force (at least %.1f N); ticks above 5 %%; largest whole change\n"
-        "%-40s %5s %6s %5s %5s %5s %6s %8s %13s %7s %6s %7s %7s\n",
+        "relative to the current force (at least %.1f N); ticks above 5 %%; relative to the sum of "
+        "the\n"
+        "contacts' magnitudes; largest whole change\n"
+        "%-40s %5s %6s %5s %5s %5s %6s %8s %13s %7s %6s %8s %7s %7s\n",
         kLeast_N, "scene", "paths", "ticks", "begun", "ended", "split", "joined", "replaced",
-        "unexplained N", "%", ">5 %", "whole N", "force N");
+        "unexplained N", "%", ">5 %", "% of sum", "whole N", "force N");
   }
   void add(const std::string& name, const Changes& changes) {
     const Events& events = changes.events;
@@ -168,14 +173,16 @@ class Report final {
                       {"replaced", events.replaced},
                       {"unexplained_N", changes.unexplained_N},
                       {"unexplained_part", changes.unexplained_part},
+                      {"unexplained_part_of_magnitudes", changes.part_of_magnitudes},
                       {"ticks_above_5_percent", changes.much},
                       {"change_N", changes.whole_N},
                       {"force_N", changes.force_N}});
     if (as_json_) return;
-    std::printf("%-40s %5d %6d %5d %5d %5d %6d %8d %13.3f %7.1f %6d %7.3f %7.2f\n", name.c_str(),
-                changes.paths, changes.ticks, events.begun, events.ended, events.split,
-                events.joined, events.replaced, changes.unexplained_N,
-                100.0 * changes.unexplained_part, changes.much, changes.whole_N, changes.force_N);
+    std::printf("%-40s %5d %6d %5d %5d %5d %6d %8d %13.3f %7.1f %6d %8.1f %7.3f %7.2f\n",
+                name.c_str(), changes.paths, changes.ticks, events.begun, events.ended,
+                events.split, events.joined, events.replaced, changes.unexplained_N,
+                100.0 * changes.unexplained_part, changes.much, 100.0 * changes.part_of_magnitudes,
+                changes.whole_N, changes.force_N);
     std::fflush(stdout);
   }
 

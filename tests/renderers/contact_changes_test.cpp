@@ -54,7 +54,7 @@ TEST(ContactChanges, AreSmallAtALowStep) {
         slide.pose = [pose = slide.pose](int tick) { return pose(tick + kBeforeStep); };
         slide.ticks = 300;
         const Change change = changes_of(slide);
-        EXPECT_LT(change.largest, 0.08) << high_m << ' ' << angle_rad << ' ' << in_m;
+        EXPECT_LT(change.largest, 0.05) << high_m << ' ' << angle_rad << ' ' << in_m;
         EXPECT_GT(change.largest_N, 1.1 * kStiffness_N_per_m * in_m);
       }
     }

@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 #include <span>
-#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -41,6 +40,9 @@ namespace asperity {
 /// Therefore no change is called explained that the motion cannot cause. A change within the bound may still have another cause: for
 /// δ = 10·step and Δx = step/20 the bound is 10 % of the force. The whole change is therefore reported as well.
 ///
+/// A contact continues under the id of its force, which is new where another contact replaces it under its own id. If a contact
+/// begins to fade under the id of one that fades already, both continue as one with the sum of their forces.
+///
 /// Unexplained are therefore all changes of shares, the forces of contacts in their first tick and after their last one, also where
 /// bodies meet or separate, and what exceeds the bound. B does not move.
 class UnexplainedChange final {
@@ -48,62 +50,76 @@ class UnexplainedChange final {
   struct Tick {
     double unexplained_N = 0.0;
     double whole_N = 0.0;
-    double current_N = 0.0;  ///< the larger force of this tick and the previous one
+    double current_N = 0.0;     ///< the larger force of this tick and the previous one
+    double magnitudes_N = 0.0;  ///< the same of Σ s_i·|F_i|, to which opposing contacts add
 
     /// Relative to the current force, or to `least_N` where it is small.
     double part(double least_N) const { return unexplained_N / std::max(current_N, least_N); }
+    double part_of_magnitudes(double least_N) const {
+      return unexplained_N / std::max(magnitudes_N, least_N);
+    }
   };
 
   /// The contacts of the next tick, and the pose of A; nothing has changed in the first.
   Tick add(std::span<const TexturedContact> found, const Pose& a) {
     glm::dvec3 force_N{0.0};
+    double magnitudes_N = 0.0;
     Contacts now;
     for (const TexturedContact& contact : found) {
       if (!is_felt(contact)) continue;
       force_N += contact.share * kStiffness_N_per_m * force_m(contact);
-      now.emplace(Key{contact.id, contact.is_fading}, contact);
+      magnitudes_N += contact.share * kStiffness_N_per_m * glm::length(force_m(contact));
+      now.emplace(contact.force_id, contact);
     }
     const glm::dvec3 change_N = is_first_ ? glm::dvec3{0.0} : force_N - force_before_N_;
     glm::dvec3 explained_N{0.0};
-    for (const auto& [key, contact] : now) {
-      const TexturedContact* last = continued_by(key, now);
-      if (last == nullptr) continue;
-      explained_N += std::min(contact.share, last->share) * explained_change_N(*last, contact, a);
-    }
+    for (const auto& [force_id, contact] : now) explained_N += explained_change_N(contact, now, a);
     const Tick tick{.unexplained_N = is_first_ ? 0.0 : glm::distance(change_N, explained_N),
                     .whole_N = glm::length(change_N),
-                    .current_N = std::max(glm::length(force_N), glm::length(force_before_N_))};
+                    .current_N = std::max(glm::length(force_N), glm::length(force_before_N_)),
+                    .magnitudes_N = std::max(magnitudes_N, magnitudes_before_N_)};
     is_first_ = false;
     before_ = std::move(now);
     force_before_N_ = force_N;
+    magnitudes_before_N_ = magnitudes_N;
     a_before_ = a;
     return tick;
   }
 
  private:
-  using Key = std::pair<std::uint64_t, bool>;  // the id, and whether it fades
-  using Contacts = std::map<Key, TexturedContact>;
+  using Contacts = std::map<std::uint64_t, TexturedContact>;  // by the ids of their forces
 
-  // The contact of the previous tick that continues under this key. A contact that begins to fade continues the one of its id. If
-  // another one of this id was fading already, both are added up (TexturedContacts), which is not a continuation.
-  const TexturedContact* continued_by(const Key& key, const Contacts& now) const {
-    const auto [id, is_fading] = key;
-    const auto of = [](const Contacts& contacts, const Key& wanted) {
-      const auto found = contacts.find(wanted);
-      return found == contacts.end() ? nullptr : &found->second;
-    };
-    const TexturedContact* plain = of(before_, {id, false});
-    const TexturedContact* fading = of(before_, {id, true});
-    if (!is_fading || fading == nullptr) return plain;
-    if (plain == nullptr) return fading;
-    constexpr double kRounding = 1e-9;
-    const TexturedContact* plain_now = of(now, {id, false});
-    const bool was_added = plain_now == nullptr || plain_now->share < plain->share - kRounding;
-    return was_added ? nullptr : fading;
+  // The contacts of the previous tick that continue as this one, with the sum of their forces and shares: itself, and those that
+  // were added to it because it fades under their id (TexturedContacts).
+  struct Last {
+    double share = 0.0;
+    glm::dvec3 force_N{0.0};
+
+    void add(const TexturedContact& contact) {
+      share += contact.share;
+      force_N += contact.share * kStiffness_N_per_m * force_m(contact);
+    }
+  };
+  Last last_of(const TexturedContact& contact, const Contacts& now) const {
+    Last last;
+    for (const auto& [force_id, other] : before_) {
+      const bool was_added = other.is_fading && other.id == contact.id && !now.contains(force_id) &&
+                             is_newest_to_fade(contact, now);
+      if (force_id == contact.force_id || was_added) last.add(other);
+    }
+    return last;
+  }
+  static bool is_newest_to_fade(const TexturedContact& contact, const Contacts& now) {
+    return contact.is_fading && std::none_of(now.begin(), now.end(), [&](const auto& other) {
+             return other.second.is_fading && other.second.id == contact.id &&
+                    other.second.force_id > contact.force_id;
+           });
   }
 
-  glm::dvec3 explained_change_N(const TexturedContact& last, const TexturedContact& now,
+  glm::dvec3 explained_change_N(const TexturedContact& now, const Contacts& all_now,
                                 const Pose& a) const {
+    const Last last = last_of(now, all_now);
+    if (last.share == 0.0) return {};
     const double half_m = 0.5 * now.grid.width_m;
     double way_m = 0.0;
     for (const glm::dvec3& place_m :
@@ -116,12 +132,14 @@ class UnexplainedChange final {
     const double slope = glm::length(glm::dvec3(now.penetration.slope, 1.0));
     const double most_N = kStiffness_N_per_m * std::numbers::sqrt3 * way_m *
                           (slope + now.penetration.depth_m / now.filter_m);
-    const glm::dvec3 change_N = kStiffness_N_per_m * (force_m(now) - force_m(last));
-    return std::min(1.0, most_N / std::max(1e-12, glm::length(change_N))) * change_N;
+    const glm::dvec3 change_N = kStiffness_N_per_m * force_m(now) - last.force_N / last.share;
+    return std::min(now.share, last.share) *
+           std::min(1.0, most_N / std::max(1e-12, glm::length(change_N))) * change_N;
   }
 
   Contacts before_{};
   glm::dvec3 force_before_N_{0.0};
+  double magnitudes_before_N_ = 0.0;
   Pose a_before_{};
   bool is_first_ = true;
 };

@@ -35,6 +35,7 @@ bool join(TexturedContact& one, const TexturedContact& other) noexcept {
   one.sampled_depth_m = std::max(one.sampled_depth_m, other.sampled_depth_m);
   one.is_bounded = one.is_bounded || other.is_bounded;
   one.share = share;
+  one.force_id = std::max(one.force_id, other.force_id);
   return true;
 }
 

@@ -134,6 +134,7 @@ void TexturedContacts::divide(const TexturedContact& last, std::size_t predecess
     }
   }
   std::swap(contacts_[nearest].share, contacts_[predecessor].share);
+  std::swap(contacts_[nearest].force_id, contacts_[predecessor].force_id);
   std::swap(begun[nearest], begun[predecessor]);
 }
 
@@ -209,10 +210,12 @@ void TexturedContacts::blend(const Pose& X_WA, const Pose& X_WB, bool are_apart)
       had_any = had_any || successors[j] == i || is_same ||
                 (is_felt(last) && is_part_of(contact.frame, last));
     }
+    contact.force_id = next_force_id_++;
     if (owner[i] != i) {
       contact.share = 0.0;
     } else if (predecessors[i] < kMostContacts) {
       contact.share = before_[predecessors[i]].share;
+      contact.force_id = before_[predecessors[i]].force_id;
     } else if (had_any || was_deep(contact, X_WA, X_WB)) {
       contact.share = 0.0;
       begun[i] = true;

@@ -14,7 +14,9 @@ namespace asperity {
 
 /// One contact of two textured bodies in a tick.
 struct TexturedContact {
-  std::uint64_t id = 0;          ///< constant as long as it is the same contact
+  std::uint64_t id = 0;  ///< constant as long as it is the same contact
+  /// Constant as long as its force continues, also while it fades; of two that fade as one, the newer.
+  std::uint64_t force_id = 0;
   ContactFrame frame{};          ///< in the world
   double width_m = 0.0;          ///< of the region
   SamplingGrid grid{};           ///< the sampled window, at least as wide

@@ -242,8 +242,9 @@ class TexturedContacts final {
   HeldPoint a_in_b_{};
   HeldPoint b_in_a_{};
   LeftOut left_out_{};
-  double dt_s_ = 0.0;       // of this call
-  double rise_ = 0.0;       // of a share, in it
+  double dt_s_ = 0.0;  // of this call
+  double rise_ = 0.0;  // of a share, in it
+  std::uint64_t next_force_id_ = 0;
   double force_m_ = 0.0;    // of all contacts in the last tick, for a stiffness of 1 N/m
   double thinner_m_ = 0.0;  // the thickness of the thinner body
   glm::dvec3 a_in_b_before_m_{0.0};
