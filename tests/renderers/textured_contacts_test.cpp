@@ -496,11 +496,12 @@ TEST(TexturedContacts, OfABallThatGoesThroughAThinPlateAreNoDeeperThanItsRadius)
     double force_N = 0.0;
     for (const TexturedContact& contact : found) {
       if (!is_felt(contact)) continue;
-      force_N +=
-          contact_wrench(contact.penetration, contact.frame, contact.share * kStiffness_N_per_m)
-              .force_N.z;
+      const double whole_N =
+          contact_wrench(contact.penetration, contact.frame, kStiffness_N_per_m).force_N.z;
+      force_N += contact.share * whole_N;
       EXPECT_LT(contact.penetration.depth_m, 1.02 * kBall_m) << depth_m;
       if (contact.frame.n.z < 0.0) continue;  // it comes out at the other side
+      most_N = std::max(most_N, whole_N);
       sampled_m = std::max(sampled_m, contact.sampled_depth_m);
       if (contact.sampled_depth_m < 0.9 * kBall_m) {
         EXPECT_FALSE(contact.is_bounded) << depth_m;
@@ -508,7 +509,6 @@ TEST(TexturedContacts, OfABallThatGoesThroughAThinPlateAreNoDeeperThanItsRadius)
       }
     }
     largest_step_N = std::max(largest_step_N, std::abs(force_N - before_N));
-    most_N = std::max(most_N, force_N);
     before_N = force_N;
   }
   EXPECT_GT(sampled_m, 1.6 * kBall_m);
@@ -1004,15 +1004,15 @@ TEST(TexturedContacts, JumpLittleWhereTheirBoundIsAnotherOne) {
 }
 
 // Net over gross work of a ball on its way through a thin plate and back, aside meanwhile.
-// A bounded depth falls at once and rises by 0.1 m/s, so that what goes in fast and out slowly, or both in 0.4 s, loses
-// energy; less in 1.6 s.
+// A bounded depth falls at once and rises by 0.1 m/s, and a contact of the other side of the plate rises as slowly as the
+// little force that both leave permits: that loses energy in 1.6 s, and less in 6.4 s.
 TEST(TexturedContacts, LoseEnergyWhereABoundedDepthRisesTooSlowly) {
   const auto net_over_gross = [](int ticks) {
     const PathWork work = work_around(ball_through_thin_plate(), ticks);
     return work.net_J / work.gross_J;
   };
-  const double fast = net_over_gross(400);
-  const double slow = net_over_gross(1600);
+  const double fast = net_over_gross(1600);
+  const double slow = net_over_gross(6400);
   RecordProperty("net_over_gross", std::to_string(fast) + " " + std::to_string(slow));
   EXPECT_LT(fast, -0.1);
   EXPECT_GT(fast, -0.75);

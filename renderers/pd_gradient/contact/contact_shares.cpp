@@ -48,10 +48,9 @@ double TexturedContacts::permitted_change_m(double force_m) const noexcept {
 }
 
 // Rendered contacts rise, fading ones fall, all by the same amount: at most by `rise_`, and by so little that together they
-// change the force by no more than is permitted. The forces of all contacts count with their magnitudes: where those of two
-// sides of a sheet oppose each other, little of them is left, and a part of that would be far too slow.
+// change the force by no more than is permitted.
 void TexturedContacts::change_shares(std::span<const std::size_t> owner) noexcept {
-  double sum_m = 0.0;
+  glm::dvec3 sum_m{0.0};
   glm::dvec3 change_m{0.0};
   const auto rises_by = [&](std::size_t i) {
     const TexturedContact& contact = contacts_[i];
@@ -60,16 +59,16 @@ void TexturedContacts::change_shares(std::span<const std::size_t> owner) noexcep
   };
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (!is_felt(contacts_[i])) continue;
-    sum_m += contacts_[i].share * glm::length(force_m(contacts_[i]));
+    sum_m += contacts_[i].share * force_m(contacts_[i]);
     change_m += rises_by(i) * force_m(contacts_[i]);
   }
-  const double most_m = permitted_change_m(sum_m);
+  const double most_m = permitted_change_m(glm::length(sum_m));
   const double part = std::min(1.0, most_m / std::max(glm::length(change_m), 1e-300));
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     contacts_[i].share += part * rises_by(i);
     if (i < owner.size() && 1.0 - contacts_[i].share < kLeastShare) contacts_[i].share = 1.0;
   }
-  force_m_ = sum_m;
+  force_m_ = glm::length(sum_m + part * change_m);
   std::erase_if(contacts_, [](const TexturedContact& contact) {
     return contact.is_fading && contact.share <= kLeastShare;
   });

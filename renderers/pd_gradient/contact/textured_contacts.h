@@ -95,12 +95,12 @@ struct LeftOut {
 /// When one contact divides into two, or two merge into one, the sum of their forces would jump, because each has a
 /// separate depth. The force of a contact is therefore multiplied by its `share`, which rises from 0 to 1 or falls, in
 /// no less than `kBlend_s`. All shares together change the force by at most the fraction `kMostChange` of the current
-/// forces in a millisecond, and by `kLeastChange_m` times the stiffness where they are small:
+/// force in a millisecond, and by `kLeastChange_m` times the stiffness where it is small:
 ///
-///   |Σ Δs_i·F_i| ≤ max(0.04·Σ s_i·|F_i|, 5 µm·k)      in a tick of 1 ms or longer; proportionally less in a shorter one
+///   |Σ Δs_i·F_i| ≤ max(0.04·|Σ s_i·F_i|, 4.2 µm·k)      in a tick of 1 ms or longer; proportionally less in a shorter one
 ///
-/// The magnitudes are added, because the contacts of the two sides of a sheet oppose each other: little of their forces is
-/// left there, and a part of that would let a ball fall through.
+/// Where contacts oppose each other, as those of the two sides of a sheet or of a tooth between two ribs, little of their
+/// forces is left, and what is left changes no faster, which can take more than 0.1 s.
 ///
 /// - When contacts merge, the one whose deepest place is that of the new one continues and the others fade.
 /// - When a contact divides, the part with its deepest place continues and the others rise.
@@ -119,10 +119,10 @@ struct LeftOut {
 /// - Bodies that are apart have no force from the next tick on, also where the tool leaves the surface over an edge.
 /// The sum of the shares never exceeds the number of contacts before or after, nor 1 at one place, except while a share
 /// is fading there. During that time the force also depends on time: it lags, and takes energy from a hand that presses
-/// contacts together and lifts them apart. On the measured paths without bounded depths it gave at most 0.4 % of the gross
-/// work. A bounded depth has no potential: it falls at once and rises slowly, which takes energy on the way in
-/// and out, two thirds of the gross work or more in 0.4 s, and for slow tilted blocks returns up to 19 % of it, or
-/// takes up to 37 % (docs/models/pd_gradient.md, bench/pd_continuity).
+/// contacts together and lifts them apart. On the measured paths without bounded depths it gave at most 0.6 % of the gross
+/// work. A bounded depth has no potential: it falls at once and rises slowly, and the small force between opposing contacts
+/// rises slowly as well. Both take energy on the way in and out, two thirds of the gross work or more in 0.4 and 1.6 s, and
+/// up to 73 % in 6.4 s (docs/models/pd_gradient.md, bench/pd_continuity).
 ///
 /// If the window ends before the bodies do, as for a tilted pen that is pressed deeper than its
 /// radius, the deepest sample is at the border of the window and δ is a lower bound
@@ -146,7 +146,7 @@ class TexturedContacts final {
   /// Of the force, in a tick of 1 ms: less than the differences in force that people perceive, 7 to 10 %.
   static constexpr double kMostChange = 0.04;
   static constexpr double kLeastChange_m =
-      5e-6;  ///< the same for small forces, times the stiffness
+      4.2e-6;  ///< the same for small forces, times the stiffness
 
   /// With `computed`, made for the same bodies, contacts are evaluated there; where it has no answer, as without it.
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
@@ -245,7 +245,7 @@ class TexturedContacts final {
   double dt_s_ = 0.0;  // of this call
   double rise_ = 0.0;  // of a share, in it
   std::uint64_t next_force_id_ = 0;
-  double force_m_ = 0.0;    // of all contacts in the last tick, for a stiffness of 1 N/m
+  double force_m_ = 0.0;    // of all contacts together in the last tick, for a stiffness of 1 N/m
   double thinner_m_ = 0.0;  // the thickness of the thinner body
   glm::dvec3 a_in_b_before_m_{0.0};
   bool is_first_ = true;
