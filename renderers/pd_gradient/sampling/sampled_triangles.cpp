@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -28,6 +29,29 @@ struct WindowCorner {
 EdgeLine edge(const WindowCorner& low, const WindowCorner& high) {
   const float rise = high.y - low.y;
   return {.x = low.x, .y = low.y, .slope = rise > 0.0F ? (high.x - low.x) / rise : 0.0F};
+}
+
+// From the lowest corner to the highest, and from left to right in one row. From a table: which corners are lower varies from face to
+// face, and a wrongly predicted branch takes longer than everything else here.
+const std::array<std::uint8_t, 3>& order_of(const std::array<WindowCorner, 3>& corners) {
+  const auto is_before = [&corners](std::size_t i, std::size_t j) {
+    const WindowCorner& p = corners[i];
+    const WindowCorner& q = corners[j];
+    return static_cast<unsigned>(p.y < q.y) |
+           (static_cast<unsigned>(p.y == q.y) & static_cast<unsigned>(p.x < q.x));
+  };
+  // By whether 0 is before 1, 0 before 2, 1 before 2; two of the eight combinations are impossible.
+  static constexpr std::array<std::array<std::uint8_t, 3>, 8> kOrders{
+      {{2, 1, 0}, {1, 2, 0}, {2, 1, 0}, {1, 0, 2}, {2, 0, 1}, {0, 1, 2}, {0, 2, 1}, {0, 1, 2}}};
+  return kOrders[is_before(0, 1) << 2 | is_before(0, 2) << 1 | is_before(1, 2)];
+}
+
+// How far a face of this normal sinks. Most faces do not, which can be seen without a root.
+double sunk_for(const glm::dvec3& normal, const LeaningFaces& leaning) noexcept {
+  constexpr double kRounding = 1.0 + 1e-12;
+  const double squares = glm::dot(normal, normal);
+  if (normal.z * normal.z > kRounding * leaning.cosine * leaning.cosine * squares) return 0.0;
+  return sunk_m(normal.z / glm::length(normal), leaning.cosine, leaning.window_m);
 }
 
 // Computes ramps over the window from the values at a face's corners. In double precision: corners may be far away, and
@@ -92,13 +116,13 @@ std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& t
   if (!(normal.z > 0.0 && normal.z * normal.z > kSteepest * glm::dot(normal, normal))) {
     return std::nullopt;
   }
-  const double sunk_by_m = sunk_m(normal.z / glm::length(normal), leaning.cosine, leaning.window_m);
+  const double sunk_by_m = sunk_for(normal, leaning);
   if (!std::isfinite(sunk_by_m)) return std::nullopt;
 
-  std::sort(corners.begin(), corners.end(), [](const WindowCorner& p, const WindowCorner& q) {
-    return p.y < q.y || (p.y == q.y && p.x < q.x);
-  });
-  const auto& [low, middle, high] = corners;
+  const std::array<std::uint8_t, 3>& order = order_of(corners);
+  const WindowCorner& low = corners[order[0]];
+  const WindowCorner& middle = corners[order[1]];
+  const WindowCorner& high = corners[order[2]];
   const auto first_from = [&ends](float at) {
     const int cut = static_cast<int>(at);  // std::ceil is a function call without SSE4.1
     return std::clamp(static_cast<float>(cut) < at ? cut + 1 : cut, ends.first, ends.end);
