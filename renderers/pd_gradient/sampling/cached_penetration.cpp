@@ -111,10 +111,10 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
         "CachedPenetration: most_places is 1; it must be 0 or at least 2, because one place is "
         "used while another is sampled.");
   }
-  if (rows_in_a_call_ <= 0 || rows_in_a_call_ % kStepOfWindow != 0) {
+  if (rows_in_a_call_ <= 0 || rows_in_a_call_ % kBoundRows != 0) {
     throw std::invalid_argument(
         "CachedPenetration: rows_in_a_call is " + std::to_string(rows_in_a_call_) +
-        "; it must be a positive multiple of " + std::to_string(kStepOfWindow) + ".");
+        "; it must be a positive multiple of " + std::to_string(kBoundRows) + ".");
   }
   const SamplingGrid& grid = sampler_.grid();
   step_cells_ = kSlopeApron;
@@ -453,7 +453,7 @@ void CachedPenetration::sample_rows(const PackedSurface& surface, const KeptHeig
                                     int rows) noexcept {
   Place& place = places_[work_.place];
   const int first = work_.next_row;
-  const int end = std::min(lattice_.samples, first + rounded_up(rows, kStepOfWindow));
+  const int end = std::min(lattice_.samples, first + rounded_up(rows, kBoundRows));
   const std::size_t band = room_.size() / 4;
   place.folded += loops_->sample_surface({.triangles = triangles_.data(),
                                           .count = static_cast<std::int32_t>(triangle_count_),

@@ -21,8 +21,8 @@ struct CachedSettings {
   /// The number of places is reduced, down to two, if they would need more.
   std::size_t most_bytes = std::size_t{8} << 20;
   /// The number of rows of a body's surface per call; more if a contact moves so fast that its heights would be late. A
-  /// multiple of 4.
-  int rows_in_a_call = 4;
+  /// multiple of 2.
+  int rows_in_a_call = 2;
   /// `off` is for tests: the results are identical to the bit.
   Pruning pruning = Pruning::on;
 };
@@ -63,7 +63,7 @@ struct CachedSettings {
 /// All instruction sets give the same bits.
 ///
 /// Errors: those of PenetrationSampler; a number of places of 1, since one is used while another one is sampled; rows
-/// that are not a positive multiple of 4.
+/// that are not a positive multiple of 2.
 ///
 /// Real-time: `evaluate` and `reset` do not allocate, lock or throw. An object may be used by one thread only.
 class CachedPenetration final {
