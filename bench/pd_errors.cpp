@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -27,6 +28,7 @@ constexpr int kPoses = 17;
 struct Sample {
   Penetration found{};
   Penetration truth{};
+  double cell_m = 0.0;  ///< with which it was found
 };
 
 /// A tool over a surface, and where it is at each of the poses.
@@ -54,7 +56,16 @@ Penetration formula_truth(const ErrorScene& scene, const glm::dvec3& tool_m, dou
           .slope = {slope({step_m, 0.0, 0.0}), slope({0.0, step_m, 0.0})}};
 }
 
-std::vector<Sample> samples_of(const ErrorScene& scene, double cell_m) {
+/// How a contact is sampled: 40 ticks are enough for new heights, and 60 for those of finer cells after them.
+struct Sampling {
+  double cell_m = 1e-4;
+  double most_halvings = 0.0;
+  double most_samples = 512.0;
+  const char* maximum = "hard";
+};
+constexpr int kTicks = 100;
+
+std::vector<Sample> samples_of(const ErrorScene& scene, const Sampling& sampling) {
   RendererInputs inputs;
   inputs.material = {.stiffness_N_per_m = kPressed_N_per_m, .friction = 0.0};
   inputs.patch.extent_m = {1.0, 1.0};
@@ -62,9 +73,11 @@ std::vector<Sample> samples_of(const ErrorScene& scene, double cell_m) {
   inputs.surface = scene.surface;
   inputs.parameters =
       complete_values(pd_gradient_model().declaration, {{"coupling", std::string("none")},
-                                                        {"cell_m", cell_m},
+                                                        {"maximum", std::string(sampling.maximum)},
+                                                        {"cell_m", sampling.cell_m},
                                                         {"step_m", 1e-4},
-                                                        {"most_samples", 512.0}});
+                                                        {"most_halvings", sampling.most_halvings},
+                                                        {"most_samples", sampling.most_samples}});
   PdGradient renderer(inputs, instruction_sets_here().back());
   const std::vector<std::uint32_t> of_tool = all_of(*scene.tool);
   const std::vector<std::uint32_t> of_surface = all_of(*scene.surface);
@@ -74,7 +87,7 @@ std::vector<Sample> samples_of(const ErrorScene& scene, double cell_m) {
     const ProbeState probe{.position_m = a.position_m, .orientation = glm::quat_cast(a.rotation)};
     renderer.reset({.position_m = {0.0, 0.0, 0.1}});
     renderer.tick({.position_m = {0.0, 0.0, 0.1}}, kTick_s);
-    for (int again = 0; again < 40; ++again) renderer.tick(probe, kTick_s);
+    for (int again = 0; again < kTicks; ++again) renderer.tick(probe, kTick_s);
     const auto contacts = renderer.contacts();
     const auto deepest =
         std::max_element(contacts.begin(), contacts.end(),
@@ -82,7 +95,7 @@ std::vector<Sample> samples_of(const ErrorScene& scene, double cell_m) {
                            return one.penetration.depth_m < two.penetration.depth_m;
                          });
     if (deepest == contacts.end()) continue;
-    Sample sample{.found = deepest->penetration};
+    Sample sample{.found = deepest->penetration, .cell_m = deepest->grid.spacing_m()};
     if (scene.depth_m) {
       sample.truth = formula_truth(scene, a.position_m, 1e-4);
     } else {
@@ -90,7 +103,8 @@ std::vector<Sample> samples_of(const ErrorScene& scene, double cell_m) {
           {.mesh = *scene.tool, .triangles = of_tool, .pose = a},
           {.mesh = *scene.surface, .triangles = of_surface, .pose = {}}, deepest->frame,
           {.width_m = deepest->grid.width_m, .samples = kTruthSamples},
-          HardMaximum{.step_m = 1e-4});
+          sampling.maximum == std::string("hard") ? MaximumLaw(HardMaximum{.step_m = 1e-4})
+                                                  : MaximumLaw(SmoothMaximum{.tau_m = 2e-5}));
       if (!truth) continue;
       sample.truth = *truth;
     }
@@ -117,16 +131,22 @@ nlohmann::ordered_json compared(const std::vector<Sample>& samples, const Compon
           {"share", std::sqrt(error2 / truth2)}};
 }
 
-nlohmann::ordered_json errors_of(const ErrorScene& scene, double cell_m) {
-  const std::vector<Sample> samples = samples_of(scene, cell_m);
+nlohmann::ordered_json errors_of(const ErrorScene& scene, const Sampling& sampling) {
+  const std::vector<Sample> samples = samples_of(scene, sampling);
   double depth_m = 0.0;
   double error_m = 0.0;
+  double sampled_m = 0.0;
   for (const Sample& sample : samples) {
+    sampled_m += sample.cell_m / static_cast<double>(samples.size());
     depth_m += sample.truth.depth_m / static_cast<double>(samples.size());
     error_m += (sample.found.depth_m - sample.truth.depth_m) / static_cast<double>(samples.size());
   }
   nlohmann::ordered_json json{{"scene", scene.name},
-                              {"cell_m", cell_m},
+                              {"cell_m", sampling.cell_m},
+                              {"most_halvings", sampling.most_halvings},
+                              {"most_samples", sampling.most_samples},
+                              {"maximum", sampling.maximum},
+                              {"mean_sampled_cell_m", sampled_m},
                               {"poses", samples.size()},
                               {"depth_m", depth_m},
                               {"depth_error_m", error_m}};
@@ -217,7 +237,17 @@ std::vector<ErrorScene> scenes() {
 int main() {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const asperity::ErrorScene& scene : asperity::scenes()) {
-    for (const double cell_m : {1e-4, 2.5e-5}) all.push_back(asperity::errors_of(scene, cell_m));
+    for (const asperity::Sampling& sampling :
+         std::initializer_list<asperity::Sampling>{{},
+                                                   {.maximum = "smooth"},
+                                                   {.cell_m = 2.5e-5, .maximum = "smooth"},
+                                                   {.cell_m = 2.5e-5},
+                                                   {.most_halvings = 2.0},
+                                                   {.most_halvings = 2.0, .most_samples = 256.0}}) {
+      // The formula is that of the hard maximum.
+      if (scene.depth_m && sampling.maximum != std::string("hard")) continue;
+      all.push_back(asperity::errors_of(scene, sampling));
+    }
   }
   std::puts(all.dump(2).c_str());
 }

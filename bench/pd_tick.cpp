@@ -145,7 +145,9 @@ ProbeState pressed(const TwoBodyScene& scene) {
   return *start;
 }
 
-ParameterValues sampled_by(double cell_m) { return {{"cell_m", cell_m}, {"step_m", cell_m}}; }
+ParameterValues sampled_by(double cell_m) {
+  return {{"cell_m", cell_m}, {"step_m", cell_m}, {"most_halvings", 0.0}};
+}
 
 /// Sums over the contacts of many poses.
 struct Errors {
@@ -376,24 +378,31 @@ void time_scene(const TwoBodyScene& scene, int rounds, nlohmann::ordered_json& c
                       }
                     }});
     }
+    const auto add_tick = [&](const std::string& name, const ParameterValues& parameters) {
+      const std::size_t before_bytes = allocated_bytes();
+      const auto renderer = make_renderer(pd_gradient_model(), inputs_of(scene, parameters));
+      const std::size_t bytes = allocated_bytes() - before_bytes;
+      add_case(
+          at + name, load,
+          {.restart = [&] { start_clear(*renderer, scene, start); },
+           .tick =
+               [&](int tick) {
+                 used +=
+                     renderer->tick(moved_tool(scene, start, tick), kSceneTick_s).wrench.force_N.z;
+               }});
+      cases.back()["bytes"] = bytes;
+    };
     for (const char* maximum : {"hard", "smooth"}) {
       for (const char* coupling : {"none", "virtual"}) {
         ParameterValues parameters = sampled_by(grid.cell_m);
         parameters["coupling"] = std::string(coupling);
         parameters["maximum"] = std::string(maximum);
-        const std::size_t before_bytes = allocated_bytes();
-        const auto renderer = make_renderer(pd_gradient_model(), inputs_of(scene, parameters));
-        const std::size_t bytes = allocated_bytes() - before_bytes;
-        add_case(at + "tick_" + maximum + "_coupling_" + coupling, load,
-                 {.restart = [&] { start_clear(*renderer, scene, start); },
-                  .tick =
-                      [&](int tick) {
-                        used += renderer->tick(moved_tool(scene, start, tick), kSceneTick_s)
-                                    .wrench.force_N.z;
-                      }});
-        cases.back()["bytes"] = bytes;
+        add_tick(std::string("tick_") + maximum + "_coupling_" + coupling, parameters);
       }
     }
+    ParameterValues refined = sampled_by(grid.cell_m);
+    refined["most_halvings"] = 2.0;
+    add_tick("tick_refined_coupling_virtual", refined);
   }
 }
 

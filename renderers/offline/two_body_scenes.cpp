@@ -65,6 +65,7 @@ TwoBodyScene two_body_scene(std::string name, std::shared_ptr<const TexturedMesh
 RendererInputs inputs_of(const TwoBodyScene& scene, ParameterValues parameters) {
   RendererInputs inputs;
   inputs.parameters = std::move(parameters);
+  inputs.parameters.try_emplace("most_halvings", 0.0);
   inputs.material = {.stiffness_N_per_m = kSceneStiffness_N_per_m, .friction = 0.0};
   inputs.patch.extent_m = {1.0, 1.0};
   inputs.tool = scene.tool;

@@ -54,7 +54,8 @@ struct TwoBodyScene {
 TwoBodyScene two_body_scene(std::string name, std::shared_ptr<const TexturedMesh> tool,
                             std::shared_ptr<const TexturedMesh> surface);
 
-/// What a renderer of the scene is made from, without friction.
+/// What a renderer of the scene is made from, without friction, and with the declared cells unless `parameters` has
+/// `most_halvings`.
 RendererInputs inputs_of(const TwoBodyScene& scene, ParameterValues parameters);
 
 /// The tool lowered until it is 0.15 mm deep in the surface; nullopt if it passes it without a contact. Takes some hundred ticks of

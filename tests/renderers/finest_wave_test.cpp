@@ -63,6 +63,18 @@ TEST(FinestWave, OfABakedMeshOfSlenderFacesIsThatOfTheOriginal) {
   EXPECT_NEAR(finest_wave_m(across, 1.0), 0.25e-3, 0.04e-3);
 }
 
+TEST(FinestWave, HasTheCurvatureOfTheCrestsOfAGrating) {
+  for (const double wavelength_m : {1e-3, 2e-3}) {
+    const double amplitude_m = 0.02 * wavelength_m;
+    const TexturedMesh plate =
+        grated_plate({.amplitude_m = amplitude_m, .wavelength_m = wavelength_m});
+    const double crest_per_m = amplitude_m * std::pow(2.0 * std::numbers::pi / wavelength_m, 2.0);
+    EXPECT_NEAR(fine_waves_of(plate, 1.0).crest_per_m, crest_per_m, 0.15 * crest_per_m);
+    EXPECT_NEAR(fine_waves_of(plate, 0.5).crest_per_m, 0.5 * crest_per_m, 0.1 * crest_per_m);
+    EXPECT_EQ(fine_waves_of(plate, 0.0).crest_per_m, 0.0);
+  }
+}
+
 // With the corners moved most, angles are as sharp as 1° and as blunt as 173°, and faces 0.6 mm wide.
 TEST(FinestWave, IsTheSameInEveryDirectionOnEveryFace) {
   const auto told_m = [](double lean, double wavelength_m, double angle_rad) {

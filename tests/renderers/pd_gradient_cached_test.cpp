@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -398,6 +399,30 @@ TEST(CachedPenetration, SamplesAnewWhereNothingIsKept) {
 }
 
 // A contact may move by nearly a quarter of its window along both axes before its heights are those of another one.
+TEST(CachedPenetration, FindsNothingFromKeptHeightsUntilTheyAreComplete) {
+  ContactsByChance chance(7);
+  Bodies bodies(chance, ContactKind::flat);
+  const HardMaximum law = step_of(64, 1);
+  CachedPenetration kept(settings_for(64, law));
+  CachedPenetration usual(settings_for(64, law));
+  const PackedPatch a = bodies.patch_a(bodies.contact.pose_a);
+  const PackedPatch b = bodies.patch_b();
+  int calls = 0;
+  std::optional<Penetration> found{};
+  for (; !found && calls < 100; ++calls) {
+    const auto choice = kept.choose(a, b, {});
+    EXPECT_FALSE(choice.place && calls < 10);
+    found = kept.evaluate_kept(choice, a, b, {});
+    EXPECT_EQ(found.has_value(), choice.place.has_value());
+  }
+  EXPECT_LT(calls, 40);
+  EXPECT_EQ(kept.sampled_answers(), 0U);
+  std::optional<Penetration> same{};
+  while (usual.kept_answers() == 0) same = usual.evaluate(a, b, {});
+  ASSERT_TRUE(found && same);
+  EXPECT_EQ(numbers_of(*found), numbers_of(*same));
+}
+
 TEST(CachedPenetration, KeepsHeightsUpToTheCornersOfTheirMargin) {
   ContactsByChance chance(48);
   const Bodies bodies(chance, ContactKind::flat);

@@ -47,6 +47,32 @@ TEST(WindowSamplers, SayWhereTheStepCannotBeKept) {
   EXPECT_TRUE(smooth.window_for(26e-3).is_coarse);
 }
 
+TEST(WindowSamplers, HaveFinerCellsOfTheSameWindowAsFarAsAskedAndPermitted) {
+  WindowSampling sampling{.law = HardMaximum{.step_m = 0.1e-3}, .cell_m = 0.1e-3};
+  EXPECT_TRUE(samplers(sampling).window_for(3e-3).finer.empty());
+  sampling.most_halvings = 3;
+  auto windows = samplers(sampling);
+  auto& narrow = windows.window_for(3e-3);  // 32 samples, and up to 256
+  ASSERT_EQ(narrow.finer.size(), 3U);
+  for (int halvings = 0; halvings <= 3; ++halvings) {
+    const SamplingGrid& grid = narrow.with(halvings).grid();
+    EXPECT_NEAR(grid.width_m, 3.2e-3, 1e-12);
+    EXPECT_EQ(grid.samples, 32 << halvings);
+  }
+  EXPECT_EQ(windows.window_for(6e-3).finer.size(), 2U);
+  EXPECT_EQ(windows.window_for(12e-3).finer.size(), 1U);
+  EXPECT_EQ(windows.window_for(13e-3).finer.size(), 0U);
+  EXPECT_EQ(windows.window_for(26e-3).finer.size(), 0U);
+  sampling.fine_enough_m = 0.06e-3;
+  EXPECT_EQ(samplers(sampling).window_for(3e-3).finer.size(), 1U);
+  WindowSampling four = kFourCells;
+  four.most_halvings = 3;
+  four.most_samples = 512;
+  EXPECT_EQ(samplers(four).window_for(3e-3).finer.size(), 1U);  // 8 cells in a step
+  sampling.law = SmoothMaximum{.tau_m = 1e-5};
+  EXPECT_TRUE(samplers(sampling).window_for(3e-3).finer.empty());
+}
+
 TEST(WindowSamplers, HoldEveryContactOfBodiesOfThatSize) {
   auto windows = samplers(kFourCells, 0.3);
   EXPECT_GE(windows.window_for(0.3).sampler.grid().width_m, 0.3);

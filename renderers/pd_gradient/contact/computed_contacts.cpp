@@ -38,20 +38,19 @@ std::span<const std::uint32_t> ComputedContacts::triangles_in(const TexturedBody
   return room.first(taken);
 }
 
-std::size_t ComputedContacts::add(const TexturedContact& contact,
-                                  const WindowSamplers::Window& window, const TexturedBody& a,
-                                  const Pose& pose_a, const TexturedBody& b,
-                                  const Pose& pose_b) noexcept {
+std::size_t ComputedContacts::add(const TexturedContact& contact, const CachedPenetration& window,
+                                  const MaximumLaw& law, const TexturedBody& a, const Pose& pose_a,
+                                  const TexturedBody& b, const Pose& pose_b) noexcept {
   if (contacts_.size() == most_contacts_) return 0;
   std::size_t left_out = 0;
-  const SamplingGrid& grid = window.sampler.grid();
+  const SamplingGrid& grid = window.grid();
   // A configuration of A is moved by up to the step, or turned by as much at the border of the window.
-  const WindowBox box{.half_width_m = 0.5 * window.sampler.patch_width_m(),
+  const WindowBox box{.half_width_m = 0.5 * window.patch_width_m(),
                       .half_height_m = contact.half_height_m};
   contacts_.push_back(
       {.frame = contact.frame,
        .grid = grid,
-       .law = window.law,
+       .law = law,
        .pose_a = pose_a,
        .pose_b = pose_b,
        .triangles_a = triangles_in(a, in_body(pose_a, contact.frame), -1.0, box, left_out),

@@ -13,7 +13,7 @@
 #include "renderers/pd_gradient/contact/textured_body.h"
 #include "renderers/pd_gradient/contact/textured_contact.h"
 #include "renderers/pd_gradient/gpu/gpu_penetration.h"
-#include "renderers/pd_gradient/sampling/window_samplers.h"
+#include "renderers/pd_gradient/sampling/cached_penetration.h"
 
 namespace asperity {
 
@@ -30,11 +30,11 @@ class ComputedContacts final {
   /// Discards the contacts of the previous tick.
   void begin() noexcept;
 
-  /// Adds a contact in the given window, with the triangles of both bodies in it; returns how many of these had no
+  /// Adds a contact in the window of the given sampler, with the triangles of both bodies in it; returns how many of these had no
   /// room. Contacts beyond the room have no answer.
-  std::size_t add(const TexturedContact& contact, const WindowSamplers::Window& window,
-                  const TexturedBody& a, const Pose& pose_a, const TexturedBody& b,
-                  const Pose& pose_b) noexcept;
+  std::size_t add(const TexturedContact& contact, const CachedPenetration& window,
+                  const MaximumLaw& law, const TexturedBody& a, const Pose& pose_a,
+                  const TexturedBody& b, const Pose& pose_b) noexcept;
 
   void submit() noexcept;
 

@@ -40,7 +40,8 @@ WindowSampling sampling_of(const ParameterValues& values) {
   }
   return {.law = law,
           .cell_m = number_of(values, "cell_m"),
-          .most_samples = static_cast<int>(number_of(values, "most_samples"))};
+          .most_samples = static_cast<int>(number_of(values, "most_samples")),
+          .most_halvings = static_cast<int>(number_of(values, "most_halvings"))};
 }
 
 std::unique_ptr<ComputedContacts> computed_of(const RendererInputs& inputs,
@@ -305,6 +306,15 @@ std::vector<Parameter> parameters() {
        .choices = {},
        .default_value = 256.0,
        .meaning = "Maximum number of samples across a contact; a wider contact has larger cells"},
+      {.name = "most_halvings",
+       .kind = ParameterKind::integer,
+       .unit = "1",
+       .minimum = 0,
+       .maximum = 3,
+       .choices = {},
+       .default_value = 2.0,
+       .meaning = "Hard maximum only: how often the cells of a contact on many crests may be "
+                  "halved, up to 8 cells in a step; 0: never"},
       number("texture_gain", "1", 0.0, 10.0, 1.0,
              "Factor applied to the displacements of the surface"),
       number("tool_texture_gain", "1", 0.0, 10.0, 1.0,

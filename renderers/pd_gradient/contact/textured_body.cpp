@@ -15,8 +15,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "renderers/pd_gradient/geometry/finest_wave.h"
-
 namespace asperity {
 namespace {
 
@@ -211,7 +209,7 @@ TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
   hull_ = hull_of(mesh, std::max(0.0, relief.high_m()));
   hull_clusters_ = std::make_shared<const ClusteredMesh>(hull_);
   furthest_m_ = std::max(std::abs(relief.low_m()), std::abs(relief.high_m()));
-  finest_wave_m_ = asperity::finest_wave_m(mesh, gain);
+  waves_ = fine_waves_of(mesh, gain);
   thickness_m_ = asperity::thickness_m(hull_);
 }
 

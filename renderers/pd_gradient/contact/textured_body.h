@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
+#include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "renderers/pd_gradient/geometry/mesh_query.h"
 #include "renderers/pd_gradient/sampling/packed_surface.h"
 #include "stimuli/meshes/textured_mesh.h"
@@ -64,7 +65,10 @@ class TexturedBody final {
   double thickness_m() const noexcept { return thickness_m_; }
 
   /// The wavelength of the finest waves of the texture (finest_wave.h).
-  double finest_wave_m() const noexcept { return finest_wave_m_; }
+  double finest_wave_m() const noexcept { return waves_.finest_m; }
+
+  /// The curvature of the crests of the texture (FineWaves).
+  double crest_per_m() const noexcept { return waves_.crest_per_m; }
 
   /// Fills `room` with the triangles that face `facing` and touch the box around the frame's origin or are within the rounding
   /// error of single precision of touching it, by their undisplaced corners, always in the same order. The frame is in the mesh's own axes; `facing` is n or −n. Returns
@@ -86,7 +90,7 @@ class TexturedBody final {
   std::shared_ptr<const ClusteredMesh> hull_clusters_{};
   ClusteredMesh plain_clusters_;
   double furthest_m_ = 0.0;
-  double finest_wave_m_ = 0.0;
+  FineWaves waves_{};
   double thickness_m_ = 0.0;
 };
 

@@ -33,6 +33,8 @@ struct TexturedContact {
   double half_height_m = 0.0;  ///< of the box in which its triangles are
   double reach_m = 0.0;        ///< the greatest credible depth
   bool is_doubtful = false;    ///< deeper than that: not rendered
+  int halvings = 0;            ///< how often its cells may be halved in this tick
+  double refine_s = 0.0;       ///< for how long they still may be if it is on one crest from now on
   double leaning_a = 0.0;      ///< the cosines below which faces of A and B sink (sunk_m)
   double leaning_b = 0.0;
   glm::dvec3 origin_in_a_m{0.0};  ///< the origin of the frame in the frame of A

@@ -13,6 +13,9 @@
 namespace asperity {
 namespace {
 
+// Crests of equal depth are at least about one wave apart. If their depths differ, the spread is less, and 0 from the
+// difference on at which a tilt no longer makes the other one the deepest. On one crest it is a small part of a wave.
+constexpr double kSpreadOfWaves = 0.25;
 constexpr double kSteepestSlope =
     1.7320508075688772;  // tan 60°: of a surface that leans 60° from n
 
@@ -32,11 +35,13 @@ TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowS
       b_(std::move(b)),
       query_(a_.hull_clusters(), b_.hull_clusters(), kMostPairs, instructions),
       regions_(a_.hull(), b_.hull(), kMostPairs, kMostContacts, instructions),
-      samplers_(sampling, widest_window_m(a_, b_),
+      samplers_(refinable(sampling, a_, b_), widest_window_m(a_, b_),
                 std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())), instructions),
       triangles_a_(std::min(kMostTriangles, a_.triangles())),
       triangles_b_(std::min(kMostTriangles, b_.triangles())),
       computed_(std::move(computed)),
+      most_samples_(long{sampling.most_samples} * sampling.most_samples),
+      crests_m_(kSpreadOfWaves * std::min(a_.finest_wave_m(), b_.finest_wave_m())),
       thinner_m_(std::min(a_.thickness_m(), b_.thickness_m())) {
   contacts_.reserve(kMostContacts);
   before_.reserve(kMostContacts);
@@ -76,6 +81,7 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& X_WA, const 
   }
   const std::span<const ContactRegion* const> longest_first =
       std::span(ordered).first(regions.size());
+  plan_refinement(longest_first);
   if (computed_) compute(longest_first, X_WA, X_WB);
   for (const ContactRegion* each : longest_first) {
     const ContactRegion& region = *each;
@@ -171,6 +177,7 @@ TexturedContact TexturedContacts::contact_of(const ContactRegion& region) const 
           .width_m = region.width_m,
           .half_extent_m = region.half_extent_m,
           .half_height_m = half_height_m(region.width_m, depth_before_m(region)),
+          .halvings = halvings_of(region.id),
           .leaning_a = std::clamp(region.upright_a, 0.0, kAgreement),
           .leaning_b = std::clamp(region.upright_b, 0.0, kAgreement)};
 }
@@ -187,6 +194,7 @@ TexturedContact TexturedContacts::continued(const TexturedContact& last, const P
           .width_m = last.width_m,
           .half_extent_m = last.half_extent_m,
           .half_height_m = half_height_m(last.width_m, last.sampled_depth_m),
+          .halvings = last.halvings,
           .leaning_a = last.leaning_a,
           .leaning_b = last.leaning_b};
 }
@@ -226,8 +234,9 @@ void TexturedContacts::compute(std::span<const ContactRegion* const> regions, co
   computed_->begin();
   const auto request = [&](TexturedContact contact) {
     set_reach(contact);
+    WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
     left_out_.triangles +=
-        computed_->add(contact, samplers_.window_for(contact.width_m), a_, X_WA, b_, X_WB);
+        computed_->add(contact, window.with(contact.halvings), window.law, a_, X_WA, b_, X_WB);
   };
   for (const ContactRegion* region : regions) request(contact_of(*region));
   for (const TexturedContact& last : before_) {
@@ -240,10 +249,12 @@ void TexturedContacts::compute(std::span<const ContactRegion* const> regions, co
   left_out_.is_computed_here = computed_->outcome() != GpuOutcome::answered;
 }
 
-std::optional<Penetration> TexturedContacts::evaluated(const TexturedContact& contact,
+std::optional<Penetration> TexturedContacts::evaluated(TexturedContact& contact,
                                                        WindowSamplers::Window& window,
                                                        const Pose& X_WA,
                                                        const Pose& X_WB) noexcept {
+  CachedPenetration& planned = window.with(contact.halvings);
+  contact.grid = planned.grid();
   if (computed_) {
     const std::optional<Penetration>* answer = computed_->find(contact);
     if (answer != nullptr) return *answer;
@@ -256,13 +267,21 @@ std::optional<Penetration> TexturedContacts::evaluated(const TexturedContact& co
                       .pose = X_WB,
                       .half_height_m = contact.half_height_m,
                       .leaning_cosine = contact.leaning_b};
-  const CachedPenetration::Choice choice = window.sampler.choose(patch_a, patch_b, contact.frame);
-  if (choice.needs_triangles()) {
-    const WindowBox box{.half_width_m = 0.5 * window.sampler.patch_width_m(),
+  const auto find_triangles = [&](const CachedPenetration& sampler) {
+    const WindowBox box{.half_width_m = 0.5 * sampler.patch_width_m(),
                         .half_height_m = contact.half_height_m};
     patch_a.triangles = triangles_in(a_, X_WA, contact.frame, -1.0, box, triangles_a_);
     patch_b.triangles = triangles_in(b_, X_WB, contact.frame, 1.0, box, triangles_b_);
+  };
+  if (contact.halvings > 0) {
+    const CachedPenetration::Choice choice = planned.choose(patch_a, patch_b, contact.frame);
+    if (choice.begins) find_triangles(planned);
+    const auto found = planned.evaluate_kept(choice, patch_a, patch_b, contact.frame);
+    if (choice.place) return found;
+    contact.grid = window.sampler.grid();
   }
+  const CachedPenetration::Choice choice = window.sampler.choose(patch_a, patch_b, contact.frame);
+  if (choice.needs_triangles()) find_triangles(window.sampler);
   return window.sampler.evaluate(choice, patch_a, patch_b, contact.frame);
 }
 
@@ -273,7 +292,6 @@ void TexturedContacts::add(TexturedContact contact, const Pose& X_WA, const Pose
   }
   set_reach(contact);
   WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
-  contact.grid = window.sampler.grid();
   const std::optional<Penetration> found = evaluated(contact, window, X_WA, X_WB);
   if (!found && contact.is_kept) return;
   contact.penetration = found.value_or(Penetration{});
@@ -292,6 +310,7 @@ void TexturedContacts::add(TexturedContact contact, const Pose& X_WA, const Pose
       contact.is_bounded = true;
     }
   }
+  keep_refined(contact);
   contact.is_coarse = window.is_coarse;
   const auto* differences = std::get_if<HardMaximum>(&window.law);
   contact.filter_m =

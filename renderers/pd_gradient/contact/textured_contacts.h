@@ -124,6 +124,20 @@ struct LeftOut {
 /// rises slowly as well. Both take energy on the way in and out, two thirds of the gross work or more in 0.4 and 1.6 s, and
 /// up to 73 % in 6.4 s (docs/models/pd_gradient.md, bench/pd_continuity).
 ///
+/// Where many crests touch, the samples determine which of several almost equally deep crests is the deepest, and with
+/// which lever. Between samples at a distance c a crest of curvature κ is missed by at most ε = κ·c²/4 (by c/2 in both
+/// directions), so that a difference of two maxima over ±step is wrong by at most ε/(2·step) in slope, and in levers by
+/// that times the distance. With the hard maximum the cells of such a contact are therefore halved, at most
+/// `WindowSampling::most_halvings` times, until this bound is at most 0.2 %; κ is the sum for both textures
+/// (FineWaves). A contact is on many crests for `kRefined_s` after the deepest places under opposite tilts were further
+/// apart than a quarter of the finest wave (Penetration::spread_m). On one crest they are close together, and the
+/// declared cells are accurate. The samples of all contacts of a tick are together at most those of one window with
+/// `most_samples`. Finer cells are used only while their heights are kept. These are sampled in parts, and the declared
+/// cells are used until they are complete, and where the bodies move so fast that new heights are late. Step, window and
+/// law remain; depth and slopes change within the bounds, and the force as described for shares where the motion does
+/// not explain this. The smooth maximum is not refined: it is a mean over all crests, and sums over samples are accurate
+/// for a weight exp(−κx²/2τ) while c is shorter than √(τ/κ).
+///
 /// If the window ends before the bodies do, as for a tilted pen that is pressed deeper than its
 /// radius, the deepest sample is at the border of the window and δ is a lower bound
 /// (Penetration::at_window).
@@ -147,6 +161,8 @@ class TexturedContacts final {
   static constexpr double kMostChange = 0.04;
   static constexpr double kLeastChange_m =
       4.2e-6;  ///< the same for small forces, times the stiffness
+  static constexpr double kRefined_s =
+      0.050;  ///< a wave of 2 mm at 40 mm/s: between crests a tool may be on one
 
   /// With `computed`, made for the same bodies, contacts are evaluated there; where it has no answer, as without it.
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
@@ -183,9 +199,14 @@ class TexturedContacts final {
   void add(TexturedContact contact, const Pose& X_WA, const Pose& X_WB) noexcept;
   TexturedContact contact_of(const ContactRegion& region) const noexcept;
   void set_reach(TexturedContact& contact) const noexcept;
-  std::optional<Penetration> evaluated(const TexturedContact& contact,
-                                       WindowSamplers::Window& window, const Pose& X_WA,
-                                       const Pose& X_WB) noexcept;
+  static WindowSampling refinable(WindowSampling sampling, const TexturedBody& a,
+                                  const TexturedBody& b) noexcept;
+  void plan_refinement(std::span<const ContactRegion* const> regions) noexcept;
+  void keep_refined(TexturedContact& contact) const noexcept;
+  int halvings_of(std::uint64_t id) const noexcept;
+  /// Also sets the grid with which it was evaluated.
+  std::optional<Penetration> evaluated(TexturedContact& contact, WindowSamplers::Window& window,
+                                       const Pose& X_WA, const Pose& X_WB) noexcept;
   double half_height_m(double width_m, double last_depth_m) const noexcept;
   double most_depth_m(const TexturedContact& contact, const Pose& X_WA,
                       const Pose& X_WB) const noexcept;
@@ -242,8 +263,10 @@ class TexturedContacts final {
   HeldPoint a_in_b_{};
   HeldPoint b_in_a_{};
   LeftOut left_out_{};
-  double dt_s_ = 0.0;  // of this call
-  double rise_ = 0.0;  // of a share, in it
+  long most_samples_ = 0;  // of all contacts of a tick with halved cells
+  double crests_m_ = 0.0;  // the spread above which a contact is on several crests
+  double dt_s_ = 0.0;      // of this call
+  double rise_ = 0.0;      // of a share, in it
   std::uint64_t next_force_id_ = 0;
   double force_m_ = 0.0;    // of all contacts together in the last tick, for a stiffness of 1 N/m
   double thinner_m_ = 0.0;  // the thickness of the thinner body

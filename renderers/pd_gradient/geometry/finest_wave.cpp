@@ -271,7 +271,7 @@ double sum_m2(const std::vector<Loss>& losses, double chord_m) {
 
 }  // namespace
 
-double finest_wave_m(const TexturedMesh& mesh, double gain) {
+FineWaves fine_waves_of(const TexturedMesh& mesh, double gain) {
   Slopes slopes{};
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.triangles[i];
@@ -295,14 +295,23 @@ double finest_wave_m(const TexturedMesh& mesh, double gain) {
       std::max(share * slopes.all_m2, kLeastSlope * kLeastSlope * slopes.area_m2);
   double long_m = 0.0;
   for (const Loss& loss : slopes.losses) long_m = std::max(long_m, 2.0 * loss.from_m);
-  if (!(sum_m2(slopes.losses, long_m) > wanted_m2)) return std::numeric_limits<double>::infinity();
+  if (!(sum_m2(slopes.losses, long_m) > wanted_m2)) {
+    return {.finest_m = std::numeric_limits<double>::infinity(), .crest_per_m = 0.0};
+  }
   double short_m = 0.0;
   constexpr double kNear = 1e-3;
   while (long_m - short_m > kNear * long_m) {
     const double between_m = 0.5 * (short_m + long_m);
     (sum_m2(slopes.losses, between_m) < wanted_m2 ? short_m : long_m) = between_m;
   }
-  return kWaves * long_m;
+  const double finest_m = kWaves * long_m;
+  return {.finest_m = finest_m,
+          .crest_per_m =
+              2.0 * std::numbers::pi / finest_m * std::sqrt(2.0 * slopes.all_m2 / slopes.area_m2)};
+}
+
+double finest_wave_m(const TexturedMesh& mesh, double gain) {
+  return fine_waves_of(mesh, gain).finest_m;
 }
 
 }  // namespace asperity

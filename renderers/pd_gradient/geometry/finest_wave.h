@@ -1,6 +1,8 @@
-// Declares the wavelength of the finest perceptible detail of a texture.
+// Declares the wavelength of the finest perceptible detail of a texture, and the curvature of its crests.
 
 #pragma once
+
+#include <limits>
 
 #include "stimuli/meshes/textured_mesh.h"
 
@@ -30,5 +32,18 @@ namespace asperity {
 ///
 /// Infinity if there is no detail.
 double finest_wave_m(const TexturedMesh& mesh, double gain);
+
+/// The finest waves of a texture, and the curvature of crests that have these waves.
+struct FineWaves {
+  double finest_m = std::numeric_limits<double>::infinity();  ///< finest_wave_m
+  /// √2·(2π/λ)·S with λ the finest wave and S the RMS slope of the faces with relief; 0 without detail. For a grating
+  /// of amplitude A this is A·(2π/λ)², the curvature of its crests. For a mixture it is √2 times approximately the RMS
+  /// second derivative, because λ is the wavelength at which slope² is lost as on a grating; the sharpest crests have two
+  /// to three times this curvature.
+  double crest_per_m = 0.0;
+};
+
+/// Both, in the time of one. `gain` as for finest_wave_m.
+FineWaves fine_waves_of(const TexturedMesh& mesh, double gain);
 
 }  // namespace asperity

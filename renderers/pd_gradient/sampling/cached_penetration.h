@@ -104,6 +104,13 @@ class CachedPenetration final {
     return evaluate(choose(a, b, frame), a, b, frame);
   }
 
+  /// Evaluates from kept heights only: the result is nullopt while `choice.place` is empty. Samples the same small part of
+  /// new heights in every call, so that there are no usable heights for some calls if the bodies move fast. Requires
+  /// triangles only if the choice `begins`.
+  std::optional<Penetration> evaluate_kept(const Choice& choice, const PackedPatch& a,
+                                           const PackedPatch& b,
+                                           const ContactFrame& frame) noexcept;
+
   const SamplingGrid& grid() const noexcept { return sampler_.grid(); }
   double patch_width_m() const noexcept { return patch_width_m_; }
   std::size_t bytes() const noexcept;
@@ -155,6 +162,8 @@ class CachedPenetration final {
                                         const ContactFrame& frame) noexcept;
   KeptHeights kept(BodyHeights& heights, int span) const noexcept;
   bool at_border(const KeptTask& task, int row, int column) const noexcept;
+  void note(const Choice& choice, const PackedPatch& a, const PackedPatch& b,
+            const ContactFrame& frame) noexcept;
   void begin(const PackedPatch& a, const PackedPatch& b, const ContactFrame& frame) noexcept;
   double hurry(double strain) noexcept;
   void continue_work(double hurry) noexcept;

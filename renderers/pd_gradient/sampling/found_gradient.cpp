@@ -2,6 +2,7 @@
 
 #include "renderers/pd_gradient/sampling/found_gradient.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <glm/vec2.hpp>
@@ -24,6 +25,11 @@ Penetration gradient_of(const ElevenMaxima& found, const DifferenceSteps& steps,
   result.lever_m = {difference(found.tilt_u_m, steps.tilt_rad) - deepest_m.z * result.slope.y,
                     difference(found.tilt_v_m, steps.tilt_rad) + deepest_m.z * result.slope.x,
                     difference(found.turn_m, steps.turn_rad)};
+  for (const auto& tilted_m : {found.tilt_u_m, found.tilt_v_m}) {
+    if (!(std::min(tilted_m[0], tilted_m[1]) > kNothing_m)) continue;
+    result.spread_m = std::max(result.spread_m,
+                               spread_of(found.here_m, tilted_m[0], tilted_m[1], steps.tilt_rad));
+  }
   return result;
 }
 

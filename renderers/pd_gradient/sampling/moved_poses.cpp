@@ -1,5 +1,7 @@
 #include "renderers/pd_gradient/sampling/moved_poses.h"
 
+#include <algorithm>
+
 #include <glm/gtc/quaternion.hpp>
 
 namespace asperity {
@@ -51,6 +53,11 @@ void set_gradient(double here_m, const std::array<std::optional<double>, kMovedP
   };
   result.slope = {rate(0, steps.along_m), rate(2, steps.along_m)};
   result.lever_m = {rate(4, steps.tilt_rad), rate(6, steps.tilt_rad), rate(8, steps.turn_rad)};
+  for (const std::size_t tilt : {std::size_t{4}, std::size_t{6}}) {
+    if (!moved_m[tilt] || !moved_m[tilt + 1]) continue;
+    result.spread_m = std::max(
+        result.spread_m, spread_of(here_m, *moved_m[tilt], *moved_m[tilt + 1], steps.tilt_rad));
+  }
 }
 
 }  // namespace asperity

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMovedPoses = 10;
 std::array<Pose, kMovedPoses> moved_poses(const Pose& pose_a, const ContactFrame& frame,
                                           const DifferenceSteps& steps);
 
-/// Sets slope and lever from the depth here and those of the moved poses; nullopt: no overlap. If one of the two
+/// Sets slope, lever and spread from the depth here and those of the moved poses; nullopt: no overlap. If one of the two
 /// configurations of a difference has no overlap, the difference is one-sided; if both have none, it is 0.
 void set_gradient(double here_m, const std::array<std::optional<double>, kMovedPoses>& moved_m,
                   const DifferenceSteps& steps, Penetration& result);

@@ -24,6 +24,10 @@ DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexce
           .turn_rad = 2.0 * step_m / grid.width_m};
 }
 
+double spread_of(double here_m, double forth_m, double back_m, double tilt_rad) noexcept {
+  return (forth_m + back_m - 2.0 * here_m) / tilt_rad;
+}
+
 Penetration flattened(double part, const Penetration& found) noexcept {
   Penetration result = found;
   result.slope = part * found.slope;

@@ -73,7 +73,15 @@ struct Penetration {
   bool at_border = false;
   /// This border is the window's: one of its outermost samples is the deepest.
   bool at_window = false;
+  /// Hard maximum: how far apart the deepest places under opposite tilts lie, at least (spread_of). 0 if there is one.
+  double spread_m = 0.0;
 };
+
+/// (δ(θ) + δ(−θ) − 2δ)/θ, for a tilt about u or v by θ and by −θ. To first order in θ a depth changes by θ times the
+/// distance of its place from the axis, so that each of the two depths has increased by no more than θ times the
+/// distance at which its deepest place now lies from that of δ: the result is at most the distance between the two
+/// places across the axis, and about λ for two equal crests that are λ apart.
+double spread_of(double here_m, double forth_m, double back_m, double tilt_rad) noexcept;
 
 /// The same depth and position with slopes reduced to the fraction `part`; the derivative along n is unchanged.
 Penetration flattened(double part, const Penetration& found) noexcept;

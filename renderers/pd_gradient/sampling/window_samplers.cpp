@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "analysis/number_text.h"
@@ -88,16 +89,28 @@ WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
          samples += multiple) {
       const double width_m = samples * cell_m;
       if (width_m <= reached_m) continue;
-      windows_.push_back({.sampler = CachedPenetration(
-                              {.sampler = {.grid = {.width_m = width_m, .samples = samples},
-                                           .law = law,
-                                           .most_triangles = most_triangles,
-                                           .instructions = instructions},
-                               .most_places = !keeps      ? 0
-                                              : is_coarse ? kMostCoarsePlaces
-                                                          : kMostPlaces}),
-                          .law = law,
-                          .is_coarse = is_coarse});
+      const auto with = [&](int halvings, std::size_t most_places) {
+        return CachedPenetration(
+            {.sampler = {.grid = {.width_m = width_m, .samples = samples << halvings},
+                         .law = law,
+                         .most_triangles = most_triangles,
+                         .instructions = instructions},
+             .most_places = keeps ? most_places : 0});
+      };
+      Window window{.sampler = with(0, is_coarse ? kMostCoarsePlaces : kMostPlaces),
+                    .law = law,
+                    .is_coarse = is_coarse};
+      const bool has_finer = keeps && std::holds_alternative<HardMaximum>(law);
+      for (int k = 1; has_finer && k <= sampling.most_halvings; ++k) {
+        const bool is_fine = std::ldexp(cell_m, 1 - k) <= sampling.fine_enough_m;
+        const int across = samples << k;
+        if (is_fine || across > sampling.most_samples || step_cells << k > kStepsInCells.back())
+          break;
+        // As many contacts as may have these cells in a tick (TexturedContacts), and two whose heights are being sampled.
+        const auto contacts = static_cast<std::size_t>(sampling.most_samples / across);
+        window.finer.push_back(with(k, std::min(kMostPlaces, contacts * contacts + 2)));
+      }
+      windows_.push_back(std::move(window));
       reached_m = width_m;
     }
   }
@@ -111,7 +124,10 @@ WindowSamplers::Window& WindowSamplers::window_for(double width_m) noexcept {
 }
 
 void WindowSamplers::reset() noexcept {
-  for (Window& window : windows_) window.sampler.reset();
+  for (Window& window : windows_) {
+    window.sampler.reset();
+    for (CachedPenetration& finer : window.finer) finer.reset();
+  }
 }
 
 }  // namespace asperity

@@ -22,6 +22,10 @@ struct WindowSampling {
   double cell_m = 1e-4;
   int most_samples = 256;  ///< of a window, in each direction
   Heights heights = Heights::kept;
+  /// Hard maximum: how often the cells of a window may be halved where many crests touch (TexturedContacts), until they
+  /// are no longer than `fine_enough_m`.
+  int most_halvings = 0;
+  double fine_enough_m = 0.0;
 };
 
 /// The conflict among the values of a sampling, by the names of its fields: a step that is not 1, 2, 4 or 8 cells, or
@@ -54,6 +58,14 @@ class WindowSamplers final {
     MaximumLaw law{};  ///< with the step of this window
     /// Its step (its cell, for the smooth maximum) is not the declared one.
     bool is_coarse = false;
+    /// The same window and step with cells of half, a quarter and an eighth of the length: as many as
+    /// `most_halvings`, `fine_enough_m` and `most_samples` permit, with a step of at most 8 cells.
+    std::vector<CachedPenetration> finer{};
+
+    /// The sampler with cells that are halved so often.
+    CachedPenetration& with(int halvings) noexcept {
+      return halvings == 0 ? sampler : finer[static_cast<std::size_t>(halvings - 1)];
+    }
   };
 
   /// Makes samplers up to `widest_m`, with up to `most_triangles` triangles in a window.
