@@ -15,8 +15,9 @@ namespace asperity {
 namespace {
 
 struct Change {
-  double largest = 0.0;    // unexplained, relative to the current force, or to 0.1 N
-  double largest_N = 0.0;  // of the force
+  double largest = 0.0;     // unexplained, relative to the current force, or to 0.1 N
+  double largest_N = 0.0;   // of the force
+  double opposition = 0.0;  // the largest ratio of the forces' magnitudes, above 1 N, to their sum
 };
 
 constexpr double kMost = 0.045;
@@ -32,6 +33,9 @@ Change changes_of(const ContactPath& path) {
     const UnexplainedChange::Tick found = unexplained.add(contacts.find(pose, {}, kTick_s), pose);
     change.largest = std::max(change.largest, found.part(kLeast_N));
     change.largest_N = std::max(change.largest_N, found.current_N);
+    if (found.magnitudes_N > 1.0) {
+      change.opposition = std::max(change.opposition, found.magnitudes_N / found.current_N);
+    }
   }
   return change;
 }
@@ -75,8 +79,10 @@ TEST(ContactChanges, AreSmallWhereContactsOfTwoSidesOpposeEachOther) {
                                 },
                             .ticks = 640};
   const Change change = changes_of(through);
+  EXPECT_GT(change.largest, 0.01);
   EXPECT_LT(change.largest, kMost);
   EXPECT_GT(change.largest_N, 0.6);
+  EXPECT_GT(change.opposition, 3.0);
 }
 
 TEST(ContactChanges, AreSmallWhereADoubtfulDepthIsBelieved) {

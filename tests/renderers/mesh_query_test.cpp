@@ -140,6 +140,41 @@ TEST(MeshQuery, FindsTheSamePairsInTheSameOrderFromListsOfNearPairs) {
   EXPECT_GT(query.listed_calls(), 700U);
 }
 
+// Motions far below those for which parts of a list were tuned, and rests: lists are whole in time, so that only the first two calls
+// search all pairs.
+TEST(MeshQuery, UsesListsHoweverSlowTheMotion) {
+  const auto mesh = std::make_shared<ClusteredMesh>(bumpy_torus(17, 13));
+  MeshQuery query(mesh, mesh, 10000);
+  Pose pose{.position_m = {0.005, 0.0, 0.004}};
+  std::uint64_t calls = 0;
+  const auto move = [&](double step_m, int steps) {
+    for (int step = 0; step < steps; ++step, ++calls) {
+      pose.position_m.x += step_m;
+      query.find(pose);
+    }
+  };
+  move(0.05e-6, 60'000);
+  move(0.0, 20'000);
+  move(-20e-6, 150);
+  EXPECT_EQ(query.listed_calls(), calls - 2);
+  MeshQuery without_list(mesh, mesh, 10000);
+  const auto expected = without_list.find(pose);
+  EXPECT_THAT(query.find(pose), testing::ElementsAreArray(expected.begin(), expected.end()));
+}
+
+// The near pairs have no room, the intersecting ones do.
+TEST(MeshQuery, FindsThePairsWhereOnlyAListHasNoRoom) {
+  const auto mesh = std::make_shared<ClusteredMesh>(bumpy_torus(17, 13));
+  const Pose pose{.position_m = {0.005, 0.0, 0.004}};
+  MeshQuery roomy(mesh, mesh, 10000);
+  const auto all = roomy.find(pose);
+  MeshQuery narrow(mesh, mesh, all.size() + 1);
+  for (int step = 0; step < 5; ++step) {
+    EXPECT_THAT(narrow.find(pose), testing::ElementsAreArray(all.begin(), all.end()));
+  }
+  EXPECT_EQ(narrow.listed_calls(), 0U);
+}
+
 TEST(MeshQuery, SearchesAllPairsWhereAListHasNoRoom) {
   const auto mesh = std::make_shared<ClusteredMesh>(bumpy_torus(17, 13));
   MeshQuery roomy(mesh, mesh, 10000);

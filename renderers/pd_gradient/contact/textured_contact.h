@@ -15,7 +15,8 @@ namespace asperity {
 /// One contact of two textured bodies in a tick.
 struct TexturedContact {
   std::uint64_t id = 0;  ///< constant as long as it is the same contact
-  /// Constant as long as its force continues, also while it fades; of two that fade as one, the newer.
+  /// Constant as long as its force continues, also while it fades; of two that fade as one, the newer. For measurements of
+  /// continuity: the model does not read it.
   std::uint64_t force_id = 0;
   ContactFrame frame{};          ///< in the world
   double width_m = 0.0;          ///< of the region

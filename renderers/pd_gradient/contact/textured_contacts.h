@@ -100,7 +100,7 @@ struct LeftOut {
 ///   |Σ Δs_i·F_i| ≤ max(0.04·|Σ s_i·F_i|, 4.2 µm·k)      in a tick of 1 ms or longer; proportionally less in a shorter one
 ///
 /// Where contacts oppose each other, as those of the two sides of a sheet or of a tooth between two ribs, little of their
-/// forces is left, and what is left changes no faster, which can take more than 0.1 s.
+/// forces is left, and what is left changes no faster, which can take 0.5 s for 2 N.
 ///
 /// - When contacts merge, the one whose deepest place is that of the new one continues and the others fade.
 /// - When a contact divides, the part with its deepest place continues and the others rise.
@@ -263,11 +263,11 @@ class TexturedContacts final {
   HeldPoint a_in_b_{};
   HeldPoint b_in_a_{};
   LeftOut left_out_{};
-  long most_samples_ = 0;  // of all contacts of a tick with halved cells
-  double crests_m_ = 0.0;  // the spread above which a contact is on several crests
-  double dt_s_ = 0.0;      // of this call
-  double rise_ = 0.0;      // of a share, in it
-  std::uint64_t next_force_id_ = 0;
+  long most_samples_ = 0;            // of all contacts of a tick with halved cells
+  double crests_m_ = 0.0;            // the spread above which a contact is on several crests
+  double dt_s_ = 0.0;                // of this call
+  double rise_ = 0.0;                // of a share, in it
+  std::uint64_t next_force_id_ = 0;  // not reset: unique as long as the object exists
   double force_m_ = 0.0;    // of all contacts together in the last tick, for a stiffness of 1 N/m
   double thinner_m_ = 0.0;  // the thickness of the thinner body
   glm::dvec3 a_in_b_before_m_{0.0};

@@ -2,63 +2,20 @@
 
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
+#include "renderers/pd_gradient/geometry/clustered_mesh.h"
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
 #include "renderers/pd_gradient/geometry/near_pairs.h"
 #include "renderers/pd_gradient/loops/instruction_set.h"
 #include "renderers/pd_gradient/loops/triangle_loops.h"
-#include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity {
-
-/// Stores the triangles of one mesh in clusters of sixteen for the query.
-class ClusteredMesh final {
- public:
-  /// Errors: std::invalid_argument for a mesh without triangles or with a corner that is not a vertex.
-  explicit ClusteredMesh(const TriangleMesh& mesh);
-
-  const glm::dvec3& centre_m() const noexcept { return centre_m_; }
-  double radius_m() const noexcept { return radius_m_; }  ///< of a sphere around the centre
-  std::span<const TriangleCluster> clusters() const noexcept { return clusters_; }
-  std::span<const ClusterBoxes> boxes() const noexcept { return boxes_; }
-  /// The corners of a triangle as in the clusters: [corner][axis], from the centre.
-  using CornersFromCentre = std::array<std::array<float, 3>, 3>;
-  const CornersFromCentre& corners_from_centre_m(std::uint32_t triangle) const noexcept {
-    return corners_from_centre_m_[triangle];
-  }
-  /// A box with three perpendicular unit vectors and its half-size along each, and a direction.
-  struct Box {
-    glm::dvec3 centre_m{0.0};
-    std::array<glm::dvec3, 3> axes{};
-    std::array<double, 3> half_m{};
-    glm::dvec3 facing{0.0};
-  };
-  /// The same from the centre of the mesh, in single precision.
-  SlabBox slab_box(const Box& box) const noexcept;
-  /// The triangles of a cluster, as bits, that face the direction and touch the box or are within the rounding error of touching it.
-  std::uint32_t find_in_box(std::size_t cluster, const SlabBox& box) const noexcept;
-  /// A triangle's corners, as in the mesh.
-  const std::array<glm::dvec3, 3>& corners_m(std::uint32_t triangle) const noexcept {
-    return corners_m_[triangle];
-  }
-
- private:
-  glm::dvec3 centre_m_{0.0};
-  double radius_m_ = 0.0;
-  const TriangleLoops* loops_ = nullptr;
-  std::vector<TriangleCluster> clusters_{};
-  std::vector<ClusterBoxes> boxes_{};
-  std::vector<std::array<glm::dvec3, 3>> corners_m_{};
-  std::vector<CornersFromCentre> corners_from_centre_m_{};
-};
 
 /// Finds all pairs of triangles, one of each mesh, that share a point.
 ///
@@ -104,6 +61,7 @@ class MeshQuery final {
     double margin_m = 0.0;
     std::size_t searched = 0;  ///< as in SearchPart
     std::size_t work = 0;      ///< as in SearchPart
+    double due_work = 0.0;     ///< so much should be done by now
     NearPairs pairs;           ///< those of the searched part
   };
 
@@ -113,7 +71,7 @@ class MeshQuery final {
   static void begin(List& list, const Pose& X_BA, double margin_m) noexcept;
   void search(List& list, std::size_t most_work) noexcept;
   bool has_list_for(const Pose& X_BA, double moved_m) noexcept;
-  void search_all(const Pose& X_BA, double margin_m) noexcept;
+  void search_all(const Pose& X_BA, bool is_slow) noexcept;
 
   // Shared, because every stimulus with the same tool or surface has a separate query.
   std::shared_ptr<const ClusteredMesh> a_{};
@@ -122,8 +80,8 @@ class MeshQuery final {
   std::vector<TrianglePair> pairs_{};
   std::size_t count_ = 0;
   double margin_m_ = 0.0;
-  Pose last_pose_{};
-  bool has_last_ = false;
+  std::optional<Pose> last_pose_{};
+  std::optional<Pose> crowded_pose_{};  // at which a list had no room for the near pairs
   bool is_listing_ = false;
   List listed_;
   List next_;                  // being made while is_listing_

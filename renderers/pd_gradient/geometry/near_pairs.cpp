@@ -8,16 +8,15 @@
 
 #include <glm/geometric.hpp>
 
-#include "renderers/pd_gradient/geometry/mesh_query.h"
-
 namespace asperity {
 namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
 constexpr std::size_t kLanes = kClusterSize;
-// Added to each motion: a subtraction from a slack below 8 mm is rounded by less.
+// Added to each motion: a subtraction from a slack of at most 30 mm is rounded by less.
 constexpr double kRounding_m = 1e-9;
+constexpr float kMostSlack_m = 0.03F;
 
 std::uint32_t bit_of(std::size_t lane) noexcept { return std::uint32_t{1} << lane; }
 
@@ -55,21 +54,6 @@ bool triangles_intersect(const Corners& a, const Corners& b) noexcept {
     if (separates(glm::cross(q_normal, edge), p, q)) return false;
   }
   return true;
-}
-
-ClusterPose cluster_pose(const ClusteredMesh& a, const ClusteredMesh& b,
-                         const Pose& X_BA) noexcept {
-  ClusterPose pose{};
-  const glm::dvec3 shift_m = X_BA * a.centre_m() - b.centre_m();  // between the centres
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      pose.turn[static_cast<std::size_t>(3 * row + column)] =
-          static_cast<float>(X_BA.rotation[column][row]);
-    }
-    pose.shift_m[static_cast<std::size_t>(row)] = static_cast<float>(shift_m[row]);
-  }
-  pose.tolerance_m = kRoundingOfRadius * static_cast<float>(a.radius_m() + b.radius_m());
-  return pose;
 }
 
 NearPairs::NearPairs(std::size_t most) : pairs_(most), verdicts_((most + kLanes - 1) / kLanes) {}
@@ -116,11 +100,14 @@ void NearPairs::judge(const MeshPair& meshes, const Pose& X_BA, PairVerdicts& ve
   }
 }
 
-void NearPairs::set(std::size_t place, const PairVerdicts& verdicts, std::size_t lane) noexcept {
+// Returns whether the verdict has changed.
+bool NearPairs::set(std::size_t place, const PairVerdicts& verdicts, std::size_t lane) noexcept {
   Verdicts& own = verdicts_[place / kLanes];
+  const std::uint32_t before = own.together;
   const std::uint32_t bit = bit_of(place % kLanes);
-  own.together = (verdicts.together & bit_of(lane)) != 0 ? own.together | bit : own.together & ~bit;
-  own.slack_m[place % kLanes] = verdicts.slack_m[lane];
+  own.together = (verdicts.together & bit_of(lane)) != 0 ? before | bit : before & ~bit;
+  own.slack_m[place % kLanes] = std::min(verdicts.slack_m[lane], kMostSlack_m);
+  return own.together != before;
 }
 
 void NearPairs::add(const MeshPair& meshes, const TrianglePair& pair) noexcept {
@@ -136,7 +123,7 @@ void NearPairs::add_last(const MeshPair& meshes) noexcept {
   const auto way_m = static_cast<float>(way_since_begin_m_ + kRounding_m);
   for (std::size_t i = 0; i < tested_count_; ++i) {
     const bool is_together = (verdicts.together & bit_of(i)) != 0;
-    if (!is_together && (margin_m == 0.0F || verdicts.slack_m[i] > margin_m)) continue;
+    if (!is_together && (margin_m_ == 0.0 || verdicts.slack_m[i] > margin_m)) continue;
     const std::size_t place = count_++;
     if (is_overfull()) continue;
     pairs_[place] = tested_pairs_[i];
@@ -154,10 +141,7 @@ bool NearPairs::renew(const MeshPair& meshes, const Pose& X_BA) noexcept {
     PairVerdicts verdicts;
     judge(meshes, X_BA, verdicts);
     for (std::size_t i = 0; i < tested_count_; ++i) {
-      const std::uint32_t& together = verdicts_[tested_places_[i] / kLanes].together;
-      const std::uint32_t before = together;
-      set(tested_places_[i], verdicts, i);
-      has_changed = has_changed || together != before;
+      has_changed = set(tested_places_[i], verdicts, i) || has_changed;
     }
     tested_count_ = 0;
   };

@@ -8,16 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "renderers/pd_gradient/geometry/clustered_mesh.h"
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
 #include "renderers/pd_gradient/loops/triangle_loops.h"
 
 namespace asperity {
-
-class ClusteredMesh;
-
-/// The rounding error of a position in single precision relative to the radius of a mesh, with a margin for the products of the
-/// test.
-inline constexpr float kRoundingOfRadius = 4e-6F;
 
 /// A triangle of A and a triangle of B, by their indices.
 struct TrianglePair {
@@ -58,7 +53,7 @@ class NearPairs final {
   std::size_t count() const noexcept { return count_; }
   bool is_overfull() const noexcept { return count_ > pairs_.size(); }
 
-  /// No point of A has moved further relative to B since the last call of `begin`, `move` or `renew`.
+  /// Records a motion of A relative to B, by at most this at any point.
   void move(double way_m) noexcept;
   /// Tests the pairs whose slack has been used at this pose. Whether a verdict has changed.
   bool renew(const MeshPair& meshes, const Pose& X_BA) noexcept;
@@ -66,15 +61,15 @@ class NearPairs final {
   std::size_t intersecting(std::span<TrianglePair> to) const noexcept;
 
  private:
-  // Of sixteen pairs.
+  // The verdicts on sixteen pairs.
   struct Verdicts {
-    alignas(64) float slack_m[kClusterSize];
+    alignas(64) float slack_m[kClusterSize] = {};
     std::uint32_t together = 0;
   };
 
   void put(const MeshPair& meshes, const TrianglePair& pair, std::size_t place) noexcept;
   void judge(const MeshPair& meshes, const Pose& X_BA, PairVerdicts& verdicts) noexcept;
-  void set(std::size_t place, const PairVerdicts& verdicts, std::size_t lane) noexcept;
+  bool set(std::size_t place, const PairVerdicts& verdicts, std::size_t lane) noexcept;
 
   Pose X_BA_{};
   double margin_m_ = 0.0;
@@ -89,8 +84,5 @@ class NearPairs final {
   std::array<std::size_t, kClusterSize> tested_places_{};  // in pairs_
   std::size_t tested_count_ = 0;
 };
-
-/// The transformation of `find_candidates` and `judge_pairs`, with the rounding error of positions as the tolerance.
-ClusterPose cluster_pose(const ClusteredMesh& a, const ClusteredMesh& b, const Pose& X_BA) noexcept;
 
 }  // namespace asperity

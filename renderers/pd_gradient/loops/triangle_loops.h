@@ -53,12 +53,12 @@ struct alignas(64) PairBatch {
   float b[3][3][kClusterSize];
 };
 
-/// What is known of sixteen pairs at one pose. Bit i is for pair i.
+/// The verdicts on sixteen pairs at one pose. Bit i is for pair i.
 struct alignas(64) PairVerdicts {
   std::uint32_t together = 0;  ///< not found to be separate
   std::uint32_t unsure = 0;    ///< of these, the ones too close to touching for a decision
   /// The verdict remains true until a point of A has moved this far relative to B; if it is not above 0, the distance is unknown.
-  float slack_m[kClusterSize];
+  float slack_m[kClusterSize] = {};
 };
 
 /// The region between two planes perpendicular to a unit vector.
