@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
+#include "renderers/pd_gradient/loops/instruction_set.h"
 #include "tests/renderers/meshes.h"
 
 namespace asperity {

@@ -122,7 +122,7 @@ struct LeftOut {
 /// contacts together and lifts them apart. On the measured paths without bounded depths it gave at most 0.6 % of the gross
 /// work. A bounded depth has no potential: it falls at once and rises slowly, and the small force between opposing contacts
 /// rises slowly as well. Both take energy on the way in and out, two thirds of the gross work or more in 0.4 and 1.6 s, and
-/// up to 73 % in 6.4 s (docs/models/pd_gradient.md, bench/pd_continuity).
+/// up to 78 % in 6.4 s (docs/models/pd_gradient.md, bench/pd_continuity).
 ///
 /// Where many crests touch, the samples determine which of several almost equally deep crests is the deepest, and with
 /// which lever. Between samples at a distance c a crest of curvature κ is missed by at most ε = κ·c²/4 (by c/2 in both
