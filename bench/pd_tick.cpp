@@ -145,9 +145,7 @@ ProbeState pressed(const TwoBodyScene& scene) {
   return *start;
 }
 
-ParameterValues sampled_by(double cell_m) {
-  return {{"cell_m", cell_m}, {"step_m", cell_m}, {"most_halvings", 0.0}};
-}
+ParameterValues sampled_by(double cell_m) { return {{"cell_m", cell_m}, {"step_m", cell_m}}; }
 
 /// Sums over the contacts of many poses.
 struct Errors {
@@ -213,8 +211,8 @@ nlohmann::ordered_json errors_of(const BakedScene& baked, double cell_m) {
   parameters["coupling"] = std::string("none");
   PdGradient renderer(
       [&] {
-        RendererInputs inputs = inputs_of(scene, {});
-        inputs.parameters = complete_values(pd_gradient_model().declaration, parameters);
+        RendererInputs inputs = inputs_of(scene, parameters);
+        inputs.parameters = complete_values(pd_gradient_model().declaration, inputs.parameters);
         return inputs;
       }(),
       instruction_sets_here().back());

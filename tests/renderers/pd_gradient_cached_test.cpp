@@ -398,7 +398,6 @@ TEST(CachedPenetration, SamplesAnewWhereNothingIsKept) {
   EXPECT_EQ(cached.sampled_answers(), 40U);
 }
 
-// A contact may move by nearly a quarter of its window along both axes before its heights are those of another one.
 TEST(CachedPenetration, FindsNothingFromKeptHeightsUntilTheyAreComplete) {
   ContactsByChance chance(7);
   Bodies bodies(chance, ContactKind::flat);
@@ -423,6 +422,7 @@ TEST(CachedPenetration, FindsNothingFromKeptHeightsUntilTheyAreComplete) {
   EXPECT_EQ(numbers_of(*found), numbers_of(*same));
 }
 
+// A contact may move by nearly a quarter of its window along both axes before its heights are those of another one.
 TEST(CachedPenetration, KeepsHeightsUpToTheCornersOfTheirMargin) {
   ContactsByChance chance(48);
   const Bodies bodies(chance, ContactKind::flat);

@@ -39,10 +39,8 @@ void TexturedContacts::plan_refinement(std::span<const ContactRegion* const> reg
     }
   }
   for (const ContactRegion* region : regions) {
-    const auto last = std::find_if(before_.begin(), before_.end(), [&](const auto& contact) {
-      return contact.id == region->id && !contact.is_fading;
-    });
-    planned[count++] = {.last = last == before_.end() ? nullptr : &*last,
+    const std::size_t last = place_before(region->id);
+    planned[count++] = {.last = last < before_.size() ? &before_[last] : nullptr,
                         .window = &samplers_.window_for(region->width_m)};
   }
   const auto samples = [](const Planned& contact, int halvings) {
@@ -63,23 +61,14 @@ void TexturedContacts::plan_refinement(std::span<const ContactRegion* const> reg
   }
 }
 
-int TexturedContacts::halvings_of(std::uint64_t id) const noexcept {
-  for (const TexturedContact& last : before_) {
-    if (last.id == id && !last.is_fading) return last.halvings;
-  }
-  return 0;
-}
-
 // After its evaluation: whether it is on many crests, or was not long ago.
 void TexturedContacts::keep_refined(TexturedContact& contact) const noexcept {
   if (is_felt(contact) && contact.penetration.spread_m > crests_m_) {
     contact.refine_s = kRefined_s;
     return;
   }
-  for (const TexturedContact& last : before_) {
-    if (last.id != contact.id || last.is_fading) continue;
-    contact.refine_s = std::max(0.0, last.refine_s - dt_s_);
-  }
+  const std::size_t last = place_before(contact.id);
+  if (last < before_.size()) contact.refine_s = std::max(0.0, before_[last].refine_s - dt_s_);
 }
 
 }  // namespace asperity

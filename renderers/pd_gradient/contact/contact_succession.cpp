@@ -150,10 +150,8 @@ bool TexturedContacts::was_deep(const TexturedContact& contact, const Pose& X_WA
 }
 
 double TexturedContacts::share_before(const TexturedContact& contact) const noexcept {
-  for (const TexturedContact& last : before_) {
-    if (last.id == contact.id && is_felt(last) && !last.is_fading) return last.share;
-  }
-  return 0.0;
+  const std::size_t last = place_before(contact.id);
+  return last < before_.size() && is_felt(before_[last]) ? before_[last].share : 0.0;
 }
 
 // The contact that renders the place of each contact: of those at one place the one that did before, otherwise the

@@ -171,13 +171,22 @@ double TexturedContacts::depth_before_m(const ContactRegion& region) const noexc
   return depth_m;
 }
 
+// The contact of the previous tick with this id, not one that fades under it; before_.size() if there is none.
+std::size_t TexturedContacts::place_before(std::uint64_t id) const noexcept {
+  const auto found = std::find_if(before_.begin(), before_.end(), [id](const auto& last) {
+    return last.id == id && !last.is_fading;
+  });
+  return static_cast<std::size_t>(found - before_.begin());
+}
+
 TexturedContact TexturedContacts::contact_of(const ContactRegion& region) const noexcept {
+  const std::size_t last = place_before(region.id);
   return {.id = region.id,
           .frame = region.frame,
           .width_m = region.width_m,
           .half_extent_m = region.half_extent_m,
           .half_height_m = half_height_m(region.width_m, depth_before_m(region)),
-          .halvings = halvings_of(region.id),
+          .halvings = last < before_.size() ? before_[last].halvings : 0,
           .leaning_a = std::clamp(region.upright_a, 0.0, kAgreement),
           .leaning_b = std::clamp(region.upright_b, 0.0, kAgreement)};
 }

@@ -203,7 +203,7 @@ class TexturedContacts final {
                                   const TexturedBody& b) noexcept;
   void plan_refinement(std::span<const ContactRegion* const> regions) noexcept;
   void keep_refined(TexturedContact& contact) const noexcept;
-  int halvings_of(std::uint64_t id) const noexcept;
+  std::size_t place_before(std::uint64_t id) const noexcept;
   /// Also sets the grid with which it was evaluated.
   std::optional<Penetration> evaluated(TexturedContact& contact, WindowSamplers::Window& window,
                                        const Pose& X_WA, const Pose& X_WB) noexcept;

@@ -62,8 +62,6 @@ bool MeshQuery::is_whole(const List& list) const noexcept {
 }
 
 void MeshQuery::begin(List& list, const Pose& X_BA, double margin_m) noexcept {
-  list.pose = X_BA;
-  list.margin_m = margin_m;
   list.searched = 0;
   list.work = 0;
   list.due_work = 0.0;
@@ -72,8 +70,8 @@ void MeshQuery::begin(List& list, const Pose& X_BA, double margin_m) noexcept {
 
 // Searches the next clusters for pairs within the margin.
 void MeshQuery::search(List& list, std::size_t most_work) noexcept {
-  ClusterPose pose = cluster_pose(*a_, *b_, list.pose);
-  pose.tolerance_m += static_cast<float>(list.margin_m);
+  ClusterPose pose = cluster_pose(*a_, *b_, list.pairs.pose());
+  pose.tolerance_m += static_cast<float>(list.pairs.margin_m());
   struct Found {
     const MeshPair& meshes;
     NearPairs& pairs;
@@ -106,12 +104,12 @@ bool MeshQuery::has_list_for(const Pose& X_BA, double moved_m) noexcept {
     }
   }
   if (!is_whole(listed_) || listed_.pairs.is_overfull()) return false;
-  const double way_m = this->way_m(listed_.pose, X_BA);
+  const double way_m = this->way_m(listed_.pairs.pose(), X_BA);
   if (!is_listing_ && way_m >= kBeginning * margin_m_) {
     begin(next_, X_BA, margin_m_);
     is_listing_ = true;
   }
-  return way_m < listed_.margin_m;
+  return way_m < listed_.pairs.margin_m();
 }
 
 // All at once; with a margin if the list can be used again. Where so many pairs are near that a list has no room for them, it is not

@@ -57,8 +57,6 @@ class MeshQuery final {
  private:
   /// The pairs within the margin of each other at one pose, in the order of the search.
   struct List {
-    Pose pose{};
-    double margin_m = 0.0;
     std::size_t searched = 0;  ///< as in SearchPart
     std::size_t work = 0;      ///< as in SearchPart
     double due_work = 0.0;     ///< so much should be done by now

@@ -46,6 +46,8 @@ class NearPairs final {
 
   /// Clears the list, for the pairs within the margin at this pose; with a margin of 0 for those that intersect.
   void begin(const Pose& X_BA, double margin_m) noexcept;
+  const Pose& pose() const noexcept { return X_BA_; }
+  double margin_m() const noexcept { return margin_m_; }
   /// Adds a pair if it is within the margin. `add_last` has to be called after a sequence of pairs.
   void add(const MeshPair& meshes, const TrianglePair& pair) noexcept;
   void add_last(const MeshPair& meshes) noexcept;
