@@ -7,7 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "renderers/pd_gradient/sampling/kept_place.h"
 #include "renderers/pd_gradient/sampling/penetration_sampler.h"
+#include "renderers/pd_gradient/sampling/place_sampling.h"
 
 namespace asperity {
 
@@ -73,18 +75,10 @@ class CachedPenetration final {
   /// Clears all heights.
   void reset() noexcept;
 
-  /// The suitability of kept heights for a request.
-  struct Fit {
-    double strain = 0.0;  // 1: at the limits of motion
-    Pose X_WL{};          // by B
-    Pose X_LM{};          // M: the same lattice by A, which has moved relative to B
-    int column = 0;       // of the window's first sample in B's lattice
-    int row = 0;
-  };
   /// The place whose heights give the result, and whether others are, or will be, sampled for it.
   struct Choice {
     std::optional<std::size_t> place{};
-    Fit fit{};
+    PlaceFit fit{};
     bool is_coming = false;
     bool begins = false;
 
@@ -119,78 +113,21 @@ class CachedPenetration final {
   std::uint64_t sampled_answers() const noexcept { return sampled_answers_; }
 
  private:
-  struct BodyHeights {
-    std::vector<float> height_m{};
-    std::vector<float> most_m{};
-  };
-  // The kept heights of both bodies around one contact.
-  struct Place {
-    bool is_whole = false;
-    const PackedSurface* surface_a = nullptr;
-    const PackedSurface* surface_b = nullptr;
-    Pose X_AL{};  // of the lattice: axes u, v, n and the middle
-    Pose X_BL{};
-    double half_height_m = 0.0;  // of the box by which its triangles were selected
-    double leaning_a = 0.0;      // the cosines of the patches
-    double leaning_b = 0.0;
-    BodyHeights a{};
-    BodyHeights b{};
-    int covered = 0;
-    int folded = 0;
-    int deepest_block = 0;  // in the last result
-    std::uint64_t last_used = 0;
-  };
-  enum class Step { idle, triangles_of_a, rows_of_a, triangles_of_b, rows_of_b };
-  // The place that is being sampled.
-  struct Work {
-    Step step = Step::idle;
-    std::size_t place = 0;
-    Pose pose_a{};
-    Pose pose_b{};
-    ContactFrame frame{};
-    std::vector<std::uint32_t> triangles_a{};
-    std::vector<std::uint32_t> triangles_b{};
-    std::size_t next_triangle = 0;
-    int next_row = 0;
-    double strain_before = 0.0;
-    double growth = 0.0;  // of the strain per call, a mean
-  };
-
-  std::optional<Fit> fit(const Place& place, const PackedPatch& a, const PackedPatch& b,
-                         const ContactFrame& frame) const noexcept;
-  std::optional<Penetration> from_place(Place& place, const Fit& fit,
+  std::optional<Penetration> from_place(KeptPlace& place, const PlaceFit& fit,
                                         const ContactFrame& frame) noexcept;
-  KeptHeights kept(BodyHeights& heights, int span) const noexcept;
   bool at_border(const KeptTask& task, int row, int column) const noexcept;
   void note(const Choice& choice, const PackedPatch& a, const PackedPatch& b,
             const ContactFrame& frame) noexcept;
-  void begin(const PackedPatch& a, const PackedPatch& b, const ContactFrame& frame) noexcept;
-  double hurry(double strain) noexcept;
-  void continue_work(double hurry) noexcept;
-  void prepare_triangles(const PackedSurface& surface, const std::vector<std::uint32_t>& triangles,
-                         const Pose& pose, double outwards, double leaning_cosine, Step next,
-                         int most) noexcept;
-  void sample_rows(const PackedSurface& surface, const KeptHeights& heights, int rows) noexcept;
-  void count_covered(Place& place, int first_row, int end_row) noexcept;
 
   PenetrationSampler sampler_;
   MaximumLaw law_{};
-  DifferenceSteps steps_{};
-  int step_cells_ = 0;
-  int margin_ = 0;            // samples of the lattice around a centred window
-  double most_away_m_ = 0.0;  // of a request from a lattice's middle
-  SamplingGrid lattice_{};
-  double patch_width_m_ = 0.0;
-  int stride_ = 0;
-  int span_of_a_ = 0;
-  int rows_in_a_call_ = 0;
   Pruning pruning_ = Pruning::on;
   const SampleLoops* loops_ = nullptr;
-  std::vector<Place> places_{};
-  Work work_{};
-  std::vector<SampledTriangle> triangles_{};
-  std::size_t triangle_count_ = 0;
-  std::vector<float> room_{};
+  KeptLattice lattice_{};
+  std::vector<KeptPlace> places_{};
+  PlaceSampling sampling_;
+  std::size_t in_work_ = 0;  // the place that is being sampled
+  double patch_width_m_ = 0.0;
   std::vector<float> bound_m_{};
   std::vector<float> block_most_m_{};
   std::uint64_t calls_ = 0;
