@@ -330,8 +330,7 @@ void time_scene(const TwoBodyScene& scene, int rounds, nlohmann::ordered_json& c
   const TexturedBody a(*scene.tool, 1.0);
   const TexturedBody b(*scene.surface, 1.0);
   MeshQuery query(a.hull_clusters(), b.hull_clusters(), TexturedContacts::kMostPairs);
-  ContactRegions regions(a.hull(), b.hull(), TexturedContacts::kMostPairs,
-                         TexturedContacts::kMostContacts);
+  ContactRegions regions(a.hull(), b.hull(), TexturedContacts::kMostPairs, kMostContacts);
   const Load at_8 = load_of(scene, start, kWave_m / 8.0);
   const auto add_case = [&](const std::string& name, const Load& load,
                             const RepeatedTicks& motion) {

@@ -750,7 +750,7 @@ TEST(TexturedContacts, RiseWhereABallComesOutAgain) {
       rose += tick > path.ticks / 2 && !contact.is_fading && contact.share < 1.0 ? 1 : 0;
     }
   }
-  EXPECT_GT(rose, TexturedContacts::kBlend_s / kTick_s);
+  EXPECT_GT(rose, ContactShares::kBlend_s / kTick_s);
   EXPECT_LT(rose, 50);
 }
 
@@ -855,7 +855,7 @@ TEST(HeldPoint, AnswersAsAllFacesDoAndVisitsThemRarely) {
 TEST(TexturedContacts, CountWhatThereIsNoRoomFor) {
   // Spikes in a row: more contacts than are kept.
   TriangleMesh comb;
-  for (std::uint32_t i = 0; i < TexturedContacts::kMostContacts + 4; ++i) {
+  for (std::uint32_t i = 0; i < kMostContacts + 4; ++i) {
     const auto first = static_cast<std::uint32_t>(comb.vertices_m.size());
     for (const glm::dvec3& vertex_m : ball(0.5e-3, 6, 8).vertices_m) {
       comb.vertices_m.push_back(vertex_m + glm::dvec3{5e-3 * i, 0.0, 0.0});
@@ -866,7 +866,7 @@ TEST(TexturedContacts, CountWhatThereIsNoRoomFor) {
   }
   TexturedContacts contacts = between(bare(comb), bare(box({0.3, 0.3, 0.01})), hard(0.1e-3));
   EXPECT_EQ(contacts.find(pose_at({0.0, 0.0, 0.0053}), {}, kTick_s).size(),
-            TexturedContacts::kMostContacts);
+            kMostContacts);
   EXPECT_GE(contacts.left_out().regions, 4U);
 }
 

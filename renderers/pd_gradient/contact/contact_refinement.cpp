@@ -39,7 +39,7 @@ void TexturedContacts::plan_refinement(std::span<const ContactRegion* const> reg
     }
   }
   for (const ContactRegion* region : regions) {
-    const std::size_t last = place_before(region->id);
+    const std::size_t last = place_of(region->id, before_);
     planned[count++] = {.last = last < before_.size() ? &before_[last] : nullptr,
                         .window = &samplers_.window_for(region->width_m)};
   }
@@ -67,7 +67,7 @@ void TexturedContacts::keep_refined(TexturedContact& contact) const noexcept {
     contact.refine_s = kRefined_s;
     return;
   }
-  const std::size_t last = place_before(contact.id);
+  const std::size_t last = place_of(contact.id, before_);
   if (last < before_.size()) contact.refine_s = std::max(0.0, before_[last].refine_s - dt_s_);
 }
 

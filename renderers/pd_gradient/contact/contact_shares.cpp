@@ -1,17 +1,18 @@
-// How the shares of contacts rise and fall, and how contacts fade.
+// Implements the limit of the change of the force, and contacts that fade.
+
+#include "renderers/pd_gradient/contact/contact_shares.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "renderers/pd_gradient/contact/textured_contacts.h"
-
 namespace asperity {
 namespace {
 
+constexpr double kAlike = 0.25;       // of the permitted change of the force
 constexpr double kLeastShare = 1e-9;  // smaller shares are rounding
 constexpr double kTick_s = 0.001;     // for which the largest changes are declared
 
@@ -39,65 +40,107 @@ bool join(TexturedContact& one, const TexturedContact& other) noexcept {
   return true;
 }
 
+// A fading contact continues as if its deepest place moved with A along the gradient: its window may show the place of
+// another contact or another bound. It never becomes deeper, so that it does not push back more than it was pressed.
+// nullopt if nothing is left of it, or if it has moved so far that it is another place.
+std::optional<TexturedContact> faded(const TexturedContact& last,
+                                     const BodyMotion& motion) noexcept {
+  if (last.share <= kLeastShare) return std::nullopt;
+  TexturedContact fading = last;
+  fading.frame = motion.continued(last);
+  fading.is_fading = true;
+  fading.is_kept = false;
+  const glm::dvec3 place_m = motion.now_on_a_m(deepest_m(last));
+  const glm::dvec3 way_m = fading.frame.to_frame(motion.way_m(place_m));
+  if (glm::length(way_m) > 0.5 * last.grid.width_m) return std::nullopt;
+  fading.penetration.depth_m +=
+      std::min(0.0, glm::dot(glm::dvec3{last.penetration.slope, -1.0}, way_m));
+  fading.penetration.deepest_m = fading.frame.to_frame(place_m - fading.frame.origin_m);
+  return is_felt(fading) ? std::optional(fading) : std::nullopt;
+}
+
 }  // namespace
 
+void ContactShares::reset() noexcept {
+  force_m_ = 0.0;
+  is_first_ = true;
+}
+
+std::size_t ContactShares::update(std::vector<TexturedContact>& contacts,
+                                  std::span<const TexturedContact> before, const BodyMotion& motion,
+                                  double dt_s, bool are_apart) noexcept {
+  dt_s_ = dt_s;
+  const std::size_t rendered = contacts.size();
+  const ContactSuccession succession(contacts, before, motion,
+                                     kAlike * permitted_change_m(force_m_), is_first_);
+  for (std::size_t i = 0; i < rendered; ++i) begin(contacts[i], i, succession, before);
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; !are_apart && i < before.size(); ++i) {
+    if (succession.continues(i) || !is_felt(before[i])) continue;
+    const std::optional<TexturedContact> fading = faded(before[i], motion);
+    if (!fading) continue;
+    const bool is_joined =
+        std::any_of(contacts.begin(), contacts.end(), [&fading](TexturedContact& other) {
+          return other.is_fading && other.id == fading->id && join(other, *fading);
+        });
+    if (is_joined) continue;
+    if (contacts.size() == kMostContacts) {
+      ++left_out;
+    } else {
+      contacts.push_back(*fading);
+    }
+  }
+  change(contacts, succession, rendered);
+  is_first_ = false;
+  return left_out;
+}
+
+// The share and the identity of the force with which a contact enters the tick.
+void ContactShares::begin(TexturedContact& contact, std::size_t place,
+                          const ContactSuccession& succession,
+                          std::span<const TexturedContact> before) noexcept {
+  contact.force_id = next_force_id_++;
+  if (const std::optional<std::size_t> last = succession.predecessor(place)) {
+    contact.share = before[*last].share;
+    contact.force_id = before[*last].force_id;
+  } else if (!succession.is_owner(place) || succession.rises(place)) {
+    contact.share = 0.0;
+  }
+}
+
 // The largest change of a force in this tick that a change of contacts may cause, for a stiffness of 1 N/m.
-double TexturedContacts::permitted_change_m(double force_m) const noexcept {
+double ContactShares::permitted_change_m(double force_m) const noexcept {
   const double ticks = std::min(1.0, dt_s_ / kTick_s);
   return ticks * std::max(kMostChange * force_m, kLeastChange_m);
 }
 
-// Rendered contacts rise, fading ones fall, all by the same amount: at most by `rise_`, and by so little that together they
-// change the force by no more than is permitted.
-void TexturedContacts::change_shares(std::span<const std::size_t> owner) noexcept {
+// The first contacts are rendered and rise, the others fade and fall, all by the same amount: at most in kBlend_s, and by
+// so little that together they change the force by no more than is permitted.
+void ContactShares::change(std::vector<TexturedContact>& contacts,
+                           const ContactSuccession& succession, std::size_t rendered) noexcept {
+  const double most = std::min(1.0, dt_s_ / kBlend_s);
   glm::dvec3 sum_m{0.0};
   glm::dvec3 change_m{0.0};
   const auto rises_by = [&](std::size_t i) {
-    const TexturedContact& contact = contacts_[i];
-    if (i >= owner.size()) return -std::min(contact.share, rise_);
-    return owner[i] == i && is_felt(contact) ? std::min(1.0 - contact.share, rise_) : 0.0;
+    const TexturedContact& contact = contacts[i];
+    if (i >= rendered) return -std::min(contact.share, most);
+    return succession.is_owner(i) && is_felt(contact) ? std::min(1.0 - contact.share, most) : 0.0;
   };
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    if (!is_felt(contacts_[i])) continue;
-    sum_m += contacts_[i].share * force_m(contacts_[i]);
-    change_m += rises_by(i) * force_m(contacts_[i]);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!is_felt(contacts[i])) continue;
+    sum_m += contacts[i].share * force_m(contacts[i]);
+    change_m += rises_by(i) * force_m(contacts[i]);
   }
   const double most_m = permitted_change_m(glm::length(sum_m));
   const double part = std::min(1.0, most_m / std::max(glm::length(change_m), 1e-300));
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    contacts_[i].share += part * rises_by(i);
-    if (i < owner.size() && 1.0 - contacts_[i].share < kLeastShare) contacts_[i].share = 1.0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i].share += part * rises_by(i);
+    if (i < rendered && 1.0 - contacts[i].share < kLeastShare) contacts[i].share = 1.0;
   }
   force_m_ = glm::length(sum_m + part * change_m);
-  std::erase_if(contacts_, [](const TexturedContact& contact) {
+  std::erase_if(contacts, [](const TexturedContact& contact) {
     return contact.is_fading && contact.share <= kLeastShare;
   });
-}
-
-// A fading contact continues as if its deepest place moved with A along the gradient: its window may show the place of
-// another contact or another bound. It never becomes deeper, so that it does not push back more than it was pressed.
-void TexturedContacts::fade(const TexturedContact& last, const Pose& X_WA,
-                            const Pose& X_WB) noexcept {
-  if (last.share <= kLeastShare) return;
-  TexturedContact fading = last;
-  fading.frame = continued(last, X_WA, X_WB).frame;
-  fading.is_fading = true;
-  fading.is_kept = false;
-  const glm::dvec3 place_m = now_on_a_m(deepest_m(last), X_WA);
-  const glm::dvec3 way_m = fading.frame.to_frame(way_since_m(place_m, X_WA, X_WB));
-  if (glm::length(way_m) > 0.5 * last.grid.width_m) return;  // moved too far to be the same place
-  fading.penetration.depth_m +=
-      std::min(0.0, glm::dot(glm::dvec3{last.penetration.slope, -1.0}, way_m));
-  fading.penetration.deepest_m = fading.frame.to_frame(place_m - fading.frame.origin_m);
-  if (!is_felt(fading)) return;
-  for (TexturedContact& other : contacts_) {
-    if (other.is_fading && other.id == fading.id && join(other, fading)) return;
-  }
-  if (contacts_.size() == kMostContacts) {
-    ++left_out_.regions;
-    return;
-  }
-  contacts_.push_back(fading);
 }
 
 }  // namespace asperity

@@ -212,7 +212,7 @@ Wrench PdGradient::direct(const ProbeState& probe) const noexcept {
 }
 
 Wrench PdGradient::coupled(const ProbeState& probe, double dt_s) noexcept {
-  std::array<PenaltyContact, TexturedContacts::kMostContacts> contacts{};
+  std::array<PenaltyContact, kMostContacts> contacts{};
   const glm::dvec3 centre_m = tool_->pose().centre_m;
   for (std::size_t i = 0; i < touching_; ++i) {
     const TexturedContact& contact = *touches_[i].contact;

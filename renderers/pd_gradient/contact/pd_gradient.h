@@ -140,7 +140,7 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
   bool has_compute_device_ = false;
   bool has_been_clear_ = false;
   std::span<const TexturedContact> found_{};
-  std::array<Touch, TexturedContacts::kMostContacts> touches_{};
+  std::array<Touch, kMostContacts> touches_{};
   std::size_t touching_ = 0;
   std::array<NamedCount, 11> limits_;
 };

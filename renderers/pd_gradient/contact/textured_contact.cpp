@@ -21,6 +21,13 @@ double aside_m(const glm::dvec3& way_m) noexcept {
 
 }  // namespace
 
+std::size_t place_of(std::uint64_t id, std::span<const TexturedContact> contacts) noexcept {
+  const auto found = std::find_if(contacts.begin(), contacts.end(), [id](const auto& contact) {
+    return contact.id == id && !contact.is_fading;
+  });
+  return static_cast<std::size_t>(found - contacts.begin());
+}
+
 bool is_in_reach(const Pose& pose) noexcept {
   constexpr double kFurthest_m = 1e4;
   constexpr double kUnit = 1e-3;

@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <glm/vec3.hpp>
 
@@ -11,6 +13,9 @@
 #include "renderers/pd_gradient/sampling/penetration.h"
 
 namespace asperity {
+
+/// The largest number of contacts in a tick, also fading ones.
+inline constexpr std::size_t kMostContacts = 16;
 
 /// One contact of two textured bodies in a tick.
 struct TexturedContact {
@@ -44,6 +49,9 @@ struct TexturedContact {
 inline bool is_felt(const TexturedContact& contact) noexcept {
   return contact.penetration.depth_m > 0.0 && !contact.is_doubtful;
 }
+
+/// The contact with this id, not one that fades under it; contacts.size() if there is none.
+std::size_t place_of(std::uint64_t id, std::span<const TexturedContact> contacts) noexcept;
 
 /// The cosine between two directions up to which contacts count as one: 60°.
 inline constexpr double kAgreement = 0.5;

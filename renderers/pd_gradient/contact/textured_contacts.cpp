@@ -53,7 +53,7 @@ void TexturedContacts::reset() noexcept {
   before_.clear();
   samplers_.reset();
   left_out_ = {};
-  force_m_ = 0.0;
+  shares_.reset();
   is_first_ = true;
   is_inside_ = false;
 }
@@ -61,12 +61,13 @@ void TexturedContacts::reset() noexcept {
 std::span<const TexturedContact> TexturedContacts::find(const Pose& X_WA, const Pose& X_WB,
                                                         double dt_s) noexcept {
   dt_s_ = dt_s;
-  rise_ = std::min(1.0, dt_s / kBlend_s);
   left_out_ = {};
   std::swap(before_, contacts_);
   contacts_.clear();
   is_inside_ = is_inside_ && is_in_reach(X_WA) && is_in_reach(X_WB);
   if (!is_in_reach(X_WA) || !is_in_reach(X_WB)) return {};
+  motion_.X_WA = X_WA;
+  motion_.X_WB = X_WB;
   const std::span<const TrianglePair> pairs = query_.find(relative(X_WA, X_WB));
   left_out_.pairs = query_.count() - pairs.size();
   const std::span<const ContactRegion> regions = regions_.update(pairs, X_WA, X_WB);
@@ -99,10 +100,10 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& X_WA, const 
   }
   const bool are_apart =
       pairs.empty() && contacts_.empty() && (!were_in_contact || !hold_each_other(X_WA, X_WB));
-  blend(X_WA, X_WB, are_apart);
+  left_out_.regions += shares_.update(contacts_, before_, motion_, dt_s, are_apart);
   look_inside(X_WA, X_WB);
-  X_WA_before_ = X_WA;
-  X_WB_before_ = X_WB;
+  motion_.X_WA_before = X_WA;
+  motion_.X_WB_before = X_WB;
   return felt_once();
 }
 
@@ -171,16 +172,8 @@ double TexturedContacts::depth_before_m(const ContactRegion& region) const noexc
   return depth_m;
 }
 
-// The contact of the previous tick with this id, not one that fades under it; before_.size() if there is none.
-std::size_t TexturedContacts::place_before(std::uint64_t id) const noexcept {
-  const auto found = std::find_if(before_.begin(), before_.end(), [id](const auto& last) {
-    return last.id == id && !last.is_fading;
-  });
-  return static_cast<std::size_t>(found - before_.begin());
-}
-
 TexturedContact TexturedContacts::contact_of(const ContactRegion& region) const noexcept {
-  const std::size_t last = place_before(region.id);
+  const std::size_t last = place_of(region.id, before_);
   return {.id = region.id,
           .frame = region.frame,
           .width_m = region.width_m,
@@ -191,15 +184,10 @@ TexturedContact TexturedContacts::contact_of(const ContactRegion& region) const 
           .leaning_b = std::clamp(region.upright_b, 0.0, kAgreement)};
 }
 
-// A contact of the previous tick in the present poses: n moves with B, the place with A.
-TexturedContact TexturedContacts::continued(const TexturedContact& last, const Pose& X_WA,
-                                            const Pose& X_WB) const noexcept {
-  const glm::dmat3 turned = X_WB.rotation * glm::transpose(X_WB_before_.rotation);
+// A contact of the previous tick in the present poses.
+TexturedContact TexturedContacts::continued(const TexturedContact& last) const noexcept {
   return {.id = last.id,
-          .frame = {.origin_m = X_WA * last.origin_in_a_m,
-                    .u = turned * last.frame.u,
-                    .v = turned * last.frame.v,
-                    .n = turned * last.frame.n},
+          .frame = motion_.continued(last),
           .width_m = last.width_m,
           .half_extent_m = last.half_extent_m,
           .half_height_m = half_height_m(last.width_m, last.sampled_depth_m),
@@ -211,7 +199,7 @@ TexturedContact TexturedContacts::continued(const TexturedContact& last, const P
 void TexturedContacts::keep_buried(const Pose& X_WA, const Pose& X_WB) noexcept {
   for (const TexturedContact& last : before_) {
     if (!is_felt(last) || last.is_fading || last.share == 0.0) continue;
-    TexturedContact kept = continued(last, X_WA, X_WB);
+    TexturedContact kept = continued(last);
     kept.is_kept = true;
     add(kept, X_WA, X_WB);
   }
@@ -250,7 +238,7 @@ void TexturedContacts::compute(std::span<const ContactRegion* const> regions, co
   for (const ContactRegion* region : regions) request(contact_of(*region));
   for (const TexturedContact& last : before_) {
     if (!regions.empty() || !is_felt(last) || last.is_fading || last.share == 0.0) continue;
-    TexturedContact contact = continued(last, X_WA, X_WB);
+    TexturedContact contact = continued(last);
     contact.is_kept = true;
     request(contact);
   }

@@ -12,7 +12,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "renderers/pd_gradient/contact/body_motion.h"
 #include "renderers/pd_gradient/contact/computed_contacts.h"
+#include "renderers/pd_gradient/contact/contact_shares.h"
 #include "renderers/pd_gradient/contact/held_point.h"
 #include "renderers/pd_gradient/contact/textured_body.h"
 #include "renderers/pd_gradient/contact/textured_contact.h"
@@ -75,7 +77,7 @@ struct LeftOut {
 /// and 0 where a line does not meet them, next to a rim or in a hole. The bound is computed from the
 /// samples and does not change contacts within it. The force is continuous where the bound begins. Beyond,
 /// the bound changes when the deepest place jumps: it may fall at once, while the previous contact fades
-/// (below), but rises by at most `kReachGrowth_m_per_s`. Whether a depth is doubtful is decided before it is bounded.
+/// (ContactShares), but rises by at most `kReachGrowth_m_per_s`. Whether a depth is doubtful is decided before it is bounded.
 ///
 /// One place is rendered once. A region in the window of a longer one whose n is within 60° is part of
 /// it, for instance the inner curve of a rim that is pressed into a plate; of two with equally wide windows, the one that
@@ -92,37 +94,7 @@ struct LeftOut {
 /// be outside it; of a body with several parts only all can be kept. A body that is completely inside
 /// without earlier contact has no n and makes no contact; `is_inside` reports this.
 ///
-/// When one contact divides into two, or two merge into one, the sum of their forces would jump, because each has a
-/// separate depth. The force of a contact is therefore multiplied by its `share`, which rises from 0 to 1 or falls, in
-/// no less than `kBlend_s`. All shares together change the force by at most the fraction `kMostChange` of the current
-/// force in a millisecond, and by `kLeastChange_m` times the stiffness where it is small:
-///
-///   |Σ Δs_i·F_i| ≤ max(0.04·|Σ s_i·F_i|, 4.2 µm·k)      in a tick of 1 ms or longer; proportionally less in a shorter one
-///
-/// Where contacts oppose each other, as those of the two sides of a sheet or of a tooth between two ribs, little of their
-/// forces is left, and what is left changes no faster, which can take 0.5 s for 2 N.
-///
-/// - When contacts merge, the one whose deepest place is that of the new one continues and the others fade.
-/// - When a contact divides, the part with its deepest place continues and the others rise.
-/// - A contact continues only if its force is the previous one moved along its gradient, to a quarter of the permitted
-///   change; or if surfaces of at most 60° permit the changes of depth and slopes by the motion: |Δδ| ≤ tan 60°·|Δx|,
-///   |Δ∇δ| ≤ tan 60°·|Δx| / step. Otherwise the old one fades and the new one rises.
-///   This is so where a contact has another id, n or bound, and at a step of the surface: its upper side is in the window
-///   and within the step of the differences before the tool is at it.
-/// - A contact that fades moves with A along its gradient, and never becomes deeper: it takes energy and gives none. Two
-///   that fade under one id are one with the sum of their forces.
-/// - A doubtful contact that becomes credible rises; a rendered contact fades when it becomes doubtful or loses its
-///   curve while the bodies intersect or contain each other, as one ball of two that enters completely.
-/// - Places that a wider window adds rise, and also a new contact that would have been rendered in the previous tick,
-///   given the motion of its deepest place: it comes out of the other body, where it was not rendered.
-/// - A contact that begins has its whole force at once, from the depth of its first tick.
-/// - Bodies that are apart have no force from the next tick on, also where the tool leaves the surface over an edge.
-/// The sum of the shares never exceeds the number of contacts before or after, nor 1 at one place, except while a share
-/// is fading there. During that time the force also depends on time: it lags, and takes energy from a hand that presses
-/// contacts together and lifts them apart. On the measured paths without bounded depths it gave at most 0.6 % of the gross
-/// work. A bounded depth has no potential: it falls at once and rises slowly, and the small force between opposing contacts
-/// rises slowly as well. Both take energy on the way in and out, two thirds of the gross work or more in 0.4 and 1.6 s, and
-/// up to 78 % in 6.4 s (docs/models/pd_gradient.md, bench/pd_continuity).
+/// The forces of contacts that divide, merge, begin and end are continuous (ContactShares).
 ///
 /// Where many crests touch, the samples determine which of several almost equally deep crests is the deepest, and with
 /// which lever. Between samples at a distance c a crest of curvature κ is missed by at most ε = κ·c²/4 (by c/2 in both
@@ -150,17 +122,10 @@ struct LeftOut {
 class TexturedContacts final {
  public:
   static constexpr std::size_t kMostPairs = 4096;
-  static constexpr std::size_t kMostContacts = 16;
   static constexpr std::size_t kMostComputed =
       2 * kMostContacts;  ///< of ComputedContacts: also those of the last tick
   static constexpr std::size_t kMostTriangles = 8192;  ///< of a body in one window
   static constexpr double kReachGrowth_m_per_s = 0.1;
-  static constexpr double kBlend_s =
-      0.010;  ///< too short to be perceived as a delay, too long to be perceived as an impact
-  /// Of the force, in a tick of 1 ms: less than the differences in force that people perceive, 7 to 10 %.
-  static constexpr double kMostChange = 0.04;
-  static constexpr double kLeastChange_m =
-      4.2e-6;  ///< the same for small forces, times the stiffness
   static constexpr double kRefined_s =
       0.050;  ///< a wave of 2 mm at 40 mm/s: between crests a tool may be on one
 
@@ -191,9 +156,6 @@ class TexturedContacts final {
   const TexturedBody& b() const noexcept { return b_; }
 
  private:
-  /// For each contact, whether its share begins to rise.
-  using Begun = std::array<bool, kMostContacts>;
-
   void compute(std::span<const ContactRegion* const> regions, const Pose& X_WA,
                const Pose& X_WB) noexcept;
   void add(TexturedContact contact, const Pose& X_WA, const Pose& X_WB) noexcept;
@@ -203,7 +165,6 @@ class TexturedContacts final {
                                   const TexturedBody& b) noexcept;
   void plan_refinement(std::span<const ContactRegion* const> regions) noexcept;
   void keep_refined(TexturedContact& contact) const noexcept;
-  std::size_t place_before(std::uint64_t id) const noexcept;
   /// Also sets the grid with which it was evaluated.
   std::optional<Penetration> evaluated(TexturedContact& contact, WindowSamplers::Window& window,
                                        const Pose& X_WA, const Pose& X_WB) noexcept;
@@ -216,33 +177,8 @@ class TexturedContacts final {
   bool hold_each_other(const Pose& X_WA, const Pose& X_WB) noexcept;
   void look_inside(const Pose& X_WA, const Pose& X_WB) noexcept;
   void keep_buried(const Pose& X_WA, const Pose& X_WB) noexcept;
-  TexturedContact continued(const TexturedContact& last, const Pose& X_WA,
-                            const Pose& X_WB) const noexcept;
+  TexturedContact continued(const TexturedContact& last) const noexcept;
   std::span<const TexturedContact> felt_once() noexcept;
-  void blend(const Pose& X_WA, const Pose& X_WB, bool are_apart) noexcept;
-  void fade(const TexturedContact& last, const Pose& X_WA, const Pose& X_WB) noexcept;
-  /// For each contact of the previous tick, the present one at its place.
-  using Successors = std::array<std::size_t, kMostContacts>;
-  std::size_t successor_of(const TexturedContact& last) const noexcept;
-  std::size_t predecessor_of(std::size_t contact, const Successors& successors, const Pose& X_WA,
-                             const Pose& X_WB) const noexcept;
-  bool is_felt_on(const TexturedContact& last, const TexturedContact& now, const Pose& X_WA,
-                  const Pose& X_WB) const noexcept;
-  bool is_due_to_motion(const TexturedContact& last, const TexturedContact& now, const Pose& X_WA,
-                        const Pose& X_WB) const noexcept;
-  double farthest_way_m(const TexturedContact& contact, const Pose& X_WA,
-                        const Pose& X_WB) const noexcept;
-  glm::dvec3 way_since_m(const glm::dvec3& now_m, const Pose& X_WA,
-                         const Pose& X_WB) const noexcept;
-  glm::dvec3 now_on_a_m(const glm::dvec3& before_m, const Pose& X_WA) const noexcept;
-  double alike_m() const noexcept;
-  double permitted_change_m(double force_m) const noexcept;
-  void change_shares(std::span<const std::size_t> owner) noexcept;
-  double share_before(const TexturedContact& contact) const noexcept;
-  Successors owners() const noexcept;
-  bool was_deep(const TexturedContact& contact, const Pose& X_WA, const Pose& X_WB) const noexcept;
-  void divide(const TexturedContact& last, std::size_t predecessor, const Pose& X_WA,
-              const Pose& X_WB, Begun& begun) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,
                                               const WindowBox& box,
@@ -258,17 +194,14 @@ class TexturedContacts final {
   std::unique_ptr<ComputedContacts> computed_{};  ///< null without a compute device
   std::vector<TexturedContact> contacts_{};
   std::vector<TexturedContact> before_{};
-  Pose X_WA_before_{};
-  Pose X_WB_before_{};
+  BodyMotion motion_{};
+  ContactShares shares_{};
   HeldPoint a_in_b_{};
   HeldPoint b_in_a_{};
   LeftOut left_out_{};
-  long most_samples_ = 0;            // of all contacts of a tick with halved cells
-  double crests_m_ = 0.0;            // the spread above which a contact is on several crests
-  double dt_s_ = 0.0;                // of this call
-  double rise_ = 0.0;                // of a share, in it
-  std::uint64_t next_force_id_ = 0;  // not reset: unique as long as the object exists
-  double force_m_ = 0.0;    // of all contacts together in the last tick, for a stiffness of 1 N/m
+  long most_samples_ = 0;   // of all contacts of a tick with halved cells
+  double crests_m_ = 0.0;   // the spread above which a contact is on several crests
+  double dt_s_ = 0.0;       // of this call
   double thinner_m_ = 0.0;  // the thickness of the thinner body
   glm::dvec3 a_in_b_before_m_{0.0};
   bool is_first_ = true;
