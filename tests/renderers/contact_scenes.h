@@ -101,4 +101,9 @@ inline TriangleMesh floor_and_wall(double angle_rad, double high_m = 40e-3) {
   return step;
 }
 
+/// A contact without a share, as one of a doubtful depth, is not among those of a tick.
+inline bool is_first_felt(std::span<const TexturedContact> found) {
+  return !found.empty() && is_felt(found[0]);
+}
+
 }  // namespace asperity
