@@ -11,10 +11,22 @@ namespace asperity {
 
 namespace {
 
+/// A 99th percentile is one of the ticks, and the motion has settled.
+constexpr std::size_t kFewestTicks = 100;
+
+bool has_few_ticks(const TickTimes& times) { return times.undisturbed_ns.size() < kFewestTicks; }
+
+/// nullopt: too few ticks for a quantile; the extremes are what they are.
 std::optional<double> seconds(const TickTimes& times, double fraction) {
+  if (fraction < 1.0 && has_few_ticks(times)) return std::nullopt;
   const std::optional<std::int64_t> time_ns = times.quantile_ns(fraction);
   if (!time_ns) return std::nullopt;
   return 1e-9 * static_cast<double>(*time_ns);
+}
+
+/// At the beginning of a motion the tool has not settled, and the force is not that of the others.
+std::optional<double> largest_force_N(const TimedRow& row) {
+  return has_few_ticks(row.times) ? std::nullopt : row.largest_force_N;
 }
 
 Cell cell_of(const std::optional<double>& number) {
@@ -95,7 +107,7 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
                           cell_of(seconds(row.times, 0.99)),
                           cell_of(seconds(row.times, 1.0)),
                           cell_of(rate_Hz(row.times)),
-                          cell_of(row.largest_force_N),
+                          cell_of(largest_force_N(row)),
                           size(row.tool, &TimedSize::original),
                           size(row.tool, &TimedSize::simplified),
                           size(row.surface, &TimedSize::original),
@@ -115,13 +127,13 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
 
 Table short_tick_table(const std::vector<TimedRow>& rows) {
   Table table{.columns = {"scene", "model", "on", "ticks", "p50_us", "p99_us", "max_us", "rate_kHz",
-                          "force_N", "quoted"}};
+                          "largest_N", "quoted"}};
   for (const TimedRow& row : rows) {
     table.rows.push_back(
         {row.scene, row.model, std::string(name_of(row.place)),
          count_cell(row.times.undisturbed_ns.size()), rounded(seconds(row.times, 0.5), 1e-6),
          rounded(seconds(row.times, 0.99), 1e-6), rounded(seconds(row.times, 1.0), 1e-6),
-         rounded(rate_Hz(row.times), 1e3), rounded(row.largest_force_N, 1.0),
+         rounded(rate_Hz(row.times), 1e3), rounded(largest_force_N(row), 1.0),
          text_cell(row.quoted ? row.quoted->figure : "")});
   }
   return table;
@@ -139,10 +151,22 @@ std::vector<std::string> tick_notes(const std::vector<TimedRow>& rows) {
     if (row.place != EvaluatedOn::cpu && !row.device.empty()) {
       add_once(notes, std::string("On ") + name_of(row.place) + ": " + row.device + '.');
     }
+    if (row.reason.empty() && has_few_ticks(row.times)) {
+      add_once(notes, row.scene + ", " + row.model + " on " + name_of(row.place) + ": " +
+                          counted(row.times.undisturbed_ns.size(), "tick", "ticks") +
+                          ", too few for a median, a 99th percentile, a rate and a force (" +
+                          std::to_string(kFewestTicks) +
+                          " are needed); permit more with --ticks and --seconds.");
+    }
     if (!row.reason.empty()) {
       add_once(notes, row.scene + ", " + row.model + " on " + name_of(row.place) +
                           ", not measured: " + row.reason);
     }
+  }
+  if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.largest_force_N; })) {
+    notes.emplace_back(
+        "The largest force is that of each model's own law; only penalty forces are close to the "
+        "1 N with which the quoted forces are compared.");
   }
   for (const TimedRow& row : rows) {
     if (!row.quoted) continue;

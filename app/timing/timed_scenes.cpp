@@ -152,14 +152,19 @@ class Timing final {
       time_row(row, [&]() -> Tick {
         std::shared_ptr<ForceRenderer> renderer = make_renderer(model, inputs);
         renderer->reset(stroke.front());
-        // The figures are of a point. A model with a law of its own has a tip of many cells.
-        if (dynamic_cast<const IndentationLaw*>(renderer.get()) != nullptr) row.quoted.reset();
+        if (has_tip(model)) row.quoted.reset();  // the figures are of a point
         return [renderer, &stroke](int tick) {
           return renderer->tick(stroke[static_cast<std::size_t>(tick)], kStrokeTick_s).wrench;
         };
       });
       add(std::move(row));
     }
+  }
+
+  /// Whether a model has a tip of many cells, by its law on a plane; on a body it is behind that of a point.
+  static bool has_tip(const ForceModel& model) {
+    const auto on_plane = make_renderer(model, rough_plane(built_in_models()));
+    return dynamic_cast<const IndentationLaw*>(on_plane.get()) != nullptr;
   }
 
   /// `make` may refuse its inputs, and a driver may fail: the reason of the row.
