@@ -20,8 +20,8 @@ inline const ForceModel& model_named(const ModelRegistry& models, const std::str
   for (const ForceModel& model : models.models()) ids.push_back(model.declaration.id);
   const std::string guess = did_you_mean(id, ids);
   throw std::runtime_error("there is no force model " + in_quotes(id) +
-                           (guess.empty() ? "; write " + one_of(ids) : guess) +
-                           "; if it is in a plug-in, load the plug-in with --plugin FILE");
+                           (guess.empty() ? "; write " + one_of(ids) + "; if" : guess + " If") +
+                           " it is in a plug-in, load the plug-in with --plugin FILE");
 }
 
 }  // namespace asperity

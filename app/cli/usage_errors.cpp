@@ -88,12 +88,18 @@ std::string unknown_option(const CLI::App& program, const std::string& word) {
   return sentence + (nearest ? "did you mean " + *nearest + "?" : help_of(program));
 }
 
-/// Of the words that nothing takes, the first option, or else the first word.
-std::string unexpected_word(const CLI::App& program) {
-  const std::vector<std::string> words = program.remaining(true);
-  for (const std::string& word : words) {
+/// Of the words that nothing takes, the first option.
+std::optional<std::string> unknown_option(const CLI::App& program) {
+  for (const std::string& word : program.remaining(true)) {
     if (word.size() > 1 && word.starts_with('-')) return unknown_option(program, word);
   }
+  return {};
+}
+
+/// Of the words that nothing takes, the first option, or else the first word.
+std::string unexpected_word(const CLI::App& program) {
+  if (const auto option = unknown_option(program)) return *option;
+  const std::vector<std::string> words = program.remaining(true);
 #ifdef ASPERITY_WITH_WINDOWS
   // A word that is no subcommand was taken for the folder of a study.
   if (program.get_subcommands().empty()) {
@@ -132,6 +138,8 @@ std::string without_name_of_program(const CLI::App& program, const CLI::ParseErr
   if (kind == CLI::ExitCodes::ExtrasError) return unexpected_word(program);
   if (kind == CLI::ExitCodes::ArgumentMismatch) return wrong_count(program, message);
   if (kind == CLI::ExitCodes::RequiredError) {
+    // It may be the missing one, misspelt.
+    if (const auto option = unknown_option(program)) return *option;
     if (const auto missing = around(message, " is required")) {
       return named(program) + " needs " +
              (missing->before == "A subcommand" ? "a subcommand" : missing->before) + "; " +

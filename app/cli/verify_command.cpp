@@ -50,7 +50,11 @@ void add_verify(CLI::App& program, Job& job) {
       for (const std::string& rule : result.rules) std::cout << rule << '\n';
       if (options->replay) {
         std::cout << counted(static_cast<std::size_t>(result.recordings_replayed), "recording")
-                  << " replayed\n";
+                  << " replayed";
+        if (result.attempts_without_recording > 0) {
+          std::cout << "; attempts without a recording: " << result.attempts_without_recording;
+        }
+        std::cout << '\n';
       }
       std::cout << (result.problems.empty()
                         ? std::string("no problems found")

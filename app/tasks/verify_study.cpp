@@ -105,6 +105,7 @@ struct SessionFaults {
   std::vector<Failure> failures{};  ///< of reading: another check may have reported the same one
   std::vector<std::string> problems{};
   int recordings_replayed = 0;
+  int attempts_without_recording = 0;
   int recordings_without_plugin = 0;
   /// Of surfaces whose contacts the replay evaluates elsewhere than the session did: device and the largest difference.
   std::map<std::string, double> differences_by_device_N{};
@@ -218,7 +219,11 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
   std::map<int, SegmentMaker> makers = makers_of_segments(study, session, program);
   for (const AttemptRow& attempt : study.attempts(session.id)) {
     const auto number = static_cast<std::size_t>(attempt.trial);
-    if (number < 1 || number > plan.trials.size() || !attempt.recording) continue;
+    if (number < 1 || number > plan.trials.size()) continue;
+    if (!attempt.recording) {
+      ++faults.attempts_without_recording;
+      continue;
+    }
     if (stop.stop_requested()) return;
     const SegmentMaker& maker = makers[attempt.segment];
     StimulusBuilder* const builder = builders.builder_for(attempt, maker.compute.has_value());
@@ -494,6 +499,7 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
     }
     std::move(faults.problems.begin(), faults.problems.end(), std::back_inserter(result.problems));
     result.recordings_replayed += faults.recordings_replayed;
+    result.attempts_without_recording += faults.attempts_without_recording;
     without_plugin += faults.recordings_without_plugin;
     with_stated_levels += faults.has_stated_levels ? 1 : 0;
     for (const auto& [device, difference_N] : faults.differences_by_device_N) {

@@ -18,7 +18,8 @@ struct VerifyResult {
   std::size_t plugin_problems = 0;      ///< of the problems: plug-ins that are missing or differ
   std::vector<std::string> remarks{};   ///< information for the user: leftovers of a crash
   int recordings_replayed = 0;
-  std::vector<std::string> rules{};  ///< what was compared with what, one line per rule applied
+  int attempts_without_recording = 0;  ///< as those of most simulated participants
+  std::vector<std::string> rules{};    ///< what was compared with what, one line per rule applied
 };
 
 /// Checks the constraints and other rules of the schema, hashes, that every stored plan is the one

@@ -45,8 +45,9 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
   for (const auto& [id, place] : texts_of(stimulus.model, pointer + "/model")) {
     const auto model = models_.find(id);
     if (model == models_.end()) {
-      report(place, unknown_name("force model", id, models_) +
-                        "; if it is in a plug-in, load the plug-in with --plugin FILE, or under "
+      const std::string unknown = unknown_name("force model", id, models_);
+      report(place, unknown + (unknown.ends_with('?') ? " If" : "; if") +
+                        " it is in a plug-in, load the plug-in with --plugin FILE, or under "
                         "Study → Plug-ins… in the windows");
       continue;
     }

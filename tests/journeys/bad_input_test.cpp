@@ -325,6 +325,28 @@ std::vector<int> lines_said(const std::string& said, const fs::path& file) {
   return lines;
 }
 
+TEST(BadProtocol, WarnsThatThisComputerHasNoGpuForAProtocolThatAsksForOne) {
+  const TemporaryFolder place{};
+  fs::create_directories(place / "no-drivers");
+  const fs::path protocol = place / "on_gpu.json";
+  std::string text = text_of(SmallStudy(1).selection());
+  for (const auto& [from, to] :
+       {std::pair{"asperity.protocol/1", "asperity.protocol/2"},
+        std::pair{R"("rate_Hz": 1000)", R"("rate_Hz": 1000, "compute": "gpu")"}}) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, std::string_view(from).size(), to);
+  }
+  write_text(protocol, text);
+  const Outcome without = run({.arguments = {"check", protocol},
+                               .environment = {{"OCL_ICD_VENDORS", place / "no-drivers"}}});
+  EXPECT_EQ(without.status, 0) << without.err;
+  EXPECT_THAT(without.err, HasSubstr("warning: on this computer contacts cannot be evaluated on a "
+                                     "GPU: this machine has no OpenCL device"));
+  EXPECT_THAT(without.err, HasSubstr("--compute cpu"));
+  EXPECT_THAT(without.err, HasSubstr("(/device/compute)"));
+}
+
 // Form, meaning, files and warnings, each somewhere else in the text.
 TEST(BadProtocol, IsReportedWithAllThatIsWrongWithItFromTheFirstLineToTheLast) {
   const SmallStudy small(1);
@@ -629,6 +651,8 @@ TEST(WrongUsage, IsStatedInOneStyle) {
       {{"models", "extra"},
        "\"extra\" is an unexpected argument; remove it, or see asperity models --help"},
       {{"new"}, "new needs DIR; see asperity new --help"},
+      {{"bake", "x.obj", "--triangels", "600", "--out", "x.mesh"},
+       "bake has no option --triangels; did you mean --triangles?"},
       {{"run", "p", "--study", "s"}, "run needs --participant; see asperity run --help"},
       {{"run", "p", "--study"}, "--study: its value is missing; see asperity run --help"},
       {simulate({"--participants", "1", "--study", "t"}), "--study is given 2 times; give it once"},

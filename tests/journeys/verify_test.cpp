@@ -88,8 +88,19 @@ TEST_F(Verify, FindsEverythingAsItWas) {
   const Outcome outcome = verify({"--replay"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("bit for bit"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("4 recordings replayed"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("4 recordings replayed\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("no problems found"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Verify, StatesHowManyAttemptsHaveNoRecording) {
+  std::vector<std::string> more = simulate_arguments(small_, study_, 1, 9);
+  more.insert(more.end(), {"--recordings", "none"});
+  ASSERT_EQ(asperity(more).status, 0);
+  const Outcome outcome = verify({"--replay"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("4 recordings replayed; attempts without a recording: 4\n"),
+            std::string::npos)
+      << outcome.out;
 }
 
 TEST_F(Verify, FindsAChangedByteOfARecording) {
