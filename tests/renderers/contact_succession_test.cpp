@@ -11,40 +11,18 @@
 
 #include <gtest/gtest.h>
 
-#include "renderers/pd_gradient/contact/contact_shares.h"
+#include "tests/renderers/handmade_contacts.h"
 
 namespace asperity {
 namespace {
 
 constexpr double kAlike_m = 1e-6;
-constexpr double kMillisecond_s = 0.001;
 
-/// A contact on a plane z = 0 whose deepest place is at (x, 0), in a window of 4 mm around (0, 0).
-TexturedContact contact_at(std::uint64_t id, double x_m, double depth_m = 0.1e-3) {
-  TexturedContact contact{.id = id,
-                          .width_m = 3e-3,
-                          .grid = {.width_m = 4e-3, .samples = 64},
-                          .penetration = {.depth_m = depth_m, .deepest_m = {x_m, 0.0, 0.0}},
-                          .sampled_depth_m = depth_m,
-                          .half_extent_m = 2e-3,
-                          .filter_m = 0.1e-3,
-                          .half_height_m = 2e-3};
-  return contact;
-}
-
-/// A contact whose window is around its deepest place, far from that of others.
-TexturedContact contact_around(std::uint64_t id, double x_m, double depth_m = 0.1e-3) {
-  TexturedContact contact = contact_at(id, 0.0, depth_m);
-  contact.frame.origin_m.x = x_m;
-  contact.origin_in_a_m.x = x_m;
-  return contact;
-}
-
-/// The two lists live as long as the result.
 ContactSuccession succession_of(const std::vector<TexturedContact>& before,
                                 const std::vector<TexturedContact>& now, const BodyMotion& motion,
                                 bool is_first = false) {
-  return ContactSuccession(now, before, motion, kAlike_m, is_first);
+  return ContactSuccession(
+      {.now = now, .before = before, .motion = motion, .alike_m = kAlike_m, .is_first = is_first});
 }
 
 TEST(ContactSuccession, ContinuesAContactThatDoesNotChange) {
@@ -145,49 +123,22 @@ TEST(ContactSuccession, RendersAPlaceOnce) {
   EXPECT_FALSE(later.is_owner(1));
 }
 
-TEST(ContactShares, FadeWithoutATickAboveThePermittedChange) {
-  ContactShares shares;
+// Two curves in one window: the deepest place of the first is inside the curve of the second.
+TEST(ContactSuccession, GivesAPlaceInsideAnotherCurveToItsContact) {
+  std::vector now{contact_at(1, 1.5e-3, 0.2e-3), contact_around(2, 1.6e-3, 0.1e-3)};
+  now[0].half_extent_m = 0.5e-3;
+  now[1].half_extent_m = 0.5e-3;
   const BodyMotion rest;
-  std::vector<TexturedContact> before;
-  std::vector now{contact_at(1, 0.3e-3, 0.1e-3)};
-  shares.update(now, before, rest, kMillisecond_s, false);
-  EXPECT_EQ(now[0].share, 1.0);
-  const std::uint64_t old_force = now[0].force_id;
-  double force_m = 0.1e-3;
-  int ticks = 0;
-  do {  // another force under the same id replaces it
-    before = now;
-    now = {contact_at(1, 0.3e-3, 0.15e-3)};
-    shares.update(now, before, rest, kMillisecond_s, false);
-    double sum_m = 0.0;
-    for (const TexturedContact& contact : now) {
-      sum_m += contact.share * contact.penetration.depth_m;
-      EXPECT_EQ(contact.force_id == old_force, contact.is_fading);
-    }
-    const double most_m =
-        std::max(ContactShares::kMostChange * force_m, ContactShares::kLeastChange_m);
-    EXPECT_LE(std::abs(sum_m - force_m), most_m * (1.0 + 1e-9));
-    force_m = sum_m;
-  } while (++ticks < 100 && now.size() > 1);
-  EXPECT_GT(ticks, 9);  // no faster than in 10 ms
-  EXPECT_LT(ticks, 30);
-  EXPECT_EQ(now[0].share, 1.0);
+  const ContactSuccession found = succession_of({}, now, rest);
+  EXPECT_FALSE(found.is_owner(0));  // though it is deeper
+  EXPECT_TRUE(found.is_owner(1));
 }
 
-TEST(ContactShares, CountFadingContactsWithoutRoom) {
-  ContactShares shares;
+TEST(ContactSuccession, ContinuesNothingWhoseDeepestPlaceWasOutsideTheWindow) {
+  const std::vector before{contact_at(1, 0.3e-3)};
+  const std::vector now{contact_at(1, 2.1e-3)};  // the same force
   const BodyMotion rest;
-  std::vector<TexturedContact> before;
-  std::vector<TexturedContact> now;
-  for (std::size_t i = 0; i < kMostContacts; ++i) {
-    before.push_back(contact_around(i, 20e-3 * static_cast<double>(i)));
-    now.push_back(contact_around(100 + i, 20e-3 * static_cast<double>(i) + 10e-3));
-  }
-  EXPECT_EQ(shares.update(now, before, rest, kMillisecond_s, false), kMostContacts);
-  EXPECT_EQ(now.size(), kMostContacts);
-  now.pop_back();
-  EXPECT_EQ(shares.update(now, before, rest, kMillisecond_s, true),
-            0U);  // bodies apart: nothing fades
+  EXPECT_FALSE(succession_of(before, now, rest).continues(0));
 }
 
 }  // namespace

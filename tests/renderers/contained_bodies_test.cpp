@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "renderers/pd_gradient/contact/contact_shares.h"
 #include "renderers/pd_gradient/contact/textured_contacts.h"
 #include "tests/renderers/contact_paths.h"
 #include "tests/renderers/contact_scenes.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <variant>
 
 #include "renderers/pd_gradient/contact/textured_contacts.h"
@@ -39,8 +40,8 @@ void TexturedContacts::plan_refinement(std::span<const ContactRegion* const> reg
     }
   }
   for (const ContactRegion* region : regions) {
-    const std::size_t last = place_of(region->id, before_);
-    planned[count++] = {.last = last < before_.size() ? &before_[last] : nullptr,
+    const std::optional<std::size_t> last = index_of(region->id, before_);
+    planned[count++] = {.last = last ? &before_[*last] : nullptr,
                         .window = &samplers_.window_for(region->width_m)};
   }
   const auto samples = [](const Planned& contact, int halvings) {
@@ -67,8 +68,9 @@ void TexturedContacts::keep_refined(TexturedContact& contact) const noexcept {
     contact.refine_s = kRefined_s;
     return;
   }
-  const std::size_t last = place_of(contact.id, before_);
-  if (last < before_.size()) contact.refine_s = std::max(0.0, before_[last].refine_s - dt_s_);
+  if (const std::optional<std::size_t> last = index_of(contact.id, before_)) {
+    contact.refine_s = std::max(0.0, before_[*last].refine_s - dt_s_);
+  }
 }
 
 }  // namespace asperity

@@ -61,23 +61,21 @@ std::optional<TexturedContact> faded(const TexturedContact& last,
 
 }  // namespace
 
-void ContactShares::reset() noexcept {
-  force_m_ = 0.0;
-  is_first_ = true;
-}
-
 std::size_t ContactShares::update(std::vector<TexturedContact>& contacts,
-                                  std::span<const TexturedContact> before, const BodyMotion& motion,
-                                  double dt_s, bool are_apart) noexcept {
-  dt_s_ = dt_s;
+                                  std::span<const TexturedContact> before,
+                                  const Tick& tick) noexcept {
+  dt_s_ = tick.dt_s;
   const std::size_t rendered = contacts.size();
-  const ContactSuccession succession(contacts, before, motion,
-                                     kAlike * permitted_change_m(force_m_), is_first_);
+  const ContactSuccession succession({.now = contacts,
+                                      .before = before,
+                                      .motion = tick.motion,
+                                      .alike_m = kAlike * permitted_change_m(force_m_),
+                                      .is_first = tick.is_first});
   for (std::size_t i = 0; i < rendered; ++i) begin(contacts[i], i, succession, before);
   std::size_t left_out = 0;
-  for (std::size_t i = 0; !are_apart && i < before.size(); ++i) {
+  for (std::size_t i = 0; !tick.are_apart && i < before.size(); ++i) {
     if (succession.continues(i) || !is_felt(before[i])) continue;
-    const std::optional<TexturedContact> fading = faded(before[i], motion);
+    const std::optional<TexturedContact> fading = faded(before[i], tick.motion);
     if (!fading) continue;
     const bool is_joined =
         std::any_of(contacts.begin(), contacts.end(), [&fading](TexturedContact& other) {
@@ -91,19 +89,18 @@ std::size_t ContactShares::update(std::vector<TexturedContact>& contacts,
     }
   }
   change(contacts, succession, rendered);
-  is_first_ = false;
   return left_out;
 }
 
 // The share and the identity of the force with which a contact enters the tick.
-void ContactShares::begin(TexturedContact& contact, std::size_t place,
+void ContactShares::begin(TexturedContact& contact, std::size_t index,
                           const ContactSuccession& succession,
                           std::span<const TexturedContact> before) noexcept {
   contact.force_id = next_force_id_++;
-  if (const std::optional<std::size_t> last = succession.predecessor(place)) {
+  if (const std::optional<std::size_t> last = succession.predecessor(index)) {
     contact.share = before[*last].share;
     contact.force_id = before[*last].force_id;
-  } else if (!succession.is_owner(place) || succession.rises(place)) {
+  } else if (!succession.is_owner(index) || succession.rises(index)) {
     contact.share = 0.0;
   }
 }

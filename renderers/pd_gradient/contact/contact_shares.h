@@ -13,6 +13,8 @@
 
 namespace asperity {
 
+/// Sets the fraction of the force with which each contact is rendered, so that changes of contacts do not jolt the hand.
+///
 /// When one contact divides into two, or two merge into one, the sum of their forces would jump, because each has a
 /// separate depth. The force of a contact is therefore multiplied by its `share`, which rises from 0 to 1 or falls, in
 /// no less than `kBlend_s`. All shares together change the force by at most the fraction `kMostChange` of the current
@@ -23,10 +25,8 @@ namespace asperity {
 /// Where contacts oppose each other, as those of the two sides of a sheet or of a tooth between two ribs, little of their
 /// forces is left, and what is left changes no faster, which can take 0.5 s for 2 N.
 ///
-/// - A contact that continues one of the previous tick (ContactSuccession) keeps its share. That one's force is the previous
-///   one moved along its gradient to a quarter of the permitted change, or the motion explains its change.
-/// - A contact that does not continue fades, and the one in its place rises: when contacts merge or divide, when a contact
-///   has another id, n or bound, and at a step of the surface.
+/// - A contact that continues one of the previous tick (ContactSuccession, with a quarter of the permitted change as
+///   `alike_m`) keeps its share. A contact that does not continue fades, and the one in its place rises.
 /// - A contact that fades moves with A along its gradient, and never becomes deeper: it takes energy and gives none. Two
 ///   that fade under one id are one with the sum of their forces.
 /// - A doubtful contact that becomes credible rises; a rendered contact fades when it becomes doubtful or loses its
@@ -42,7 +42,8 @@ namespace asperity {
 /// rises slowly as well. Both take energy on the way in and out, two thirds of the gross work or more in 0.4 and 1.6 s, and
 /// up to 78 % in 6.4 s (docs/models/pd_gradient.md, bench/pd_continuity).
 ///
-/// Real-time: does not allocate while the contacts have room for `kMostContacts`, and does not lock or throw.
+/// Frame and units: SI, the world. Real-time: does not allocate while the contacts have room for `kMostContacts`, and does
+/// not lock or throw.
 class ContactShares final {
  public:
   static constexpr double kBlend_s =
@@ -52,18 +53,25 @@ class ContactShares final {
   static constexpr double kLeastChange_m =
       4.2e-6;  ///< the same for small forces, times the stiffness
 
-  /// Discards the previous tick.
-  void reset() noexcept;
+  /// A tick of length `dt_s`.
+  struct Tick {
+    const BodyMotion& motion;
+    double dt_s = 0.0;
+    bool is_first = false;   ///< without a previous tick
+    bool are_apart = false;  ///< the bodies: nothing fades
+  };
 
-  /// Sets the shares of the contacts of a tick of length `dt_s`, and appends those of the previous tick that fade, unless the
-  /// bodies are apart. Returns the number of those for which there is no room.
+  /// Discards the force of the previous tick.
+  void reset() noexcept { force_m_ = 0.0; }
+
+  /// Sets `share` and `force_id` of the contacts of a tick, and appends those of the previous tick that fade. Returns the
+  /// number of those for which there is no room.
   std::size_t update(std::vector<TexturedContact>& contacts,
-                     std::span<const TexturedContact> before, const BodyMotion& motion, double dt_s,
-                     bool are_apart) noexcept;
+                     std::span<const TexturedContact> before, const Tick& tick) noexcept;
 
  private:
   double permitted_change_m(double force_m) const noexcept;
-  void begin(TexturedContact& contact, std::size_t place, const ContactSuccession& succession,
+  void begin(TexturedContact& contact, std::size_t index, const ContactSuccession& succession,
              std::span<const TexturedContact> before) noexcept;
   void change(std::vector<TexturedContact>& contacts, const ContactSuccession& succession,
               std::size_t rendered) noexcept;
@@ -71,7 +79,6 @@ class ContactShares final {
   double dt_s_ = 0.0;                // of this tick
   double force_m_ = 0.0;             // of all contacts together, for a stiffness of 1 N/m
   std::uint64_t next_force_id_ = 0;  // not reset: unique as long as the object exists
-  bool is_first_ = true;
 };
 
 }  // namespace asperity

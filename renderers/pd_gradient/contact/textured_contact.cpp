@@ -21,10 +21,12 @@ double aside_m(const glm::dvec3& way_m) noexcept {
 
 }  // namespace
 
-std::size_t place_of(std::uint64_t id, std::span<const TexturedContact> contacts) noexcept {
+std::optional<std::size_t> index_of(std::uint64_t id,
+                                    std::span<const TexturedContact> contacts) noexcept {
   const auto found = std::find_if(contacts.begin(), contacts.end(), [id](const auto& contact) {
     return contact.id == id && !contact.is_fading;
   });
+  if (found == contacts.end()) return std::nullopt;
   return static_cast<std::size_t>(found - contacts.begin());
 }
 

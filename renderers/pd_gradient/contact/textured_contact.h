@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <glm/vec3.hpp>
@@ -50,8 +51,9 @@ inline bool is_felt(const TexturedContact& contact) noexcept {
   return contact.penetration.depth_m > 0.0 && !contact.is_doubtful;
 }
 
-/// The contact with this id, not one that fades under it; contacts.size() if there is none.
-std::size_t place_of(std::uint64_t id, std::span<const TexturedContact> contacts) noexcept;
+/// The contact with this id, not one that fades under it.
+std::optional<std::size_t> index_of(std::uint64_t id,
+                                    std::span<const TexturedContact> contacts) noexcept;
 
 /// The cosine between two directions up to which contacts count as one: 60°.
 inline constexpr double kAgreement = 0.5;

@@ -100,7 +100,9 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& X_WA, const 
   }
   const bool are_apart =
       pairs.empty() && contacts_.empty() && (!were_in_contact || !hold_each_other(X_WA, X_WB));
-  left_out_.regions += shares_.update(contacts_, before_, motion_, dt_s, are_apart);
+  left_out_.regions += shares_.update(
+      contacts_, before_,
+      {.motion = motion_, .dt_s = dt_s, .is_first = is_first_, .are_apart = are_apart});
   look_inside(X_WA, X_WB);
   motion_.X_WA_before = X_WA;
   motion_.X_WB_before = X_WB;
@@ -173,13 +175,13 @@ double TexturedContacts::depth_before_m(const ContactRegion& region) const noexc
 }
 
 TexturedContact TexturedContacts::contact_of(const ContactRegion& region) const noexcept {
-  const std::size_t last = place_of(region.id, before_);
+  const std::optional<std::size_t> last = index_of(region.id, before_);
   return {.id = region.id,
           .frame = region.frame,
           .width_m = region.width_m,
           .half_extent_m = region.half_extent_m,
           .half_height_m = half_height_m(region.width_m, depth_before_m(region)),
-          .halvings = last < before_.size() ? before_[last].halvings : 0,
+          .halvings = last ? before_[*last].halvings : 0,
           .leaning_a = std::clamp(region.upright_a, 0.0, kAgreement),
           .leaning_b = std::clamp(region.upright_b, 0.0, kAgreement)};
 }

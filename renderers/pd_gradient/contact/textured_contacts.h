@@ -94,7 +94,7 @@ struct LeftOut {
 /// be outside it; of a body with several parts only all can be kept. A body that is completely inside
 /// without earlier contact has no n and makes no contact; `is_inside` reports this.
 ///
-/// The forces of contacts that divide, merge, begin and end are continuous (ContactShares).
+/// When contacts divide, merge or are replaced, the change of the force is limited (ContactShares).
 ///
 /// Where many crests touch, the samples determine which of several almost equally deep crests is the deepest, and with
 /// which lever. Between samples at a distance c a crest of curvature κ is missed by at most ε = κ·c²/4 (by c/2 in both
@@ -106,7 +106,7 @@ struct LeftOut {
 /// declared cells are accurate. The samples of all contacts of a tick are together at most those of one window with
 /// `most_samples`. Finer cells are used only while their heights are kept. These are sampled in parts, and the declared
 /// cells are used until they are complete, and where the bodies move so fast that new heights are late. Step, window and
-/// law remain; depth and slopes change within the bounds, and the force as described for shares where the motion does
+/// law remain; depth and slopes change within the bounds, and the force as described there where the motion does
 /// not explain this. The smooth maximum is not refined: it is a mean over all crests, and sums over samples are accurate
 /// for a weight exp(−κx²/2τ) while c is shorter than √(τ/κ).
 ///

@@ -66,7 +66,7 @@ struct Drift {
 
 inline float magnitude_of(float a) { return a < 0.0F ? -a : a; }
 
-inline Drift drift_along(const KeptPlaces& places, const KeptLift& lift) {
+inline Drift drift_along(const KeptPositions& places, const KeptLift& lift) {
   Drift drift;
   const float lift_m = lift.per_x_m * places.x_per_column + lift.per_y_m * places.y_per_column;
   for (std::int32_t part = 0; part < kParts; ++part) {
@@ -90,7 +90,7 @@ struct RowPlaces {
   float lift_m[kRoomRows];
 };
 
-inline void find_row_places(const KeptLift& lift, const KeptPlaces& places, const Drift& drift,
+inline void find_row_places(const KeptLift& lift, const KeptPositions& places, const Drift& drift,
                             std::int32_t row, std::int32_t column, std::int32_t rows,
                             RowPlaces& found) {
   const float along = static_cast<float>(column) + kMiddleLane;
@@ -220,7 +220,7 @@ inline std::int32_t find_bounds(const KeptTask& task) {
   const float around = 1.05F * static_cast<float>(task.step_cells);
   const float columns = kMiddleLane + around;
   const float rows = 0.5F * (kBlockRows - 1) + around;
-  const KeptPlaces& here = task.here;
+  const KeptPositions& here = task.here;
   const float reach_x =
       columns * magnitude_of(here.x_per_column) + rows * magnitude_of(here.x_per_row) + 1.2F;
   const float reach_y =

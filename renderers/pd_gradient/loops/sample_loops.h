@@ -178,7 +178,7 @@ struct BoundTask {
 
 /// The position in A's lattice that lies over a sample of the window, in cells from the first sample of each: (x, y) +
 /// column·(x, y)_per_column + row·(x, y)_per_row. Nearly the identity.
-struct KeptPlaces {
+struct KeptPositions {
   float x = 0.0F;
   float y = 0.0F;
   float x_per_column = 1.0F;
@@ -201,9 +201,9 @@ struct KeptTask {
   std::int32_t samples = 0;   ///< of the window, in each direction: a multiple of kMostLanes
   std::int32_t b_column = 0;  ///< of B's lattice at the window's first sample
   std::int32_t b_row = 0;     ///< a multiple of kBoundRows
-  KeptPlaces here{};
-  KeptPlaces forth{};  ///< with A turned about n
-  KeptPlaces back{};
+  KeptPositions here{};
+  KeptPositions forth{};  ///< with A turned about n
+  KeptPositions back{};
   KeptLift lift{};
   std::int32_t step_cells = 0;
   float tilt_rise_m = 0.0F;

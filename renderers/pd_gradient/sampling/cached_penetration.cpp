@@ -1,20 +1,16 @@
-// Implements the storage of heights, their evaluation after motion, and their renewal a few rows at a time.
+// Implements the choice of kept heights and their evaluation after motion.
 
 #include "renderers/pd_gradient/sampling/cached_penetration.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "renderers/pd_gradient/sampling/found_gradient.h"
-#include "renderers/pd_gradient/sampling/sampled_triangles.h"
 
 namespace asperity {
 namespace {
@@ -61,11 +57,6 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
     throw std::invalid_argument(
         "CachedPenetration: most_places is 1; it must be 0 or at least 2, because one place is "
         "used while another is sampled.");
-  }
-  if (settings.rows_in_a_call <= 0 || settings.rows_in_a_call % kBoundRows != 0) {
-    throw std::invalid_argument(
-        "CachedPenetration: rows_in_a_call is " + std::to_string(settings.rows_in_a_call) +
-        "; it must be a positive multiple of " + std::to_string(kBoundRows) + ".");
   }
   const SamplingGrid& grid = sampler_.grid();
   patch_width_m_ = settings.most_places > 0
@@ -121,7 +112,7 @@ std::optional<Penetration> CachedPenetration::evaluate(const Choice& choice, con
   const double part = serves_until_then ? sampling_.hurry(choice.fit.strain)
                       : choice.place    ? 0.0
                                         : kHurryWithoutHeights;
-  if (!sampling_.is_idle()) sampling_.go_on(places_[in_work_], part);
+  if (!sampling_.is_idle()) sampling_.resume(places_[in_work_], part);
   if (!choice.place) {
     ++sampled_answers_;
     return sampler_.evaluate(a, b, frame);
@@ -135,7 +126,7 @@ std::optional<Penetration> CachedPenetration::evaluate_kept(const Choice& choice
                                                             const PackedPatch& b,
                                                             const ContactFrame& frame) noexcept {
   note(choice, a, b, frame);
-  if (!sampling_.is_idle()) sampling_.go_on(places_[in_work_], kHurryOfKept);
+  if (!sampling_.is_idle()) sampling_.resume(places_[in_work_], kHurryOfKept);
   if (!choice.place) return std::nullopt;
   ++kept_answers_;
   return from_place(places_[*choice.place], choice.fit, frame);
@@ -233,7 +224,7 @@ bool CachedPenetration::at_border(const KeptTask& task, int row, int column) con
   }
   const auto along = static_cast<float>(column);
   const auto across = static_cast<float>(row);
-  const KeptPlaces& here = task.here;
+  const KeptPositions& here = task.here;
   const int x = static_cast<int>(here.x + here.x_per_column * along + here.x_per_row * across);
   const int y = static_cast<int>(here.y + here.y_per_column * along + here.y_per_row * across);
   for (int r = y - 1; r <= y + 2; ++r) {

@@ -46,12 +46,8 @@ struct CachedSettings {
 /// along its n, and so is δ (the direction of δ·∇δ is unchanged). The divisor is at least 0.8: a smaller value would
 /// belong to a surface more than 73° from n, and at 86.6° the quotient would be unbounded.
 ///
-/// Heights are sampled anew, some rows per call, when the bodies have moved half of the permitted distance. The limits
-/// are a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of rotation about n minus the step of the
-/// differences, 0.06 rad between the requested n and the kept one, a change of 0.05 of the cosines from which faces
-/// sink (PackedPatch::leaning_cosine), and 0.75 of its half height for either end of the box in which triangles are
-/// searched (PackedPatch::half_height_m, the same for both): what was outside the box is not in the heights. Until the
-/// new heights are complete the kept ones are used; without usable heights, PenetrationSampler is used. A place to
+/// Heights are sampled anew, some rows per call, when the bodies have moved half of the permitted distance (fit_of). Until
+/// the new heights are complete the kept ones are used; without usable heights, PenetrationSampler is used. A place to
 /// which no contact returns is the first to be replaced.
 ///
 /// Interpolation between samples lowers peaks. For bodies at the limits of motion, the error relative to

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <variant>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -89,8 +88,8 @@ KeptHeights kept_b(KeptPlace& place, const KeptLattice& lattice) noexcept {
   return kept(place.b, lattice, kMostLanes);
 }
 
-KeptPlaces places_in_a(const Pose& X_LM, const KeptLattice& lattice, const glm::dvec2& first,
-                       double turn_rad) noexcept {
+KeptPositions places_in_a(const Pose& X_LM, const KeptLattice& lattice, const glm::dvec2& first,
+                          double turn_rad) noexcept {
   const double cosine = std::cos(turn_rad);
   const double sine = std::sin(turn_rad);
   const glm::dmat3& r = X_LM.rotation;  // r[column][row]
@@ -169,7 +168,7 @@ std::optional<PlaceFit> fit_of(const KeptPlace& place, const KeptLattice& lattic
   found.row = first(aside.y);
   // A's heights under the requested origin, and the greatest distance from there that is used. The window's middle is at
   // most half a tile off; with its own place, the strain would jump with every step of the window.
-  const KeptPlaces places =
+  const KeptPositions places =
       places_in_a(found.X_LM, lattice, static_cast<double>(lattice.margin) + aside, 0.0);
   const double half = 0.5 * (samples - 1);
   const double middle = 0.5 * (lattice.grid.samples - 1);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "renderers/pd_gradient/sampling/sampled_triangles.h"
 
@@ -20,6 +22,11 @@ constexpr int kTrianglesInACall = 12;
 PlaceSampling::PlaceSampling(const KeptLattice& lattice, std::size_t most_triangles,
                              int rows_in_a_call, const SampleLoops& loops)
     : lattice_(lattice), rows_in_a_call_(rows_in_a_call), loops_(&loops) {
+  if (rows_in_a_call <= 0 || rows_in_a_call % kBoundRows != 0) {
+    throw std::invalid_argument(
+        "PlaceSampling: rows_in_a_call is " + std::to_string(rows_in_a_call) +
+        "; it must be a positive multiple of " + std::to_string(kBoundRows) + ".");
+  }
   triangles_a_.reserve(most_triangles);
   triangles_b_.reserve(most_triangles);
   prepared_.resize(most_triangles);
@@ -61,7 +68,7 @@ double PlaceSampling::hurry(double strain) noexcept {
   return std::min(1.0, 2.0 * growth_ / std::max(1.0 - strain, growth_ + kLittle));
 }
 
-void PlaceSampling::go_on(KeptPlace& place, double hurry) noexcept {
+void PlaceSampling::resume(KeptPlace& place, double hurry) noexcept {
   const auto share = [hurry](int usual, int all) {
     return std::max(usual, static_cast<int>(std::ceil(hurry * all)));
   };

@@ -11,7 +11,10 @@
 namespace asperity {
 
 /// Samples the heights of one place at a time: the triangles of A, rows of A, the triangles of B, rows of B, at the poses
-/// and in the frame at which it began. The place is whole after the last row, if any sample is covered.
+/// and in the frame at which it began. The place is whole after the last row, if both bodies cover a sample of the window
+/// in the lattice's middle.
+///
+/// Errors: the constructor throws std::invalid_argument for rows that are not a positive multiple of 2.
 ///
 /// Real-time: no function except the constructor allocates, locks or throws.
 class PlaceSampling final {
@@ -29,13 +32,13 @@ class PlaceSampling final {
              const ContactFrame& frame, double strain) noexcept;
 
   /// The fraction of the work that has to be done now: if the bodies continue their motion, the heights with this strain
-  /// become invalid before all of it would be done. The growth is a mean over some calls: the frame of a contact can jump
-  /// in one.
+  /// become invalid before all of it would be done. The growth of the strain is a mean over some calls: the frame of a
+  /// contact can jump in one.
   double hurry(double strain) noexcept;
 
   /// Continues, in the place with which it began, with some triangles or some rows, more if the fraction `hurry` of the work
   /// requires it.
-  void go_on(KeptPlace& place, double hurry) noexcept;
+  void resume(KeptPlace& place, double hurry) noexcept;
 
  private:
   enum class Step { idle, triangles_of_a, rows_of_a, triangles_of_b, rows_of_b };
