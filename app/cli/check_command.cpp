@@ -23,6 +23,7 @@
 #include "app/plugins/plugin_files.h"
 #include "app/session/rig/clock.h"
 #include "app/session/study_friction.h"
+#include "app/tasks/compute_warnings.h"
 #include "app/tasks/plugin_stimuli.h"
 #include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
@@ -276,6 +277,11 @@ void add_check(CLI::App& program, Job& job) {
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
         std::vector<Diagnostic> warnings = check.warnings;
+        if (check.protocol) {
+          for (Diagnostic& warning : warnings_about_compute(*check.protocol, check.file)) {
+            warnings.push_back(std::move(warning));
+          }
+        }
         if (options->study && check.protocol && check.diagnostics.empty()) {
           warnings_of_study(check, *options->study, models, warnings);
         } else if (check.protocol && check.diagnostics.empty()) {

@@ -89,7 +89,7 @@ std::string unknown_option(const CLI::App& program, const std::string& word) {
 }
 
 /// Of the words that nothing takes, the first option.
-std::optional<std::string> unknown_option(const CLI::App& program) {
+std::optional<std::string> first_unknown_option(const CLI::App& program) {
   for (const std::string& word : program.remaining(true)) {
     if (word.size() > 1 && word.starts_with('-')) return unknown_option(program, word);
   }
@@ -98,7 +98,7 @@ std::optional<std::string> unknown_option(const CLI::App& program) {
 
 /// Of the words that nothing takes, the first option, or else the first word.
 std::string unexpected_word(const CLI::App& program) {
-  if (const auto option = unknown_option(program)) return *option;
+  if (const auto option = first_unknown_option(program)) return *option;
   const std::vector<std::string> words = program.remaining(true);
 #ifdef ASPERITY_WITH_WINDOWS
   // A word that is no subcommand was taken for the folder of a study.
@@ -139,7 +139,7 @@ std::string without_name_of_program(const CLI::App& program, const CLI::ParseErr
   if (kind == CLI::ExitCodes::ArgumentMismatch) return wrong_count(program, message);
   if (kind == CLI::ExitCodes::RequiredError) {
     // It may be the missing one, misspelt.
-    if (const auto option = unknown_option(program)) return *option;
+    if (const auto option = first_unknown_option(program)) return *option;
     if (const auto missing = around(message, " is required")) {
       return named(program) + " needs " +
              (missing->before == "A subcommand" ? "a subcommand" : missing->before) + "; " +

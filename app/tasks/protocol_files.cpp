@@ -18,7 +18,6 @@
 #include "analysis/random.h"
 #include "app/profiles/device_kind.h"
 #include "app/session/attempt_measures.h"
-#include "app/session/session_compute.h"
 #include "app/session/trial_attempt.h"
 #include "app/study_files/parameter_json.h"
 #include "app/tasks/level_problems.h"
@@ -444,24 +443,6 @@ void add_problems_of_files(const ProtocolReading& reading, const std::filesystem
   }
 }
 
-// A session on another computer is possible: not an error.
-std::vector<Diagnostic> warnings_about_compute(const Protocol& protocol, const std::string& file) {
-  if (!protocol.computes_on_gpu) return {};
-  const auto warning = [&](std::string message) {
-    const JsonDocument document(protocol.source, file);
-    return std::vector{document.at("/device/compute", std::move(message))};
-  };
-  try {
-    const ComputeDeviceName name = compute_on_simulated_clock()->device.name();
-    if (name.is_gpu) return {};
-    return warning("the first OpenCL device of this computer, " + described(name) +
-                   ", computes on the processor, which takes longer than \"cpu\"; on this computer "
-                   "state --compute cpu");
-  } catch (const std::exception& error) {
-    return warning("on this computer " + std::string(error.what()));
-  }
-}
-
 }  // namespace
 
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
@@ -530,9 +511,6 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   const Plan example = example_plan(*check.protocol, {1, 0});
   check.cost = cost_of(*check.protocol, example);
   for (Diagnostic& warning : warnings_about_plan(*check.protocol, check.file, example)) {
-    check.warnings.push_back(std::move(warning));
-  }
-  for (Diagnostic& warning : warnings_about_compute(*check.protocol, check.file)) {
     check.warnings.push_back(std::move(warning));
   }
   for (Diagnostic& warning : warnings_about_analysis(*check.protocol, check.file)) {

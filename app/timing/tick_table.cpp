@@ -11,22 +11,47 @@ namespace asperity {
 
 namespace {
 
-/// A 99th percentile is one of the ticks, and the motion has settled.
+/// With fewer, the 99th percentile is the maximum; at the beginning of a motion the tool has not settled.
 constexpr std::size_t kFewestTicks = 100;
 
-bool has_few_ticks(const TickTimes& times) { return times.undisturbed_ns.size() < kFewestTicks; }
+bool has_few_counted_ticks(const TickTimes& times) {
+  return times.undisturbed_ns.size() < kFewestTicks;
+}
 
-/// nullopt: too few ticks for a quantile; the extremes are what they are.
+bool has_settled(const TickTimes& times) {
+  return times.undisturbed_ns.size() + static_cast<std::size_t>(times.preempted) >= kFewestTicks;
+}
+
+/// nullopt: too few ticks for a quantile.
 std::optional<double> seconds(const TickTimes& times, double fraction) {
-  if (fraction < 1.0 && has_few_ticks(times)) return std::nullopt;
+  if (fraction < 1.0 && has_few_counted_ticks(times)) return std::nullopt;
   const std::optional<std::int64_t> time_ns = times.quantile_ns(fraction);
   if (!time_ns) return std::nullopt;
   return 1e-9 * static_cast<double>(*time_ns);
 }
 
-/// At the beginning of a motion the tool has not settled, and the force is not that of the others.
+std::optional<double> rate_Hz(const TickTimes& times) {
+  const std::optional<double> p99_s = seconds(times, 0.99);
+  if (!p99_s || !(*p99_s > 0.0)) return std::nullopt;
+  return 1.0 / *p99_s;
+}
+
 std::optional<double> largest_force_N(const TimedRow& row) {
-  return has_few_ticks(row.times) ? std::nullopt : row.largest_force_N;
+  return has_settled(row.times) ? row.largest_force_N : std::nullopt;
+}
+
+/// Whether a force is next to a quoted one.
+bool has_comparable_force(const TimedRow& row) {
+  return row.quoted && row.quoted->figure.find(" N in place of") != std::string_view::npos &&
+         largest_force_N(row).has_value();
+}
+
+std::string few_ticks(const TickTimes& times) {
+  std::string sentence = "counted ticks " + std::to_string(times.undisturbed_ns.size());
+  if (times.preempted > 0) sentence += ", preempted " + std::to_string(times.preempted);
+  return sentence + "; a median, a 99th percentile and a rate need at least " +
+         std::to_string(kFewestTicks) + " counted ticks: " +
+         (has_settled(times) ? "end other programs" : "increase --ticks and --seconds");
 }
 
 Cell cell_of(const std::optional<double>& number) {
@@ -61,12 +86,6 @@ std::string size_text(const TimedSize& size) {
 }
 
 }  // namespace
-
-std::optional<double> rate_Hz(const TickTimes& times) {
-  const std::optional<double> p99_s = seconds(times, 0.99);
-  if (!p99_s || !(*p99_s > 0.0)) return std::nullopt;
-  return 1.0 / *p99_s;
-}
 
 Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine) {
   Table table{.columns = {"scene",
@@ -127,7 +146,7 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
 
 Table short_tick_table(const std::vector<TimedRow>& rows) {
   Table table{.columns = {"scene", "model", "on", "ticks", "p50_us", "p99_us", "max_us", "rate_kHz",
-                          "largest_N", "quoted"}};
+                          "largest_force_N", "quoted"}};
   for (const TimedRow& row : rows) {
     table.rows.push_back(
         {row.scene, row.model, std::string(name_of(row.place)),
@@ -151,22 +170,19 @@ std::vector<std::string> tick_notes(const std::vector<TimedRow>& rows) {
     if (row.place != EvaluatedOn::cpu && !row.device.empty()) {
       add_once(notes, std::string("On ") + name_of(row.place) + ": " + row.device + '.');
     }
-    if (row.reason.empty() && has_few_ticks(row.times)) {
+    if (row.reason.empty() && has_few_counted_ticks(row.times)) {
       add_once(notes, row.scene + ", " + row.model + " on " + name_of(row.place) + ": " +
-                          counted(row.times.undisturbed_ns.size(), "tick", "ticks") +
-                          ", too few for a median, a 99th percentile, a rate and a force (" +
-                          std::to_string(kFewestTicks) +
-                          " are needed); permit more with --ticks and --seconds.");
+                          few_ticks(row.times) + '.');
     }
     if (!row.reason.empty()) {
       add_once(notes, row.scene + ", " + row.model + " on " + name_of(row.place) +
                           ", not measured: " + row.reason);
     }
   }
-  if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.largest_force_N; })) {
+  if (std::any_of(rows.begin(), rows.end(), has_comparable_force)) {
     notes.emplace_back(
-        "The largest force is that of each model's own law; only penalty forces are close to the "
-        "1 N with which the quoted forces are compared.");
+        "largest_force_N is by each model's own law; only penalty forces are close to the 1 N "
+        "with which the quoted forces are compared.");
   }
   for (const TimedRow& row : rows) {
     if (!row.quoted) continue;

@@ -17,10 +17,8 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
 /// The columns that fit a terminal, in microseconds and kilohertz with three significant digits.
 Table short_tick_table(const std::vector<TimedRow>& rows);
 
-/// Sentences under that table: the sizes of the bodies, the reasons of rows without times, the sources of quoted figures.
+/// Sentences under that table: the sizes of the bodies, the reasons of rows without times or with too few ticks for
+/// quantiles, what the forces are, the sources of quoted figures.
 std::vector<std::string> tick_notes(const std::vector<TimedRow>& rows);
-
-/// How many whole ticks fit into a second if each takes as long as the 99th percentile.
-std::optional<double> rate_Hz(const TickTimes& times);
 
 }  // namespace asperity

@@ -149,10 +149,10 @@ class Timing final {
       if (model.declaration.needs_bodies) continue;
       TimedRow row = new_row(scene, model.declaration.id);
       if (body) row.surface = TimedSize{body->facets(), body->facets()};
+      if (has_tip(model)) row.quoted.reset();  // the figures are of a point
       time_row(row, [&]() -> Tick {
         std::shared_ptr<ForceRenderer> renderer = make_renderer(model, inputs);
         renderer->reset(stroke.front());
-        if (has_tip(model)) row.quoted.reset();  // the figures are of a point
         return [renderer, &stroke](int tick) {
           return renderer->tick(stroke[static_cast<std::size_t>(tick)], kStrokeTick_s).wrench;
         };
@@ -161,7 +161,7 @@ class Timing final {
     }
   }
 
-  /// Whether a model has a tip of many cells, by its law on a plane; on a body it is behind that of a point.
+  /// Whether a model has a tip of many cells. On a plane, because on a body the model is wrapped by a point model.
   static bool has_tip(const ForceModel& model) {
     const auto on_plane = make_renderer(model, rough_plane(built_in_models()));
     return dynamic_cast<const IndentationLaw*>(on_plane.get()) != nullptr;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include "renderers/compute/compute_device.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 #include "tests/support/temporary_folder.h"
@@ -325,26 +326,37 @@ std::vector<int> lines_said(const std::string& said, const fs::path& file) {
   return lines;
 }
 
-TEST(BadProtocol, WarnsThatThisComputerHasNoGpuForAProtocolThatAsksForOne) {
-  const TemporaryFolder place{};
-  fs::create_directories(place / "no-drivers");
-  const fs::path protocol = place / "on_gpu.json";
+/// A protocol whose contacts are evaluated on a GPU.
+fs::path protocol_on_gpu(const TemporaryFolder& place) {
   std::string text = text_of(SmallStudy(1).selection());
   for (const auto& [from, to] :
        {std::pair{"asperity.protocol/1", "asperity.protocol/2"},
         std::pair{R"("rate_Hz": 1000)", R"("rate_Hz": 1000, "compute": "gpu")"}}) {
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    text.replace(at, std::string_view(from).size(), to);
+    text.replace(text.find(from), std::string_view(from).size(), to);
   }
-  write_text(protocol, text);
-  const Outcome without = run({.arguments = {"check", protocol},
+  write_text(place / "on_gpu.json", text);
+  return place / "on_gpu.json";
+}
+
+TEST(BadProtocol, WarnsThatThisComputerHasNoGpuForAProtocolThatAsksForOne) {
+  const TemporaryFolder place{};
+  fs::create_directories(place / "no-drivers");
+  const Outcome without = run({.arguments = {"check", protocol_on_gpu(place)},
                                .environment = {{"OCL_ICD_VENDORS", place / "no-drivers"}}});
   EXPECT_EQ(without.status, 0) << without.err;
   EXPECT_THAT(without.err, HasSubstr("warning: on this computer contacts cannot be evaluated on a "
                                      "GPU: this machine has no OpenCL device"));
   EXPECT_THAT(without.err, HasSubstr("--compute cpu"));
   EXPECT_THAT(without.err, HasSubstr("(/device/compute)"));
+}
+
+// With the driver that the tests install.
+TEST(BadProtocol, WarnsThatTheComputeDeviceIsAProcessor) {
+  if (ComputeDevice::all().front().name().is_gpu) GTEST_SKIP() << "this computer has a GPU";
+  const TemporaryFolder place{};
+  const Outcome on_processor = asperity({"check", protocol_on_gpu(place)});
+  EXPECT_EQ(on_processor.status, 0) << on_processor.err;
+  EXPECT_THAT(on_processor.err, HasSubstr("is a processor, not a GPU; use --compute cpu"));
 }
 
 // Form, meaning, files and warnings, each somewhere else in the text.

@@ -78,7 +78,9 @@ TEST(BenchCommand, MeasuresEveryModelOfAPointWithTheOrderedTicks) {
     EXPECT_THAT(table.column(column), Each("n/a")) << column;
   }
   EXPECT_THAT(table.column("maximum_s"), Each(Not("n/a")));
-  EXPECT_THAT(outcome.out, HasSubstr("plane, sinusoid on cpu: 30 ticks, too few for a median"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("; a median, a 99th percentile and a rate need at least 100 counted ticks: "
+                        "increase --ticks and --seconds."));
   EXPECT_EQ(bench(place, arguments).status, 1);  // the table exists
 }
 
