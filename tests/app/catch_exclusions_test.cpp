@@ -12,9 +12,9 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/discrimination_questions.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/study_analysis.h"
+#include "app/findings/study/threshold_sentences.h"
 #include "app/report/text/study_report.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"

@@ -2,11 +2,8 @@
 
 #pragma once
 
-#include <string>
-
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/discrimination_results.h"
-#include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/study_tests.h"
 
 namespace asperity {
@@ -15,8 +12,5 @@ namespace asperity {
 /// standard, whether thresholds differ between conditions, and whether the order of presentation matters.
 void ask_discrimination(const DiscriminationResults& results, const StudyTests& tests,
                         AnalysisOutcome& outcome);
-
-/// The mean thresholds, as a sentence of a paper.
-EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -98,6 +98,11 @@ struct DiscriminationResults {
   /// What the test of the point of subjective equality of a condition is about: "amplitude", "amplitude (wood)".
   std::string about_equality(std::size_t condition) const;
 
+  /// The name of a question: "threshold"; where there are several tasks, with that of this one: "threshold:amplitude".
+  std::string name_of_question(const char* question) const {
+    return name.empty() ? question : std::string(question) + ':' + name;
+  }
+
   /// The quantity of the threshold that answers, tests and texts state.
   std::string quantity_of_threshold() const {
     return study.task.design->has_noise() ? "jnd.dprime1" : "jnd";

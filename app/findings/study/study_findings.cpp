@@ -79,6 +79,14 @@ Phrase interval_text(const Finding& share) {
   return phrase("Analysis", "no CI, because there is only one participant");
 }
 
+Phrase quantity_with_interval(const Finding& estimate) {
+  const std::string value = reading_quantity(*estimate.value, estimate.unit);
+  if (!estimate.low || !estimate.high) return value;
+  return phrase("Analysis", "%1 (95 % CI [%2, %3])")
+      .with(value, reading_quantity(*estimate.low, estimate.unit),
+            reading_quantity(*estimate.high, estimate.unit));
+}
+
 bool holds_in_interval(const Finding& estimate, double value) noexcept {
   return estimate.low && estimate.high && *estimate.low <= value && value <= *estimate.high;
 }

@@ -41,6 +41,8 @@ void add_status(const FindingName& name, std::string word, std::string reason,
 Phrase percent(double share);
 /// "(95 % CI [40 %, 71 %])" of a proportion, or why there is none.
 Phrase interval_text(const Finding& share);
+/// "12.3 µm (95 % CI [10 µm, 14.6 µm])" of a number with a unit; the number alone where it has no CI.
+Phrase quantity_with_interval(const Finding& estimate);
 
 /// Whether the 95 % CI of an estimate contains this value, so that the estimate establishes no
 /// difference from it; false without a CI.
