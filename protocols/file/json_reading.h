@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -51,6 +53,29 @@ inline void read(const nlohmann::json& object, const char* key, Binding<std::str
   } else {
     binding.value = found->get<std::string>();
   }
+}
+
+/// Calls `visit(name, member)` for every named member except comments.
+template <class Visit>
+void for_each_named(const nlohmann::json& object, const char* key, const Visit& visit) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  for (const auto& [name, member] : found->items()) {
+    if (!name.starts_with("x-") && name != "$comment") visit(name, member);
+  }
+}
+
+inline Level level_of(const nlohmann::json& value) {
+  return value.is_string() ? Level(value.get<std::string>()) : Level(value.get<double>());
+}
+
+/// Levels by factor, without comments.
+inline std::map<std::string, Level, std::less<>> levels_of(const nlohmann::json& object) {
+  std::map<std::string, Level, std::less<>> levels{};
+  for (const auto& [name, member] : object.items()) {
+    if (!name.starts_with("x-") && name != "$comment") levels[name] = level_of(member);
+  }
+  return levels;
 }
 
 }  // namespace asperity
