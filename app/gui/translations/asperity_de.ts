@@ -13977,5 +13977,9 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <source>%1 The dent is that of “%2”, with the same factor. Drag to stroke, right button: light, arrow keys: turn.</source>
         <translation>%1 Die Delle ist die von „%2“, mit demselben Faktor. Ziehen: streichen, rechte Taste: Licht, Pfeiltasten: drehen.</translation>
     </message>
+    <message>
+        <source>Preparing the models…</source>
+        <translation>Modelle werden vorbereitet …</translation>
+    </message>
 </context>
 </TS>

@@ -235,14 +235,18 @@ void ForceComparison::make_renderers() {
             add_files_of_relief(model.stroked.inputs, *order.model,
                                 *model.stroked.inputs.height_field);
             model.stroked.renderer = make_renderer(*order.model, model.stroked.inputs);
-          } catch (const std::invalid_argument& error) {
+          } catch (const std::exception& error) {
             model.complaint = QString::fromUtf8(error.what());
           }
           built->models.push_back(std::move(model));
         }
         return [this, built] { take(std::move(*built)); };
       },
-      [](const QString&) {});
+      [this](const QString&) { emit advanced(); });
+  // A press often ends the editing of a value: its stroke, or one under way, is that of the new models.
+  is_stroke_waiting_ = is_stroke_waiting_ || stroke_.is_going_on();
+  clear_stroke();
+  emit advanced();
 }
 
 void ForceComparison::take(Built built) {
@@ -258,22 +262,42 @@ void ForceComparison::take(Built built) {
     models.push_back(std::move(model.stroked));
   }
   stroke_.set_models(std::move(models), std::move(built.hand));
-  judged_ = 0;
-  judge();
-  frames_.stop();
+  // Of an earlier choice while a newer one is being prepared: no stroke yet.
+  if (is_stroke_waiting_ && !is_preparing()) start_stroke();
   emit advanced();
 }
 
-void ForceComparison::begin_stroke(double x_m, double y_m) {
-  across_y_m_.reset();
+void ForceComparison::clear_stroke() {
+  frames_.stop();
+  stroke_.set_models({}, MouseHand(0.0));
+  judged_ = 0;
+  judge();
+}
+
+void ForceComparison::start_stroke() {
+  is_stroke_waiting_ = false;
+  if (across_y_m_) hand_at_m_ = {-0.45 * field_->field()->width_m(), *across_y_m_};
   played_ = 0;
-  stroke_.begin({x_m, y_m});
+  stroke_.begin(hand_at_m_);
   judged_ = 0;
   clock_.start();
   frames_.start();
 }
 
+void ForceComparison::begin_stroke(double x_m, double y_m) {
+  across_y_m_.reset();
+  hand_at_m_ = {x_m, y_m};
+  is_stroke_waiting_ = is_preparing();
+  if (!is_stroke_waiting_) start_stroke();
+}
+
+void ForceComparison::aim_stroke(double x_m, double y_m) {
+  hand_at_m_ = {x_m, y_m};
+  stroke_.aim(hand_at_m_);
+}
+
 void ForceComparison::end_stroke() {
+  is_stroke_waiting_ = false;
   frames_.stop();
   frame();
   stroke_.end();
@@ -282,8 +306,9 @@ void ForceComparison::end_stroke() {
 
 void ForceComparison::stroke_across(double y_m) {
   if (field_ == nullptr) return;
-  begin_stroke(-0.45 * field_->field()->width_m(), y_m);
   across_y_m_ = y_m;
+  is_stroke_waiting_ = is_preparing();
+  if (!is_stroke_waiting_) start_stroke();
 }
 
 void ForceComparison::frame() {
@@ -358,6 +383,7 @@ void ForceComparison::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   frames_.stop();
   stroke_.end();
+  is_stroke_waiting_ = false;
   across_y_m_.reset();
   open_or_close_sound();
 }

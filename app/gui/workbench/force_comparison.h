@@ -14,6 +14,7 @@
 #include <QtCore/QTimer>
 #include <QtCore/QVector>
 #include <QtWidgets/QWidget>
+#include <glm/vec2.hpp>
 
 #include "app/gui/look/newest_work.h"
 #include "app/gui/sound/force_speaker.h"
@@ -33,8 +34,9 @@ namespace asperity {
 class ParameterForm;
 class StateLabel;
 
-/// Renderers are made in the background whenever the relief, the surface or a parameter changes;
-/// where a model takes parameters from a sample, those of this relief become the form's defaults.
+/// Renderers are made in the background whenever the relief, the surface or a parameter changes, and
+/// a stroke under way begins again with them. Where a model takes parameters from a sample, those of
+/// this relief become the form's defaults.
 class ForceComparison final : public QWidget {
   Q_OBJECT
  public:
@@ -44,6 +46,8 @@ class ForceComparison final : public QWidget {
   void set_field(std::shared_ptr<const HeightField> field);
   const ForceStroke& stroke() const noexcept { return stroke_; }
   bool is_settled() const noexcept { return !work_.is_busy(); }
+  /// The models of the present choices are being made.
+  bool is_preparing() const noexcept { return work_.is_busy(); }
 
   /// What a person has chosen, for a widget that takes the place of this one.
   struct Choices {
@@ -56,8 +60,9 @@ class ForceComparison final : public QWidget {
   Choices choices() const;
   void choose(const Choices& choices);
 
+  /// While models are prepared, the stroke begins once they are ready, at the place of the hand then.
   void begin_stroke(double x_m, double y_m);
-  void aim_stroke(double x_m, double y_m) { stroke_.aim({x_m, y_m}); }
+  void aim_stroke(double x_m, double y_m);
   void end_stroke();
   /// From left to right at 60 mm/s, as in the comparison of texture forces.
   void stroke_across(double y_m);
@@ -111,6 +116,8 @@ class ForceComparison final : public QWidget {
   void add_card(const ForceModel& model, QWidget* parent);
   void make_renderers();
   void take(Built built);
+  void start_stroke();
+  void clear_stroke();
   void frame();
   void judge();
   const ModelCard& card_of(std::size_t model) const;
@@ -132,6 +139,8 @@ class ForceComparison final : public QWidget {
   QTimer frames_{};
   std::uint64_t frame_ = 0;
   std::optional<double> across_y_m_{};
+  glm::dvec2 hand_at_m_{};
+  bool is_stroke_waiting_ = false;  // for the models
   SoundOutput output_{};
   std::unique_ptr<ForceSpeaker> speaker_{};  // none while nothing is to be heard
   QTimer looks_{};                           // at the card, while there is a speaker

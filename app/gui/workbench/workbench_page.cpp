@@ -460,7 +460,9 @@ void WorkbenchPage::show_line(double y_m) {
 
 void WorkbenchPage::show_forces() {
   if (mode_->checkedId() != static_cast<int>(Mode::comparing)) return;
-  forces_->show_signal(comparison_->forces(), tr("Drag over the relief to feel it"));
+  forces_->show_signal(comparison_->forces(), comparison_->is_preparing()
+                                                  ? tr("Preparing the models…")
+                                                  : tr("Drag over the relief to feel it"));
   forces_->show_spectrum(comparison_->spectra(), tr("Shown after a quarter of a second"));
   roughness_->show_series(comparison_->roughness(), tr("Shown after half a second"));
   const QString meaning =
