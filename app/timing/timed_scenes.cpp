@@ -149,8 +149,8 @@ class Timing final {
       if (model.declaration.needs_bodies) continue;
       TimedRow row = new_row(scene, model.declaration.id);
       if (body) row.surface = TimedSize{body->facets(), body->facets()};
-      if (has_tip(model)) row.quoted.reset();  // the figures are of a point
       time_row(row, [&]() -> Tick {
+        if (has_tip(model, inputs)) row.quoted.reset();  // the figures are of a point
         std::shared_ptr<ForceRenderer> renderer = make_renderer(model, inputs);
         renderer->reset(stroke.front());
         return [renderer, &stroke](int tick) {
@@ -162,8 +162,9 @@ class Timing final {
   }
 
   /// Whether a model has a tip of many cells. On a plane, because on a body the model is wrapped by a point model.
-  static bool has_tip(const ForceModel& model) {
-    const auto on_plane = make_renderer(model, rough_plane(built_in_models()));
+  static bool has_tip(const ForceModel& model, RendererInputs inputs) {
+    inputs.body.reset();
+    const auto on_plane = make_renderer(model, inputs);
     return dynamic_cast<const IndentationLaw*>(on_plane.get()) != nullptr;
   }
 

@@ -19,7 +19,7 @@
 namespace asperity {
 namespace {
 
-// Deeper and deeper until the ball is wholly inside, and out again.
+// Deeper and deeper until the ball is completely inside, and out again.
 TEST(TexturedContacts, KeepABallThatIsPressedWhollyIn) {
   const TexturedMesh tool = bare(ball(1e-3, 12, 16));
   const TexturedMesh plate = grated_plate({.amplitude_m = 0.02e-3, .wavelength_m = 1.2e-3});
@@ -134,7 +134,7 @@ TEST(TexturedContacts, FadeTheOneOfTwoBallsThatGoesWhollyIn) {
   EXPECT_NEAR(before_N.z, 1.8, 0.1);  // of the other one
 }
 
-// The smaller of two balls goes wholly in and comes out 0.4 mm deep, which is not too deep to be believed at
+// The smaller of two balls goes completely in and comes out 0.4 mm deep, which is not too deep to be believed at
 // once.
 TEST(TexturedContacts, RiseWhereABallComesOutAgain) {
   const ContactPath path = small_ball_enters_and_leaves();

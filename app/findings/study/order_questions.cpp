@@ -12,12 +12,42 @@ namespace asperity {
 
 namespace {
 
+Phrase question_of_order(const DiscriminationResults& results) {
+  return results.study.task.is_sequential
+             ? phrase("Analysis", "Does the order of presentation matter?")
+             : phrase("Analysis", "Does the position of the surfaces matter?");
+}
+
+/// What is asked, how it is tested, and the table with the estimates.
+struct OrderQuestion {
+  std::string name{};
+  Phrase question{};
+  Phrase method{};
+  const char* table = nullptr;
+};
+
+void add_answer(AnalysisOutcome& outcome, const OrderQuestion& asked, const Phrase& estimate,
+                const StudyTest* test, const Finding* finding) {
+  if (test == nullptr || !test->p) {
+    add_question(outcome, asked.name.c_str(), asked.question,
+                 phrase("Analysis", "Not tested: %1.").with(estimate), asked.method, asked.table,
+                 finding);
+    return;
+  }
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(estimate, p_text(*test));
+  };
+  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: %1 (%2).")),
+                        with_numbers(phrase("Analysis", "Not significantly: %1 (%2).")),
+                        with_numbers(phrase("Analysis", "On average, %1 (%2)."))};
+  add_question(outcome, asked.name.c_str(), asked.question, said_of(*test, sayings), asked.method,
+               asked.table, finding);
+}
+
 void ask_order(const DiscriminationResults& results, const StudyTests& tests,
                AnalysisOutcome& outcome) {
   const bool is_sequential = results.study.task.is_sequential;
-  const Phrase question = is_sequential
-                              ? phrase("Analysis", "Does the order of presentation matter?")
-                              : phrase("Analysis", "Does the position of the surfaces matter?");
+  const Phrase question = question_of_order(results);
   const Phrase method =
       is_sequential
           ? phrase("Analysis",
@@ -54,19 +84,7 @@ void ask_order(const DiscriminationResults& results, const StudyTests& tests,
                  "the difference between the proportions of choices of the comparison, as surface "
                  "A minus as surface B, was %1"))
           .with(difference);
-  if (test == nullptr || !test->p) {
-    add_question(outcome, name.c_str(), question,
-                 phrase("Analysis", "Not tested: %1.").with(estimate), method, kOrderEffect, mean);
-    return;
-  }
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(estimate, p_text(*test));
-  };
-  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: %1 (%2).")),
-                        with_numbers(phrase("Analysis", "Not significantly: %1 (%2).")),
-                        with_numbers(phrase("Analysis", "On average, %1 (%2)."))};
-  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kOrderEffect,
-               mean);
+  add_answer(outcome, {name, question, method, kOrderEffect}, estimate, test, mean);
 }
 
 /// "A 36 % (95 % CI [30 %, 42 %]), B …"
@@ -88,9 +106,7 @@ Phrase proportions_by_place(const DiscriminationResults& results, const FoundNum
 
 void ask_places(const DiscriminationResults& results, const StudyTests& tests,
                 AnalysisOutcome& outcome) {
-  const Phrase question = results.study.task.is_sequential
-                              ? phrase("Analysis", "Does the order of presentation matter?")
-                              : phrase("Analysis", "Does the position of the surfaces matter?");
+  const Phrase question = question_of_order(results);
   const Phrase method = phrase("Analysis",
                                "Friedman test of each participant's proportions of choices of the "
                                "surfaces A, B and C, averaged over the positions of the correct "
@@ -109,20 +125,7 @@ void ask_places(const DiscriminationResults& results, const StudyTests& tests,
   const Phrase estimate = phrase("Analysis", "mean proportions of choices: %1").with(proportions);
   const Finding* const first = found.find("place.proportion", key_of_place(results.name, 0));
   const StudyTest* const test = tests.find("order", results.name);
-  if (test == nullptr || !test->p) {
-    add_question(outcome, name.c_str(), question,
-                 phrase("Analysis", "Not tested: %1.").with(estimate), method, kChoicesByPlace,
-                 first);
-    return;
-  }
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(estimate, p_text(*test));
-  };
-  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: %1 (%2).")),
-                        with_numbers(phrase("Analysis", "Not significantly: %1 (%2).")),
-                        with_numbers(phrase("Analysis", "On average, %1 (%2)."))};
-  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kChoicesByPlace,
-               first);
+  add_answer(outcome, {name, question, method, kChoicesByPlace}, estimate, test, first);
 }
 
 }  // namespace
