@@ -7,17 +7,13 @@ endif()
 include(GNUInstallDirs)
 set(ASPERITY_MODULE_FOLDER "${CMAKE_INSTALL_LIBDIR}/asperity")
 
-# For a test program gold takes a third of the time of Debian's usual linker, and mold a quarter of gold's. What people run is
-# linked by the usual one.
+# mold links everything in a twentieth of the time of Debian's usual linker. The sanitizers want the usual one.
 include(CheckLinkerFlag)
 set(ASPERITY_LINKER "")
-if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=")
+if(NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_DEBUG}" MATCHES "-fsanitize=")
   check_linker_flag(CXX -fuse-ld=mold ASPERITY_HAS_MOLD)
-  check_linker_flag(CXX -fuse-ld=gold ASPERITY_HAS_GOLD)
   if(ASPERITY_HAS_MOLD)
     set(ASPERITY_LINKER -fuse-ld=mold)
-  elseif(ASPERITY_HAS_GOLD)
-    set(ASPERITY_LINKER -fuse-ld=gold)
   endif()
 endif()
 
@@ -104,10 +100,9 @@ function(asperity_compile_in_groups target)
   endif()
 endfunction()
 
-# asperity_optimise_lightly(<target>): for what waits for people and files, and for templates that take longer to optimise
-# than the tests take to run them. Its development build takes a quarter less.
+# asperity_optimise_lightly(<target>): for what waits for people and files. It compiles in three quarters of the time.
 function(asperity_optimise_lightly target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # asperity_share_headers(<name> HEADERS <header>… LIBRARIES <target>…): headers that test programs include again and
@@ -126,7 +121,7 @@ endfunction()
 
 # asperity_compile_as_test(<target>): a test's own code runs for moments; optimising it would take longer than it saves.
 function(asperity_compile_as_test target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
+  target_compile_options(${target} PRIVATE -O0)
 endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
@@ -135,9 +130,9 @@ endfunction()
 # the processor time of short tests is spent on starting programs. Suites that change their process (its limits,
 # signals, locale, current folder) or need one that nothing was done in match a pattern of ALONE: each of their tests is a
 # test of ctest, <folder>.<Suite>.<Test>, and a process.
-# Tests are discovered when ctest runs (TestSuites.cmake), so that building never runs a test program. The label "long"
-# keeps them out of scripts/test; scripts/test-long runs those that are also labelled fuzz, monte-carlo, realtime
-# or window.
+# Tests are discovered when ctest runs (TestSuites.cmake), so that building never runs a test program. The label "slow"
+# leaves a program to scripts/test slow, "long" to scripts/test-long, which runs those that are also labelled fuzz,
+# monte-carlo, realtime or window; these programs are built on request (targets slow_tests and long_tests).
 # COST, about the seconds of its longest tests, has ctest begin with them: a test run ends with many short ones.
 function(asperity_add_tests folder)
   cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE" ${ARGN})
@@ -156,6 +151,22 @@ function(asperity_add_tests folder)
   asperity_compile_as_test(${program})
   asperity_compile_in_groups(${program})
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  # What scripts/test builds: everyday, slow, and of each the programs of a folder of tests/ and below it.
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}/tests" OUTPUT_VARIABLE top)
+  string(REGEX REPLACE "/.*" "" top "${top}")
+  set(kind everyday)
+  foreach(label IN ITEMS slow long)
+    if(label IN_LIST ARG_LABELS)
+      set(kind ${label})
+      set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+  endforeach()
+  foreach(target IN ITEMS ${kind}_tests ${kind}_tests_of_${top})
+    if(NOT TARGET ${target})
+      add_custom_target(${target})
+    endif()
+    add_dependencies(${target} ${program})
+  endforeach()
   # Only what hangs takes so long, also beside other work; a wait that fails ends after the patience of tests/support.
   set(timeout_s 600)
   if("long" IN_LIST ARG_LABELS)
@@ -169,7 +180,7 @@ set(folder "@folder@")
 set(program "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/@program@")
 set(launcher "@ARG_LAUNCHER@")
 set(alone "@ARG_ALONE@")
-set(labels "@folder@;@ARG_LABELS@")
+set(labels "@top@;@ARG_LABELS@")
 set(timeout_s @timeout_s@)
 set(cost @ARG_COST@)
 set(working_directory "@CMAKE_CURRENT_BINARY_DIR@")

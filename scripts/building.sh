@@ -66,11 +66,14 @@ build() {
   fi
 }
 
-# The program as people run it.
+# The program, which people run and the tests test: one build folder for both. Its tests are configured by scripts/test,
+# and stay configured: what is built is never removed by the other script.
 # shellcheck disable=SC2034  # used by those who source this
 asperity=$root/build/release/bin/asperity
 build_program() {
+  local without_tests=()
   "$root/scripts/install" build
-  configure release -DASPERITY_BUILD_TESTS=OFF -DASPERITY_BUILD_BENCH=OFF -DASPERITY_WARNINGS_AS_ERRORS=OFF
+  if [[ ! -e $root/build/release/CMakeCache.txt ]]; then without_tests=(-DASPERITY_BUILD_TESTS=OFF); fi
+  configure release "${without_tests[@]}"
   build release asperity
 }
