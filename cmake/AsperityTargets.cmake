@@ -51,20 +51,55 @@ function(asperity_configure target)
   target_link_options(${target} PRIVATE LINKER:--as-needed ${ASPERITY_LINKER})
 endfunction()
 
-# asperity_add_library(<folder> SOURCES <file>…): the one library of a folder, asperity_<folder>.
+# asperity_add_sources(<target> [<file>…] [GROUP <file>…]…): the sources of a target. Those of a group are compiled at a time,
+# so that what is costly in the headers of others is paid for once a group; for the compiler they are one file, in which a name
+# that two sources keep to themselves is an error. Sources before the first group are compiled alone.
+function(asperity_add_sources target)
+  set(largest 12)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+  if(folder MATCHES "^tests")
+    set(largest 24)  # not optimised, so that more of them fit into the memory and the time of a step
+  endif()
+  set(group 0)
+  foreach(file IN LISTS ARGN)
+    if(file STREQUAL "GROUP")
+      math(EXPR group "${group} + 1")
+      set(members 0)
+      continue()
+    endif()
+    cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    target_sources(${target} PRIVATE "${file}")
+    if(group GREATER 0 AND file MATCHES "\\.cpp$")
+      math(EXPR members "${members} + 1")
+      if(members GREATER largest)
+        message(FATAL_ERROR "Group ${group} of ${target} in ${folder} has more than ${largest} sources: begin another with GROUP.")
+      endif()
+      string(MAKE_C_IDENTIFIER "${folder}_${group}" name)
+      set_source_files_properties("${file}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${name})
+    endif()
+  endforeach()
+  if(group GREATER 0 AND ASPERITY_COMPILE_IN_GROUPS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # A class that a source defines from its header's name may hold what the source keeps to itself; a group
+    # looks to gcc like a header that does so.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+
+# asperity_add_library(<folder> SOURCES <file>… [GROUP <file>…]…): the one library of a folder, asperity_<folder>.
 function(asperity_add_library folder)
   cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
-  add_library(asperity_${folder} STATIC ${ARG_SOURCES})
+  add_library(asperity_${folder} STATIC)
+  asperity_add_sources(asperity_${folder} ${ARG_SOURCES})
   target_include_directories(asperity_${folder} PUBLIC "${CMAKE_SOURCE_DIR}")
   asperity_configure(asperity_${folder})
 endfunction()
 
-# asperity_add_component(<component> LIBRARIES <target>… SOURCES <file>…): a folder of app/ as the library asperity_<component>.
+# asperity_add_component(<component> LIBRARIES <target>… SOURCES <file>… [GROUP <file>…]…): a folder of app/ as the library asperity_<component>.
 # The headers that nearly all of its sources include and that are not part of this tree are compiled once, with the first.
 function(asperity_add_component component)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   asperity_add_library(${component} SOURCES ${ARG_SOURCES})
-  asperity_compile_in_groups(asperity_${component})
   asperity_optimise_lightly(asperity_${component})
   target_link_libraries(asperity_${component} PUBLIC ${ARG_LIBRARIES} PRIVATE nlohmann_json::nlohmann_json)
   if(component STREQUAL "words")
@@ -87,17 +122,6 @@ function(asperity_add_module name)
   asperity_configure(${name})
   add_dependencies(asperity_modules ${name})
   install(TARGETS ${name} LIBRARY DESTINATION "${ASPERITY_MODULE_FOLDER}")
-endfunction()
-
-# asperity_compile_in_groups(<target>): several sources at a time, so that what is costly in the headers of others is
-# paid for once a group. What a source keeps to itself still has to have a name of its own in the target.
-function(asperity_compile_in_groups target)
-  if(ASPERITY_COMPILE_IN_GROUPS)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-    # A class that a source defines from its header's name may hold what the source keeps to itself; a group
-    # looks to gcc like a header that does so.
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-  endif()
 endfunction()
 
 # asperity_optimise_lightly(<target>): for what waits for people and files. It compiles in three quarters of the time.
@@ -124,18 +148,18 @@ function(asperity_compile_as_test target)
   target_compile_options(${target} PRIVATE -O0)
 endfunction()
 
-# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
-#   [HEADERS <name>] [COST <number>] [ALONE <pattern>…])
+# asperity_add_tests(<folder> SOURCES <file>… [GROUP <file>…]… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
+#   [HEADERS <name>] [COST <number>] [ALONE <pattern>…] [SLOW <pattern>…])
 # The program asperity_<folder>_tests. To ctest each of its suites is a test, <folder>.<Suite>, run in one process: most of
 # the processor time of short tests is spent on starting programs. Suites that change their process (its limits,
 # signals, locale, current folder) or need one that nothing was done in match a pattern of ALONE: each of their tests is a
 # test of ctest, <folder>.<Suite>.<Test>, and a process.
 # Tests are discovered when ctest runs (TestSuites.cmake), so that building never runs a test program. The label "slow"
-# leaves a program to scripts/test slow, "long" to scripts/test-long, which runs those that are also labelled fuzz,
+# leaves a program to scripts/test slow (SLOW: some of its suites), "long" to scripts/test-long, which runs those that are also labelled fuzz,
 # monte-carlo, realtime or window; these programs are built on request (targets slow_tests and long_tests).
 # COST, about the seconds of its longest tests, has ctest begin with them: a test run ends with many short ones.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE;SLOW" ${ARGN})
   if(NOT ARG_HEADERS)
     set(ARG_HEADERS asperity_test_headers)
   endif()
@@ -143,13 +167,13 @@ function(asperity_add_tests folder)
     set(ARG_COST 0)
   endif()
   set(program asperity_${folder}_tests)
-  add_executable(${program} ${ARG_SOURCES})
+  add_executable(${program})
+  asperity_add_sources(${program} ${ARG_SOURCES})
   asperity_configure(${program})
   target_include_directories(${program} PRIVATE "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${program} REUSE_FROM ${ARG_HEADERS})
   asperity_compile_as_test(${program})
-  asperity_compile_in_groups(${program})
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   # What scripts/test builds: everyday, slow, and of each the programs of a folder of tests/ and below it.
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}/tests" OUTPUT_VARIABLE top)
@@ -180,6 +204,7 @@ set(folder "@folder@")
 set(program "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/@program@")
 set(launcher "@ARG_LAUNCHER@")
 set(alone "@ARG_ALONE@")
+set(slow "@ARG_SLOW@")
 set(labels "@top@;@ARG_LABELS@")
 set(timeout_s @timeout_s@)
 set(cost @ARG_COST@)

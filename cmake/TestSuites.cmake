@@ -5,6 +5,7 @@
 #   program   the program's path
 #   launcher  what starts it, in words; may be empty
 #   alone     patterns of suites whose tests get a process each: <folder>.<Suite>.<Test>
+#   slow      patterns of suites with the label slow in a program without it
 #   labels, timeout_s (of one test), cost, working_directory
 
 if(NOT EXISTS "${program}")
@@ -36,12 +37,17 @@ function(asperity_register name filter count)
   add_test("${name}" ${launcher} "${program}" "--gtest_filter=${filter}")
   math(EXPR begins_early "${cost} + ${count}")
   math(EXPR longest_s "${timeout_s} + 3 * (${count} - 1)")
+  if(suite MATCHES "${slow_pattern}")
+    list(APPEND labels slow)
+  endif()
   set_tests_properties("${name}" PROPERTIES
     LABELS "${labels}" TIMEOUT ${longest_s} COST ${begins_early} WORKING_DIRECTORY "${working_directory}")
 endfunction()
 
-string(REPLACE ";" "|" alone_pattern "${alone}")
-set(alone_pattern "^(${alone_pattern})\\.$")
+foreach(kind IN ITEMS alone slow)
+  string(REPLACE ";" "|" ${kind}_pattern "${${kind}}")
+  set(${kind}_pattern "^(${${kind}_pattern})\\.$")
+endforeach()
 
 # Lines without a blank at their beginning are suites ("Suite."), others their tests.
 file(STRINGS "${list_file}" lines)
@@ -67,8 +73,8 @@ foreach(line IN LISTS lines ITEMS "end.")
     list(APPEND suites "${suite}")
   endif()
 endforeach()
-foreach(pattern IN LISTS alone)
+foreach(pattern IN LISTS alone slow)
   if(NOT "${suites}" MATCHES "(^|;)${pattern}\\.(;|$)")
-    message(FATAL_ERROR "No suite of ${program} matches ${pattern}, which its CMakeLists.txt names under ALONE.")
+    message(FATAL_ERROR "No suite of ${program} matches ${pattern}, which its CMakeLists.txt names under ALONE or SLOW.")
   endif()
 endforeach()

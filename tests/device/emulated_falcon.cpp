@@ -23,9 +23,6 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// Bus error of a transfer, as the kernel numbers it.
-constexpr int kBusError = -EPROTO;
-constexpr int kUnplugged = -ESHUTDOWN;
 constexpr auto kLatency = std::chrono::milliseconds(4);
 constexpr std::size_t kPacket_bytes = 64;
 constexpr std::array<std::uint8_t, 3> kCall{0x0a, 0x43, 0x0d};

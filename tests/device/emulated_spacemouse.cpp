@@ -15,8 +15,6 @@
 namespace asperity {
 namespace {
 
-constexpr int kBusError = -EPROTO;
-constexpr int kUnplugged = -ESHUTDOWN;
 constexpr auto kBetweenReports = std::chrono::milliseconds(8);
 
 // What an ioctl's argument points to.

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -20,6 +21,10 @@ typedef struct _UMockdevIoctlData UMockdevIoctlData;
 struct usbdevfs_urb;
 
 namespace asperity {
+
+/// How a transfer ended, as the kernel numbers it.
+inline constexpr int kBusError = -EPROTO;
+inline constexpr int kUnplugged = -ESHUTDOWN;
 
 /// A machine whose only USB devices are emulated: what the process opens of /sys and /dev/bus/usb lies in
 /// a folder of its own. The program has to run under umockdev-wrapper.

@@ -13,7 +13,7 @@ namespace {
 constexpr double kOf5 = 20.52;
 constexpr double kOf35 = 66.62;
 
-std::string order_of(const Trial& trial) {
+std::string order_in(const Trial& trial) {
   std::string order{};
   for (const PlannedPresentation& surface : trial.presentations) order += surface.item + ' ';
   return order;
@@ -30,8 +30,8 @@ TEST(SelectionOrders, AreAllAlikeAndTellNothingOfTheNext) {
     const Plan plan = make_plan(protocol, {seed, 0});
     ASSERT_EQ(plan.trials.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
-      ++orders[i][order_of(plan.trials[i])];
-      if (i > 0) ++pairs[i - 1][order_of(plan.trials[i - 1]) + order_of(plan.trials[i])];
+      ++orders[i][order_in(plan.trials[i])];
+      if (i > 0) ++pairs[i - 1][order_in(plan.trials[i - 1]) + order_in(plan.trials[i])];
     }
   }
   for (const auto& of_trial : orders) EXPECT_LT(chi_square_of_equal(of_trial, 6), kOf5);
