@@ -78,7 +78,7 @@ std::string protocol_text(const std::string& stimulus, const std::string& parame
   const std::string vary =
       R"("vary": {"parameter": ")" + parameter +
       R"(", "of": "comparison", "relative_to": "standard", "levels_percent": )";
-  return R"({"format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "between",
+  return R"({"format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "between",
     "version": "1.0.0", "title": "Between trials", "consent": {"version": "1.0", "statement": "Nobody takes part."},
     "textures": {"stone": {"height_field": "stimuli/stone.png"},
       "file": {"height_field": "stimuli/file_fine.png"}, "studs": {"height_field": "stimuli/file_plate.png"}},

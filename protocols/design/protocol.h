@@ -217,7 +217,6 @@ const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept;
 
 /// Stores the contents of a protocol file. Always valid: only `read_protocol` makes one.
 struct Protocol {
-  int format = 1;  ///< 1 or 2
   /// The id of an ExperimentKind (protocols/kinds/experiment_kind.h): that of every block without its own.
   std::string kind = "selection";
   ProtocolDesign design = ProtocolDesign::chapter;

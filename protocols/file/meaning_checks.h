@@ -62,7 +62,6 @@ class Meaning final : private ProblemSink {
   }
 
   void check_head();
-  void check_keys_of_format_2();
   void check_device_limits();
   void check_instability();
   void check_senses();

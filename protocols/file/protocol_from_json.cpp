@@ -88,8 +88,6 @@ Protocol::Step step_of(const json& object) {
 }
 
 void read_head(const json& root, Protocol& protocol) {
-  read_choice(root, "format", protocol.format,
-              {{"asperity.protocol/1", 1}, {"asperity.protocol/2", 2}});
   read(root, "kind", protocol.kind);
   read_choice(root, "design", protocol.design,
               {{"chapter", ProtocolDesign::chapter}, {"improved", ProtocolDesign::improved}});

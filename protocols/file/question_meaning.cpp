@@ -209,11 +209,6 @@ void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& 
                                const std::string& place) {
   if (question.confidence_of.empty()) return;
   const std::string at = place + "/confidence_of";
-  if (protocol_.format < 2) {
-    report(
-        "/format",
-        "the key \"confidence_of\" requires the format \"asperity.protocol/2\"; write that here");
-  }
   const TrialQuestionTemplate* const judged = judged_question(block);
   if (judged == nullptr) {
     report_key(at,

@@ -11,17 +11,6 @@
 namespace asperity {
 
 void Meaning::check_head() {
-  for (const auto& [name, block] : protocol_.blocks) {
-    const auto& object = document_.root().at("blocks").at(name);
-    for (const char* const key :
-         {"questions", "kind", "design", "procedure", "arrangement", "rove", "equal_roughness",
-          "exclude", "derived", "repetitions_of", "minimum_distance", "fixed_positions"}) {
-      if (protocol_.format >= 2 || !object.contains(key)) continue;
-      report("/format", "the block " + in_quotes(name) + " has the key " + in_quotes(key) +
-                            ", which requires the format \"asperity.protocol/2\"; write that here");
-    }
-  }
-  check_keys_of_format_2();
   for (const ExperimentKind* const kind : experiment_kinds()) {
     for (const KindKey& key : kind->keys) {
       const std::string name(key.name);
@@ -45,64 +34,6 @@ void Meaning::check_head() {
            "edges of " + digits(patch.edge_width_m) + " m on both sides cover the whole patch of " +
                digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
                " m; reduce edge_width_m or enlarge the patch");
-  }
-}
-
-/// Those outside blocks.
-void Meaning::check_keys_of_format_2() {
-  if (protocol_.format >= 2) return;
-  const auto refuse = [this](const char* key) {
-    report("/format", "the key " + in_quotes(key) +
-                          " requires the format \"asperity.protocol/2\"; write that here");
-  };
-  if (protocol_.resume.practice_trials > 0) refuse("practice_trials");
-  if (const auto device = document_.root().find("device");
-      device != document_.root().end() && device->contains("compute")) {
-    refuse("compute");
-  }
-  if (protocol_.observer.magnitude_of == ObserverDeclaration::MagnitudeOf::compliance) {
-    report("/format",
-           "the quantity \"compliance\" of an observer requires the format "
-           "\"asperity.protocol/2\"; write that here");
-  }
-  if (protocol_.groups &&
-      protocol_.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
-    report("/format",
-           "the assignment \"permuted_blocks\" requires the format "
-           "\"asperity.protocol/2\"; write that here");
-  }
-  for (const Protocol::Step& step : protocol_.flow) {
-    const auto* const run = std::get_if<Protocol::Run>(&step);
-    if (run == nullptr || run->break_every_contact_s == 0.0) continue;
-    refuse("break_every_contact_minutes");
-    break;
-  }
-  for (const Protocol::Step& step : protocol_.flow) {
-    const auto* const screen = std::get_if<Protocol::Screen>(&step);
-    if (screen != nullptr && screen->condition) refuse("if");
-  }
-  if (const auto estimation = document_.root().find("estimation");
-      estimation != document_.root().end()) {
-    for (const char* const key : {"factor", "modulus", "normalisation"}) {
-      if (estimation->contains(key)) refuse(key);
-    }
-  }
-  for (const auto& [name, block] : protocol_.blocks) {
-    const bool has_line = std::any_of(
-        block.questions.begin(), block.questions.end(),
-        [](const auto& question) { return std::holds_alternative<LineForm>(question.form); });
-    if (!has_line) continue;
-    refuse("line");
-    break;
-  }
-  for (const auto& [name, question] : protocol_.questions) {
-    if (question.condition) refuse("if");
-    if (!question.unit.empty()) refuse("unit");
-    const bool is_scale = question.form == Question::Form::scale;
-    if (!is_scale && question.form != Question::Form::multiple_choice) continue;
-    report("/format", "the form " + in_quotes(is_scale ? "scale" : "multiple_choice") +
-                          " of a question requires the format \"asperity.protocol/2\"; write that "
-                          "here");
   }
 }
 

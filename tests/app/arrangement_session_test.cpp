@@ -30,7 +30,7 @@ using ::testing::HasSubstr;
 /// Two trials with two gratings each, of different amplitudes.
 std::string arranged(const std::string& arrangement) {
   return R"({
-  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "arranged",
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "arranged",
   "version": "1.0.0", "title": "Arranged",
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "surface": {"centre_m": [0, 0, 0], "extent_m": [0.1, 0.1], "tiling": "repeat", "edge": "fade",

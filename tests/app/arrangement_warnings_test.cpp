@@ -22,7 +22,7 @@ using ::testing::SizeIs;
 Protocol two_gratings_of(const std::string& period, const std::string& amplitude,
                          const std::string& arrangement, const std::string& exploration = "") {
   return read_small_protocol(built_in_models(), R"({
-    "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "two",
+    "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "two",
     "version": "1.0.0", "title": "Two", "consent": {"version": "1.0", "statement": "I take part."},
     "surface": {"centre_m": [0, 0, 0], "extent_m": [0.1, 0.1], "tiling": "repeat", "edge": "fade",
                 "edge_width_m": 0.005, "motion_scale": 1},

@@ -30,7 +30,7 @@ using ::testing::HasSubstr;
 
 /// Two models are matched to a third one in two tracks of four trials each; then every pair, in both orders.
 constexpr const char* kMatchedModels = R"({
-  "format": "asperity.protocol/2", "kind": "paired_comparison", "design": "improved", "name": "matched",
+  "format": "asperity.protocol/1", "kind": "paired_comparison", "design": "improved", "name": "matched",
   "version": "1.0.0", "title": "Matched models",
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "factors": {"model": {"levels": ["sinusoid", "solid_noise", "stochastic"]}},

@@ -274,7 +274,7 @@ TEST(MagnitudeFamily, HasTheSameCurvesByItemAndBySpacing) {
 std::string amplitudes(const std::string& estimation, const std::string& presented,
                        const std::string& question) {
   return R"({
-    "format": "asperity.protocol/2", "kind": "magnitude", "design": "improved", "name": "amplitudes",
+    "format": "asperity.protocol/1", "kind": "magnitude", "design": "improved", "name": "amplitudes",
     "version": "1.0.0", "title": "Amplitudes",
     "consent": {"version": "1.0", "statement": "I take part of my own free will."},
     "factors": {"amplitude": {"levels": [0.0001, 0.0002, 0.0004], "unit": "m"}},

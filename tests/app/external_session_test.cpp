@@ -36,7 +36,7 @@ using ::testing::IsEmpty;
 /// Two interleaved tracks of six trials in each of two conditions, and a trial of a fixed block after them.
 std::string tracks_with(const std::string& procedure) {
   return R"({
-  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "tracks",
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "tracks",
   "version": "1.0.0", "title": "Tracks",
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "factors": {"stroking": {"levels": ["short", "long"]}},

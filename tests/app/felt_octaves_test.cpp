@@ -57,7 +57,7 @@ class RecordedGratings : public SessionTest {
  protected:
   void SetUp() override {
     begin(R"({
-  "format": "asperity.protocol/2", "kind": "magnitude", "design": "improved", "name": "gratings",
+  "format": "asperity.protocol/1", "kind": "magnitude", "design": "improved", "name": "gratings",
   "version": "1.0.0", "title": "Gratings",
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "estimation": {"factor": "wavelength_m", "predictor": "waves_2.5_to_5_mm"},

@@ -196,7 +196,6 @@ TEST(GroupsOfEarlierStudies, AreNoColumns) {
 TEST_F(GroupsOfASession, FollowThePermutedBlocksOfTheProtocol) {
   std::string text = grouped_protocol("permuted_blocks");
   text.replace(text.find("permuted_blocks\"") + 16, 0, R"(, "seed": 8, "block_sizes": [2])");
-  text.replace(text.find("asperity.protocol/1"), 19, "asperity.protocol/2");
   write(text);
   for (const char* const label : {"p1", "p2", "p3", "p4"}) {
     EXPECT_EQ(run(label).state, SessionState::completed);
@@ -216,7 +215,6 @@ TEST_F(GroupsOfASession, FollowThePermutedBlocksOfTheProtocol) {
 TEST_F(GroupsOfASession, ThatAreNotThoseOfTheSequenceAreFound) {
   std::string text = grouped_protocol("permuted_blocks");
   text.replace(text.find("permuted_blocks\"") + 16, 0, R"(, "seed": 8, "block_sizes": [2])");
-  text.replace(text.find("asperity.protocol/1"), 19, "asperity.protocol/2");
   write(text);
   for (const char* const label : {"p1", "p2"}) EXPECT_EQ(run(label).state, SessionState::completed);
   EXPECT_THAT(problems(), IsEmpty());

@@ -24,7 +24,7 @@ using ::testing::SizeIs;
 /// A discrimination of two reliefs of a file that differ in `height_scale`.
 std::string scaled_reliefs(const std::string& file, const std::string& levels) {
   return R"({
-  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "scaled",
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "scaled",
   "version": "1.0.0", "title": "Scaled", "consent": {"version": "1.0", "statement": "I take part."},
   "textures": {"relief": {"height_field": "stimuli/)" +
          file + R"(.png"}},

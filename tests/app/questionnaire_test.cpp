@@ -28,7 +28,6 @@ using ::testing::Not;
 
 std::string questioned_protocol() {
   nlohmann::json protocol = nlohmann::json::parse(small_protocol());
-  protocol["format"] = "asperity.protocol/2";
   protocol["factors"]["go"]["levels"] = {1};
   protocol["questions"] = nlohmann::json::parse(R"({
     "pain": {"prompt": "Does your hand hurt?", "form": "choice", "options": ["yes", "no"]},

@@ -30,7 +30,6 @@ std::string refreshed_protocol(int practice_trials) {
     ASSERT_NE(text.find(from), std::string::npos) << from;
     text.replace(text.find(from), from.size(), to);
   };
-  replace("protocol/1", "protocol/2");
   replace(R"("main": {)", R"("main": {"repetitions": 2,)");
   replace(R"("flow":)",
           R"("resume": {"practice_trials": )" + std::to_string(practice_trials) + R"(}, "flow":)");
@@ -177,7 +176,7 @@ std::ostream& operator<<(std::ostream& out, const Interrupting& interrupting) {
 
 /// A track of four practice trials, and two tracks of three trials.
 constexpr const char* kPractisedTracks = R"({
-  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "practised_tracks",
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "practised_tracks",
   "version": "1.0.0", "title": "Practised tracks",
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-5, "wavelength_m": 0.0025}}},
@@ -312,7 +311,6 @@ TEST_F(SessionTest, RestsOnceSurfacesWereInContactForLongEnough) {
   text.replace(text.find(plain), plain.size(),
                R"({"run": "main", "break_every_contact_minutes": 0.01,
                    "pause": {"minimum_s": 1, "text": "Rest."}})");
-  text.replace(text.find("protocol/1"), 10, "protocol/2");
   begin(text);
   EXPECT_EQ(run().state, SessionState::completed);
   const std::vector<AttemptRow> rows = attempts();

@@ -21,7 +21,7 @@ using ::testing::SizeIs;
 
 std::string staircase(const std::string& procedure) {
   return R"({
-    "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "tracked",
+    "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "tracked",
     "version": "1.0.0", "title": "Tracks",
     "consent": {"version": "1.0", "statement": "I take part of my own free will."},
     "stimuli": {"wave": {"model": "sinusoid", "parameters": {"amplitude_m": 0.0001}}},

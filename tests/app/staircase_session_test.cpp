@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 /// Four interleaved tracks of four trials each, and a trial of a fixed block after them.
 constexpr const char* kStaircases = R"({
-  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "staircases",
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "staircases",
   "version": "1.0.0", "title": "Staircases",
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "factors": {"stroking": {"levels": ["short", "long"]}},

@@ -22,7 +22,7 @@ using ::testing::UnorderedElementsAre;
 
 /// One track; a correct response lowers the level by a step, an incorrect one raises it.
 constexpr const char* kOneTrack = R"({
-  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "one_track",
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "one_track",
   "version": "1.0.0", "title": "One track",
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-5, "wavelength_m": 0.0025}}},

@@ -329,11 +329,8 @@ std::vector<int> lines_said(const std::string& said, const fs::path& file) {
 /// A protocol whose contacts are evaluated on a GPU.
 fs::path protocol_on_gpu(const TemporaryFolder& place) {
   std::string text = text_of(SmallStudy(1).selection());
-  for (const auto& [from, to] :
-       {std::pair{"asperity.protocol/1", "asperity.protocol/2"},
-        std::pair{R"("rate_Hz": 1000)", R"("rate_Hz": 1000, "compute": "gpu")"}}) {
-    text.replace(text.find(from), std::string_view(from).size(), to);
-  }
+  const std::string rate = R"("rate_Hz": 1000)";
+  text.replace(text.find(rate), rate.size(), rate + R"(, "compute": "gpu")");
   write_text(place / "on_gpu.json", text);
   return place / "on_gpu.json";
 }

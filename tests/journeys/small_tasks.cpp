@@ -6,7 +6,6 @@ namespace asperity::test {
 
 nlohmann::ordered_json three_tasks() {
   nlohmann::ordered_json protocol = small_selection(2);
-  protocol["format"] = "asperity.protocol/2";
   protocol["kind"] = "rating";
   protocol["name"] = "three_tasks";
   protocol["factors"]["training"] = {{"levels", {"haptic", "visual"}}};
@@ -55,7 +54,6 @@ nlohmann::ordered_json pairs_of_models() {
 
 nlohmann::ordered_json rated_pairs_of_models(int parts) {
   nlohmann::ordered_json protocol = small_selection(1);
-  protocol["format"] = "asperity.protocol/2";
   protocol["kind"] = "similarity";
   protocol["name"] = "rated_pairs";
   protocol.erase("realism_standard");
@@ -76,7 +74,6 @@ nlohmann::ordered_json rated_pairs_of_models(int parts) {
 
 nlohmann::ordered_json staircases() {
   nlohmann::ordered_json protocol = small_selection(2);
-  protocol["format"] = "asperity.protocol/2";
   protocol["kind"] = "discrimination";
   protocol["name"] = "staircases";
   for (const char* const key : {"textures", "factors", "realism_standard", "analysis"})
@@ -151,7 +148,6 @@ nlohmann::ordered_json psi_track() {
 
 nlohmann::ordered_json magnitude_estimates() {
   nlohmann::ordered_json protocol = small_selection(3);
-  protocol["format"] = "asperity.protocol/2";
   protocol["kind"] = "magnitude";
   protocol["name"] = "magnitude_estimates";
   protocol.erase("realism_standard");

@@ -92,7 +92,6 @@ TEST(AnalysisWarnings, AreAboutRatingsOfASingleSurface) {
 TEST(AnalysisWarnings, AreAboutAPredictorWithoutRecordings) {
   json file = library_file("roughness_diameter");
   const std::string items = file["estimation"]["spacing"];
-  file["format"] = "asperity.protocol/2";
   file["estimation"].erase("spacing");
   file["estimation"]["factor"] = items;
   file["estimation"]["predictor"] = "waves_1.25_to_2.5_mm";

@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 /// A main block "pairs" that presents two gratings.
 ArrangedJson two_gratings(const ArrangedJson& arrangement) {
   ArrangedJson protocol = ArrangedJson::parse(R"({
-    "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "two",
+    "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "two",
     "version": "1.0.0", "title": "Two gratings",
     "consent": {"version": "1.0", "statement": "I take part of my own free will."},
     "surface": {"centre_m": [0, 0, 0], "extent_m": [0.1, 0.08], "tiling": "repeat", "edge": "fade",
@@ -207,16 +207,6 @@ TEST(ArrangementOfATrial, RefusesWhatCannotBePresented) {
     }
     EXPECT_THAT(messages, HasSubstr(fault.message));
   }
-}
-
-TEST(ArrangementOfATrial, NeedsFormat2) {
-  ArrangedJson protocol = two_gratings({{"surfaces", "on_request"}});
-  protocol["format"] = "asperity.protocol/1";
-  std::string messages{};
-  for (const Diagnostic& problem : reading_of_arranged(protocol).problems) {
-    messages += problem.message + '\n';
-  }
-  EXPECT_THAT(messages, HasSubstr("asperity.protocol/2"));
 }
 
 TEST(ArrangementOfATrial, SideBySideHasNoScene) {

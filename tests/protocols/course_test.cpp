@@ -30,7 +30,7 @@ using ::testing::HasSubstr;
 /// Two tracks of a 2-down/1-up staircase for each of two explorations, and a fixed block after them.
 json staircases() {
   return json::parse(R"({
-    "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "staircases",
+    "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "staircases",
     "version": "1.0.0", "title": "Staircases",
     "consent": {"version": "1.0", "statement": "I take part of my own free will."},
     "factors": {"stroking": {"levels": ["slow", "fast"]}, "shade": {"levels": ["a", "b", "c"]}},
@@ -656,7 +656,7 @@ TEST(Resume, CanOnlyRepeatPracticeThatThereIs) {
               ElementsAre(HasSubstr("/resume/practice_trials: no block has the phase")));
 }
 
-TEST(BreaksAfterContact, NeedAPauseAndTheFormatThatHasThem) {
+TEST(BreaksAfterContact, NeedAPause) {
   json file = staircases();
   file["flow"][2]["break_every_contact_minutes"] = 5;
   EXPECT_THAT(problems_with(file),
@@ -665,11 +665,6 @@ TEST(BreaksAfterContact, NeedAPauseAndTheFormatThatHasThem) {
   EXPECT_TRUE(problems_with(file).empty());
   file["flow"][2].erase("break_every_contact_minutes");
   EXPECT_THAT(problems_with(file), ElementsAre(HasSubstr("the time of this pause is not stated")));
-  json plain = json::parse(test::example_selection());
-  plain["flow"][2]["break_every_contact_minutes"] = 5;
-  EXPECT_THAT(problems_with(plain),
-              ElementsAre(HasSubstr("/format: the key \"break_every_contact_minutes\" requires the "
-                                    "format \"asperity.protocol/2\"")));
 }
 
 TEST(Course, NamesTheStepOfTheFlowThatRunsABlock) {
@@ -978,16 +973,6 @@ TEST(FaultOfAProcedure, IsAnExplorationThatPutsTrialsOff) {
       read_protocol_with_problems(file.dump(1), "file.json", test::example_models());
   ASSERT_EQ(reading.problems.size(), 1U);
   EXPECT_EQ(reading.problems[0].pointer, "/explorations/fast/on_failure");
-}
-
-TEST(FaultOfAProcedure, IsTheFormatWithoutProcedures) {
-  json file = staircases();
-  file["format"] = "asperity.protocol/1";
-  const ProtocolReading reading =
-      read_protocol_with_problems(file.dump(1), "file.json", test::example_models());
-  ASSERT_EQ(reading.problems.size(), 1U);
-  EXPECT_EQ(reading.problems[0].pointer, "/format");
-  EXPECT_THAT(reading.problems[0].message, HasSubstr("\"procedure\""));
 }
 
 }  // namespace

@@ -34,11 +34,9 @@ struct EstimatedModels {
   std::string crossed = "model";
   std::string stimulus = R"("model": {"factor": "model"}, "texture": "stone")";
   std::string analysis = R"({})";
-  std::string format = "2";
 
   std::string text() const {
-    return R"({"format": "asperity.protocol/)" + format +
-           R"(", "kind": "magnitude", "design": "improved",
+    return R"({"format": "asperity.protocol/1", "kind": "magnitude", "design": "improved",
       "name": "estimated", "version": "1.0.0", "title": "Estimates",
       "consent": {"version": "1", "statement": "I take part of my own free will."},
       "device": {"rate_Hz": 1000, "force_limit_N": 5},
@@ -185,7 +183,6 @@ TEST(Estimation, RefusesWhatItCannotAnalyse) {
               has_problem("/analysis/family/0", "belongs to an estimation with \"spacing\""));
   EXPECT_THAT(problems_of_models({.analysis = R"({"family": ["exponent"]})"}),
               has_problem("/analysis/family/0", "without a predictor there is no exponent"));
-  EXPECT_THAT(problems_of_models({.format = "1"}), has_problem("/format", "\"factor\""));
 }
 
 TEST(Estimation, RefusesAStandardThatIsNotPresentedFirst) {

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 /// Two tracks of four trials at most, and two trials of a fixed block after them.
 nlohmann::json external_file() {
   return nlohmann::json::parse(R"({
-    "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "stated",
+    "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "stated",
     "version": "1.0.0", "title": "Stated levels",
     "consent": {"version": "1.0", "statement": "I take part of my own free will."},
     "stimuli": {"scaled": {"model": "pd_gradient", "surface": "ball", "tool": "ball",

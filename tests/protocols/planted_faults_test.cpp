@@ -189,8 +189,8 @@ const Fault kSyntax[] = {
 };
 
 const Fault kForm[] = {
-    {"other_format", "asperity.protocol/1", "asperity.protocol/9", R"("asperity.protocol/9")",
-     "/format", R"("asperity.protocol/1" or "asperity.protocol/2")"},
+    {"other_format", "asperity.protocol/1", "asperity.protocol/2", R"("asperity.protocol/2")",
+     "/format", R"("asperity.protocol/2" is not supported: write "asperity.protocol/1")"},
     {"misspelt_key", R"("repetitions": 3)", R"("repetitons": 3)", R"("repetitons")",
      "/blocks/main/repetitons", R"(did you mean "repetitions"?)"},
     {"unknown_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "zebra": 1,)", R"("zebra")",
@@ -254,8 +254,6 @@ const Fault kMeaning[] = {
     {"buzz_at_a_low_rate", R"("device": {"rate_Hz": 1000,)",
      R"("instability": {"buzz_max": 0.4}, "device": {"rate_Hz": 250,)", R"({"buzz_max": 0.4})",
      "/instability", "above 150 Hz cannot be judged at a servo rate of 250 Hz"},
-    {"own_kind_in_format_1", R"("repetitions": 3)", R"("repetitions": 3, "kind": "selection")",
-     R"("asperity.protocol/1")", "/format", "requires the format"},
     {"question_order_without_questions", R"("repetitions": 3)",
      R"("repetitions": 3, "question_order": "shuffle")", R"("question_order")",
      "/blocks/main/question_order", "belongs to a block with"},

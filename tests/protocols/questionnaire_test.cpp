@@ -27,7 +27,6 @@ json questioned() {
   for (const LibraryProtocol& each : library_protocols()) {
     if (each.name == "spacing_jnd") protocol = json::parse(each.text);
   }
-  protocol["format"] = "asperity.protocol/2";
   protocol["questions"].update(json::parse(R"({
     "pain": {"prompt": "Does your hand hurt?", "form": "choice", "options": ["yes", "no"]},
     "strength": {"prompt": "How strong is the pain?", "form": "scale",
@@ -167,18 +166,6 @@ TEST(Questionnaire, RefusesAScaleAndAConditionAmongTheQuestionsAboutTheParticipa
   EXPECT_THAT(questionnaire_problem(protocol, "/participants/questions/1"),
               HasSubstr("multiple choice"));
   EXPECT_EQ(questionnaire_problem(protocol, "/participants/questions/2"), "");
-}
-
-TEST(Questionnaire, NeedsFormat2ForWhatFormat1DidNotHave) {
-  json protocol = questioned();
-  protocol["format"] = "asperity.protocol/1";
-  std::string all{};
-  for (const Diagnostic& problem : questionnaire_problems(protocol)) {
-    if (problem.pointer == "/format") all += problem.message + '\n';
-  }
-  for (const char* const key : {"\"if\"", "\"unit\"", "\"scale\"", "\"multiple_choice\""}) {
-    EXPECT_THAT(all, HasSubstr(key));
-  }
 }
 
 TEST(AnswerCondition, IsMetByAnAnswerThatFits) {

@@ -131,8 +131,6 @@ TEST(Questions, AreRefusedAtTheirPlace) {
   EXPECT_THAT(
       refused("/blocks/ratings/question", {{"name", "x"}, {"prompt", "X?"}}, block + "/question"),
       HasSubstr("exclude each other"));
-  EXPECT_THAT(refused("/format", "asperity.protocol/1", "/format"),
-              HasSubstr("requires the format"));
   EXPECT_THAT(refused("/blocks/ratings/questions/0/scale/labels",
                       {"1", "2", "3", "4", "5", "6", "7"}, block + "/questions/0"),
               HasSubstr("one_after_another"));

@@ -31,7 +31,6 @@ std::string example_with(std::string text, const std::string& from, const std::s
 /// A rating of waves: two wavelengths times three speeds, and the keys given in its block.
 std::string rated_waves(const std::string& keys) {
   std::string text = test::example_selection();
-  text = example_with(text, "asperity.protocol/1", "asperity.protocol/2");
   text = example_with(text, R"("kind": "selection")", R"("kind": "rating")");
   text = example_with(text, R"(  "realism_standard": "photograph",)", "");
   text = example_with(text, R"("model": {"levels": ["height_map", "sinusoid", "stochastic"]},)",
@@ -248,17 +247,6 @@ TEST(FixedPositions, AreRefusedWithTheReasonWhereTheyCannotBeMet) {
          "fixed_positions": [{"position": 1, "levels": {"speed": 0.08}},
          {"position": 2, "levels": {"speed": 0.08}}],)"),
       HasSubstr("satisfies fixed_positions together with the other constraints"));
-}
-
-TEST(RowKeys, NeedTheSecondFormatAndNoProcedure) {
-  EXPECT_THAT(
-      [] {
-        (void)read_protocol(
-            example_with(rated_waves(R"("minimum_distance": {"speed": 2},)"), "protocol/2", "protocol/1"),
-            "p.json", test::example_models());
-      },
-      testing::ThrowsMessage<ProtocolError>(HasSubstr("\"minimum_distance\", which requires the "
-                                                      "format \"asperity.protocol/2\"")));
 }
 
 }  // namespace

@@ -265,7 +265,6 @@ TEST(Similarity, RefusesWhatIsNoRatingOfTwoSurfaces) {
   json twice = rated_models();
   json question = ratings_block(twice)["question"];
   ratings_block(twice).erase("question");
-  twice["format"] = "asperity.protocol/2";
   ratings_block(twice)["questions"] = json::array({question, question});
   ratings_block(twice)["questions"][1]["name"] = "again";
   EXPECT_THAT(problem_in_ratings(twice, "/blocks/ratings/questions"),
@@ -300,7 +299,6 @@ TEST(Similarity, ChecksTheOrderOfEveryPart) {
   EXPECT_THAT(problem_in_ratings(protocol, "/blocks/ratings/positions"),
               HasSubstr("the block has 9"));
   ratings_block(protocol)["positions"] = "shuffle";
-  protocol["format"] = "asperity.protocol/2";
   protocol["factors"]["load"] = {{"levels", {"low", "high"}}};
   ratings_block(protocol)["crossed"] = {"load"};
   const auto fixed_at = [&protocol](int position) {

@@ -24,7 +24,7 @@ EXTERNAL = {"method": "external", "stop": {"trials": 12}, "tracks": [{}, {}],
 def protocol(procedure):
     surfaces = [{"role": role, "stimulus": "grating"} for role in ("standard", "comparison")]
     return {
-        "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "tracks",
+        "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "tracks",
         "version": "1.0.0", "title": "Tracks",
         "consent": {"version": "1.0", "statement": "I take part of my own free will."},
         "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-5, "wavelength_m": 0.0025}}},

@@ -74,7 +74,6 @@ class JudgementsInWindows : public SessionRoom {
     add_protocol({.kind = "recognition"});
     const std::filesystem::path file = folder() / "protocols" / "small.json";
     json protocol = json::parse(std::ifstream(file));
-    protocol["format"] = "asperity.protocol/2";
     protocol["kind"] = "similarity";
     protocol.erase("textures");
     protocol["factors"] = {{"model", {{"levels", {"sinusoid", "stochastic"}}}}};

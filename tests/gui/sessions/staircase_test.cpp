@@ -26,7 +26,6 @@ class StaircaseInWindows : public SessionRoom {
     add_protocol({.kind = "recognition"});
     const std::filesystem::path file = folder() / "protocols" / "small.json";
     json protocol = json::parse(std::ifstream(file));
-    protocol["format"] = "asperity.protocol/2";
     protocol["kind"] = "discrimination";
     protocol.erase("factors");
     protocol.erase("textures");

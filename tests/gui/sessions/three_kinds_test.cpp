@@ -26,7 +26,6 @@ class ThreeKinds : public SessionRoom {
     add_protocol({.kind = "recognition"});
     const std::filesystem::path file = folder() / "protocols" / "small.json";
     json protocol = json::parse(std::ifstream(file));
-    protocol["format"] = "asperity.protocol/2";
     protocol["factors"]["training"] = {{"levels", {"haptic", "visual"}}};
     protocol["groups"] = {{"factor", "training"}, {"assigned", "balanced"}};
     const json presented = {{"stimulus", "rendered"},

@@ -904,7 +904,7 @@ TEST(StartPagePictures, ShowEveryMode) {
 
 /// A discrimination whose levels a program states.
 constexpr const char* kStatedLevels = R"({
-  "format": "asperity.protocol/2", "kind": "discrimination", "design": "improved", "name": "stated",
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "stated",
   "version": "1.0.0", "title": "Stated levels", "device": {"input_only": true},
   "consent": {"version": "1.0", "statement": "I take part of my own free will."},
   "stimuli": {"grating": {"model": "sinusoid", "parameters": {"amplitude_m": 5e-5, "wavelength_m": 0.0025}}},
