@@ -40,9 +40,7 @@ const ModelRegistry& all_models() {
 
 Protocol roughness_by(std::string_view what, const Change& change = {}) {
   const std::string name = "roughness_" + std::string(what);
-  // The version with waves, whose sweep is quick.
-  std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/protocols/library/archive/" + name +
-                     "-1.1.0.json");
+  std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/protocols/library/" + name + ".json");
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(file);
   if (change) change(json);
   return read_protocol(json.dump(), name, declarations_of(all_models()));
@@ -54,21 +52,20 @@ SweepOrder like_the_library(VariedQuantity varied, std::vector<double> values) {
   order.stroke.model = all_models().find("pd_gradient");
   order.stroke.material = {.stiffness_N_per_m = 3000.0, .friction = 0.2};
   order.stroke.speed_m_per_s = 0.06;
-  order.spacings_m = {0.0005, 0.002, 0.004};
+  order.spacings_m = {0.0005, 0.002, 0.0035};
   order.texture = {.kind = "sinusoid", .values = {{"amplitude_m", 1e-4}}};
   return order;
 }
 
-/// A study's folder with the waves that the protocols name, 0.2 mm high.
+/// A study with waves 0.2 mm high in place of the cones of the protocols: they are read sooner.
 class SweepBesideTest : public testing::Test {
  protected:
   SweepBesideTest() {
     std::filesystem::create_directory(folder_.path() / "stimuli");
     for (const auto& [name, spacing_m] :
-         {std::pair{"wave_05", 0.0005}, std::pair{"wave_07", 0.0007}, std::pair{"wave_10", 0.001},
-          std::pair{"wave_14", 0.0014}, std::pair{"wave_20", 0.002}, std::pair{"wave_28", 0.0028},
-          std::pair{"wave_40", 0.004}}) {
-      // Eight pixels a wave, as those of the demonstration.
+         {std::pair{"cones_05", 0.0005}, std::pair{"cones_07", 0.0007},
+          std::pair{"cones_10", 0.001}, std::pair{"cones_14", 0.0014}, std::pair{"cones_20", 0.002},
+          std::pair{"cones_28", 0.0028}, std::pair{"cones_35", 0.0035}}) {
       const HeightField field =
           make_surface("sinusoid", {{"spacing_m", spacing_m}, {"amplitude_m", 1e-4}},
                        {.width_m = 4.0 * spacing_m, .pixels = 32});
@@ -140,7 +137,7 @@ TEST_F(SweepBesideTest, RefusesSpacingsThatNobodyFelt) {
   SweepOrder order = like_the_library(VariedQuantity::applied_force, {0.5, 1.0, 2.0});
   order.spacings_m = {0.005, 0.008};
   EXPECT_THAT(refusal(order, roughness_by("force")),
-              HasSubstr("spacings of 0.5 to 4 mm, and the sweep has 5 to 8 mm"));
+              HasSubstr("spacings of 0.5 to 3.5 mm, and the sweep has 5 to 8 mm"));
 }
 
 TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
@@ -166,7 +163,7 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
   EXPECT_THAT(remark([](SweepOrder& order) {
                 order.spacings_m = {0.0005, 0.008};
               }),
-              HasSubstr("0.5 to 4 mm, and the sweep has 0.5 to 8 mm (--spacings)"));
+              HasSubstr("0.5 to 3.5 mm, and the sweep has 0.5 to 8 mm (--spacings)"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.tip.diameter_m = 0.001; }),
               HasSubstr("the sweep has 1 mm, and roughness_force has 2 mm; for the same value, "
                         "change --probe-diameter-m"));
@@ -177,8 +174,8 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
       remark([](SweepOrder& order) { order.stroke.model = all_models().find("height_map"); }),
       HasSubstr("the force model height_map, and roughness_force uses pd_gradient; for the same "
                 "model, change --model"));
-  std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
-  EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
+  std::filesystem::remove(folder_.path() / "stimuli" / "cones_20.png");
+  EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("cones_20.png"));
 }
 
 TEST_F(SweepBesideTest, SaysThatItIsOutsideABandWithoutATarget) {

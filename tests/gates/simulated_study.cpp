@@ -24,10 +24,6 @@ namespace {
 using json = nlohmann::ordered_json;
 
 json library_json(std::string_view name) {
-  const std::filesystem::path archived = std::filesystem::path(ASPERITY_SOURCE_DIR) /
-                                         "protocols/library/archive" /
-                                         (std::string(name) + ".json");
-  if (std::ifstream file(archived); file) return json::parse(file);
   for (const LibraryProtocol& protocol : library_protocols()) {
     if (protocol.name == name) return json::parse(protocol.text);
   }

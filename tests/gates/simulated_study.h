@@ -32,7 +32,7 @@ struct GateDesign {
   std::optional<int> strokes{};  ///< over each surface; otherwise as many as the protocol asks for
 };
 
-/// A library protocol as it comes, but for what `change` does to its JSON. The name of an earlier version, which the archive of the library has, ends with it: "roughness_force-1.1.0".
+/// A library protocol as it comes, but for what `change` does to its JSON.
 Protocol library_protocol(std::string_view name,
                           const std::function<void(nlohmann::ordered_json&)>& change = {});
 

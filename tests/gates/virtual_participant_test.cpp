@@ -169,20 +169,30 @@ TEST(VirtualParticipant, ExpectsNoMoreThanAPhotographKeeps) {
   EXPECT_NEAR(kept.spectrum[8], whole.spectrum[8], 0.3);
 }
 
+const std::vector<std::pair<std::string, double>> kThreeWaves{
+    {"spacing_07", 0.0007}, {"spacing_14", 0.0014}, {"spacing_28", 0.0028}};
+
 /// Three waves under the smallest and the largest tip, once each, on a plate that is soon made.
 void make_short(json& protocol) {
   protocol["surface"]["extent_m"] = {0.05, 0.028};
   protocol["bodies"]["plate"]["size_m"] = {0.05, 0.028, 0.004};
   protocol["explorations"]["stroking"]["stroke_length_m"] = {
       {"minimum", 0.01}, {"target", 0.02}, {"maximum", 0.04}};
-  const std::vector<std::string> waves{"spacing_07", "spacing_14", "spacing_28"};
+  json waves = json::array();
   json textures{};
-  for (const std::string& wave : waves) textures[wave] = protocol["textures"][wave];
+  for (const auto& [wave, spacing_m] : kThreeWaves) {
+    waves.push_back(wave);
+    textures[wave] = {{"height_field", "stimuli/" + wave + ".png"}, {"spacing_m", spacing_m}};
+  }
   protocol["textures"] = textures;
+  json stimulus = protocol["stimuli"]["cones"];
+  stimulus["parameters"] = {{"cell_m", 5e-5}, {"step_m", 5e-5}};
+  protocol["stimuli"] = json{{"wave", stimulus}};
   protocol["factors"]["texture"]["levels"] = waves;
   protocol["factors"]["tip"]["levels"] = {"sphere_1mm", "sphere_3mm"};
   json main = protocol["blocks"]["main"];
   main["repetitions"] = 1;
+  main["presented"] = json::array({json{{"stimulus", "wave"}}});
   main.erase("anchor");
   main.erase("pause_before_trial_s");
   protocol["blocks"] = json{{"main", main}};
@@ -196,10 +206,9 @@ using Numbers = std::map<std::pair<std::string, std::string>, double>;
 Numbers numbers_of_one(const std::function<void(json&)>& change) {
   const TemporaryFolder folder{};
   new_study(folder / "study");
-  for (const auto& [name, spacing_m] :
-       {std::pair("wave_07", 0.0007), std::pair("wave_14", 0.0014), std::pair("wave_28", 0.0028)}) {
+  for (const auto& [name, spacing_m] : kThreeWaves) {
     save_height_field(
-        folder / "study/stimuli" / (std::string(name) + ".png"),
+        folder / "study/stimuli" / (name + ".png"),
         make_surface("sinusoid", {{"spacing_m", spacing_m}, {"amplitude_m", 1e-4}},
                      {.width_m = 0.028,
                       .pixels = static_cast<std::size_t>(8.0 * 0.028 / spacing_m + 0.5),
@@ -213,7 +222,7 @@ Numbers numbers_of_one(const std::function<void(json&)>& change) {
   inputs.participants = 1;
   inputs.recordings = Recordings::none;
   std::ofstream(inputs.protocols[0], std::ios::binary)
-      << library_protocol("roughness_diameter-1.1.0", [&change](json& protocol) {
+      << library_protocol("roughness_diameter", [&change](json& protocol) {
            make_short(protocol);
            change(protocol);
          }).source;
@@ -287,9 +296,6 @@ double predicted_m_per_s2(const Hand& hand, double spacing_m) {
       texture_at_spacing({.kind = "sinusoid", .values = {{"amplitude_m", 1e-4}}}, spacing_m);
   return dragged(stroke, texture)->roughness.value().rms_accel_m_per_s2;
 }
-
-const std::vector<std::pair<std::string, double>> kThreeWaves{
-    {"spacing_07", 0.0007}, {"spacing_14", 0.0014}, {"spacing_28", 0.0028}};
 
 /// Over each wave, wherever the sweep tells two hands apart by a quarter. How often it does.
 int expect_order_of_the_sweep(const Numbers& numbers, const std::vector<Hand>& hands) {

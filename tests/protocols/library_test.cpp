@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -275,23 +273,6 @@ TEST(LibraryProtocols, PractiseTheExtremesAndHoldTipAndHandWithinABlock) {
       }
     }
   }
-}
-
-TEST(LibraryProtocols, OfEarlierVersionsAreKeptInTheArchive) {
-  const std::filesystem::path archive =
-      std::filesystem::path(ASPERITY_SOURCE_DIR) / "protocols/library/archive";
-  int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(archive)) {
-    if (entry.path().extension() != ".json") continue;
-    ++files;
-    std::ifstream file(entry.path());
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const Protocol read = read_protocol(text, entry.path().filename(), models_of_library());
-    const std::string language = read.language == "de" ? ".de" : "";
-    EXPECT_EQ(entry.path().filename(), read.name + "-" + read.version + language + ".json");
-    EXPECT_NE(read.version, library_protocol(read.name).version) << "an earlier version";
-  }
-  EXPECT_EQ(files, 6);
 }
 
 TEST(LibraryProtocols, CompareTenModelsInEveryPairAndBothOrders) {
