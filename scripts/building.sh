@@ -66,8 +66,8 @@ build() {
   fi
 }
 
-# The program, which people run and the tests test: one build folder for both. Its tests are configured by scripts/test,
-# and stay configured: what is built is never removed by the other script.
+# build_program [TARGET…]: the program, which people run and the tests test, or another target: one build folder for all. The tests
+# are configured by scripts/test, and stay configured: what is built is never removed by the other script.
 # shellcheck disable=SC2034  # used by those who source this
 asperity=$root/build/release/bin/asperity
 build_program() {
@@ -75,5 +75,5 @@ build_program() {
   "$root/scripts/install" build
   if [[ ! -e $root/build/release/CMakeCache.txt ]]; then without_tests=(-DASPERITY_BUILD_TESTS=OFF); fi
   configure release "${without_tests[@]}"
-  build release asperity
+  build release "${@:-asperity}"
 }

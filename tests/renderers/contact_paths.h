@@ -1,4 +1,4 @@
-// Paths of a tool on which contacts begin, divide, merge and end, for tests and for bench/pd_continuity.
+// Paths of a tool on which contacts begin, divide, merge and end, for tests and for scripts/evidence pd_continuity.
 
 #pragma once
 

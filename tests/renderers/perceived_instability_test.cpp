@@ -94,7 +94,7 @@ TEST(UnexplainedVibration, IsWhereTheOscillationIs) {
   EXPECT_NEAR(static_cast<double>(found->middle), 1660.0, 50.0);
 }
 
-/// A series that is short enough for every run of the tests; bench_perceived_instability has the long one.
+/// A series that is short enough for every run of the tests; scripts/evidence perceived_instability has the long one.
 TEST(Buzz, SeparatesStrokesWithAnOscillationFromStrokesWithoutOne) {
   const std::vector<ForceModel> models = point_models();
   for (std::uint64_t i = 0; i < 66; ++i) {

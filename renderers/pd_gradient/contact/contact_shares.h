@@ -40,7 +40,7 @@ namespace asperity {
 /// contacts together and lifts them apart. On the measured paths without bounded depths it gave at most 0.6 % of the gross
 /// work. A bounded depth has no potential: it falls at once and rises slowly, and the small force between opposing contacts
 /// rises slowly as well. Both take energy on the way in and out, two thirds of the gross work or more in 0.4 and 1.6 s, and
-/// up to 78 % in 6.4 s (docs/models/pd_gradient.md, bench/pd_continuity).
+/// up to 78 % in 6.4 s (docs/models/pd_gradient.md, scripts/evidence pd_continuity).
 ///
 /// Frame and units: SI, the world. Real-time: does not allocate while the contacts have room for `kMostContacts`, and does
 /// not lock or throw.

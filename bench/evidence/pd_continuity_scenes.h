@@ -1,4 +1,4 @@
-// The paths of bench/pd_continuity that no test shares, by formula and from seeded random numbers.
+// The paths of the evidence pd_continuity that no test shares, by formula and from seeded random numbers.
 
 #pragma once
 

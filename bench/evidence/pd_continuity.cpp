@@ -4,17 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <initializer_list>
 #include <numbers>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include "bench/pd_continuity_scenes.h"
-#include "device/machine.h"
+#include "bench/evidence/evidence.h"
+#include "bench/evidence/pd_continuity_scenes.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 #include "tests/renderers/unexplained_change.h"
 
@@ -146,117 +143,73 @@ Works works_of(const std::vector<ClosedPath>& paths, int ticks) {
   return works;
 }
 
-class Report final {
- public:
-  explicit Report(bool as_json) : as_json_(as_json) {}
+void print_changes_header() {
+  std::printf(
+      "largest change of the force in a tick of 1 ms that the motion does not explain, in N and\n"
+      "relative to the current force (at least %.1f N); ticks above 5 %%; relative to the sum of "
+      "the\n"
+      "contacts' magnitudes; largest whole change\n"
+      "%-40s %5s %6s %5s %5s %5s %6s %8s %13s %7s %6s %8s %7s %7s\n",
+      kLeast_N, "scene", "paths", "ticks", "begun", "ended", "split", "joined", "replaced",
+      "unexplained N", "%", ">5 %", "% of sum", "whole N", "force N");
+}
 
-  void print_changes_header() const {
-    if (as_json_) return;
-    std::printf(
-        "largest change of the force in a tick of 1 ms that the motion does not explain, in N and\n"
-        "relative to the current force (at least %.1f N); ticks above 5 %%; relative to the sum of "
-        "the\n"
-        "contacts' magnitudes; largest whole change\n"
-        "%-40s %5s %6s %5s %5s %5s %6s %8s %13s %7s %6s %8s %7s %7s\n",
-        kLeast_N, "scene", "paths", "ticks", "begun", "ended", "split", "joined", "replaced",
-        "unexplained N", "%", ">5 %", "% of sum", "whole N", "force N");
-  }
-  void add(const std::string& name, const Changes& changes) {
-    const Events& events = changes.events;
-    cases_.push_back({{"name", "changes/" + name},
-                      {"paths", changes.paths},
-                      {"ticks", changes.ticks},
-                      {"begun", events.begun},
-                      {"ended", events.ended},
-                      {"split", events.split},
-                      {"joined", events.joined},
-                      {"replaced", events.replaced},
-                      {"unexplained_N", changes.unexplained_N},
-                      {"unexplained_part", changes.unexplained_part},
-                      {"unexplained_part_of_magnitudes", changes.part_of_magnitudes},
-                      {"ticks_above_5_percent", changes.much},
-                      {"change_N", changes.whole_N},
-                      {"force_N", changes.force_N}});
-    if (as_json_) return;
-    std::printf("%-40s %5d %6d %5d %5d %5d %6d %8d %13.3f %7.1f %6d %8.1f %7.3f %7.2f\n",
-                name.c_str(), changes.paths, changes.ticks, events.begun, events.ended,
-                events.split, events.joined, events.replaced, changes.unexplained_N,
-                100.0 * changes.unexplained_part, changes.much, 100.0 * changes.part_of_magnitudes,
-                changes.whole_N, changes.force_N);
-    std::fflush(stdout);
-  }
+void print_changes(const std::vector<ContactPath>& paths) {
+  Changes changes;
+  for (const ContactPath& path : paths) add_path(path, changes);
+  const Events& events = changes.events;
+  std::printf("%-40s %5d %6d %5d %5d %5d %6d %8d %13.3f %7.1f %6d %8.1f %7.3f %7.2f\n",
+              paths.front().name.c_str(), changes.paths, changes.ticks, events.begun, events.ended,
+              events.split, events.joined, events.replaced, changes.unexplained_N,
+              100.0 * changes.unexplained_part, changes.much, 100.0 * changes.part_of_magnitudes,
+              changes.whole_N, changes.force_N);
+  std::fflush(stdout);
+}
 
-  void print_works_header() const {
-    if (as_json_) return;
-    std::printf(
-        "\nwork on the hand on closed paths: of all paths, and the ratio of each path\n"
-        "%-45s %5s %6s %9s %8s %8s %7s %8s %8s\n",
-        "closed paths", "paths", "ticks", "limited %", "net mJ", "gross mJ", "mean %", "least %",
-        "most %");
-  }
-  void add(const std::string& name, int ticks, const Works& works) {
+void print_works_header() {
+  std::printf(
+      "\nwork on the hand on closed paths: of all paths, and the ratio of each path\n"
+      "%-45s %5s %6s %9s %8s %8s %7s %8s %8s\n",
+      "closed paths", "paths", "ticks", "limited %", "net mJ", "gross mJ", "mean %", "least %",
+      "most %");
+}
+
+void print_works(const std::vector<ClosedPath>& paths, std::initializer_list<int> all_ticks) {
+  for (const int ticks : all_ticks) {
+    const Works works = works_of(paths, ticks);
     const auto [least, largest] =
         std::minmax_element(works.net_over_gross.begin(), works.net_over_gross.end());
-    const double limited = works.bounded / std::max(1.0, works.rendered);
     double sum = 0.0;
     for (const double one : works.net_over_gross) sum += one;
     const double mean = sum / static_cast<double>(works.net_over_gross.size());
-    cases_.push_back({{"name", "work/" + name + '/' + std::to_string(ticks)},
-                      {"paths", works.net_over_gross.size()},
-                      {"ticks", ticks},
-                      {"limited_part", limited},
-                      {"net_J", works.net_J},
-                      {"gross_J", works.gross_J},
-                      {"net_over_gross", works.net_over_gross},
-                      {"mean_net_over_gross", mean}});
-    if (as_json_) return;
-    std::printf("%-45s %5zu %6d %9.0f %8.3f %8.3f %7.1f %8.1f %8.1f\n", name.c_str(),
-                works.net_over_gross.size(), ticks, 100.0 * limited, 1e3 * works.net_J,
-                1e3 * works.gross_J, 100.0 * mean, 100.0 * *least, 100.0 * *largest);
+    std::printf("%-45s %5zu %6d %9.0f %8.3f %8.3f %7.1f %8.1f %8.1f\n", paths.front().name.c_str(),
+                paths.size(), ticks, 100.0 * works.bounded / std::max(1.0, works.rendered),
+                1e3 * works.net_J, 1e3 * works.gross_J, 100.0 * mean, 100.0 * *least,
+                100.0 * *largest);
     std::fflush(stdout);
   }
+}
 
-  void finish() const {
-    if (!as_json_) return;
-    const nlohmann::ordered_json document{
-        {"format", "asperity.bench/1"},
-        {"machine", machine()},
-        {"commit", ASPERITY_COMMIT},
-        {"model_version", pd_gradient_model().declaration.version},
-        {"cases", cases_}};
-    std::puts(document.dump(2).c_str());
-  }
-
- private:
-  bool as_json_ = false;
-  nlohmann::ordered_json cases_ = nlohmann::ordered_json::array();
-};
-
-void measure_changes(Report& report) {
-  report.print_changes_header();
-  const auto measure = [&](const std::vector<ContactPath>& paths) {
-    Changes changes;
-    for (const ContactPath& path : paths) add_path(path, changes);
-    report.add(paths.front().name, changes);
-  };
-  measure({ring_that_rocks()});
-  measure({one_of_two_balls_enters()});
-  measure({small_ball_enters_and_leaves()});
-  measure({needle_that_is_suddenly_deep()});
+void print_all_changes() {
+  print_changes_header();
+  print_changes({ring_that_rocks()});
+  print_changes({one_of_two_balls_enters()});
+  print_changes({small_ball_enters_and_leaves()});
+  print_changes({needle_that_is_suddenly_deep()});
   std::vector<ContactPath> walls;
   for (const double angle_degrees : {62.0, 75.0, 90.0}) {
     walls.push_back(ball_at_foot_of_wall(angle_degrees * std::numbers::pi / 180.0));
   }
-  measure(walls);
+  print_changes(walls);
   std::vector<ContactPath> balls;
   std::vector<ContactPath> boxes;
   for (const LowStep& step : low_steps()) {
     balls.push_back(ball_against(step));
     boxes.push_back(box_against(step));
   }
-  measure(balls);
-  measure(boxes);
-  measure({comb_in_ribs()});
+  print_changes(balls);
+  print_changes(boxes);
+  print_changes({comb_in_ribs()});
   constexpr std::uint64_t kThroughSheets = 24;
   balls.clear();
   boxes.clear();
@@ -264,45 +217,31 @@ void measure_changes(Report& report) {
     const bool is_ball = i % 3 == 2;
     (is_ball ? balls : boxes).push_back(through_sheets(i, is_ball));
   }
-  measure(boxes);
-  measure(balls);
+  print_changes(boxes);
+  print_changes(balls);
 }
 
-void measure_works(Report& report) {
-  report.print_works_header();
-  const auto measure = [&](const std::vector<ClosedPath>& paths,
-                           std::initializer_list<int> all_ticks) {
-    for (const int ticks : all_ticks) report.add(paths.front().name, ticks, works_of(paths, ticks));
-  };
-  measure({ring_that_is_pressed()}, {400, 1600});
-  measure({ball_through_thin_plate()}, {400, 1600, 6400});
+void print_all_works() {
+  print_works_header();
+  print_works({ring_that_is_pressed()}, {400, 1600});
+  print_works({ball_through_thin_plate()}, {400, 1600, 6400});
   constexpr std::uint64_t kRocking = 24;
   std::vector<ClosedPath> paths;
   for (std::uint64_t i = 0; i < kRocking; ++i) paths.push_back(block_that_rocks(i));
-  measure(paths, {400, 1600, 6400});
+  print_works(paths, {400, 1600, 6400});
   constexpr std::uint64_t kThroughSheets = 42;
   paths.clear();
   for (std::uint64_t i = 0; i < kThroughSheets; ++i) {
     paths.push_back(block_through_sheets_and_back(i));
   }
-  measure(paths, {400, 1600, 6400});
-}
-
-int run(bool as_json) {
-  Report report(as_json);
-  measure_changes(report);
-  measure_works(report);
-  report.finish();
-  return 0;
+  print_works(paths, {400, 1600, 6400});
 }
 
 }  // namespace
-}  // namespace asperity
 
-int main(int argc, char** argv) {
-  if (argc > 2 || (argc == 2 && std::strcmp(argv[1], "--json") != 0)) {
-    std::fprintf(stderr, "usage: %s [--json]\n", argv[0]);
-    return 2;
-  }
-  return asperity::run(argc == 2);
+void print_pd_continuity() {
+  print_all_changes();
+  print_all_works();
 }
+
+}  // namespace asperity

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "bench/evidence/evidence.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 #include "renderers/pd_gradient/sampling/reference_penetration.h"
 #include "stimuli/meshes/textured_shape.h"
@@ -115,8 +114,8 @@ std::vector<Sample> samples_of(const ErrorScene& scene, const Sampling& sampling
 
 using Component = std::function<double(const Wrench&)>;
 
-/// RMS of the truth and of the error.
-nlohmann::ordered_json compared(const std::vector<Sample>& samples, const Component& component) {
+/// The RMS of the truth and of the error, and their ratio.
+void print_compared(const std::vector<Sample>& samples, const Component& component) {
   double truth2 = 0.0;
   double error2 = 0.0;
   for (const Sample& sample : samples) {
@@ -126,12 +125,11 @@ nlohmann::ordered_json compared(const std::vector<Sample>& samples, const Compon
     error2 += (found - truth) * (found - truth);
   }
   const double count = static_cast<double>(samples.size());
-  return {{"truth", std::sqrt(truth2 / count)},
-          {"error", std::sqrt(error2 / count)},
-          {"share", std::sqrt(error2 / truth2)}};
+  std::printf("\t%.3g\t%.3g\t%.4f", std::sqrt(truth2 / count), std::sqrt(error2 / count),
+              std::sqrt(error2 / truth2));
 }
 
-nlohmann::ordered_json errors_of(const ErrorScene& scene, const Sampling& sampling) {
+void print_errors(const ErrorScene& scene, const Sampling& sampling) {
   const std::vector<Sample> samples = samples_of(scene, sampling);
   double depth_m = 0.0;
   double error_m = 0.0;
@@ -141,22 +139,18 @@ nlohmann::ordered_json errors_of(const ErrorScene& scene, const Sampling& sampli
     depth_m += sample.truth.depth_m / static_cast<double>(samples.size());
     error_m += (sample.found.depth_m - sample.truth.depth_m) / static_cast<double>(samples.size());
   }
-  nlohmann::ordered_json json{{"scene", scene.name},
-                              {"cell_m", sampling.cell_m},
-                              {"most_halvings", sampling.most_halvings},
-                              {"most_samples", sampling.most_samples},
-                              {"maximum", sampling.maximum},
-                              {"mean_sampled_cell_m", sampled_m},
-                              {"poses", samples.size()},
-                              {"depth_m", depth_m},
-                              {"depth_error_m", error_m}};
-  json["force_u_N"] = compared(samples, [](const Wrench& w) { return w.force_N.x; });
-  json["force_n_N"] = compared(samples, [](const Wrench& w) { return w.force_N.z; });
-  if (scene.depth_m) return json;
-  json["torque_u_N_m"] = compared(samples, [](const Wrench& w) { return w.torque_N_m.x; });
-  json["torque_v_N_m"] = compared(samples, [](const Wrench& w) { return w.torque_N_m.y; });
-  json["torque_n_N_m"] = compared(samples, [](const Wrench& w) { return w.torque_N_m.z; });
-  return json;
+  std::printf("%s\t%g\t%g\t%g\t%s\t%.3g\t%zu\t%.4g\t%.3g", scene.name.c_str(), sampling.cell_m,
+              sampling.most_halvings, sampling.most_samples, sampling.maximum, sampled_m,
+              samples.size(), depth_m, error_m);
+  print_compared(samples, [](const Wrench& w) { return w.force_N.x; });
+  print_compared(samples, [](const Wrench& w) { return w.force_N.z; });
+  if (!scene.depth_m) {
+    print_compared(samples, [](const Wrench& w) { return w.torque_N_m.x; });
+    print_compared(samples, [](const Wrench& w) { return w.torque_N_m.y; });
+    print_compared(samples, [](const Wrench& w) { return w.torque_N_m.z; });
+  }
+  std::printf("\n");
+  std::fflush(stdout);
 }
 
 std::shared_ptr<const TexturedMesh> made(const Shape& shape, const HeightField& field) {
@@ -232,22 +226,29 @@ std::vector<ErrorScene> scenes() {
 }
 
 }  // namespace
-}  // namespace asperity
 
-int main() {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const asperity::ErrorScene& scene : asperity::scenes()) {
-    for (const asperity::Sampling& sampling :
-         std::initializer_list<asperity::Sampling>{{},
-                                                   {.maximum = "smooth"},
-                                                   {.cell_m = 2.5e-5, .maximum = "smooth"},
-                                                   {.cell_m = 2.5e-5},
-                                                   {.most_halvings = 2.0},
-                                                   {.most_halvings = 2.0, .most_samples = 256.0}}) {
+void print_pd_errors() {
+  std::printf(
+      "scene\tcell_m\tmost_halvings\tmost_samples\tmaximum\tmean_sampled_cell_m\tposes\tdepth_m\t"
+      "depth_error_m");
+  for (const char* component :
+       {"force_u_N", "force_n_N", "torque_u_N_m", "torque_v_N_m", "torque_n_N_m"}) {
+    std::printf("\t%s\terror\terror/truth", component);
+  }
+  std::printf("\n");
+  for (const ErrorScene& scene : scenes()) {
+    for (const Sampling& sampling :
+         std::initializer_list<Sampling>{{},
+                                         {.maximum = "smooth"},
+                                         {.cell_m = 2.5e-5, .maximum = "smooth"},
+                                         {.cell_m = 2.5e-5},
+                                         {.most_halvings = 2.0},
+                                         {.most_halvings = 2.0, .most_samples = 256.0}}) {
       // The formula is that of the hard maximum.
       if (scene.depth_m && sampling.maximum != std::string("hard")) continue;
-      all.push_back(asperity::errors_of(scene, sampling));
+      print_errors(scene, sampling);
     }
   }
-  std::puts(all.dump(2).c_str());
 }
+
+}  // namespace asperity

@@ -4,12 +4,9 @@
 
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
-#include "device/machine.h"
+#include "bench/evidence/evidence.h"
 #include "device/simulated_models.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/offline/friction_stroke.h"
@@ -65,51 +62,25 @@ void print_header(double damping_N_s_per_m) {
   std::printf("\n");
 }
 
-int run(bool as_json) {
-  nlohmann::ordered_json document{{"format", "asperity.bench/1"},
-                                  {"machine", machine()},
-                                  {"commit", ASPERITY_COMMIT},
-                                  {"cases", nlohmann::ordered_json::array()}};
+}  // namespace
+
+void print_friction() {
   for (const double damping_N_s_per_m : kDampings_N_s_per_m) {
-    if (!as_json) print_header(damping_N_s_per_m);
+    print_header(damping_N_s_per_m);
     for (const Setting& setting : kSettings) {
       for (const FrictionLaw& law : friction_laws()) {
-        const std::string name(law.name);
-        if (!as_json) {
-          std::printf("%-10s %4.1f %5.1f %6.0f %6.0f", name.c_str(), setting.friction,
-                      setting.force_N, 1e3 * setting.speed_m_per_s, setting.stiffness_N_per_m);
-        }
+        std::printf("%-10s %4.1f %5.1f %6.0f %6.0f", std::string(law.name).c_str(),
+                    setting.friction, setting.force_N, 1e3 * setting.speed_m_per_s,
+                    setting.stiffness_N_per_m);
         for (const char* device : kDevices) {
           const StrokeVibration found =
               vibration_of(law, with_damping(device, damping_N_s_per_m), setting);
-          if (!as_json) {
-            std::printf(" %10.2f / %5.2f", 1e3 * found.burst_N, 1e3 * found.steady_rms_N);
-          }
-          document["cases"].push_back({{"name", "friction/" + name + '/' + device},
-                                       {"damping_N_s_per_m", damping_N_s_per_m},
-                                       {"friction", setting.friction},
-                                       {"force_N", setting.force_N},
-                                       {"speed_m_per_s", setting.speed_m_per_s},
-                                       {"stiffness_N_per_m", setting.stiffness_N_per_m},
-                                       {"burst_N", found.burst_N},
-                                       {"steady_rms_N", found.steady_rms_N},
-                                       {"drag_share", found.drag_share}});
+          std::printf(" %10.2f / %5.2f", 1e3 * found.burst_N, 1e3 * found.steady_rms_N);
         }
-        if (!as_json) std::printf("\n");
+        std::printf("\n");
       }
     }
   }
-  if (as_json) std::puts(document.dump(2).c_str());
-  return 0;
 }
 
-}  // namespace
 }  // namespace asperity
-
-int main(int argc, char** argv) {
-  if (argc > 2 || (argc == 2 && std::strcmp(argv[1], "--json") != 0)) {
-    std::fprintf(stderr, "usage: %s [--json]\n", argv[0]);
-    return 2;
-  }
-  return asperity::run(argc == 2);
-}

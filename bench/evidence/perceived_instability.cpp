@@ -1,19 +1,17 @@
 // How well the detector of buzz separates strokes with a planted oscillation from strokes without one, and its cost.
-//
-// bench_perceived_instability [CLEAN] [PLANTED] [SEED] [MODEL]: the numbers of strokes of each kind, in turn over all force
-// models (or those of a point: "point", or the named one) and the simulated devices.
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "bench/evidence/evidence.h"
 #include "tests/renderers/planted_strokes.h"
 
 namespace asperity {
@@ -134,34 +132,25 @@ void print_roc(const std::map<std::string, SeriesOfModel>& all) {
   }
 }
 
-int run(std::uint64_t clean_strokes, std::uint64_t planted_strokes, std::uint64_t seed,
-        const std::string& chosen) {
-  const std::vector<ForceModel> models = chosen_models(chosen);
+}  // namespace
+
+void print_perceived_instability(const DetectionSeries& order) {
+  const std::vector<ForceModel> models = chosen_models(order.model);
   if (models.empty()) {
-    std::fprintf(stderr, "There is no force model \"%s\"; name one of those of asperity models.\n",
-                 chosen.c_str());
-    return 2;
+    throw std::invalid_argument("there is no force model \"" + order.model +
+                                "\"; name one of those of asperity models");
   }
   std::map<std::string, SeriesOfModel> all{};
-  for (std::uint64_t i = 0; i < clean_strokes; ++i) {
-    const SeriesStroke each = stroke_of_series(models, i, seed);
+  for (std::uint64_t i = 0; i < order.clean; ++i) {
+    const SeriesStroke each = stroke_of_series(models, i, order.seed);
     add_clean(all[each.model->declaration.id], each);
   }
-  for (std::uint64_t i = 0; i < planted_strokes; ++i) {
-    const SeriesStroke each = stroke_of_series(models, i, seed + 1);
-    add_planted(all[each.model->declaration.id], each, i, seed + 1);
+  for (std::uint64_t i = 0; i < order.planted; ++i) {
+    const SeriesStroke each = stroke_of_series(models, i, order.seed + 1);
+    add_planted(all[each.model->declaration.id], each, i, order.seed + 1);
   }
   print_models(all);
   print_roc(all);
-  return 0;
 }
 
-}  // namespace
 }  // namespace asperity
-
-int main(int argc, char** argv) {
-  const auto number = [&](int index, std::uint64_t otherwise) {
-    return index < argc ? std::strtoull(argv[index], nullptr, 10) : otherwise;
-  };
-  return asperity::run(number(1, 2000), number(2, 500), number(3, 1), argc > 4 ? argv[4] : "");
-}
