@@ -31,8 +31,11 @@ namespace asperity {
 
 namespace {
 
+constexpr std::size_t kEvicted_bytes = 32 << 20;  // more than the caches of a core
+
 struct BenchOptions {
   TimingOrder order{};
+  bool cold_caches = false;
   int seconds = 10;
   std::optional<std::filesystem::path> out{};
   bool list = false;
@@ -112,6 +115,7 @@ int run_bench(BenchOptions options) {
   TimingOrder& order = options.order;
   order.ticks.longest = std::chrono::seconds(options.seconds);
   order.ticks.warm_up = std::max(1, order.ticks.counted / 10);
+  if (options.cold_caches) order.ticks.evicted_bytes = kEvicted_bytes;
   order.bodies.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, 256U);
   if (order.scenes.empty() && order.meshes.empty()) {
     for (const TimedScene& each : timed_scenes()) order.scenes.emplace_back(each.name);
@@ -155,8 +159,8 @@ void add_bench(CLI::App& program, Job& job) {
   TimingOrder& order = options->order;
   CLI::App* command = program.add_subcommand(
       "bench",
-      "Measure the time of a tick on this computer: textured bodies in contact, and models of a "
-      "point, next to published figures.");
+      "Measure the time of a tick on this computer: textured bodies in contact, models of a point, "
+      "and the whole loop of a session, next to published figures.");
   command
       ->add_option("--scene", order.scenes,
                    "A scene that --list names; may be given several times (default: all)")
@@ -186,6 +190,9 @@ void add_bench(CLI::App& program, Job& job) {
                    "Longest time of a row; a slower row has fewer ticks")
       ->capture_default_str()
       ->check(number_within(1, 86'400));
+  command->add_flag("--cold-caches", options->cold_caches,
+                    "Write other data before each tick, so that the caches do not contain what it "
+                    "needs, as in a loop that sleeps between its ticks");
   command->add_option("--out", options->out, "Table of all columns (TSV)");
   command->add_flag("--list", options->list, "Print the scenes, and measure nothing");
   command->add_flag("--json", options->json, "Print the table as JSON");

@@ -92,6 +92,7 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
                           "model",
                           "evaluated_on",
                           "device",
+                          "caches",
                           "ticks",
                           "preempted",
                           "p50_s",
@@ -120,6 +121,7 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
                           row.model,
                           std::string(name_of(row.place)),
                           text_cell(row.device),
+                          std::string(row.has_cold_caches ? "cold" : "warm"),
                           count_cell(row.times.undisturbed_ns.size()),
                           row.times.preempted,
                           cell_of(seconds(row.times, 0.5)),
@@ -160,6 +162,9 @@ Table short_tick_table(const std::vector<TimedRow>& rows) {
 
 std::vector<std::string> tick_notes(const std::vector<TimedRow>& rows) {
   std::vector<std::string> notes;
+  if (!rows.empty() && rows.front().has_cold_caches) {
+    notes.emplace_back("Cold caches: other data were written before each tick.");
+  }
   for (const TimedRow& row : rows) {
     if (row.tool && row.surface) {
       add_once(notes, row.scene + ": triangles of the tool " + size_text(*row.tool) +

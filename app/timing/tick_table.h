@@ -17,7 +17,7 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
 /// The columns that fit a terminal, in microseconds and kilohertz with three significant digits.
 Table short_tick_table(const std::vector<TimedRow>& rows);
 
-/// Sentences under that table: the sizes of the bodies, the reasons of rows without times or with too few ticks for
+/// Sentences under that table: cold caches, the sizes of the bodies, the reasons of rows without times or with too few ticks for
 /// quantiles, what the forces are, the sources of quoted figures.
 std::vector<std::string> tick_notes(const std::vector<TimedRow>& rows);
 

@@ -13,7 +13,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "analysis/random.h"
 #include "device/machine.h"
+#include "device/simulated_device.h"
+#include "device/virtual_hand.h"
 #include "renderers/built_in_models.h"
 #include "renderers/compute/compute_device.h"
 #include "renderers/force/indentation_law.h"
@@ -21,6 +24,8 @@
 #include "renderers/offline/two_body_scenes.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 #include "renderers/proxy/body_surface.h"
+#include "renderers/servo/record_ring.h"
+#include "renderers/servo/servo_loop.h"
 #include "stimuli/meshes/detailed_bodies.h"
 
 namespace asperity {
@@ -30,17 +35,18 @@ namespace {
 // Nobody holds a device: a tick may take as long as a driver without a GPU needs.
 constexpr std::chrono::minutes kPatience{10};
 constexpr const char* kGround = "block";  // under the meshes of the user
-constexpr const char* kPlane = "plane";
-constexpr double kPressed_m = 0.0015;  // into the plane
+constexpr double kPressed_m = 0.0015;     // into the plane
 constexpr double kFriction = 0.3;
 
 /// The bumpy torus under the models of a point.
 struct TorusScene {
-  std::string_view name{};
+  TimedScene scene{};
   std::uint32_t around = 0;
   std::uint32_t along = 0;
 };
-constexpr std::array kToruses{TorusScene{"mesh_100k", 316, 159}, TorusScene{"mesh_600k", 775, 388}};
+constexpr std::array kToruses{
+    TorusScene{{"mesh_100k", "the same models, on a bumpy body of 100 488 facets"}, 316, 159},
+    TorusScene{{"mesh_600k", "the same models, on a bumpy body of 601 400 facets"}, 775, 388}};
 
 TriangleMesh torus(const TorusScene& scene, std::optional<std::size_t> triangles) {
   if (!triangles) return bumpy_torus(scene.around, scene.along);
@@ -48,9 +54,65 @@ TriangleMesh torus(const TorusScene& scene, std::optional<std::size_t> triangles
   return bumpy_torus(around, static_cast<std::uint32_t>(*triangles / (2 * around)));
 }
 
+/// A tick by its number: the wrench on the hand.
+using Tick = std::function<Wrench(int)>;
+
+Tick along(const std::vector<ProbeState>& stroke, std::unique_ptr<ForceRenderer> made) {
+  const std::shared_ptr<ForceRenderer> renderer = std::move(made);
+  renderer->reset(stroke.front());
+  return [renderer, &stroke](int tick) {
+    return renderer->tick(stroke[static_cast<std::size_t>(tick)], kStrokeTick_s).wrench;
+  };
+}
+
+/// A servo loop with a simulated device in a hand that strokes.
+struct StrokingLoop {
+  explicit StrokingLoop(std::unique_ptr<ForceRenderer> renderer) {
+    loop.present({.id = 1, .renderer = std::move(renderer)});
+    hand.stroke();
+  }
+  Wrench tick(int number) {
+    loop.tick((static_cast<std::int64_t>(number) + 1) * std::llround(1e9 * kStrokeTick_s));
+    loop.heartbeat();
+    TickRecord record;
+    records.pop(record);
+    return record.sent;
+  }
+
+  VirtualHand hand{HandHabits{.lift_height_m = 0.001}, Random(2)};
+  SimulatedDevice device{hand, SimulatedDeviceSettings{}};
+  RecordRing records{};
+  ServoLoop loop{device, records, ServoSettings{}};
+};
+
 /// The measurements of one order.
 class Timing final {
  public:
+  struct Scene {
+    TimedScene named{};
+    std::function<void(Timing&)> measure{};
+  };
+  static std::vector<Scene> scenes() {
+    std::vector<Scene> all;
+    for (const SceneBodies& each : two_body_scenes()) {
+      all.push_back({{each.scene, each.meaning}, [&each](Timing& timing) {
+                       const TimedBody tool = timing.bodies_.named(each.tool);
+                       timing.time_two_bodies(std::string(each.scene), tool,
+                                              timing.bodies_.named(each.surface));
+                     }});
+    }
+    all.push_back(
+        {{"plane", "the models of a point or a soft surface, on a plane"}, &Timing::time_plane});
+    all.push_back({{"loop",
+                    "the same models, on a plane: the whole tick of a session with a simulated "
+                    "device"},
+                   &Timing::time_loop});
+    for (const TorusScene& each : kToruses) {
+      all.push_back({each.scene, [&each](Timing& timing) { timing.time_torus(each); }});
+    }
+    return all;
+  }
+
   Timing(const TimingOrder& order, const TimingCourse& course)
       : order_(order), course_(course), bodies_(order.bodies, course) {}
 
@@ -70,16 +132,14 @@ class Timing final {
 
  private:
   void time_scene(const std::string& name) {
-    if (name == kPlane) return time_plane();
-    for (const TorusScene& each : kToruses) {
-      if (each.name == name) return time_torus(each);
+    const std::vector<Scene> all = scenes();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Scene& each) { return each.named.name == name; });
+    if (found == all.end()) {
+      throw std::invalid_argument("there is no scene \"" + name +
+                                  "\"; choose one of timed_scenes()");
     }
-    for (const SceneBodies& each : two_body_scenes()) {
-      if (each.scene != name) continue;
-      const TimedBody tool = bodies_.named(each.tool);
-      return time_two_bodies(name, tool, bodies_.named(each.surface));
-    }
-    throw std::invalid_argument("there is no scene \"" + name + "\"; choose one of timed_scenes()");
+    found->measure(*this);
   }
 
   void time_two_bodies(const std::string& name, const TimedBody& tool, const TimedBody& surface) {
@@ -113,9 +173,6 @@ class Timing final {
     }
   }
 
-  /// A tick by its number: the wrench on the hand.
-  using Tick = std::function<Wrench(int)>;
-
   Tick ready_tool(const TwoBodyScene& scene, const ProbeState& start,
                   const std::shared_ptr<const Compute>& compute) const {
     std::shared_ptr<ForceRenderer> renderer =
@@ -127,19 +184,29 @@ class Timing final {
   }
 
   void time_plane() {
-    begin(kPlane);
-    time_points(kPlane, nullptr, stroke_on_plane(most_ticks(), -kPressed_m));
+    const std::vector<ProbeState> stroke = stroke_on_plane(most_ticks(), -kPressed_m);
+    begin("plane");
+    time_points("plane", nullptr, std::bind_front(along, std::cref(stroke)));
+  }
+
+  void time_loop() {
+    begin("loop");
+    time_points("loop", nullptr, [](std::unique_ptr<ForceRenderer> renderer) -> Tick {
+      const auto loop = std::make_shared<StrokingLoop>(std::move(renderer));
+      return [loop](int tick) { return loop->tick(tick); };
+    });
   }
 
   void time_torus(const TorusScene& scene) {
-    const std::string name(scene.name);
+    const std::string name(scene.scene.name);
     begin(name);
     const auto surface = std::make_shared<const BodySurface>(torus(scene, order_.bodies.triangles));
-    time_points(name, surface, stroke_on_torus(most_ticks(), {}));
+    const std::vector<ProbeState> stroke = stroke_on_torus(most_ticks());
+    time_points(name, surface, std::bind_front(along, std::cref(stroke)));
   }
 
   void time_points(const std::string& scene, const std::shared_ptr<const BodySurface>& body,
-                   const std::vector<ProbeState>& stroke) {
+                   const std::function<Tick(std::unique_ptr<ForceRenderer>)>& ready) {
     const ModelRegistry registry = built_in_models();
     RendererInputs inputs = rough_plane(registry);
     inputs.material = {.stiffness_N_per_m = kSceneStiffness_N_per_m, .friction = kFriction};
@@ -149,13 +216,9 @@ class Timing final {
       if (model.declaration.needs_bodies) continue;
       TimedRow row = new_row(scene, model.declaration.id);
       if (body) row.surface = TimedSize{body->facets(), body->facets()};
-      time_row(row, [&]() -> Tick {
+      time_row(row, [&] {
         if (has_tip(model, inputs)) row.quoted.reset();  // the figures are of a point
-        std::shared_ptr<ForceRenderer> renderer = make_renderer(model, inputs);
-        renderer->reset(stroke.front());
-        return [renderer, &stroke](int tick) {
-          return renderer->tick(stroke[static_cast<std::size_t>(tick)], kStrokeTick_s).wrench;
-        };
+        return ready(make_renderer(model, inputs));
       });
       add(std::move(row));
     }
@@ -185,7 +248,11 @@ class Timing final {
   }
 
   TimedRow new_row(const std::string& scene, const std::string& model) const {
-    return {.scene = scene, .model = model, .device = machine(), .quoted = quoted_time(scene)};
+    return {.scene = scene,
+            .model = model,
+            .device = machine(),
+            .has_cold_caches = order_.ticks.evicted_bytes > 0,
+            .quoted = quoted_time(scene)};
   }
 
   void begin(const std::string& scene) {
@@ -214,10 +281,7 @@ class Timing final {
 
 std::vector<TimedScene> timed_scenes() {
   std::vector<TimedScene> scenes;
-  for (const SceneBodies& each : two_body_scenes()) scenes.push_back({each.scene, each.meaning});
-  scenes.push_back({kPlane, "the models of a point or a soft surface, on a plane"});
-  scenes.push_back({kToruses[0].name, "the same models, on a bumpy body of 100 488 facets"});
-  scenes.push_back({kToruses[1].name, "the same models, on a bumpy body of 601 400 facets"});
+  for (const auto& each : Timing::scenes()) scenes.push_back(each.named);
   return scenes;
 }
 

@@ -22,7 +22,7 @@ struct TimedScene {
   std::string_view meaning{};
 };
 
-/// The scenes of two textured bodies (two_body_scenes.h); plane, mesh_100k and mesh_600k for models of a point.
+/// The scenes of two textured bodies (two_body_scenes.h); plane, loop, mesh_100k and mesh_600k for models of a point.
 std::vector<TimedScene> timed_scenes();
 
 struct TimingOrder {
@@ -44,12 +44,13 @@ struct TimedSize {
   std::size_t simplified = 0;
 };
 
-/// One measurement. A tick is complete: from the position of the hand to the force.
+/// One measurement. A tick is complete: from the position of the hand to the force, in `loop` from reading the device to the record.
 struct TimedRow {
   std::string scene{};
   std::string model{};
   EvaluatedOn place = EvaluatedOn::cpu;
-  std::string device{};  ///< the processor, or the OpenCL device with its driver
+  std::string device{};          ///< the processor, or the OpenCL device with its driver
+  bool has_cold_caches = false;  ///< other data replaced those of the tick before each tick
   TickTimes times{};
   std::optional<double> largest_force_N{};
   std::optional<TimedSize> tool{};

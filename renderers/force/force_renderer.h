@@ -37,7 +37,7 @@ struct NamedCount {
 /// and HapticDevice the limits, so that the record contains the intended force.
 ///
 /// Real-time: `reset` and `tick` run on the servo thread. They must not allocate, lock, block, log or throw; the
-/// allocation guard in tests/support and bench/servo_tick check this.
+/// allocation guard in tests/support checks this.
 class ForceRenderer {
  public:
   virtual ~ForceRenderer() = default;

@@ -25,13 +25,15 @@ std::vector<ProbeState> stroke_on_plane(std::size_t ticks, double height_m) {
   return samples;
 }
 
-std::vector<ProbeState> stroke_on_torus(std::size_t ticks, const TorusStroke& stroke) {
+std::vector<ProbeState> stroke_on_torus(std::size_t ticks) {
+  constexpr double kDepth_m = 0.001;
+  constexpr double kSpeed_m_per_s = 0.2;
   std::vector<ProbeState> samples(ticks);
   double a = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double b = 2.0 * std::numbers::pi * std::sin(0.7 * a);
     const double tube_m =
-        0.012 * (1.0 + 0.15 * std::sin(5.0 * a + 0.3) * std::cos(3.0 * b)) - stroke.depth_m;
+        0.012 * (1.0 + 0.15 * std::sin(5.0 * a + 0.3) * std::cos(3.0 * b)) - kDepth_m;
     const double radius_m = 0.03 + tube_m * std::cos(b);
     samples[i].position_m = {radius_m * std::cos(a), radius_m * std::sin(a), tube_m * std::sin(b)};
     samples[i].time_ns = static_cast<std::int64_t>(i) * 1'000'000;
@@ -39,7 +41,7 @@ std::vector<ProbeState> stroke_on_torus(std::size_t ticks, const TorusStroke& st
       samples[i].velocity_m_per_s =
           (samples[i].position_m - samples[i - 1].position_m) / kStrokeTick_s;
     }
-    a += stroke.speed_m_per_s * kStrokeTick_s / std::hypot(0.042, 4.4 * 0.0138);
+    a += kSpeed_m_per_s * kStrokeTick_s / std::hypot(0.042, 4.4 * 0.0138);
   }
   return samples;
 }

@@ -16,12 +16,8 @@ inline constexpr double kStrokeTick_s = 1e-3;
 /// To and fro over 60 mm at up to 94 mm/s, drifting sideways, at a height above the plane.
 std::vector<ProbeState> stroke_on_plane(std::size_t ticks, double height_m);
 
-struct TorusStroke {
-  double depth_m = 0.001;
-  double speed_m_per_s = 0.2;
-};
-/// Around the tube of `bumpy_torus` (stimuli/meshes/detailed_bodies.h), below its surface.
-std::vector<ProbeState> stroke_on_torus(std::size_t ticks, const TorusStroke& stroke);
+/// Around the tube of `bumpy_torus` (stimuli/meshes/detailed_bodies.h) at 200 mm/s, 1 mm below its surface.
+std::vector<ProbeState> stroke_on_torus(std::size_t ticks);
 
 /// What any point model of a registry needs on a plane: a height field of 2000 × 2000 random heights over 0.1 m, which is larger
 /// than a cache, as that of a photograph is, and the files that the models make of it.

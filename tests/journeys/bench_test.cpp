@@ -51,7 +51,7 @@ TEST(BenchCommand, ListsItsScenes) {
     names.push_back(scene.at("name"));
   }
   EXPECT_THAT(names, ElementsAre("simple", "ten_contacts", "hammer", "file", "part", "comb",
-                                 "plane", "mesh_100k", "mesh_600k"));
+                                 "plane", "loop", "mesh_100k", "mesh_600k"));
 }
 
 TEST(BenchCommand, MeasuresEveryModelOfAPointWithTheOrderedTicks) {
@@ -64,13 +64,14 @@ TEST(BenchCommand, MeasuresEveryModelOfAPointWithTheOrderedTicks) {
   const Tsv table = tsv(text_of(out));
   EXPECT_THAT(
       table.columns,
-      ElementsAre("scene", "model", "evaluated_on", "device", "ticks", "preempted", "p50_s",
-                  "p99_s", "maximum_s", "rate_Hz", "largest_force_N", "tool_triangles",
+      ElementsAre("scene", "model", "evaluated_on", "device", "caches", "ticks", "preempted",
+                  "p50_s", "p99_s", "maximum_s", "rate_Hz", "largest_force_N", "tool_triangles",
                   "tool_simplified_triangles", "surface_triangles", "surface_simplified_triangles",
                   "reason", "quoted", "quoted_source", "processor", "cores", "load_per_core",
                   "program", "compiler", "instruction_set"));
   EXPECT_THAT(table.column("model"), testing::IsSupersetOf({"height_map", "sinusoid", "recorded"}));
   EXPECT_THAT(table.column("model"), Each(Not("pd_gradient")));
+  EXPECT_THAT(table.column("caches"), Each("warm"));
   EXPECT_THAT(table.column("reason"), Each("n/a"));
   EXPECT_THAT(all_ticks(table), Each("30"));
   // Not enough for quantiles, and too soon for a force.
@@ -97,6 +98,28 @@ TEST(BenchCommand, QuotesTheFigureOfAPointForModelsOfAPointOnly) {
     const bool is_soft = models[i] == "elastic_halfspace" || models[i] == "winkler";
     EXPECT_EQ(quoted[i] == "n/a", is_soft) << table.column("scene")[i] << ' ' << models[i];
   }
+}
+
+TEST(BenchCommand, MeasuresTheWholeTickOfASession) {
+  const TemporaryFolder place{};
+  const Outcome outcome = bench(place, {"--scene", "loop", "--ticks", "300", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto rows = nlohmann::json::parse(outcome.out).at("rows");
+  EXPECT_GT(rows.size(), 10U);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.at("reason"), nullptr) << row;
+    EXPECT_GT(row.at("largest_force_N"), 0.5) << row;  // of a hand that presses with about 1 N
+  }
+}
+
+TEST(BenchCommand, MeasuresWithColdCachesOnRequest) {
+  const TemporaryFolder place{};
+  const std::string out = (place / "ticks.tsv").string();
+  const Outcome outcome =
+      bench(place, {"--scene", "plane", "--ticks", "2", "--cold-caches", "--out", out});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Cold caches: other data were written before each tick."));
+  EXPECT_THAT(tsv(text_of(out)).column("caches"), Each("cold"));
 }
 
 TEST(BenchCommand, StatesWhyTheGpuIsNotMeasuredAndKeepsTheBodies) {
@@ -165,7 +188,8 @@ TEST(BenchCommand, RefusesAnUnknownSceneAndABrokenMesh) {
   const Outcome unknown = bench(place, {"--scene", "anvil"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_THAT(unknown.err, HasSubstr("\"anvil\" is not permitted; write simple, ten_contacts, "
-                                     "hammer, file, part, comb, plane, mesh_100k or mesh_600k"));
+                                     "hammer, file, part, comb, plane, loop, mesh_100k or "
+                                     "mesh_600k"));
   write_text(place / "broken.obj", "v 0 0 0\nf 1 2 3\n");
   const Outcome broken = bench(place, {"--mesh", place / "broken.obj", "--scene", "plane"});
   EXPECT_EQ(broken.status, 1);
