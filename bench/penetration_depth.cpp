@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <functional>
+#include <optional>
 #include <string>
-#include <sys/resource.h>
 #include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "device/machine.h"
+#include "renderers/offline/tick_times.h"
 #include "renderers/pd_gradient/sampling/cached_penetration.h"
 #include "renderers/pd_gradient/sampling/reference_penetration.h"
 #include "tests/renderers/pd_gradient_surfaces.h"
@@ -24,9 +23,8 @@
 namespace asperity {
 namespace {
 
-constexpr int kWarmUp = 2'000;
-constexpr int kCounted = 10'000;
-constexpr int kCountedReference = 100;
+constexpr TickCount kCount{.warm_up = 2'000, .counted = 10'000};
+constexpr TickCount kCountOfReference{.warm_up = 1, .counted = 100};
 constexpr double kDepth_m = 0.1e-3;
 constexpr double kSlide_m = 10e-6;  // from tick to tick
 constexpr int kTruthSamples = 1024;
@@ -34,45 +32,13 @@ constexpr int kContactsOfAKind = 6;
 
 struct Costs {
   std::string name{};
-  std::vector<std::int64_t> undisturbed_ns{};
-  std::int64_t preempted = 0;
+  TickTimes times{};
 };
-
-std::int64_t context_switches() {
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  return usage.ru_nivcsw + usage.ru_nvcsw;
-}
-
-// Calls during which the kernel took the processor away are counted apart: they measure the machine.
-Costs measure(const std::string& name, int warm_up, int counted,
-              const std::function<void(int)>& work) {
-  Costs costs{.name = name};
-  costs.undisturbed_ns.reserve(static_cast<std::size_t>(counted));
-  for (int i = 0; i < warm_up; ++i) work(i);
-  std::int64_t switches = context_switches();
-  for (int i = warm_up; i < warm_up + counted; ++i) {
-    const auto started = std::chrono::steady_clock::now();
-    work(i);
-    const auto took = std::chrono::steady_clock::now() - started;
-    const std::int64_t switches_after = context_switches();
-    if (switches_after == switches) {
-      costs.undisturbed_ns.push_back(
-          std::chrono::duration_cast<std::chrono::nanoseconds>(took).count());
-    } else {
-      ++costs.preempted;
-    }
-    switches = switches_after;
-  }
-  std::sort(costs.undisturbed_ns.begin(), costs.undisturbed_ns.end());
-  return costs;
-}
 
 // Null where the processor was taken away in every call.
 nlohmann::json quantile_ns(const Costs& costs, double fraction) {
-  if (costs.undisturbed_ns.empty()) return nullptr;
-  const double last = static_cast<double>(costs.undisturbed_ns.size() - 1);
-  return costs.undisturbed_ns[static_cast<std::size_t>(std::llround(fraction * last))];
+  const std::optional<std::int64_t> time_ns = costs.times.quantile_ns(fraction);
+  return time_ns ? nlohmann::json(*time_ns) : nullptr;
 }
 
 const char* kind_name(ContactKind kind) {
@@ -122,12 +88,13 @@ constexpr SmoothMaximum kSmooth{.tau_m = 20e-6};
 template <typename Evaluation>
 Costs time_of(Evaluation&& evaluation, const std::string& name, const ChanceContact& contact,
               const PackedSurface& a, const PackedSurface& b, double& used) {
-  return measure(name, kWarmUp, kCounted, [&](int tick) {
-    const auto found = evaluation.evaluate(
-        {.surface = a, .triangles = contact.triangles_a, .pose = slid(contact.pose_a, tick)},
-        {.surface = b, .triangles = contact.triangles_b, .pose = contact.pose_b}, {});
-    if (found) used += found->depth_m;
-  });
+  return {
+      name, time_ticks(kCount, [&](int tick) {
+        const auto found = evaluation.evaluate(
+            {.surface = a, .triangles = contact.triangles_a, .pose = slid(contact.pose_a, tick)},
+            {.surface = b, .triangles = contact.triangles_b, .pose = contact.pose_b}, {});
+        if (found) used += found->depth_m;
+      })};
 }
 
 void time_contact(int samples, ContactKind kind, const MaximumLaw& law, InstructionSet set,
@@ -153,13 +120,13 @@ Costs time_of_reference(int samples, double& used) {
   ContactsByChance chance(1);
   ChanceContact contact = pressed(chance, ContactKind::flat, window_of(samples));
   const Pose start = contact.pose_a;
-  return measure(
-      "reference/" + std::to_string(samples) + "/flat", 1, kCountedReference, [&](int tick) {
-        contact.pose_a = slid(start, tick);
-        const auto found =
-            reference_penetration(contact.a(), contact.b(), {}, window_of(samples), kHard);
-        if (found) used += found->depth_m;
-      });
+  return {"reference/" + std::to_string(samples) + "/flat",
+          time_ticks(kCountOfReference, [&](int tick) {
+            contact.pose_a = slid(start, tick);
+            const auto found =
+                reference_penetration(contact.a(), contact.b(), {}, window_of(samples), kHard);
+            if (found) used += found->depth_m;
+          })};
 }
 
 // Root mean squares over contacts, relative to the truth's.
@@ -255,14 +222,6 @@ std::vector<Errors> accuracy(std::uint64_t seed) {
   return all;
 }
 
-std::string machine() {
-  std::ifstream cpus("/proc/cpuinfo");
-  for (std::string line; std::getline(cpus, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
-
 nlohmann::ordered_json head() {
   return {{"format", "asperity.bench/1"},
           {"machine", machine()},
@@ -285,13 +244,13 @@ void print_costs(const std::vector<Costs>& all, bool as_json) {
                                  {"p50", quantiles_ns[0]},
                                  {"p99", quantiles_ns[1]},
                                  {"p99_9", quantiles_ns[2]},
-                                 {"count", costs.undisturbed_ns.size()},
-                                 {"preempted", costs.preempted}});
+                                 {"count", costs.times.undisturbed_ns.size()},
+                                 {"preempted", costs.times.preempted}});
     if (!as_json) {
       std::printf("%-40s %9s %9s %9s %7zu %9lld\n", costs.name.c_str(),
                   quantiles_ns[0].dump().c_str(), quantiles_ns[1].dump().c_str(),
-                  quantiles_ns[2].dump().c_str(), costs.undisturbed_ns.size(),
-                  static_cast<long long>(costs.preempted));
+                  quantiles_ns[2].dump().c_str(), costs.times.undisturbed_ns.size(),
+                  static_cast<long long>(costs.times.preempted));
     }
   }
   if (as_json) std::puts(document.dump(2).c_str());
