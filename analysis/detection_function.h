@@ -7,7 +7,7 @@
 #include <span>
 
 #include "analysis/proportion.h"
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 
 namespace asperity {
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "analysis/psychometric_maximum.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {

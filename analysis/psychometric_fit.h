@@ -6,7 +6,7 @@
 #include <span>
 
 #include "analysis/proportion.h"
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 #include "analysis/psychometric_precision.h"
 
 namespace asperity {

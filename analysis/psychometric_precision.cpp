@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <boost/math/tools/roots.hpp>
 
+#include "analysis/psychometric_maximum.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {

@@ -5,9 +5,12 @@
 #include <optional>
 
 #include "analysis/proportion.h"
-#include "analysis/psychometric_maximum.h"
+#include "analysis/psychometric_model.h"
 
 namespace asperity {
+
+class PsychometricLikelihood;
+struct CurveSolution;
 
 struct PsychometricQuestion {
   PsychometricModel model{};

@@ -5,6 +5,9 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include <Eigen/Core>
 
 #include "analysis/number_text.h"
 
@@ -122,8 +125,8 @@ std::vector<PsychometricFunction> functions_of(const ThresholdPrior& prior,
   return functions;
 }
 
-Eigen::ArrayXd posterior_of(std::span<const PsychometricFunction> functions,
-                            std::span<const PsychometricBlock> blocks) {
+std::vector<double> posterior_of(std::span<const PsychometricFunction> functions,
+                                 std::span<const PsychometricBlock> blocks) {
   Eigen::ArrayXd logarithms = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(functions.size()));
   const auto answered = answered_blocks(
       blocks, {.shape = functions.front().shape, .gamma = functions.front().gamma, .lambda = 0.0});
@@ -143,13 +146,17 @@ Eigen::ArrayXd posterior_of(std::span<const PsychometricFunction> functions,
         "no function can give these responses; add functions with a lapse rate above 0");
   }
   const Eigen::ArrayXd likelihoods = (logarithms - greatest).exp();
-  return likelihoods / likelihoods.sum();
+  std::vector<double> weights(functions.size());
+  Eigen::Map<Eigen::ArrayXd>(weights.data(), likelihoods.size()) = likelihoods / likelihoods.sum();
+  return weights;
 }
 
 CredibleThreshold credible_threshold(const ThresholdPrior& prior,
                                      std::span<const PsychometricFunction> functions,
-                                     const Eigen::ArrayXd& weights,
+                                     std::span<const double> of_functions,
                                      const CredibleQuestion& question) {
+  const Eigen::ArrayXd weights = Eigen::Map<const Eigen::ArrayXd>(
+      of_functions.data(), static_cast<Eigen::Index>(of_functions.size()));
   // The functions of a threshold follow each other.
   const auto thresholds = static_cast<Eigen::Index>(prior.thresholds.count);
   const Eigen::Index of_threshold = weights.size() / thresholds;

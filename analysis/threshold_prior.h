@@ -6,10 +6,8 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "analysis/proportion.h"
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 
 namespace asperity {
 
@@ -52,8 +50,8 @@ std::vector<PsychometricFunction> functions_of(const ThresholdPrior& prior,
 
 /// The probabilities of the functions after all responses. Errors: std::invalid_argument for counts that `answered_blocks`
 /// rejects, and where no function can give the responses.
-Eigen::ArrayXd posterior_of(std::span<const PsychometricFunction> functions,
-                            std::span<const PsychometricBlock> blocks);
+std::vector<double> posterior_of(std::span<const PsychometricFunction> functions,
+                                 std::span<const PsychometricBlock> blocks);
 
 struct CredibleThreshold {
   double value = 0.0;             ///< the geometric mean of the posterior distribution
@@ -72,7 +70,7 @@ struct CredibleQuestion {
 /// evenly over the step of thresholds about its own, on the logarithmic scale: quantiles are therefore between the steps.
 CredibleThreshold credible_threshold(const ThresholdPrior& prior,
                                      std::span<const PsychometricFunction> functions,
-                                     const Eigen::ArrayXd& weights,
+                                     std::span<const double> weights,
                                      const CredibleQuestion& question);
 
 }  // namespace asperity

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/proportion.h"
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 
 namespace asperity {
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "analysis/level_scale.h"
 #include "analysis/threshold_prior.h"
@@ -90,7 +91,7 @@ void estimate_by_posterior(const PosteriorTrack& settings, RunningTrack& track) 
   std::vector<PsychometricBlock> blocks{};
   for (const auto& [difference, block] : by_difference) blocks.push_back(block);
   const std::vector<PsychometricFunction> functions = functions_of(settings.prior, {});
-  const Eigen::ArrayXd weights = posterior_of(functions, blocks);
+  const std::vector<double> weights = posterior_of(functions, blocks);
   const auto threshold = [&](double confidence) {
     return credible_threshold(
         settings.prior, functions, weights,

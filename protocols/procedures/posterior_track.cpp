@@ -174,7 +174,8 @@ class PreparedTrack final {
       return false;
     }
     const CredibleThreshold threshold = credible_threshold(
-        track_.prior, table_.functions(), weights,
+        track_.prior, table_.functions(),
+        {weights.data(), static_cast<std::size_t>(weights.size())},
         {.performance = track_.prior.performance, .confidence = kConfidenceOfIntervalRule});
     return threshold.interval.high <= rule.ratio * threshold.interval.low;
   }

@@ -59,10 +59,10 @@ PosteriorOutcome posterior_outcome(const PreparedCell& cell, const Random& of_ob
     cell.table.respond(weights, nearest_index(cell.track.grid, answer.level),
                        answer.outcome == LevelOutcome::correct);
   }
-  PosteriorOutcome outcome{.truth = std::exp(truth),
-                           .interval = credible_threshold(prior, cell.table.functions(), weights,
-                                                          {.performance = prior.performance})
-                                           .interval};
+  const CredibleThreshold threshold = credible_threshold(
+      prior, cell.table.functions(), {weights.data(), static_cast<std::size_t>(weights.size())},
+      {.performance = prior.performance});
+  PosteriorOutcome outcome{.truth = std::exp(truth), .interval = threshold.interval};
   for (Eigen::Index i = 0; i < weights.size(); ++i) {
     const double own =
         std::log(cell.table.functions()[static_cast<std::size_t>(i)].inverse(prior.performance));

@@ -163,9 +163,10 @@ double posterior_estimate(const PreparedRecovery& prepared, std::span<const Leve
     prepared.functions->respond(weights, nearest_index(track.grid, answer.level),
                                 answer.outcome == LevelOutcome::correct);
   }
-  return std::log10(credible_threshold(track.prior, prepared.functions->functions(), weights,
-                                       {.performance = performance})
-                        .value);
+  const CredibleThreshold threshold = credible_threshold(
+      track.prior, prepared.functions->functions(),
+      {weights.data(), static_cast<std::size_t>(weights.size())}, {.performance = performance});
+  return std::log10(threshold.value);
 }
 
 /// One track after one number of trials.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 #include "analysis/threshold_prior.h"
 #include "app/findings/study/discrimination_tracks.h"
 

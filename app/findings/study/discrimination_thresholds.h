@@ -8,7 +8,7 @@
 
 #include "analysis/finding.h"
 #include "analysis/proportion.h"
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 #include "analysis/unforced_bootstrap.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/discrimination_tracks.h"

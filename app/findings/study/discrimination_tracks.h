@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/procedure_bootstrap.h"
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "protocols/procedures/procedure.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 #include "app/findings/study/discrimination_thresholds.h"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/psychometric_likelihood.h"
+#include "analysis/psychometric_model.h"
 #include "app/findings/tidy/unforced_estimates.h"
 #include "results_schema/tidy_table.h"
 
