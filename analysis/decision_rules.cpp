@@ -9,7 +9,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <boost/math/distributions/normal.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/roots.hpp>
 
@@ -21,8 +20,6 @@ namespace {
 
 constexpr double kSqrt2 = std::numbers::sqrt2;
 constexpr double kGreatestSensitivity = 25.0;  // beyond it every proportion is 1 to all digits
-
-double z_at(double p) { return boost::math::quantile(boost::math::normal(), p); }
 
 bool has_extreme_rate(const DetectionRates& rates) {
   const auto is_inside = [](double p) { return p > 0.0 && p < 1.0; };
@@ -91,7 +88,8 @@ std::optional<RuleSensitivity> by_difference(const DetectionRates& rates) {
   const double near = normal_density((dprime - k) / kSqrt2) / kSqrt2;
   const double far = normal_density((-dprime - k) / kSqrt2) / kSqrt2;
   const double by_hit = 1.0 / (near - far);
-  const double k_by_false = -kSqrt2 / (2.0 * normal_density(z_at(0.5 * rates.false_alarm)));
+  const double k_by_false =
+      -kSqrt2 / (2.0 * normal_density(normal_quantile(0.5 * rates.false_alarm)));
   const double by_false = (near + far) * k_by_false * by_hit;
   const auto variance = [](double p, double n) { return p * (1.0 - p) / n; };
   RuleSensitivity found{.dprime = dprime};
@@ -139,14 +137,16 @@ double oddity_by_likelihood(double dprime) {
 
 }  // namespace
 
-double same_different_criterion(double false_alarm) { return -kSqrt2 * z_at(0.5 * false_alarm); }
+double same_different_criterion(double false_alarm) {
+  return -kSqrt2 * normal_quantile(0.5 * false_alarm);
+}
 
 double same_different_hit_rate(double dprime, double false_alarm, DecisionRule rule) {
   if (rule == DecisionRule::differencing) {
     return hit_rate_by_difference(dprime, same_different_criterion(false_alarm));
   }
   const double p = proportion_same_different(dprime, 2.0);
-  return normal_below(2.0 * z_at(p) + z_at(false_alarm));
+  return normal_below(2.0 * normal_quantile(p) + normal_quantile(false_alarm));
 }
 
 std::optional<RuleSensitivity> same_different_sensitivity(const DetectionRates& rates,

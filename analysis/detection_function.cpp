@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <Eigen/Dense>
-#include <boost/math/distributions/normal.hpp>
 #include <nlopt.hpp>
 
 #include "analysis/decision_rules.h"
@@ -140,7 +139,7 @@ DetectionBounds bounds_of(const DetectionLikelihood& data) {
 
 /// The criterion of a proportion of false alarms that is neither 0 nor 1.
 double criterion_of(DetectionTask task, double false_alarm) {
-  return task == DetectionTask::yes_no ? -boost::math::quantile(boost::math::normal(), false_alarm)
+  return task == DetectionTask::yes_no ? -normal_quantile(false_alarm)
                                        : same_different_criterion(false_alarm);
 }
 

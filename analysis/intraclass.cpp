@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <boost/math/distributions/fisher_f.hpp>
-
 #include "analysis/matrix_place.h"
 #include "analysis/tail_probabilities.h"
 
@@ -41,8 +39,7 @@ MeanSquares mean_squares(const Eigen::MatrixXd& ratings) {
 
 // What F of these degrees of freedom exceeds with half of 1 − confidence.
 double f_limit(double df1, double df2, double confidence) {
-  return boost::math::quantile(
-      boost::math::complement(boost::math::fisher_f(df1, df2), 0.5 * (1.0 - confidence)));
+  return exceeded_by(FTail{.tail = 0.5 * (1.0 - confidence), .df1 = df1, .df2 = df2});
 }
 
 struct Forms {

@@ -11,12 +11,9 @@
 #include <string>
 #include <utility>
 
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
 #include <boost/math/distributions/non_central_t.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include "analysis/exact_null.h"
 #include "analysis/matching_null.h"
@@ -315,8 +312,7 @@ UniformPower uniform_power(const UniformPlan& plan) {
                      (p - 1.0 / alternatives);
   }
   const double df = alternatives - 1.0;
-  const double critical =
-      boost::math::quantile(complement(boost::math::chi_squared(df), plan.error));
+  const double critical = exceeded_by(ChiSquaredTail{.tail = plan.error, .df = df});
   answer.noncentral_power =
       noncentrality > 0.0
           ? cdf(complement(boost::math::non_central_chi_squared(df, noncentrality), critical))
@@ -382,8 +378,7 @@ WithinPower within_power(const WithinPlan& plan) {
   answer.noncentrality = plan.f * plan.f * n * levels / (1.0 - plan.correlation) * plan.epsilon;
   const double df1 = (levels - 1.0) * plan.epsilon;
   const double df2 = (levels - 1.0) * (n - 1.0) * plan.epsilon;
-  const double critical =
-      boost::math::quantile(complement(boost::math::fisher_f(df1, df2), plan.error));
+  const double critical = exceeded_by(FTail{.tail = plan.error, .df1 = df1, .df2 = df2});
   answer.power =
       answer.noncentrality > 0.0
           ? cdf(complement(boost::math::non_central_f(df1, df2, answer.noncentrality), critical))

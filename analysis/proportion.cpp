@@ -9,9 +9,9 @@
 
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/normal.hpp>
 
 #include "analysis/number_text.h"
+#include "analysis/tail_probabilities.h"
 
 namespace asperity {
 namespace {
@@ -38,11 +38,6 @@ void refuse_no_chance(double chance) {
     throw std::invalid_argument("chance is " + number_text(chance) +
                                 "; it must lie between 0 and 1");
   }
-}
-
-double two_sided_z(double confidence) {
-  return boost::math::quantile(
-      boost::math::complement(boost::math::normal(), 0.5 * (1.0 - confidence)));
 }
 
 // The quantiles at both ends of beta distributions; an end without hits or misses is 0 or 1.
@@ -73,7 +68,7 @@ ConfidenceInterval within(const ConfidenceInterval& possible, const ConfidenceIn
 ConfidenceInterval wilson_interval(const HitCount& count, double confidence) {
   refuse_impossible_count(count);
   refuse_impossible_confidence(confidence);
-  const double z = two_sided_z(confidence);
+  const double z = normal_limit(confidence);
   const auto n = static_cast<double>(count.trials);
   const double p = proportion(count);
   const double scale = 1.0 + z * z / n;
@@ -104,7 +99,7 @@ ConfidenceInterval jeffreys_interval(const HitCount& count, double confidence) {
 ConfidenceInterval agresti_coull_interval(const HitCount& count, double confidence) {
   refuse_impossible_count(count);
   refuse_impossible_confidence(confidence);
-  const double z = two_sided_z(confidence);
+  const double z = normal_limit(confidence);
   const double n = static_cast<double>(count.trials) + z * z;
   const double p = (static_cast<double>(count.hits) + 0.5 * z * z) / n;
   const double half = z * std::sqrt(p * (1.0 - p) / n);

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <boost/math/distributions/normal.hpp>
+#include "analysis/tail_probabilities.h"
 
 namespace asperity {
 namespace {
@@ -64,7 +64,7 @@ double standard_quantile(PsychometricShape shape, double F) {
     case PsychometricShape::logistic:
       return std::log(F / (1.0 - F));
     case PsychometricShape::normal:
-      return boost::math::quantile(boost::math::normal(), F);
+      return normal_quantile(F);
     case PsychometricShape::gumbel:
       return std::log10(-std::log1p(-F));
     case PsychometricShape::weibull:

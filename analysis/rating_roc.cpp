@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include <Eigen/Dense>
-#include <boost/math/distributions/normal.hpp>
 
 #include "analysis/tail_probabilities.h"
 
@@ -48,15 +47,13 @@ class RatingLikelihood final {
     double noise = 0.0;
     double signal = 0.0;
     double difference = 0.0;
-    const boost::math::normal normal;
     for (std::size_t j = 0; j + 1 < used_.size(); ++j) {
       noise += static_cast<double>(used_[j].noise);
       signal += static_cast<double>(used_[j].signal);
       const double below_noise = (noise + 0.5) / (totals.noise + 1.0);
       const double below_signal = (signal + 0.5) / (totals.signal + 1.0);
-      at[static_cast<Eigen::Index>(j) + 2] = boost::math::quantile(normal, below_noise);
-      difference +=
-          boost::math::quantile(normal, below_noise) - boost::math::quantile(normal, below_signal);
+      at[static_cast<Eigen::Index>(j) + 2] = normal_quantile(below_noise);
+      difference += normal_quantile(below_noise) - normal_quantile(below_signal);
     }
     at[0] = difference / static_cast<double>(used_.size() - 1);
     constexpr double kLeastGap = 0.02;

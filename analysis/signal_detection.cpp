@@ -4,20 +4,16 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <boost/math/distributions/normal.hpp>
-
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
 namespace {
 
-double z_of(double proportion) { return boost::math::quantile(boost::math::normal(), proportion); }
-
 bool is_extreme(double proportion) { return !(proportion > 0.0 && proportion < 1.0); }
 
 /// The variance of z(p) of p in n trials.
 double variance_of_z(double p, double n) {
-  const double density = normal_density(z_of(p));
+  const double density = normal_density(normal_quantile(p));
   return p * (1.0 - p) / (n * density * density);
 }
 
@@ -50,8 +46,8 @@ DetectionRates loglinear_rates(const DetectionCounts& counts) {
 
 std::optional<Sensitivity> yes_no_sensitivity(const DetectionRates& rates) {
   if (is_extreme(rates.hit) || is_extreme(rates.false_alarm)) return std::nullopt;
-  const double z_hit = z_of(rates.hit);
-  const double z_false = z_of(rates.false_alarm);
+  const double z_hit = normal_quantile(rates.hit);
+  const double z_false = normal_quantile(rates.false_alarm);
   return Sensitivity{
       .dprime = z_hit - z_false,
       .criterion = -0.5 * (z_hit + z_false),

@@ -98,11 +98,22 @@ std::optional<double> t_limit(const TLimit& limit) {
       boost::math::complement(boost::math::students_t(limit.df), 0.5 * (1.0 - limit.confidence)));
 }
 
+double exceeded_by(const ChiSquaredTail& of) {
+  return boost::math::quantile(boost::math::complement(boost::math::chi_squared(of.df), of.tail));
+}
+
+double exceeded_by(const FTail& of) {
+  return boost::math::quantile(
+      boost::math::complement(boost::math::fisher_f(of.df1, of.df2), of.tail));
+}
+
 double normal_density(double z) {
   return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
 }
 
 double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+
+double normal_quantile(double p) { return boost::math::quantile(boost::math::normal(), p); }
 
 double log_choose(double n, double k) {
   return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);

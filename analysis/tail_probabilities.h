@@ -42,9 +42,23 @@ struct TLimit {
 };
 std::optional<double> t_limit(const TLimit& limit);
 
-/// Of the standard normal distribution: its density at z, and P(Z ≤ z).
+/// What X exceeds with the probability `tail`, 0 < tail < 1; the degrees of freedom are positive.
+struct ChiSquaredTail {
+  double tail = 0.05;
+  double df = 1.0;
+};
+struct FTail {
+  double tail = 0.05;
+  double df1 = 1.0;
+  double df2 = 1.0;
+};
+double exceeded_by(const ChiSquaredTail& of);
+double exceeded_by(const FTail& of);
+
+/// Of the standard normal distribution: its density at z, P(Z ≤ z), and the z with P(Z ≤ z) = p, 0 < p < 1.
 double normal_density(double z);
 double normal_below(double z);
+double normal_quantile(double p);
 
 /// ln of n!/(k!·(n − k)!), for 0 ≤ k ≤ n.
 double log_choose(double n, double k);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <boost/math/distributions/normal.hpp>
 
 #include "analysis/comparison_graph.h"
 #include "analysis/tail_probabilities.h"
@@ -46,7 +45,7 @@ std::optional<ThurstoneLeastSquares> thurstone_least_squares(const Comparisons& 
     if (!complete) return;
     const double end = 1.0 / (2.0 * trials);
     const double p = std::clamp(won / trials, end, 1.0 - end);
-    const double z = boost::math::quantile(boost::math::normal(), p);
+    const double z = normal_quantile(p);
     result.scale(i) += z / k;
     result.scale(j) -= z / k;
     result.clipped += won == 0.0 || won == trials ? 1 : 0;

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <boost/math/distributions/chi_squared.hpp>
-
 #include "analysis/number_text.h"
 #include "analysis/tail_probabilities.h"
 
@@ -55,8 +53,7 @@ std::vector<ConfidenceInterval> goodman_intervals(std::span<const std::uint64_t>
                                 "; it must lie between 0 and 1");
   }
   const double error = (1.0 - confidence) / static_cast<double>(counts.size());
-  const double a =
-      boost::math::quantile(boost::math::complement(boost::math::chi_squared(1.0), error));
+  const double a = exceeded_by(ChiSquaredTail{.tail = error, .df = 1.0});
   std::vector<ConfidenceInterval> intervals{};
   for (const std::uint64_t count : counts) {
     const auto x = static_cast<double>(count);
