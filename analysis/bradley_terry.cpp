@@ -9,10 +9,8 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include "analysis/comparison_graph.h"
+#include "analysis/dense.h"
 
 namespace asperity {
 namespace {
@@ -272,9 +270,7 @@ std::optional<Abilities> firth_bradley_terry(const Comparisons& counts) {
     }
     covariance = Eigen::MatrixXd::Zero(items, items);
     covariance.bottomRightCorner(items - 1, items - 1) =
-        information.bottomRightCorner(items - 1, items - 1)
-            .ldlt()
-            .solve(Eigen::MatrixXd::Identity(items - 1, items - 1));
+        SymmetricFactors(information.bottomRightCorner(items - 1, items - 1)).inverse();
     Eigen::VectorXd score = Eigen::VectorXd::Zero(items);
     for (Eigen::Index i = 0; i < items; ++i) {
       for (Eigen::Index j = i + 1; j < items; ++j) {
@@ -332,7 +328,7 @@ PairAnswer paired_model(std::span<const Comparison> comparisons, std::size_t ite
   // Where all parameters are 0 every outcome is possible: only aliased terms have no information.
   const auto size = static_cast<Eigen::Index>(places.count());
   const Eigen::MatrixXd at_zero = data.slopes(Eigen::VectorXd::Zero(size)).information;
-  if (Eigen::FullPivLU<Eigen::MatrixXd>(at_zero).rank() < size) {
+  if (rank(at_zero) < size) {
     return {.problem = PairProblem::not_identified};
   }
   const std::optional<ConditionalLogit> fit = conditional_logit(data);

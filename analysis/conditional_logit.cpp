@@ -9,9 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
+#include "analysis/dense.h"
 #include "analysis/number_text.h"
 
 namespace asperity {
@@ -150,16 +148,16 @@ std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data) {
   ConditionalLogit fit{.coefficients = Eigen::VectorXd::Zero(size)};
   for (int step = 0; step < kMostSteps; ++step) {
     const ChoiceData::Slopes at = data.slopes(fit.coefficients);
-    const Eigen::LDLT<Eigen::MatrixXd> information(at.information);
-    const Eigen::VectorXd pivots = information.vectorD();
+    const SymmetricFactors information(at.information);
+    const Eigen::VectorXd pivots = information.pivots();
     if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
-    const Eigen::VectorXd move = information.solve(at.score);
+    const Eigen::VectorXd move = information.solved(at.score);
     const double far = move.cwiseAbs().maxCoeff();
     // Newton's error is squared by a step: after one of 10⁻⁸ nothing is left to gain.
     if (far < 1e-8 * (1.0 + fit.coefficients.cwiseAbs().maxCoeff())) {
       fit.coefficients += move;
       const ChoiceData::Slopes top = data.slopes(fit.coefficients);
-      fit.covariance = top.information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+      fit.covariance = SymmetricFactors(top.information).inverse();
       fit.log_likelihood = top.log_likelihood;
       return fit;
     }
@@ -197,8 +195,9 @@ std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const 
   }
   if (std::set<std::size_t>(clusters.begin(), clusters.end()).size() < kFewestClusters) return {};
   const ChoiceData::Slopes at = data.slopes(fit.coefficients, clusters);
-  using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
-  const Eigen::MatrixXd root = Solver(fit.covariance).operatorSqrt();  // V^½
+  const EigenAxes axes = eigen_axes(fit.covariance);
+  const Eigen::MatrixXd root =  // V^½
+      axes.vectors * axes.values.cwiseSqrt().asDiagonal() * axes.vectors.adjoint();
   const Eigen::MatrixXd directions = root * combinations.transpose();
   const Eigen::Index rows = combinations.rows();
   Eigen::RowVectorXd squares = Eigen::RowVectorXd::Zero(rows);  // Σℓ_g²
@@ -210,15 +209,15 @@ std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const 
   std::vector<Eigen::MatrixXd> outer(static_cast<std::size_t>(rows),
                                      Eigen::MatrixXd::Zero(root.rows(), root.cols()));
   for (std::size_t g = 0; g < at.informations.size(); ++g) {
-    const Solver m(root * at.informations[g] * root);
+    const EigenAxes m = eigen_axes(root * at.informations[g] * root);
     // A cluster that alone determines a direction (h = 1) shows no differences along it.
     constexpr double kAlone = 1.0 - 1e-9;
-    const Eigen::VectorXd factors = m.eigenvalues().unaryExpr(
-        [](double h) { return h < kAlone ? 1.0 / std::sqrt(1.0 - h) : 0.0; });
-    const Eigen::MatrixXd turned = m.eigenvectors().transpose() * directions;
-    const Eigen::MatrixXd adjusted = m.eigenvectors() * factors.asDiagonal() * turned;  // a_g
+    const Eigen::VectorXd factors =
+        m.values.unaryExpr([](double h) { return h < kAlone ? 1.0 / std::sqrt(1.0 - h) : 0.0; });
+    const Eigen::MatrixXd turned = m.vectors.transpose() * directions;
+    const Eigen::MatrixXd adjusted = m.vectors * factors.asDiagonal() * turned;  // a_g
     const Eigen::MatrixXd weighted =
-        m.eigenvectors() * m.eigenvalues().cwiseProduct(factors).asDiagonal() * turned;  // b_g
+        m.vectors * m.values.cwiseProduct(factors).asDiagonal() * turned;  // b_g
     const Eigen::RowVectorXd score = at.scores.row(static_cast<Eigen::Index>(g)) * root;
     squares += (score * adjusted).cwiseAbs2();
     const Eigen::RowVectorXd q = adjusted.cwiseProduct(weighted).colwise().sum();

@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
 #include <nlopt.hpp>
 
+#include "analysis/dense.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -189,12 +189,11 @@ class CrossedLikelihood final {
     }
     const Eigen::MatrixXd scaled = a.cwiseInverse().asDiagonal() * b;
     const Eigen::MatrixXd remaining = Eigen::MatrixXd(c.asDiagonal()) - b.transpose() * scaled;
-    const Eigen::LLT<Eigen::MatrixXd> factor(remaining);
+    const CholeskyFactors factor(remaining);
     NewtonStep step{};
-    step.v = factor.solve(slope_v - scaled.transpose() * slope_u);
+    step.v = factor.solved(slope_v - scaled.transpose() * slope_u);
     step.u = slope_u.cwiseQuotient(a) - scaled * step.v;
-    step.log_determinant =
-        a.array().log().sum() + 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+    step.log_determinant = a.array().log().sum() + factor.log_determinant();
     return step;
   }
 
@@ -410,17 +409,16 @@ CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedM
   Derivatives found = derivatives(problem, at, kDifference);
   constexpr int kSharpenings = 4;
   for (int step = 0; step < kSharpenings; ++step) {
-    const Eigen::VectorXd move = found.hessian.ldlt().solve(found.gradient);
+    const Eigen::VectorXd move = SymmetricFactors(found.hessian).solved(found.gradient);
     if (!(move.cwiseAbs().maxCoeff() < 0.05)) break;  // no maximum near: judged below
     at -= move;
     found = derivatives(problem, at, kDifference);
   }
-  const Eigen::LLT<Eigen::MatrixXd> information(-found.hessian);
-  if (information.info() != Eigen::Success || !(found.gradient.cwiseAbs().maxCoeff() < 1e-4)) {
+  const CholeskyFactors information(-found.hessian);
+  if (!information.is_positive_definite() || !(found.gradient.cwiseAbs().maxCoeff() < 1e-4)) {
     return {};
   }
-  const Eigen::MatrixXd covariance =
-      information.solve(Eigen::MatrixXd::Identity(problem.size(), problem.size()));
+  const Eigen::MatrixXd covariance = information.inverse();
   const Eigen::MatrixXd of_effects =
       back * covariance.topLeftCorner(problem.effects(), problem.effects()) * back.transpose();
   return {.fit = CrossedFit{.beta = back * at.head(problem.effects()),

@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
-
+#include "analysis/dense.h"
 #include "analysis/matrix_place.h"
 
 namespace asperity {
@@ -89,20 +88,17 @@ struct OrdinalLikelihood::Inverse {
 struct OrdinalLikelihood::Curvature {
   Eigen::VectorXd a{};
   Eigen::MatrixXd scaled{};  // A⁻¹B
-  Eigen::LLT<Eigen::MatrixXd> remaining{};
+  CholeskyFactors remaining{};
 
-  double log_determinant() const {
-    return a.array().log().sum() + 2.0 * remaining.matrixLLT().diagonal().array().log().sum();
-  }
+  double log_determinant() const { return a.array().log().sum() + remaining.log_determinant(); }
   CrossedIntercepts solved(const CrossedIntercepts& right) const {
     CrossedIntercepts left{};
-    left.v = remaining.solve(right.v - scaled.transpose() * right.u);
+    left.v = remaining.solved(right.v - scaled.transpose() * right.u);
     left.u = right.u.cwiseQuotient(a) - scaled * left.v;
     return left;
   }
   Inverse inverse() const {
-    Inverse made{.of_items =
-                     remaining.solve(Eigen::MatrixXd::Identity(scaled.cols(), scaled.cols()))};
+    Inverse made{.of_items = remaining.inverse()};
     made.of_both = -scaled * made.of_items;
     made.of_participant = a.cwiseInverse() - made.of_both.cwiseProduct(scaled).rowwise().sum();
     return made;
@@ -258,7 +254,7 @@ OrdinalLikelihood::Curvature OrdinalLikelihood::curvature(const OrdinalParameter
     slope->v(item_[i]) += at.sigma_i * term.slope;
   }
   h.scaled = h.a.cwiseInverse().asDiagonal() * b;
-  h.remaining.compute(Eigen::MatrixXd(c.asDiagonal()) - b.transpose() * h.scaled);
+  h.remaining = CholeskyFactors(Eigen::MatrixXd(c.asDiagonal()) - b.transpose() * h.scaled);
   return h;
 }
 

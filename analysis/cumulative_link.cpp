@@ -10,9 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
-
 #include "analysis/cumulative_likelihood.h"
+#include "analysis/dense.h"
 
 namespace asperity {
 namespace {
@@ -114,15 +113,14 @@ LinkSearch search_from(const OrdinalProblem& problem, Eigen::VectorXd at,
   double value = problem.value(at, intercepts);
   for (int step = 0; step < kMostSteps; ++step) {
     const Eigen::VectorXd slope = problem.slope(at, intercepts);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> information(
-        problem.information(at, intercepts, OrdinalProblem::Accuracy::search));
-    if (information.info() != Eigen::Success || !slope.allFinite()) return {};
-    const Eigen::VectorXd curved =
-        information.eigenvalues().cwiseAbs().cwiseMax(0.1 * kLeastInformation);
-    Eigen::VectorXd move = information.eigenvectors() *
-                           (information.eigenvectors().transpose() * slope).cwiseQuotient(curved);
+    const EigenAxes information =
+        eigen_axes(problem.information(at, intercepts, OrdinalProblem::Accuracy::search));
+    if (!information.has_converged || !slope.allFinite()) return {};
+    const Eigen::VectorXd curved = information.values.cwiseAbs().cwiseMax(0.1 * kLeastInformation);
+    Eigen::VectorXd move =
+        information.vectors * (information.vectors.transpose() * slope).cwiseQuotient(curved);
     const double far = move.cwiseAbs().maxCoeff();
-    const bool concave = information.eigenvalues().minCoeff() > kLeastInformation;
+    const bool concave = information.values.minCoeff() > kLeastInformation;
     if (!concave && problem.size() == problem.coefficients()) return {};
     if (concave && far < kClose * (1.0 + at.cwiseAbs().maxCoeff())) {
       at += move;
@@ -186,8 +184,7 @@ CumulativeLinkFit fit_at(const OrdinalLikelihood& likelihood, const OrdinalProbl
   const Eigen::Index size = problem.coefficients();
   Eigen::VectorXd units = Eigen::VectorXd::Ones(size);  // of scaled columns in those of the design
   units.tail(likelihood.effects()) = likelihood.scale().cwiseInverse();
-  const Eigen::MatrixXd covariance =
-      maximum.information.ldlt().solve(Eigen::MatrixXd::Identity(problem.size(), problem.size()));
+  const Eigen::MatrixXd covariance = SymmetricFactors(maximum.information).inverse();
   return {
       .thresholds = place.thresholds.at,
       .beta = place.beta.cwiseQuotient(likelihood.scale()),

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <nlopt.hpp>
 
 #include "analysis/decision_rules.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/Eigenvalues>
+#include "analysis/dense.h"
 
 namespace asperity {
 namespace {
@@ -118,14 +118,14 @@ ClassicalScaling classical_scaling(const Dissimilarities& dissimilarities,
   const Eigen::MatrixXd centre = Eigen::MatrixXd::Identity(m, m) -
                                  Eigen::MatrixXd::Constant(m, m, 1.0 / static_cast<double>(m));
   const Eigen::MatrixXd squares = dissimilarities.cwiseAbs2();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(-0.5 * centre * squares * centre);
-  ClassicalScaling answer{.eigenvalues = solver.eigenvalues().reverse(),
+  const EigenAxes axes = eigen_axes(-0.5 * centre * squares * centre);
+  ClassicalScaling answer{.eigenvalues = axes.values.reverse(),
                           .points = Eigen::MatrixXd::Zero(m, dimensions)};
   double shown = 0.0;
   for (Eigen::Index axis = 0; axis < dimensions; ++axis) {
     const double eigenvalue = answer.eigenvalues(axis);
     if (eigenvalue > 0.0) {
-      answer.points.col(axis) = std::sqrt(eigenvalue) * solver.eigenvectors().col(m - 1 - axis);
+      answer.points.col(axis) = std::sqrt(eigenvalue) * axes.vectors.col(m - 1 - axis);
       shown += eigenvalue;
     }
   }

@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
-
+#include "analysis/dense.h"
 #include "analysis/number_text.h"
 #include "analysis/tail_probabilities.h"
 
@@ -103,7 +102,7 @@ std::vector<double> first_choice_means(std::span<const double> shares) {
     Eigen::MatrixXd slope = at.by_mean;
     missing(count - 1) = 0.0;
     slope.row(count - 1).setOnes();
-    const Eigen::VectorXd move = slope.partialPivLu().solve(missing);
+    const Eigen::VectorXd move = solution(slope, missing);
     double length = 1.0;
     for (; length > 1e-6; length *= 0.5) {
       const ChoiceProbabilities next = probabilities_at(mean + length * move);

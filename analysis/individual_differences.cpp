@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include "analysis/dense.h"
 
 namespace asperity {
 namespace {
@@ -67,8 +67,7 @@ Eigen::MatrixXd regressed_weights(std::span<const Eigen::MatrixXd> b, const Eige
 double loss_of(std::span<const Eigen::MatrixXd> b, const ProductFactors& factors) {
   double loss = 0.0;
   for (std::size_t s = 0; s < b.size(); ++s) {
-    loss += (b[s] - factors.left *
-                        factors.weights.row(static_cast<Eigen::Index>(s)).asDiagonal() *
+    loss += (b[s] - factors.left * factors.weights.row(static_cast<Eigen::Index>(s)).asDiagonal() *
                         factors.right.transpose())
                 .squaredNorm();
   }
@@ -134,8 +133,9 @@ void arrange(ProductFactors& factors) {
 
 }  // namespace
 
-std::optional<IndividualDifferences> individual_differences(
-    std::span<const Dissimilarities> raters, Eigen::Index dimensions, const Random& random) {
+std::optional<IndividualDifferences> individual_differences(std::span<const Dissimilarities> raters,
+                                                            Eigen::Index dimensions,
+                                                            const Random& random) {
   if (raters.size() < 2) {
     throw std::invalid_argument("raters: the number given is " + std::to_string(raters.size()) +
                                 "; at least 2 are needed");
@@ -157,8 +157,7 @@ std::optional<IndividualDifferences> individual_differences(
                                 "; it must be at least 1 and below the number of items, " +
                                 std::to_string(m));
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(mean);
-  Solution best = solved_from(b, solver.eigenvectors().rightCols(dimensions));
+  Solution best = solved_from(b, eigen_axes(mean).vectors.rightCols(dimensions));
   for (std::size_t start = 0; start < kRandomStarts; ++start) {
     Random draws = random.split(static_cast<std::uint64_t>(start));
     Eigen::MatrixXd points(m, dimensions);

@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <boost/math/tools/roots.hpp>
 
+#include "analysis/dense.h"
 #include "analysis/matrix_place.h"
 #include "analysis/tail_probabilities.h"
 
@@ -99,7 +99,7 @@ Centred centred_sums(const GroupedMeasurements& data) {
 //
 // K = D − B·A⁻¹·B' with D = diag(n_i/(1 + λ·n_i)), A = X'M⁻¹X and B = Z'M⁻¹X.
 struct AtLambda {
-  Eigen::LLT<Eigen::MatrixXd> A{};
+  CholeskyFactors A{};
   Eigen::MatrixXd B{};
   Eigen::VectorXd beta{};
   Eigen::VectorXd r{};
@@ -111,12 +111,12 @@ struct AtLambda {
   double squares_slope() const { return -r.squaredNorm(); }
   double squares_curvature() const {
     const Eigen::VectorXd Br = B.transpose() * r;
-    return 2.0 * ((D.array() * r.array().square()).sum() - Br.dot(A.solve(Br)));
+    return 2.0 * ((D.array() * r.array().square()).sum() - Br.dot(A.solved(Br)));
   }
   double determinants_slope() const { return D.sum() - solved.trace(); }
   double determinants_curvature() const {
     const Eigen::MatrixXd BDB = B.transpose() * D.asDiagonal() * B;
-    return -(D.squaredNorm() - 2.0 * A.solve(BDB).trace() + (solved * solved).trace());
+    return -(D.squaredNorm() - 2.0 * A.solved_columns(BDB).trace() + (solved * solved).trace());
   }
 };
 
@@ -126,16 +126,14 @@ AtLambda at_lambda(const ParticipantSums& sums, double lambda) {
   const Eigen::VectorXd weights = lambda * shrunk;
   const Eigen::MatrixXd A = sums.xx - sums.x.transpose() * weights.asDiagonal() * sums.x;
   const Eigen::VectorXd a = sums.xy - sums.x.transpose() * weights.asDiagonal() * sums.y;
-  at.A.compute(A);
-  at.beta = at.A.solve(a);
+  at.A = CholeskyFactors(A);
+  at.beta = at.A.solved(a);
   at.B = shrunk.matrix().asDiagonal() * sums.x;
   at.D = shrunk * sums.count.array();
   at.r = (sums.y - sums.x * at.beta).array() * shrunk;
-  at.solved = at.A.solve(at.B.transpose() * at.B);
+  at.solved = at.A.solved_columns(at.B.transpose() * at.B);
   at.squares = sums.yy - (weights.array() * sums.y.array().square()).sum() - a.dot(at.beta);
-  const Eigen::MatrixXd L = at.A.matrixL();
-  at.log_determinants =
-      (1.0 + lambda * sums.count.array()).log().sum() + 2.0 * L.diagonal().array().log().sum();
+  at.log_determinants = (1.0 + lambda * sums.count.array()).log().sum() + at.A.log_determinant();
   return at;
 }
 
@@ -256,14 +254,14 @@ LinearMixedFit::JointTest LinearMixedFit::joint_test(const Columns& columns) con
   }
   const Eigen::MatrixXd own =
       at_.covariance.block(columns.first, columns.first, columns.count, columns.count);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(own);
+  const EigenAxes axes = eigen_axes(own);
   JointTest test{.df1 = static_cast<double>(columns.count)};
   double expected = 0.0;
   double least_df = std::numeric_limits<double>::infinity();
   double most_df = 0.0;
   for (Eigen::Index axis = 0; axis < columns.count; ++axis) {
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(at_.beta.size());
-    weights.segment(columns.first, columns.count) = axes.eigenvectors().col(axis);
+    weights.segment(columns.first, columns.count) = axes.vectors.col(axis);
     const Combination one = combination(weights);
     test.F += one.t * one.t / test.df1;
     least_df = std::min(least_df, one.df);
@@ -313,7 +311,7 @@ std::variant<LinearMixedFit, NoLinearMixed> linear_mixed(const GroupedMeasuremen
   uncentred.row(0) -= column_means;
   made.beta = uncentred * at.beta;
   made.beta(0) += mean;
-  const Eigen::MatrixXd inverse = at.A.solve(Eigen::MatrixXd::Identity(effects, effects));
+  const Eigen::MatrixXd inverse = at.A.inverse();
   made.covariance = variance * uncentred * inverse * uncentred.transpose();
   // (A⁻¹)' = A⁻¹·B'·B·A⁻¹.
   made.over_lambda = variance * uncentred * at.solved * inverse * uncentred.transpose();

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
 #include <boost/math/distributions/normal.hpp>
 
+#include "analysis/dense.h"
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
 #include "analysis/tail_probabilities.h"
@@ -40,7 +40,7 @@ Eigen::MatrixXd powers_of(const Eigen::VectorXd& x, Eigen::Index coefficients) {
 
 struct LeastSquares {
   Eigen::MatrixXd powers{};
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver{};
+  LeastSquaresFactors factors;
 };
 
 LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index coefficients) {
@@ -51,9 +51,9 @@ LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index co
                                 std::to_string(curves.log10.cols()) +
                                 ", and all values of x and log10 must be finite");
   }
-  LeastSquares fit{.powers = powers_of(curves.x, coefficients)};
-  fit.solver.compute(fit.powers);
-  if (fit.solver.rank() < coefficients) {
+  const Eigen::MatrixXd powers = powers_of(curves.x, coefficients);
+  LeastSquares fit{.powers = powers, .factors = LeastSquaresFactors(powers)};
+  if (fit.factors.rank() < coefficients) {
     throw std::invalid_argument("x has too few different levels; a curve with " +
                                 std::to_string(coefficients) +
                                 " coefficients needs at least that many");
@@ -82,7 +82,7 @@ struct MeanFit {
 /// first, without a rounding that looks like a slope.
 Eigen::MatrixXd coefficients_by_row(const LeastSquares& fit, const Eigen::MatrixXd& rows) {
   const Eigen::MatrixXd from_first = rows.colwise() - rows.col(0);
-  Eigen::MatrixXd coefficients = fit.solver.solve(from_first.transpose()).transpose();
+  Eigen::MatrixXd coefficients = fit.factors.solved_columns(from_first.transpose()).transpose();
   coefficients.col(0) += rows.col(0);
   return coefficients;
 }
@@ -99,7 +99,7 @@ MeanFit mean_fit(const MagnitudeCurves& curves, const LeastSquares& fit) {
   answer.r2 = squares > 0.0 ? 1.0 - answer.residual_squares / squares : kNaN;
   answer.df = static_cast<double>(fit.powers.rows() - fit.powers.cols());
   answer.covariance =
-      answer.residual_squares / answer.df * (fit.powers.transpose() * fit.powers).inverse();
+      answer.residual_squares / answer.df * inverse(fit.powers.transpose() * fit.powers);
   return answer;
 }
 

@@ -9,15 +9,15 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 
+#include "analysis/dense.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kNoSpread = 1e-3;  // σ below it is 0
+constexpr double kNoSpread = 1e-3;        // σ below it is 0
 constexpr double kLogOfNoSpread = -40.0;  // ln σ of no spread at all
 constexpr double kNotFlat = 1e-8;         // less is rounding
 
@@ -173,13 +173,12 @@ Maximum maximise(std::span<const GroupedHits> participants, const Parameters& st
                                                      free[static_cast<std::size_t>(j)]);
       }
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
-    const double least = solver.eigenvalues()(0);
+    const double least = eigen_axes(information).values(0);
     constexpr double kFlat = 1e-6;
     if (least < kFlat) {
       information.diagonal().array() += kFlat - least + 1e-3 * std::abs(least);
     }
-    const Eigen::VectorXd step = information.ldlt().solve(gradient);
+    const Eigen::VectorXd step = SymmetricFactors(information).solved(gradient);
     double length = 1.0;
     bool moved = false;
     constexpr double kLongest = 2.0;  // on the logit scale a step beyond it says nothing

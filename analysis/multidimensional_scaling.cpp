@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
-
+#include "analysis/dense.h"
 #include "analysis/isotonic_regression.h"
 
 namespace asperity {
@@ -42,7 +41,8 @@ Eigen::MatrixXd all_weights(const WeightedDissimilarities& given) {
 }
 
 /// By ascending dissimilarity.
-std::vector<JudgedPair> judged_pairs(const Dissimilarities& values, const Eigen::MatrixXd& weights) {
+std::vector<JudgedPair> judged_pairs(const Dissimilarities& values,
+                                     const Eigen::MatrixXd& weights) {
   std::vector<JudgedPair> pairs{};
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
     for (Eigen::Index j = i + 1; j < values.cols(); ++j) {
@@ -146,18 +146,21 @@ Eigen::MatrixXd inverse_of_weights(const Eigen::MatrixXd& weights) {
   Eigen::MatrixXd v = -weights;
   v.diagonal() = weights.rowwise().sum();
   const Eigen::MatrixXd constant = Eigen::MatrixXd::Constant(m, m, 1.0 / static_cast<double>(m));
-  return (v + constant).ldlt().solve(Eigen::MatrixXd::Identity(m, m)) - constant;
+  return SymmetricFactors(v + constant).inverse() - constant;
 }
 
 /// The fit of one set of pairs from any start.
 class Majorisation {
  public:
   Majorisation(const Dissimilarities& values, const Eigen::MatrixXd& weights, ScalingLevel level)
-      : pairs_(judged_pairs(values, weights)), inverse_(inverse_of_weights(weights)), level_(level) {
+      : pairs_(judged_pairs(values, weights)),
+        inverse_(inverse_of_weights(weights)),
+        level_(level) {
     for (const JudgedPair& pair : pairs_) square_ += pair.weight * pair.delta * pair.delta;
     if (!(square_ > 0.0)) {
       throw std::invalid_argument(
-          "dissimilarities: all judged pairs have the dissimilarity 0; at least one must be above 0");
+          "dissimilarities: all judged pairs have the dissimilarity 0; at least one must be above "
+          "0");
     }
     for (const JudgedPair& pair : pairs_) weight_ += pair.weight;
   }
@@ -194,8 +197,8 @@ class Majorisation {
       of_distances += pairs_[p].weight * distances[p] * distances[p];
       product += pairs_[p].weight * pairs_[p].delta * distances[p];
     }
-    const double factor = level_ == ScalingLevel::ratio ? product / of_distances
-                                                        : std::sqrt(weight_ / of_distances);
+    const double factor =
+        level_ == ScalingLevel::ratio ? product / of_distances : std::sqrt(weight_ / of_distances);
     made.points = along_principal_axes(factor * made.points);
   }
 
@@ -286,8 +289,8 @@ Dissimilarities distances_between(const Eigen::MatrixXd& points) {
 
 Eigen::MatrixXd along_principal_axes(const Eigen::MatrixXd& points) {
   const Eigen::MatrixXd centred = points.rowwise() - points.colwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(centred.transpose() * centred);
-  Eigen::MatrixXd turned = centred * solver.eigenvectors().rowwise().reverse();
+  const EigenAxes axes = eigen_axes(centred.transpose() * centred);
+  Eigen::MatrixXd turned = centred * axes.vectors.rowwise().reverse();
   for (Eigen::Index axis = 0; axis < turned.cols(); ++axis) {
     Eigen::Index largest = 0;
     turned.col(axis).cwiseAbs().maxCoeff(&largest);

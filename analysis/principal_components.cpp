@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
+#include "analysis/dense.h"
 #include "analysis/matrix_place.h"
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
@@ -67,11 +66,11 @@ std::optional<PrincipalComponents> principal_components(const Eigen::MatrixXd& v
                                 " is not finite; all must be finite");
   if (constant_column(values)) return std::nullopt;
   const Eigen::MatrixXd z = standardised(values);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlations(z));
+  const EigenAxes axes = eigen_axes(correlations(z));
   const Eigen::Index p = values.cols();
   const auto scales = static_cast<double>(p);
-  PrincipalComponents answer{.eigenvalues = solver.eigenvalues().reverse()};
-  Eigen::MatrixXd directions = solver.eigenvectors().rowwise().reverse();
+  PrincipalComponents answer{.eigenvalues = axes.values.reverse()};
+  Eigen::MatrixXd directions = axes.vectors.rowwise().reverse();
   constexpr double kOnlyRounding = 1e-12;
   for (Eigen::Index component = 0; component < p; ++component) {
     if (answer.eigenvalues(component) <= kOnlyRounding * scales) {
@@ -94,9 +93,7 @@ Eigen::VectorXd eigenvalues_of_noise(const TableSize& size, Random random) {
       noise(row, column) = random.normal();
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlations(standardised(noise)),
-                                                              Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().reverse();
+  return eigenvalues(correlations(standardised(noise))).reverse();
 }
 
 ParallelAnalysis parallel_analysis(const Eigen::VectorXd& eigenvalues, Eigen::Index rows,
@@ -152,7 +149,8 @@ Eigen::MatrixXd mean_table(std::span<const Eigen::MatrixXd> participants) {
   Eigen::MatrixXd n = total;
   for (const Eigen::MatrixXd& own : participants) {
     if (own.rows() != total.rows() || own.cols() != total.cols()) {
-      throw std::invalid_argument("participants: the tables differ in size; all must have the same");
+      throw std::invalid_argument(
+          "participants: the tables differ in size; all must have the same");
     }
     for (Eigen::Index cell = 0; cell < own.size(); ++cell) {
       const double rating = own.data()[cell];

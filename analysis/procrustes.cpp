@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include "analysis/dense.h"
 
 namespace asperity {
 namespace {
@@ -41,7 +41,7 @@ void refuse_unequal_numbers(Eigen::Index x, Eigen::Index y) {
 }
 
 double correlation_of(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(x.transpose() * y).singularValues().sum();
+  return singular_values(x.transpose() * y).sum();
 }
 
 Eigen::PermutationMatrix<Eigen::Dynamic> permutation_of(Eigen::Index m, Random& random) {
@@ -58,13 +58,11 @@ std::optional<Procrustes> procrustes(const Eigen::MatrixXd& x, const Eigen::Matr
   const std::optional<Shape> target = shape_of(x);
   const std::optional<Shape> turned = shape_of(y);
   if (!target || !turned) return std::nullopt;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(target->unit.transpose() * turned->unit,
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const double r = svd.singularValues().sum();
+  const SingularValues svd = singular_value_decomposition(target->unit.transpose() * turned->unit);
+  const double r = svd.values.sum();
   Procrustes answer{.r_squared = std::min(1.0, r * r)};
   // min over T of |X − c·Y·T|²: T = V·Uᵀ of XᵀY = U·Σ·Vᵀ, and c = Σσ for shapes of size 1.
-  answer.fitted =
-      target->size * r * turned->unit * svd.matrixV() * svd.matrixU().transpose();
+  answer.fitted = target->size * r * turned->unit * svd.v * svd.u.transpose();
   answer.fitted.rowwise() += target->centre;
   return answer;
 }
@@ -95,10 +93,9 @@ std::optional<PropertyFit> property_fit(const Eigen::MatrixXd& points,
   const std::optional<Shape> shape = shape_of(property);
   if (!shape) return std::nullopt;
   const Eigen::MatrixXd centred = points.rowwise() - points.colwise().mean();
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(centred);
-  const Eigen::VectorXd slopes = qr.solve(shape->unit.col(0));
-  const Eigen::MatrixXd basis =
-      qr.householderQ() * Eigen::MatrixXd::Identity(centred.rows(), qr.rank());
+  const LeastSquaresFactors factors(centred);
+  const Eigen::VectorXd slopes = factors.solved(shape->unit.col(0));
+  const Eigen::MatrixXd basis = factors.basis();
   // Of a property of variance 1, R² is the squared length of its projection on the space of the coordinates.
   const double observed = (basis.transpose() * shape->unit).squaredNorm();
   std::size_t as_large = 1;
@@ -109,11 +106,10 @@ std::optional<PropertyFit> property_fit(const Eigen::MatrixXd& points,
       ++as_large;
   }
   const double length = slopes.norm();
-  return PropertyFit{
-      .direction = length > 0.0 ? Eigen::VectorXd(slopes / length) : slopes,
-      .r_squared = std::min(1.0, observed),
-      .p = static_cast<double>(as_large) / static_cast<double>(draws + 1),
-      .drawn = draws};
+  return PropertyFit{.direction = length > 0.0 ? Eigen::VectorXd(slopes / length) : slopes,
+                     .r_squared = std::min(1.0, observed),
+                     .p = static_cast<double>(as_large) / static_cast<double>(draws + 1),
+                     .drawn = draws};
 }
 
 }  // namespace asperity

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <nlopt.hpp>
+
+#include "analysis/dense.h"
 
 namespace asperity {
 namespace {
@@ -89,13 +89,13 @@ CurveMaximum climb(const PsychometricLikelihood& data, CurveParameters at,
     Eigen::VectorXd scale = information.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt();
     information.array().colwise() /= scale.array();
     information.array().rowwise() /= scale.transpose().array();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
+    const EigenAxes axes = eigen_axes(information);
     constexpr double kFlat = 1e-9;
-    const Eigen::VectorXd curvatures = solver.eigenvalues().cwiseAbs().cwiseMax(kFlat);
+    const Eigen::VectorXd curvatures = axes.values.cwiseAbs().cwiseMax(kFlat);
     const Eigen::VectorXd gradient = here.gradient(places);
-    const Eigen::VectorXd along = solver.eigenvectors().transpose() * gradient.cwiseQuotient(scale);
+    const Eigen::VectorXd along = axes.vectors.transpose() * gradient.cwiseQuotient(scale);
     const Eigen::VectorXd step =
-        (solver.eigenvectors() * along.cwiseQuotient(curvatures)).cwiseQuotient(scale);
+        (axes.vectors * along.cwiseQuotient(curvatures)).cwiseQuotient(scale);
     bool moved = false;
     double travelled = 0.0;
     for (double length = 1.0; length > 1e-12; length *= 0.5) {

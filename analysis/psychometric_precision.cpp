@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <limits>
 
-#include <Eigen/Dense>
 #include <boost/math/tools/roots.hpp>
 
+#include "analysis/dense.h"
 #include "analysis/psychometric_maximum.h"
 #include "analysis/tail_probabilities.h"
 
@@ -77,12 +77,11 @@ std::optional<PsychometricPrecision> delta_method_precision(const PsychometricLi
                                                             const PsychometricQuestion& question) {
   const std::vector<Eigen::Index> places = places_of(solution.free);
   const Eigen::MatrixXd information = -data.likelihood(solution.maximum.at).hessian(places, places);
-  const Eigen::LLT<Eigen::MatrixXd> factored(information);
-  if (factored.info() != Eigen::Success) {
+  const CholeskyFactors factored(information);
+  if (!factored.is_positive_definite()) {
     return std::nullopt;
   }
-  const auto size = static_cast<Eigen::Index>(places.size());
-  const Eigen::MatrixXd covariance = factored.solve(Eigen::MatrixXd::Identity(size, size));
+  const Eigen::MatrixXd covariance = factored.inverse();
   const PsychometricFunction f = data.function(solution.maximum.at);
   const Eigen::VectorXd gradient = threshold_gradient(f, question.performance)(places);
   PsychometricPrecision answer;

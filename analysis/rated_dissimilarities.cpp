@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 #include "analysis/isotonic_regression.h"
 #include "analysis/number_text.h"
@@ -84,9 +84,8 @@ Dissimilarities predicted_by(const WeightedDissimilarities& others, const Eigen:
       const auto above =
           std::upper_bound(pairs.begin(), pairs.end(), distances(i, j),
                            [](double d, const Pair& pair) { return d < pair.distance; });
-      const std::size_t place = above == pairs.begin()
-                                    ? 0
-                                    : static_cast<std::size_t>(above - pairs.begin()) - 1;
+      const std::size_t place =
+          above == pairs.begin() ? 0 : static_cast<std::size_t>(above - pairs.begin()) - 1;
       predicted(i, j) = fitted[place];
       predicted(j, i) = fitted[place];
     }
@@ -205,8 +204,8 @@ std::optional<DimensionChoice> dimensions_by_cross_validation(std::span<const Ra
   DimensionChoice choice{};
   std::size_t best = 0;
   for (std::size_t r = 0; r < maps.size(); ++r) {
-    choice.errors.push_back({.dimensions = maps[r].points.cols(),
-                             .error = std::sqrt(summary_of(squares[r])->mean)});
+    choice.errors.push_back(
+        {.dimensions = maps[r].points.cols(), .error = std::sqrt(summary_of(squares[r])->mean)});
     if (choice.errors[r].error < choice.errors[best].error) best = r;
   }
   std::optional<Eigen::Index> chosen{};

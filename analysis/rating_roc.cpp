@@ -9,8 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <Eigen/Dense>
-
+#include "analysis/dense.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -160,9 +159,9 @@ void fix(const RatingLikelihood& likelihood, Eigen::VectorXd& gradient, Eigen::M
 Eigen::VectorXd ascent(const Eigen::VectorXd& gradient, const Eigen::MatrixXd& hessian) {
   const Eigen::MatrixXd curvature = -hessian;
   for (double ridge = 0.0; ridge < 1e12; ridge = ridge == 0.0 ? 1e-3 : 10.0 * ridge) {
-    const Eigen::LLT<Eigen::MatrixXd> factors(
+    const CholeskyFactors factors(
         curvature + ridge * Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
-    if (factors.info() == Eigen::Success) return factors.solve(gradient);
+    if (factors.is_positive_definite()) return factors.solved(gradient);
   }
   return gradient;
 }
@@ -186,12 +185,9 @@ std::optional<RocMaximum> maximum_of(const RatingLikelihood& likelihood) {
     fix(likelihood, gradient, hessian);
     const Eigen::VectorXd direction = ascent(gradient, hessian);
     if (direction.cwiseAbs().maxCoeff() < kConverged) {
-      const Eigen::LLT<Eigen::MatrixXd> factors(-hessian);
-      if (factors.info() != Eigen::Success) return std::nullopt;
-      return RocMaximum{.at = at,
-                        .covariance = factors.solve(
-                            Eigen::MatrixXd::Identity(likelihood.size(), likelihood.size())),
-                        .value = value};
+      const CholeskyFactors factors(-hessian);
+      if (!factors.is_positive_definite()) return std::nullopt;
+      return RocMaximum{.at = at, .covariance = factors.inverse(), .value = value};
     }
     double length = 1.0;
     const double precision = 1e-12 * std::abs(value);

@@ -8,10 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/KroneckerProduct>
 
+#include "analysis/dense.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -170,8 +169,7 @@ std::optional<AnovaEffect::Sphericity::Mauchly> mauchly(const ErrorMatrix& error
   if (f < q) {
     return std::nullopt;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(error.S, Eigen::EigenvaluesOnly);
-  const Eigen::ArrayXd relative = solver.eigenvalues().array() / (error.S.trace() / q);
+  const Eigen::ArrayXd relative = eigenvalues(error.S).array() / (error.S.trace() / q);
   AnovaEffect::Sphericity::Mauchly answer{.W = relative.prod()};
   if (!(answer.W > 0.0)) {
     return std::nullopt;

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <unsupported/Eigen/FFT>
 
 #include "analysis/number_text.h"

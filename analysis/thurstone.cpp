@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "analysis/comparison_graph.h"
+#include "analysis/dense.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -82,9 +81,7 @@ std::optional<ThurstoneLikelihood> thurstone_likelihood(const Comparisons& count
     });
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(items, items);
     covariance.bottomRightCorner(items - 1, items - 1) =
-        information.bottomRightCorner(items - 1, items - 1)
-            .ldlt()
-            .solve(Eigen::MatrixXd::Identity(items - 1, items - 1));
+        SymmetricFactors(information.bottomRightCorner(items - 1, items - 1)).inverse();
     const Eigen::VectorXd move = covariance * score;
     const double far = move.cwiseAbs().maxCoeff();
     if (!std::isfinite(far)) return std::nullopt;
