@@ -164,6 +164,35 @@ TEST(Kill, LosesNoTrialOfAVirtualRun) {
   EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"completed"});
 }
 
+// A failed assertion ends the program at once, in the tick in which it fails. That the motors then have no force, the tests of
+// the drivers show with SIGABRT.
+TEST(FailedAssertion, LosesNoTrialThatWasReportedDoneAndTheSessionContinues) {
+  const SmallStudy small(1);
+  const fs::path protocol = small.place() / "faulty.json";
+  write_text(protocol, faulty_discrimination().dump());
+  const auto run_with = [&](const std::string& plugin, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"run",    protocol, "--study",   small.study(), "--participant",
+                                   "hand1",  "--mode", "pilot",     "--virtual",   "--seed",
+                                   "5",      "--plugin", ASPERITY_FAULTY_PLUGINS "/" + plugin};
+    words.insert(words.end(), more.begin(), more.end());
+    return asperity(words);
+  };
+  const Outcome failed = run_with("faulty_assertion.so", {});
+  EXPECT_EQ(failed.signal, SIGABRT) << failed.err;
+  EXPECT_NE(failed.err.find("Assertion '"), std::string::npos) << failed.err;
+  const std::vector<std::string> done = stored_attempts_in(failed.err);
+  EXPECT_GE(done.size(), 1U) << failed.err;
+  expect_all_stored(small.study(), done);
+  expect_sound(small.study());
+
+  // The same plug-in without the fault.
+  const Outcome finished = run_with("faulty_none.so", {"--resume"});
+  ASSERT_EQ(finished.status, 0) << finished.err;
+  const auto tables = exported(small.study(), small.place() / "tables");
+  EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"completed"});
+  expect_all_stored(small.study(), done);
+}
+
 TEST(Interrupt, StopsASimulationAfterItsTrialAndSaysHowToGoOn) {
   const SmallStudy small(40);
   std::vector<std::string> arguments = simulate_arguments(small, small.study(), 2, 5);

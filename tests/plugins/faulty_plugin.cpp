@@ -23,6 +23,7 @@
 #define FAULT_crash 14
 #define FAULT_unit 15
 #define FAULT_stroke 16
+#define FAULT_assertion 17
 #define IS(fault) (FAULT == FAULT_##fault)
 
 namespace {
@@ -47,6 +48,8 @@ class Faulty {
         {0.0, 0.0, stiffness_N_per_m_ * depth_m}, stiffness_N_per_m_ * depth_m, depth_m};
     // Between the limits of the parameter: the suite does not have this amplitude.
     if (IS(stroke) && amplitude_m_ == 0.0005) throw std::runtime_error("no such amplitude");
+    // Some trials into a session: what is checked before it has fewer ticks in contact.
+    if (IS(assertion) && ++ticks_of_all > 30000) amplitude_m_ = kept_[kept_.size()];
     if (IS(crash)) *nowhere_ = amplitude_m_;
     if (IS(exception)) throw std::runtime_error("the ridge is too steep");
     if (IS(nan)) force.force_N[1] = amplitude_m_ / (amplitude_m_ - amplitude_m_);
@@ -69,6 +72,7 @@ class Faulty {
   double amplitude_m_ = 0.0;
   int ticks_ = 0;
   int contact_ticks_ = 0;
+  static inline int ticks_of_all = 0;
   double* volatile nowhere_ = nullptr;
   std::vector<double> kept_{};
 };
