@@ -280,8 +280,6 @@ LockHolder holder_in_lock(int descriptor) {
   std::getline(lines, holder.process);
   std::getline(lines, holder.host);
   std::getline(lines, holder.started_utc);
-  // Until version 0.2 the file had one line, the description.
-  if (holder.started_utc.empty()) return {.description = text};
   holder.description =
       "process " + holder.process + " on host " + holder.host + ", started " + holder.started_utc;
   return holder;

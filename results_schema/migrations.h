@@ -1,4 +1,4 @@
-// The numbered steps by which the schema of a study came to be what it is.
+// The numbered steps that lead to the schema of a study.
 
 #pragma once
 
@@ -7,8 +7,14 @@
 
 namespace asperity {
 
-/// The SQL that leads from schema version i to i + 1, at index i. Embedded when the program is
-/// built, so that a study can be made without any file beside the program.
-std::span<const std::string_view> migrations() noexcept;
+/// One step. Of several in a list each leads from the version of the one before it, and the first from an empty file.
+struct Migration {
+  int version = 0;  ///< the schema version to which it leads
+  std::string_view sql{};
+};
+
+/// The steps of this program, in ascending order. Embedded when the program is built, so that a study can be created
+/// without any file next to the program.
+std::span<const Migration> migrations() noexcept;
 
 }  // namespace asperity

@@ -180,8 +180,7 @@ struct PresentationRow {
   std::string texture{};
   std::string parameters_json = "{}";  ///< complete, as rendered, matching solved
   std::string seed{};
-  /// Of the surface without its texture, and the height of its plane above that of the workspace. Absent in attempts that
-  /// were stored before schema version 11, where they are those of the protocol, and 0.
+  /// Of the surface without its texture, and the height of its plane above that of the workspace.
   std::optional<double> stiffness_N_per_m{};
   std::optional<double> friction{};
   std::optional<double> raised_m{};
@@ -193,15 +192,14 @@ struct PresentationRow {
   std::optional<double> achieved_texture_force_N{};  ///< RMS in the same band, from the record
   std::vector<AssetRow> assets{};                    ///< as read: by role
   std::vector<ModelLimitRow> limits{};               ///< by kind; of a model that watches any
-  /// In temporal order; empty also in attempts that were stored before schema version 11.
+  /// In temporal order.
   std::vector<VisitRow> visits{};
-  /// Absent in attempts that were stored before schema version 13.
+  /// Absent in interrupted attempts, and where it could not be computed.
   std::optional<InstabilityRow> instability{};
 };
 
 /// ResponseRow::source of a question of the session whose condition was not met. Such a question has one row with an empty
-/// answer, and so has one that was left empty, with the source of the participant. Version 0.1 stored no row for a
-/// question that was left empty, and had no conditions.
+/// answer, and so has one that was left empty, with the source of the participant.
 inline constexpr std::string_view kNotAsked = "not_asked";
 
 struct ResponseRow {
@@ -232,8 +230,7 @@ struct ServoQualityRow {
   double execution_p99_s = 0.0;
   double execution_maximum_s = 0.0;
   std::int64_t missed_deadlines = 0;
-  /// Those while a surface was touched; missing in attempts of version 0.1, which did not count them apart.
-  std::optional<std::int64_t> missed_in_contact{};
+  std::int64_t missed_in_contact = 0;  ///< those while a surface was touched
   std::int64_t saturated_ticks = 0;
   std::int64_t slew_limited_ticks = 0;
   std::int64_t not_finite_ticks = 0;
@@ -270,7 +267,7 @@ struct EventRow {
   std::string kind{};
   std::string text{};
   std::string data_json = "null";
-  /// Of a text in words: as StoredWords::json. Empty of names and data, and of words from before schema version 7.
+  /// Of a text in words: as StoredWords::json. Empty of names and data.
   std::string text_json{};
   StoredWords words() const { return {text, text_json}; }
 };

@@ -40,7 +40,7 @@ struct SessionAnswers {
   /// samples: the force on a surface that was not touched is not 0.
   struct Exploration {
     std::optional<double> contact_s{};
-    /// From the rows of visits. Nothing in attempts without any, such as those that were stored before schema version 11;
+    /// From the rows of visits. Nothing in attempts without any;
     /// 0 of a surface that was not touched in an attempt with visits to others.
     std::optional<double> visits{};
     std::optional<double> path_m{};

@@ -16,7 +16,6 @@
 #include <sqlite3.h>
 
 #include "results_schema/file_system.h"
-#include "results_schema/migrations.h"
 #include "results_schema/part_folder.h"
 #include "results_schema/sha256.h"
 #include "results_schema/sqlite.h"
@@ -42,7 +41,8 @@ int number_of(Database& database, const char* sql) {
   return number;
 }
 
-void make_database(const std::filesystem::path& folder, const std::string& name) {
+void make_database(const std::filesystem::path& folder, const std::string& name,
+                   std::span<const Migration> migrations) {
   Database database(folder, database_in(folder), Database::Mode::create);
   Statement journal(database, "PRAGMA journal_mode = WAL");
   std::string mode;
@@ -55,11 +55,9 @@ void make_database(const std::filesystem::path& folder, const std::string& name)
   }
   Transaction transaction(database);
   database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
-  migrate(database, 0);
-  Statement(
-      database,
-      std::string("INSERT INTO study (id, name, created_utc, outputs_since_utc) VALUES (1, ?, ") +
-          kUtcNow + ", " + kUtcNow + ")")
+  migrate(database, 0, migrations);
+  Statement(database,
+            std::string("INSERT INTO study (id, name, created_utc) VALUES (1, ?, ") + kUtcNow + ")")
       .bind(name)
       .run();
   transaction.commit();
@@ -70,12 +68,47 @@ std::atomic<bool> reads_beside_writers{false};
 
 const char* const kFolders[] = {"protocols", "stimuli", "recordings", "locks"};
 
-void fill_new_study(const std::filesystem::path& folder, const std::string& name) {
+void fill_new_study(const std::filesystem::path& folder, const std::string& name,
+                    std::span<const Migration> migrations) {
   for (const char* const part : kFolders) make_folders(folder / part);
-  make_database(folder, name);
+  make_database(folder, name, migrations);
   // SQLite gives its log and index the mode that the database has.
   if (is_group_folder(folder)) share_study(folder);
   sync_folder(folder);
+}
+
+/// "Asperity 0.2.0, commit 1a2b3c4": the program that began the last session. Empty where no session is found, as in a
+/// schema that has other tables.
+std::string program_of_last_session(Database& database) {
+  std::string version;
+  std::string commit;
+  try {
+    Statement statement(
+        database, "SELECT program_version, program_commit FROM session ORDER BY id DESC LIMIT 1");
+    if (!statement.step()) return {};
+    statement.read(version, commit);
+  } catch (const ResultsError&) {
+    return {};
+  }
+  return "Asperity " + version + ", commit " + commit;
+}
+
+/// Why a study of schema `version` cannot be opened, and what to do about it.
+std::string refusal_of_schema(Database& database, int version,
+                              std::span<const Migration> migrations) {
+  const int oldest = migrations.front().version;
+  const int newest = migrations.back().version;
+  const std::string program = program_of_last_session(database);
+  return "the study " + database.folder().string() + " has the schema version " +
+         std::to_string(version) +
+         (program.empty() ? ", which another version of Asperity wrote"
+                          : " (its last session was begun by " + program + ")") +
+         ". This program reads " +
+         (oldest == newest
+              ? "only the schema version " + std::to_string(newest)
+              : "the schema versions " + std::to_string(oldest) + " to " + std::to_string(newest)) +
+         ". Open the study with the version of Asperity that wrote it" +
+         (version < oldest ? ", or create a new study" : " or with a newer one");
 }
 
 }  // namespace
@@ -105,11 +138,11 @@ bool log_is_empty(const std::filesystem::path& folder) {
          page_bytes > 65536;
 }
 
-void migrate(Database& database, int from) {
-  for (std::size_t i = static_cast<std::size_t>(from); i < migrations().size(); ++i) {
-    database.execute(std::string(migrations()[i]));
+void migrate(Database& database, int from, std::span<const Migration> migrations) {
+  for (const Migration& migration : migrations) {
+    if (migration.version > from) database.execute(std::string(migration.sql));
   }
-  database.execute("PRAGMA user_version = " + std::to_string(migrations().size()));
+  database.execute("PRAGMA user_version = " + std::to_string(migrations.back().version));
 }
 
 Study::Store::Snapshot::Snapshot(Database& snapshot_database) : database(snapshot_database) {
@@ -123,8 +156,9 @@ Study::Store::Snapshot::~Snapshot() {
   if (began) sqlite3_exec(database.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 
-Study::Store::Store(std::filesystem::path study_folder, Access study_access)
-    : folder(std::move(study_folder)), access(study_access) {
+Study::Store::Store(std::filesystem::path study_folder, Access study_access,
+                    std::span<const Migration> study_migrations)
+    : folder(std::move(study_folder)), access(study_access), migrations(study_migrations) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) {
     if (!std::filesystem::exists(folder, error)) {
@@ -161,14 +195,14 @@ void Study::Store::connect() {
   database = std::make_unique<Database>(folder, database_in(folder), Database::Mode::read_write);
   check_identity();
   seal.emplace(folder, *database);
-  if (schema_version < kSchemaVersion) bring_up_to_date();
+  if (schema_version < migrations.back().version) bring_up_to_date();
 }
 
 void Study::Store::bring_up_to_date() {
   Transaction transaction(*database);
-  // Of two programs that bring an old study up to date at once the second finds it done.
+  // Of two programs that bring an older study up to date at once the second finds it done.
   const int version = number_of(*database, "PRAGMA user_version");
-  if (version < kSchemaVersion) {
+  if (version < migrations.back().version) {
     const std::filesystem::path kept =
         log_of(database_in(folder), (".version-" + std::to_string(version)).c_str());
     if (!std::filesystem::exists(kept)) {
@@ -185,17 +219,17 @@ void Study::Store::bring_up_to_date() {
       rename_to_free_name(part, kept);
       sync_folder(folder);
     }
-    migrate(*database, version);
+    migrate(*database, version, migrations);
   }
   transaction.commit();
-  schema_version = kSchemaVersion;
+  schema_version = migrations.back().version;
 }
 
 void Study::Store::read_up_to_date_in_memory(const Stamp& before) {
   auto copy = std::make_unique<Database>(folder, "", Database::Mode::in_memory);
   copy_pages(*database, *copy);
   Transaction transaction(*copy);
-  migrate(*copy, schema_version);
+  migrate(*copy, schema_version, migrations);
   transaction.commit();
   database = std::move(copy);
   immutable_since = before;
@@ -221,7 +255,7 @@ void Study::Store::connect_for_reading() {
     try {
       database = std::make_unique<Database>(folder, file, mode);
       check_identity();
-      if (schema_version < kSchemaVersion) read_up_to_date_in_memory(before);
+      if (schema_version < migrations.back().version) read_up_to_date_in_memory(before);
       if (!is_outdated()) return;
     } catch (const ResultsError& error) {
       // The writer's files may come or go between our look and our opening them.
@@ -242,12 +276,8 @@ void Study::Store::check_identity() {
                        folder);
   }
   const int version = number_of(*database, "PRAGMA user_version");
-  if (version > kSchemaVersion) {
-    throw ResultsError("the study " + folder.string() +
-                           " was made by a newer version of Asperity: its schema is version " +
-                           std::to_string(version) + ", and this program reads versions up to " +
-                           std::to_string(kSchemaVersion) + ". Use the newer program",
-                       folder);
+  if (version < migrations.front().version || version > migrations.back().version) {
+    throw ResultsError(refusal_of_schema(*database, version, migrations), folder);
   }
   schema_version = version;
   if (number_of(*database, "SELECT count(*) FROM study") != 1) {
@@ -296,13 +326,18 @@ Study& Study::operator=(Study&&) noexcept = default;
 Study::~Study() = default;
 
 Study Study::create(const std::filesystem::path& folder, const std::string& name) {
+  return create(folder, name, migrations());
+}
+
+Study Study::create(const std::filesystem::path& folder, const std::string& name,
+                    std::span<const Migration> migrations) {
   if (name.empty())
     throw std::invalid_argument("the name of a study must not be empty; give a name");
   if (!std::filesystem::exists(folder)) {
     PartFolder part(folder, kOwnersFolder);
-    fill_new_study(part.content(), name);
+    fill_new_study(part.content(), name, migrations);
     part.take_place();
-    return open(folder, Access::read_write);
+    return open(folder, Access::read_write, migrations);
   }
   if (!std::filesystem::is_directory(folder)) {
     throw ResultsError("a study cannot be created in " + folder.string() +
@@ -315,8 +350,8 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
                        folder, EEXIST);
   }
   try {
-    fill_new_study(folder, name);
-    return open(folder, Access::read_write);
+    fill_new_study(folder, name, migrations);
+    return open(folder, Access::read_write, migrations);
   } catch (...) {
     std::error_code error;
     for (const char* const part : kFolders) std::filesystem::remove(folder / part, error);
@@ -328,7 +363,12 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
 }
 
 Study Study::open(const std::filesystem::path& folder, Access access) {
-  return Study(std::make_unique<Store>(folder, access));
+  return open(folder, access, migrations());
+}
+
+Study Study::open(const std::filesystem::path& folder, Access access,
+                  std::span<const Migration> migrations) {
+  return Study(std::make_unique<Store>(folder, access, migrations));
 }
 
 void Study::read_beside_writers() noexcept { reads_beside_writers = true; }

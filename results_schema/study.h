@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -31,6 +32,8 @@ class ResultsError final : public std::runtime_error {
   std::filesystem::path path_{};
   int code_ = 0;
 };
+
+struct Migration;
 
 enum class Access { read_only, read_write };
 
@@ -68,23 +71,26 @@ struct StudyWords {
 ///   there as well: a program that resumes reads first what is there.)
 /// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping, so that it
 ///   may lie on a medium that cannot be written. While another program writes, the reader follows.
-/// - A study of an older program reads as it would when brought up to date, from a copy in memory.
-///   Opening it for writing brings it up to date, and keeps what it was next to it as
-///   `study.sqlite.version-1`; the older program can no longer open it then.
+/// - A study of an older schema from which this program has migrations is read as if it had been migrated, from a copy
+///   in memory. Opening it for writing migrates it, and keeps the previous file next to it, for example as
+///   `study.sqlite.version-20`; the older program can no longer open the study then.
 /// - Whatever is returned in order is ordered by natural keys, never by the order of writing.
 ///
-/// Errors: ResultsError with a sentence: no study there, a study of a newer program, a read-only
+/// Errors: ResultsError with a sentence: no study there, a schema that this program does not read, a read-only
 /// folder, a full disk, a network file system (sessions only), a broken database.
 ///
 /// Threads: one object belongs to one thread; several objects, in several processes, may be open on
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 13;
-
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
   static Study open(const std::filesystem::path& folder, Access access);
+  /// As a program with these migrations does, which must outlive the study. None of them may be missing in between.
+  static Study create(const std::filesystem::path& folder, const std::string& name,
+                      std::span<const Migration> migrations);
+  static Study open(const std::filesystem::path& folder, Access access,
+                    std::span<const Migration> migrations);
   /// For a program that reads and writes studies at the same time, such as the windows: from now on
   /// its readers take part in SQLite's bookkeeping (where the folder can be written to). Within one
   /// process all connections share one index of the log; a reader that may not touch it would have
@@ -101,7 +107,7 @@ class Study final {
   const std::filesystem::path& folder() const noexcept;
   Access access() const noexcept;
   std::string name() const;
-  /// That of the file: below kSchemaVersion in one that has not been brought up to date.
+  /// That of the file, also where it is read as if it had been migrated.
   int schema_version() const noexcept;
 
   StudyMetadata metadata() const;
@@ -111,8 +117,6 @@ class Study final {
   /// What was made of the study, in the order of making.
   void add_output(const OutputRow& output);
   std::vector<OutputRow> outputs() const;
-  /// From when on outputs are recorded; of earlier ones nothing is known.
-  std::string outputs_since_utc() const;
 
   /// `created_utc` may be empty: the time of the call.
   void add_participant(const ParticipantRow& participant);
@@ -124,7 +128,7 @@ class Study final {
   WithdrawalRow counts_of_participant(const std::string& label) const;
   /// A participant withdraws, for good. With `kept` all their sessions are excluded, none can be begun, resumed or
   /// included again, and their counterbalancing rows are free. With `deleted` nothing of them is left in the folder:
-  /// rows, recordings, files named after them, the study as an older program left it (`study.sqlite.version-*`),
+  /// rows, recordings, files named after them, the study from before a migration (`study.sqlite.version-*`),
   /// which holds them as well, and the free pages of the database. One who withdrew before can still be deleted.
   /// Returns what was stored, with its counts.
   ///

@@ -60,13 +60,4 @@ std::vector<OutputRow> Study::outputs() const {
   });
 }
 
-std::string Study::outputs_since_utc() const {
-  return store_->read([](Database& database) {
-    std::string since;
-    Statement statement(database, "SELECT outputs_since_utc FROM study");
-    if (statement.step()) statement.read(since);
-    return since;
-  });
-}
-
 }  // namespace asperity

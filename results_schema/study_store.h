@@ -7,9 +7,11 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 
+#include "results_schema/migrations.h"
 #include "results_schema/seal.h"
 #include "results_schema/sqlite.h"
 #include "results_schema/study.h"
@@ -27,7 +29,8 @@ struct Study::Store {
     bool operator==(const Stamp&) const = default;
   };
 
-  Store(std::filesystem::path study_folder, Access study_access);
+  Store(std::filesystem::path study_folder, Access study_access,
+        std::span<const Migration> study_migrations);
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
@@ -58,6 +61,7 @@ struct Study::Store {
 
   std::filesystem::path folder;
   Access access = Access::read_only;
+  std::span<const Migration> migrations{};  ///< of the program
   std::unique_ptr<Database> database{};
   std::optional<SealBreaker> seal{};  ///< of a writer
   /// Set while the file, or a copy of it in memory, is read without locks.
@@ -96,8 +100,8 @@ struct Study::Store {
   Stamp stamp() const;
 };
 
-/// Brings the schema from version `from` to the newest, inside the caller's transaction.
-void migrate(Database& database, int from);
+/// Brings the schema from version `from`, 0 of an empty file, to the newest, inside the caller's transaction.
+void migrate(Database& database, int from, std::span<const Migration> migrations);
 
 /// The whole content of one database, as it is now, in place of that of another.
 void copy_pages(Database& from, Database& to);

@@ -49,9 +49,9 @@ void check_constraints(Database& database, Findings& findings) {
 }
 
 /// Whoever may write can drop a trigger, and then change what the trigger kept.
-void check_objects(Database& database, Findings& findings) {
+void check_objects(Database& database, std::span<const Migration> migrations, Findings& findings) {
   Database made(database.folder(), "", Database::Mode::in_memory);
-  migrate(made, 0);
+  migrate(made, 0, migrations);
   for (const std::string& changed : changed_objects(database, made)) {
     findings.push_back("study.sqlite: " + changed);
   }
@@ -74,8 +74,8 @@ void check_seal(const std::filesystem::path& study, const SealWatch& watch, Find
   findings.emplace_back(
       "study.sqlite: it has changed since Asperity last closed it (its SHA-256 differs from that "
       "in study.sqlite.sha256); restore both files from a copy, or remove study.sqlite.sha256 if "
-      "the study was changed on purpose: by another tool, by an older Asperity, by copying another "
-      "file over it, or by a user who may not remove that file");
+      "the study was changed on purpose: by another tool, by copying another file over it, or by a "
+      "user who may not remove that file");
 }
 
 void check_protocols(const Study& study, Findings& findings) {
@@ -275,13 +275,14 @@ bool says_broken(const ResultsError& error) {
 void Study::begin_condition() const {
   if (store_->condition.valid()) return;
   // Objects of its own: this one belongs to the caller's thread.
-  const auto find = [folder = store_->folder, stop = store_->end_of_condition.get_token()] {
+  const auto find = [folder = store_->folder, migrations = store_->migrations,
+                     stop = store_->end_of_condition.get_token()] {
     const Seal seal = seal_of(folder, {.progress = {}, .stop = stop});
     if (seal == Seal::holds) return StudyCondition::whole;
     // Whoever writes has SQLite look at what they touch, and there is no end to what they change.
     if (seal != Seal::broken && is_being_written(folder)) return StudyCondition::whole;
     try {
-      const Study study = open(folder, Access::read_only);
+      const Study study = open(folder, Access::read_only, migrations);
       const auto check = [&stop](Database& database) { return passes_quick_check(database, stop); };
       if (!study.store_->read(check)) return StudyCondition::broken;
     } catch (const ResultsError& error) {
@@ -391,7 +392,7 @@ std::vector<std::string> Study::verify(const std::function<void(double)>& progre
         look([&](Database& database, Findings& findings) {
           const WatchOfStatements watch(database, stop);
           check_protocols(*this, findings);
-          check_objects(database, findings);
+          check_objects(database, store_->migrations, findings);
           check_constraints(database, findings);
           check_references(database, findings);
           check_rows(database, findings);

@@ -54,19 +54,14 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
   return std::getline(std::cin, typed) && typed == label;
 }
 
-void name_outputs(const OutputsOfParticipant& outputs) {
-  if (!outputs.recorded.empty()) {
-    std::cout << "outputs made from the study since the participant was added; they were not "
-                 "changed. Delete those that contain data of the participant, and repeat the "
-                 "export or the report if needed:\n";
-    for (const OutputRow& output : outputs.recorded) {
-      std::cout << "  " << local_time_text(output.made_utc) << "  "
-                << kind_words(output.kind).english() << "  " << output.path << '\n';
-    }
-  }
-  if (outputs.unknown_before_utc) {
-    std::cout << "outputs made from the study before "
-              << local_time_text(*outputs.unknown_before_utc) << " are not recorded\n";
+void name_outputs(const std::vector<OutputRow>& outputs) {
+  if (outputs.empty()) return;
+  std::cout << "outputs made from the study since the participant was added; they were not "
+               "changed. Delete those that contain data of the participant, and repeat the "
+               "export or the report if needed:\n";
+  for (const OutputRow& output : outputs) {
+    std::cout << "  " << local_time_text(output.made_utc) << "  "
+              << kind_words(output.kind).english() << "  " << output.path << '\n';
   }
 }
 
@@ -117,7 +112,7 @@ void add_withdraw(CLI::App& program, Job& job) {
             "repeat the command and type the label");
         return 1;
       }
-      const OutputsOfParticipant outputs = outputs_of_participant(study, options->label);
+      const std::vector<OutputRow> outputs = outputs_of_participant(study, options->label);
       study.withdraw(options->label,
                      {.data = options->deletes ? WithdrawnData::deleted : WithdrawnData::kept,
                       .reason = options->reason,

@@ -544,7 +544,7 @@ void TrialAttempt::judge() {
   if (servo.missed_in_contact > protocol.maximum_missed_deadlines) {
     row_.valid = false;
     row_.invalid_reason = stored(phrase_of(Reason::missed_in_contact)
-                                     .with(std::to_string(*servo.missed_in_contact),
+                                     .with(std::to_string(servo.missed_in_contact),
                                            std::to_string(protocol.maximum_missed_deadlines)));
     return;
   }

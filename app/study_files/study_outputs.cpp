@@ -53,13 +53,6 @@ Phrase kind_words(OutputKind kind) {
 
 std::optional<Phrase> record_output(const Study& study, OutputKind kind,
                                     const std::filesystem::path& path) {
-  if (study.schema_version() < Study::kSchemaVersion) {
-    return phrase(
-               "StudyOutputs",
-               "The study was made by an older version of Asperity and was not changed: it does "
-               "not list %1 among its outputs. Keep a note of it in case a participant withdraws.")
-        .with(path.string());
-  }
   if (!Study::can_be_written(study.folder())) {
     return phrase("StudyOutputs",
                   "The study is read-only: it does not list %1 among its outputs. Keep a note of "
@@ -80,7 +73,7 @@ std::optional<Phrase> record_output(const Study& study, OutputKind kind,
   return {};
 }
 
-OutputsOfParticipant outputs_of_participant(const Study& study, const std::string& label) {
+std::vector<OutputRow> outputs_of_participant(const Study& study, const std::string& label) {
   const std::optional<ParticipantRow> participant = study.participant(label);
   if (!participant) {
     throw ResultsError(
@@ -91,13 +84,11 @@ OutputsOfParticipant outputs_of_participant(const Study& study, const std::strin
   // The dates of a virtual participant are those of a simulated calendar.
   const std::string& since = participant->created_utc;
   const bool is_dated = !participant->is_virtual;
-  OutputsOfParticipant outputs{};
+  std::vector<OutputRow> outputs{};
   for (OutputRow& output : study.outputs()) {
     const bool may_hold_them = is_dated ? output.made_utc >= since : !is_without(output, label);
-    if (may_hold_them) outputs.recorded.push_back(std::move(output));
+    if (may_hold_them) outputs.push_back(std::move(output));
   }
-  const std::string recorded_since = study.outputs_since_utc();
-  if (is_dated && since < recorded_since) outputs.unknown_before_utc = recorded_since;
   return outputs;
 }
 

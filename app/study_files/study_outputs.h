@@ -13,25 +13,18 @@
 namespace asperity {
 
 /// Stores in the study that `path` was made from it, so that it can be found when a participant
-/// withdraws. Call it when the output is complete. Returns the reason where it is not stored: the
-/// study is read-only here, or of an older version, which would have to be changed.
+/// withdraws. Call it when the output is complete. Returns the reason where it is not stored, for
+/// example because the study is read-only here.
 std::optional<Phrase> record_output(const Study& study, OutputKind kind,
                                     const std::filesystem::path& path);
 
 /// "public export": the kind of output in lists.
 Phrase kind_words(OutputKind kind);
 
-/// The recorded outputs that may contain a participant's data.
-struct OutputsOfParticipant {
-  std::vector<OutputRow> recorded{};
-  /// Where the participant took part before outputs were recorded: the date since when they are,
-  /// UTC. Earlier outputs are unknown.
-  std::optional<std::string> unknown_before_utc{};
-};
-/// To be called before the participant's rows are deleted: for a person, the outputs made since
-/// they were added. A simulated participant has no real date; for those, the outputs that contain
-/// the label or cannot be read now.
+/// The recorded outputs that may contain a participant's data. To be called before the participant's
+/// rows are deleted: for a person, the outputs made since they were added. A simulated participant
+/// has no real date; for those, the outputs that contain the label or cannot be read now.
 /// Errors: ResultsError for an unknown label.
-OutputsOfParticipant outputs_of_participant(const Study& study, const std::string& label);
+std::vector<OutputRow> outputs_of_participant(const Study& study, const std::string& label);
 
 }  // namespace asperity

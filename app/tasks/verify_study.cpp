@@ -339,13 +339,10 @@ void add_once(const std::string& problem, std::vector<std::string>& problems) {
 constexpr std::array kBeside{StudyPart::checksum, StudyPart::rows};
 
 /// A replay keeps bodies in memory; in a process that writes there are no readers unknown to the
-/// caller; an older schema is copied into memory for every reader.
+/// caller.
 std::size_t threads_for(const Study& study, bool replay_too, std::size_t sessions) {
   constexpr unsigned kMost = 8;
-  if (replay_too || study.access() != Access::read_only ||
-      study.schema_version() != Study::kSchemaVersion) {
-    return 1;
-  }
+  if (replay_too || study.access() != Access::read_only) return 1;
   return std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, kMost),
                                kBeside.size() + sessions);
 }

@@ -37,21 +37,6 @@ TEST(StudyFriction, IsThatOfNewStudiesWhereThereAreNoSessions) {
             "dahl");
 }
 
-TEST(StudyFriction, IsThatOfTheFirstSessionInAStudyOfAnEarlierVersion) {
-  const TemporaryFolder folder;
-  const ModelRegistry models = built_in_models();
-  const std::filesystem::path study = folder.path() / "study";
-  std::filesystem::copy(
-      std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/earlier_studies/0.1.0/interrupted/study",
-      study, std::filesystem::copy_options::recursive);
-  const auto first = session_with_earlier_friction(study, models);
-  ASSERT_TRUE(first);
-  EXPECT_EQ(first->program_version, "0.1.0");
-  StimulusBuilder builder(models, study);
-  EXPECT_EQ(law_in(builder, "sinusoid"), "rounded");
-  EXPECT_EQ(law_in(builder, "sinusoid", {{"friction_law", std::string("dahl")}}), "dahl");
-}
-
 using FrictionOfSessions = SessionTest;
 
 TEST_F(FrictionOfSessions, StaysInAStudyThatBeganWithTheLaws) {

@@ -181,7 +181,7 @@ std::string_view between(std::string_view text, std::string_view begin, std::str
   return text.substr(first, last == std::string_view::npos ? last : last - first);
 }
 
-/// With a hyphen as its minus, as 0.1.0 printed it.
+/// With a hyphen as its minus.
 std::string with_hyphens(std::string_view text) {
   constexpr std::string_view kMinus = "−";
   std::string made(text);

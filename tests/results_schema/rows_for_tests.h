@@ -38,7 +38,7 @@ inline SessionRow some_session(std::int64_t protocol_id, const std::string& part
           .generator = "philox4x64/1",
           .counterbalance_row = 2,
           .group_level = "haptic",
-          .program_version = "0.1.0",
+          .program_version = "0.2.0",
           .program_commit = "abc",
           .program_build = "release",
           .program_sha256 = sha256_of("program"),

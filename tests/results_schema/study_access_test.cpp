@@ -229,27 +229,6 @@ TEST(StudyOnReadOnlyDisk, IsReadAndNotWritten) {
   }
 }
 
-// An older study lies on such a medium more often than any other.
-TEST(StudyOnReadOnlyDisk, IsReadWhenAnOlderProgramMadeIt) {
-  const TemporaryFolder folder;
-  std::filesystem::copy(
-      std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures/study_version_1",
-      folder / "s", std::filesystem::copy_options::recursive);
-  for (const char* const part : {"protocols", "locks"}) {
-    std::filesystem::create_directory(folder / "s" / part);
-  }
-  make_read_only(folder / "s");
-  {
-    const AsSomebodyElse somebody_else;
-    const Study study = Study::open(folder / "s", Access::read_only);
-    EXPECT_EQ(study.name(), "fixture");
-    EXPECT_EQ(study.sessions().size(), 1U);
-    EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_write); }),
-                HasSubstr("is read-only here"));
-  }
-  make_writable(folder / "s");
-}
-
 TEST(StudyWriting, IsPossibleWhereFolderAndStoreCanBeWritten) {
   const TemporaryFolder folder;
   make_closed_study(folder / "s");
@@ -348,18 +327,6 @@ TEST(StudyOpening, RefusesWhatIsNoStudy) {
   std::filesystem::remove(file);
   run_sql(file, "PRAGMA application_id = 7; CREATE TABLE study (x);");
   refused("made by another program");
-}
-
-TEST(StudyOpening, RefusesAStudyOfANewerProgram) {
-  const TemporaryFolder folder;
-  make_closed_study(folder / "s");
-  run_sql(folder / "s" / "study.sqlite", "PRAGMA user_version = 99");
-  for (const Access access : {Access::read_only, Access::read_write}) {
-    EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", access); }),
-                HasSubstr("made by a newer version of Asperity: its schema is version 99, and this "
-                          "program reads versions up to " +
-                          std::to_string(Study::kSchemaVersion)));
-  }
 }
 
 TEST(StudyOpening, RefusesABrokenDatabase) {

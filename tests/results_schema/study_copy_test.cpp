@@ -430,7 +430,7 @@ TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
                         "DROP TRIGGER attempt_no_update;"
                         "UPDATE attempt SET valid = 1, invalid_reason = 'so';"
                         "DROP TRIGGER presentation_no_update;"
-                        "UPDATE presentation SET surface_sha256 = 'X' WHERE position = 1;");
+                        "UPDATE presentation SET seed = 'X' WHERE position = 1;");
   for (const Access access : {Access::read_only, Access::read_write}) {
     const std::vector<std::string> findings = Study::open(folder / "s", access).verify({});
     EXPECT_THAT(
@@ -439,7 +439,7 @@ TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
     EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt violates the rule CHECK "
                                    "((valid = 1) = (invalid_reason IS NULL))"));
     EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation violates the rule"),
-                                         HasSubstr("length(surface_sha256) = 64"))));
+                                         HasSubstr("seed NOT GLOB '*[^0-9]*'"))));
   }
 }
 

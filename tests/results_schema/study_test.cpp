@@ -106,6 +106,7 @@ TEST(Study, GivesBackASessionWithItsFilesAndPlan) {
   SessionRow wanted = some_session(study.add_protocol(some_protocol()));
   wanted.files = {{.path = "stimuli/a.png", .sha256 = sha256_of("a"), .bytes = 1},
                   {.path = "stimuli/b.png", .sha256 = sha256_of("b"), .bytes = 2}};
+  wanted.mirrored = true;
   const std::int64_t id = study.add_session(wanted, some_plan(2));
   const SessionRow row = study.session(id);
   EXPECT_EQ(row.id, id);
@@ -118,6 +119,8 @@ TEST(Study, GivesBackASessionWithItsFilesAndPlan) {
   EXPECT_EQ(row.generator, wanted.generator);
   EXPECT_EQ(row.counterbalance_row, 2);
   EXPECT_EQ(row.group_level, "haptic");
+  EXPECT_TRUE(row.mirrored);
+  EXPECT_EQ(row.expected_trials, std::nullopt);
   EXPECT_EQ(row.program_version, wanted.program_version);
   EXPECT_EQ(row.program_commit, wanted.program_commit);
   EXPECT_EQ(row.program_build, wanted.program_build);
@@ -148,6 +151,41 @@ TEST(Study, GivesBackASessionWithItsFilesAndPlan) {
   EXPECT_EQ(plan[1].repetition, 1);
   EXPECT_EQ(plan[1].factors_json, R"({"texture":"metal"})");
   EXPECT_EQ(plan[1].plan_json, R"({"trial":2})");
+}
+
+TEST(Study, GivesBackTheTrialsOfAProcedureAndRefreshers) {
+  const TemporaryFolder folder;
+  Study study = Study::create(folder / "s", "x");
+  study.add_participant(some_participant());
+  SessionRow session = some_session(study.add_protocol(some_protocol()));
+  session.expected_trials = 7;
+  const std::int64_t id = study.add_session(session, some_plan(1));
+  std::vector<PlannedTrialRow> added = some_plan(3);
+  added.erase(added.begin());
+  for (PlannedTrialRow& trial : added) trial.phase = "practice";
+  added[0].track = 2;
+  added[0].step = 1;
+  added[1].repetition = 0;
+  added[1].is_catch = true;
+  study.add_trials(id, added);
+  EXPECT_EQ(study.session(id).expected_trials, 7);
+  const std::vector<PlannedTrialRow> plan = study.plan(id);
+  ASSERT_EQ(plan.size(), 3U);
+  EXPECT_FALSE(plan[0].track);
+  EXPECT_EQ(plan[1].track, 2);
+  EXPECT_EQ(plan[1].step, 1);
+  EXPECT_FALSE(plan[1].is_catch);
+  EXPECT_TRUE(plan[2].is_catch);
+
+  study.begin_segment(id, 0);
+  study.add_attempt(id, some_attempt(2));
+  AttemptRow refresher = some_attempt(2, 2);
+  refresher.purpose = AttemptPurpose::refresher;
+  study.add_attempt(id, refresher);
+  const std::vector<AttemptRow> attempts = study.attempts(id);
+  ASSERT_EQ(attempts.size(), 2U);
+  EXPECT_EQ(attempts[0].purpose, AttemptPurpose::trial);
+  EXPECT_EQ(attempts[1].purpose, AttemptPurpose::refresher);
 }
 
 TEST(Study, NumbersTheSessionsOfAParticipant) {

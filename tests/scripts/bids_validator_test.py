@@ -51,7 +51,7 @@ with tempfile.TemporaryDirectory() as folder:
     with_tags(simulated / "protocols/chapter_selection.json")
     for name in ("chapter_selection", "chapter_matching", "chapter_recognition", "roughness_force"):
         asperity("simulate", simulated / f"protocols/{name}.json", "--study", simulated, "--participants", "2", "--seed", "3")
-    shutil.copytree(ROOT / "tests/earlier_studies/0.1.0/people/study", people)
+    shutil.copytree(ROOT / "tests/earlier_studies/present/study", people)
     asperity("metadata", people, *ABOUT)
     number = 0
     for study in (simulated, people):

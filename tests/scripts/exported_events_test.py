@@ -13,7 +13,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
-STUDY = ROOT / "tests/earlier_studies/0.1.0/people/study"
+STUDY = ROOT / "tests/earlier_studies/present/study"
 IN_OWN_WORDS = ("note", "unblinded", "trial_repeated", "consent_seen")
 R = """
 source(file.path(commandArgs(TRUE)[1], "import.R"), chdir = TRUE)
@@ -21,6 +21,21 @@ counts <- table(tables$events$participant, tables$events$session, tables$events$
 for (row in seq_len(nrow(counted <- as.data.frame(counts)))) if (counted$Freq[row] > 0) cat(
   as.character(counted$Var1[row]), as.character(counted$Var2[row]), as.character(counted$Var3[row]), counted$Freq[row], "\\n")
 """
+
+
+def add_words(study):
+    """Events of the windows, with words of an experimenter, in the session of P01."""
+    database = sqlite3.connect(study / "study.sqlite")
+    with database:
+        session, time_ns = database.execute(
+            "SELECT session.id, clock_zero_ns FROM session JOIN participant ON participant.id = participant_id "
+            "WHERE label = 'P01'").fetchone()
+        for number, kind in enumerate(IN_OWN_WORDS):
+            words = f"Ada remarked {kind}"
+            database.execute("INSERT INTO event (session_id, time_ns, kind, text, data_json, text_json) VALUES (?, ?, ?, ?, ?, ?)",
+                             (session, time_ns + number, kind, words, "null", json.dumps(words)))
+    database.close()
+    (study / "study.sqlite.sha256").unlink()
 
 
 def stored(study):
@@ -58,7 +73,8 @@ def from_bids(out):
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
     study, own, public = folder / "study", folder / "own", folder / "public"
-    shutil.copytree(STUDY, study)
+    shutil.copytree(STUDY, study, copy_function=shutil.copyfile)
+    add_words(study)
     expected = stored(study)
     counts = {key: len(texts) for key, texts in expected.items()}
     assert sum(counts.values()) > 300 and len({kind for _, _, kind in counts}) > 15, counts

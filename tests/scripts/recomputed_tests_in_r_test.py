@@ -3,7 +3,7 @@
 Arguments: the program asperity and, in place of the studies below, folders of studies. Needs R (r-base-core) and nothing else of
 R's.
 
-The studies are one of virtual participants and those of earlier versions; no two conditions of theirs have interior maxima whose
+The studies are one of virtual participants and that in tests/earlier_studies; no two conditions of theirs have interior maxima whose
 ratio is tested. Where the program draws permutations at random, its p lies within what these draws allow of the p over all
 permutations, which R counts."""
 import csv
@@ -23,9 +23,9 @@ MOST_ERRORS = 4
 NUMBERS = ("value", "df1", "df2", "effect", "effect_low", "effect_high", "n", "left_out", "p", "p_holm", "p_smallest")
 # The family of a protocol that declares none, as docs/authoring-protocols.md has it.
 USUAL_FAMILY = {"selection": "pairs", "matching": "items", "recognition": "right", "magnitude": "spacing"}
-EARLIER = ROOT / "tests/earlier_studies/0.1.0"
+PRESENT = ROOT / "tests/earlier_studies/present/study"
 # With so many participants the program draws the groups of matching at random, and of no other test.
-PARTICIPANTS = {"chapter_selection": 20, "chapter_matching": 26, "chapter_recognition": 22, "roughness": 8}
+PARTICIPANTS = {"chapter_selection": 20, "chapter_matching": 26, "chapter_recognition": 22, "roughness_force": 8}
 
 
 def asperity(*arguments):
@@ -92,12 +92,12 @@ def check_study(study, folder):
 
 
 def demonstration(folder):
-    """The demonstration's study and the short magnitude estimation of the studies of earlier versions."""
+    """The demonstration's study and the short magnitude estimation of the study in tests/earlier_studies."""
     study = folder / "study"
     asperity("new", study, "--demo")
-    for picture in (EARLIER / "simulated/study/stimuli").iterdir():
+    for picture in (PRESENT / "stimuli").glob("cones_*"):
         shutil.copyfile(picture, study / "stimuli" / picture.name)
-    shutil.copyfile(EARLIER / "protocols/magnitude.json", study / "protocols/roughness.json")
+    shutil.copyfile(PRESENT / "protocols/roughness_force.json", study / "protocols/roughness_force.json")
     for name, participants in PARTICIPANTS.items():
         protocol = study / "protocols" / f"{name}.json"
         if not protocol.exists():
@@ -113,7 +113,7 @@ def copy_of(study, folder):
 
 def main():
     report = []
-    for name in sys.argv[2:] or ("demonstration", EARLIER / "simulated/study", EARLIER / "people/study"):
+    for name in sys.argv[2:] or ("demonstration", PRESENT):
         with tempfile.TemporaryDirectory() as temporary:
             folder = pathlib.Path(temporary)
             study = demonstration(folder) if name == "demonstration" else copy_of(name, folder)

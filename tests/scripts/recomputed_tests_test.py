@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every number in the tables of tests of a study is recomputed from its exported tables, by code that shares nothing with
 the program: permutations are enumerated one by one, distributions integrated or summed. Arguments: the program asperity
-and, in place of the studies of earlier versions, the folder of a study that is analysed."""
+and, in place of the study in tests/earlier_studies, the folder of a study that is analysed."""
 import collections
 import csv
 import itertools
@@ -558,13 +558,11 @@ def check_study(study, folder):
 
 
 def main():
-    studies = [pathlib.Path(sys.argv[2])] if len(sys.argv) > 2 else [
-        ROOT / "tests/earlier_studies/0.1.0" / name / "study" for name in ("simulated", "people")]
-    for study in studies:
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            shutil.copytree(study, folder / "study", copy_function=shutil.copyfile)
-            check_study(folder / "study", folder)
+    study = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "tests/earlier_studies/present/study")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        shutil.copytree(study, folder / "study", copy_function=shutil.copyfile)
+        check_study(folder / "study", folder)
     assert len(sys.argv) > 2 or compared > 150, compared
     print(f"{compared} numbers of tables of tests agree with an independent computation")
 

@@ -63,13 +63,7 @@ std::vector<ExportColumn> answered_trial_columns(const StudyVocabulary& vocabula
                                                  }))));
   };
   servo("missed_deadlines", "ticks that missed their deadline", &ServoQualityRow::missed_deadlines);
-  columns.push_back(
-      missing(std::string("no servo quality is stored for the attempt, or ") + kNotCountedApart,
-              at_least(0, column("missed_in_contact", "integer", "1", kMissedInContact,
-                                 [](const ExportPlace& at) -> Cell {
-                                   if (!at.attempt->servo) return {};
-                                   return optional_cell(at.attempt->servo->missed_in_contact);
-                                 }))));
+  servo("missed_in_contact", kMissedInContact, &ServoQualityRow::missed_in_contact);
   servo("saturated_ticks", "ticks with the force reduced to the limit",
         &ServoQualityRow::saturated_ticks);
   servo("lost_records", "tick records that were lost", &ServoQualityRow::lost_records);

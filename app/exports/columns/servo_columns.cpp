@@ -42,11 +42,7 @@ Columns servo_columns() {
   number("execution_maximum_s", "s", "longest duration of a tick; 0 when simulated",
          &Row::execution_maximum_s);
   count("missed_deadlines", "ticks that missed their deadline", &Row::missed_deadlines);
-  columns.push_back(missing(
-      kNotCountedApart, at_least(0, column("missed_in_contact", "integer", "1", kMissedInContact,
-                                           [](const Place& at) {
-                                             return optional_cell(at.servo->missed_in_contact);
-                                           }))));
+  count("missed_in_contact", kMissedInContact, &Row::missed_in_contact);
   count("saturated_ticks", "ticks with the force reduced to the limit", &Row::saturated_ticks);
   count("slew_limited_ticks", "ticks with the rate of change of the force limited",
         &Row::slew_limited_ticks);

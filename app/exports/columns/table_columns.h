@@ -11,8 +11,6 @@ namespace asperity::export_columns {
 inline constexpr const char* kMissedInContact =
     "ticks that missed their deadline while a surface was touched; only these affect whether an "
     "attempt counts";
-inline constexpr const char* kNotCountedApart =
-    "the attempt was recorded by version 0.1, which did not count them separately";
 
 Columns participant_columns(const StudyVocabulary& vocabulary);
 Columns session_columns(const StudyVocabulary& vocabulary);

@@ -528,10 +528,8 @@ class AnswersInOrder final {
  public:
   AnswersInOrder(const Study& study, const std::vector<SessionRow>& sessions)
       : study_(study), sessions_(sessions) {
-    // A second reader next to a writer in the same process is the caller's decision; one of an
-    // older schema would hold a second copy of the study in memory.
-    if (study.access() == Access::read_only && study.schema_version() == Study::kSchemaVersion &&
-        sessions.size() > 1) {
+    // A second reader next to a writer in the same process is the caller's decision.
+    if (study.access() == Access::read_only && sessions.size() > 1) {
       second_.emplace(Study::open(study.folder(), Access::read_only));
     }
   }

@@ -90,7 +90,6 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
   const auto count = [](std::int64_t ticks) { return QString::number(ticks); };
   const auto none = [](std::int64_t ticks) { return ticks == 0 ? State::fine : State::look; };
   const auto lost = [](std::int64_t records) { return records == 0 ? State::fine : State::stop; };
-  const std::optional<std::int64_t>& in_contact = servo.missed_in_contact;
   return {
       {MeasureTables::tr("ticks, at %1 Hz").arg(shown_number(servo.rate_Hz, 'f', 0)),
        count(servo.ticks)},
@@ -99,12 +98,10 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
       {MeasureTables::tr("period: maximum"), us(servo.period_maximum_s)},
       {MeasureTables::tr("lateness: 99th percentile"), us(servo.lateness_p99_s)},
       {MeasureTables::tr("lateness: maximum"), us(servo.lateness_maximum_s)},
-      // Judged in contact alone, where these are counted apart.
-      {MeasureTables::tr("missed deadlines"), count(servo.missed_deadlines),
-       in_contact ? State::unknown : none(servo.missed_deadlines)},
-      {MeasureTables::tr("missed deadlines in contact"),
-       in_contact ? count(*in_contact) : MeasureTables::tr("not counted"),
-       in_contact ? none(*in_contact) : State::unknown},
+      // Judged in contact alone.
+      {MeasureTables::tr("missed deadlines"), count(servo.missed_deadlines)},
+      {MeasureTables::tr("missed deadlines in contact"), count(servo.missed_in_contact),
+       none(servo.missed_in_contact)},
       {MeasureTables::tr("lost records"), count(servo.lost_records), lost(servo.lost_records)},
       {MeasureTables::tr("ticks with the force at its limit"), count(servo.saturated_ticks),
        none(servo.saturated_ticks)},

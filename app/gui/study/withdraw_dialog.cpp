@@ -28,16 +28,12 @@ QString text_of_counts(const WithdrawalRow& row) {
       .join(", ");
 }
 
-QString text_of_outputs(const OutputsOfParticipant& outputs) {
+QString text_of_outputs(const std::vector<OutputRow>& outputs) {
   QStringList lines{};
-  for (const OutputRow& output : outputs.recorded) {
+  for (const OutputRow& output : outputs) {
     lines << WithdrawDialog::tr("%2, %1: %3")
                  .arg(words_of(kind_words(output.kind)), text_of_time(output.made_utc),
                       text(output.path));
-  }
-  if (outputs.unknown_before_utc) {
-    lines << WithdrawDialog::tr("Outputs made before %1 are not listed.")
-                 .arg(text_of_time(*outputs.unknown_before_utc));
   }
   return lines.join('\n');
 }

@@ -41,7 +41,7 @@ class WithdrawDialog final : public QDialog {
 
   OpenStudy& study_;
   std::string label_{};
-  OutputsOfParticipant outputs_{};
+  std::vector<OutputRow> outputs_{};
   QWidget* question_ = nullptr;  ///< hidden once it is done
   QRadioButton* keep_ = nullptr;
   QRadioButton* delete_ = nullptr;

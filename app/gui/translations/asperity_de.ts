@@ -8032,10 +8032,6 @@
 <context>
     <name>StudyOutputs</name>
     <message>
-        <source>The study was made by an older version of Asperity and was not changed: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
-        <translation>Die Studie wurde mit einer älteren Version von Asperity angelegt und nicht geändert: %1 ist nicht unter ihren Ausgaben verzeichnet. Diese Ausgabe notieren, für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
-    </message>
-    <message>
         <source>The study is read-only: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
         <translation>Die Studie ist schreibgeschützt: %1 ist nicht unter ihren Ausgaben verzeichnet. Diese Ausgabe notieren, für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
@@ -10180,10 +10176,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>missed deadlines in contact</source>
         <translation>verpasste Fristen im Kontakt</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>nicht gezählt</translation>
     </message>
     <message>
         <source>Options</source>
@@ -13176,10 +13168,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Ordner einer Studie öffnen</translation>
     </message>
     <message>
-        <source>This study was created by an earlier version of Asperity. It is read without conversion and converted when something is first stored; the earlier version can then no longer open it, but can open the unconverted copy in the file %1.</source>
-        <translation>Diese Studie wurde mit einer früheren Version von Asperity angelegt. Sie wird ohne Umwandlung gelesen und beim ersten Speichern umgewandelt; die frühere Version kann sie dann nicht mehr öffnen, wohl aber die nicht umgewandelte Kopie in der Datei %1.</translation>
-    </message>
-    <message>
         <source>S&amp;hare…</source>
         <translation>Fr&amp;eigeben…</translation>
     </message>
@@ -13697,10 +13685,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
             <numerusform>%n Aufzeichnung</numerusform>
             <numerusform>%n Aufzeichnungen</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Outputs made before %1 are not listed.</source>
-        <translation>Vor %1 erzeugte Ausgaben sind nicht verzeichnet.</translation>
     </message>
     <message>
         <source>Withdraw a participant</source>

@@ -161,13 +161,6 @@ void StudyWindow::tell_limits() {
                        tr("This study is read-only: its folder or its disk cannot be written to. "
                           "It can be viewed, analysed and exported; to run sessions, copy it to a "
                           "folder that you may write to."));
-  } else if (study_->study().schema_version() < Study::kSchemaVersion) {
-    banner_->show_news(
-        State::look,
-        tr("This study was created by an earlier version of Asperity. It is read without "
-           "conversion and converted when something is first stored; the earlier version can then "
-           "no longer open it, but can open the unconverted copy in the file %1.")
-            .arg("study.sqlite.version-" + QString::number(study_->study().schema_version())));
   }
 }
 

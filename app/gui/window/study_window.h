@@ -88,7 +88,7 @@ class StudyWindow final : public QMainWindow {
   void make_help_menu();
   void fill_recent_menu(QMenu& menu);
   void make_pages();
-  /// On the banner: the study can only be read, or is of an earlier version.
+  /// On the banner: a plug-in was not loaded, or the study can only be read.
   void tell_limits();
   void add_pages();  ///< study_pages.cpp
   void remove_pages();

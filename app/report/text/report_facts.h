@@ -73,7 +73,7 @@ struct ReportedServo {
   std::vector<double> period_p99_s{};
   std::vector<double> execution_p99_s{};
   ReportedCount missed_deadlines{};
-  ReportedCount missed_in_contact{};  ///< of the attempts in which they were counted separately
+  ReportedCount missed_in_contact{};
   ReportedCount lost_records{};
   ReportedCount saturated{};
   ReportedCount slew_limited{};

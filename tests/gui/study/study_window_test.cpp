@@ -29,7 +29,6 @@
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/study_sharing.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
@@ -132,24 +131,6 @@ TEST_F(StudyWindowTest, SaysOnTheBannerWhatCannotBeOpened) {
   EXPECT_EQ(window.study(), nullptr);
   EXPECT_TRUE(window.banner().isVisible());
   EXPECT_TRUE(window.banner().text().contains("nothing"));
-}
-
-TEST_F(StudyWindowTest, ReadsAStudyThatAnOlderVersionMadeAndChangesNothing) {
-  const std::filesystem::path folder = home() / "older";
-  std::filesystem::copy(
-      std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures/study_version_1",
-      folder, std::filesystem::copy_options::recursive);
-  const std::string before = read_file(folder / "study.sqlite");
-  StudyWindow window{};
-  window.show();
-  ASSERT_TRUE(window.open_study(folder));
-  window.show_page("sessions");
-  const auto& sessions = child<StudyTable>(window, "sessions_table");
-  ASSERT_TRUE(eventually([&] { return sessions.shown_rows() == 1; }));
-  EXPECT_TRUE(window.banner().isVisible());
-  EXPECT_TRUE(window.banner().text().contains("study.sqlite.version-1"))
-      << window.banner().text().toStdString();
-  EXPECT_EQ(read_file(folder / "study.sqlite"), before);
 }
 
 /// Runs as somebody who may not write here; the superuser may write everywhere.
