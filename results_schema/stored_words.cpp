@@ -38,8 +38,7 @@ StoredWords::StoredWords(std::string typed)
 
 nlohmann::ordered_json StoredWords::item() const {
   Item item = Item::parse(json, nullptr, false);
-  if (json.empty() || item.is_discarded()) return {{kEarlierKey, text}};
-  return item;
+  return item.is_discarded() ? Item(text) : item;
 }
 
 StoredWords joined(const std::optional<StoredWords>& first, const StoredWords& second) {

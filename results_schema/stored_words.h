@@ -17,7 +17,7 @@ namespace asperity {
 struct StoredWords {
   std::string text{};
   /// JSON: a string that was typed, an object `{"code", "arguments"}` whose arguments are such items again, or an object
-  /// `{"english"}` of what has no code. Empty: stored before schema version 7, which had only the text.
+  /// `{"english"}` of what has no code. Empty: the text of an event that is a name or data.
   std::string json{};
 
   StoredWords() = default;
@@ -28,7 +28,7 @@ struct StoredWords {
       : text(std::move(english)), json(std::move(json_text)) {}
 
   bool empty() const noexcept { return text.empty(); }
-  /// What `json` holds; of text without codes `{"earlier": text}`, which only a program reads and no study has.
+  /// What `json` holds; the text where it holds no JSON.
   nlohmann::ordered_json item() const;
   bool operator==(const StoredWords&) const = default;
 };
@@ -36,7 +36,6 @@ struct StoredWords {
 inline constexpr std::string_view kCodeKey = "code";
 inline constexpr std::string_view kArgumentsKey = "arguments";
 inline constexpr std::string_view kEnglishKey = "english";
-inline constexpr std::string_view kEarlierKey = "earlier";
 /// Its arguments one after the other, with semicolons between.
 inline constexpr std::string_view kListCode = "list";
 /// An attempt that was invalidated so that its trial could be repeated; its argument is the reason.

@@ -92,8 +92,6 @@ AREAS = (
     ("errors and other text", ("app/", "protocols/", "stimuli/", "device/", "renderers/", "results_schema/")),
     ("documents", ()),  # every .md, wherever it stands
 )
-# The wordings of version 0.1.0, which are frozen there.
-LEFT_OUT = ("app/words/earlier_wordings.cpp",)
 
 STRING = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<end>[^()\\\s]*)\((?P<raw>.*?)\)(?P=end)"|"(?P<text>(?:\\.|[^"\\\n])*)"|'
                     r"'(?:\\.|[^'\\\n])+'", re.DOTALL)
@@ -158,8 +156,6 @@ def shown_texts(path, source):
 
 
 def area_of(name):
-    if name.startswith(LEFT_OUT):
-        return None
     if name.endswith(".md"):
         return "documents"
     return next((area for area, beginnings in AREAS if name.startswith(beginnings)), None)

@@ -8,7 +8,6 @@
 
 #include "app/words/coded_phrases.h"
 #include "app/words/device_remarks.h"
-#include "app/words/earlier_wordings.h"
 #include "app/words/utc_time.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
@@ -115,9 +114,7 @@ DeviceItem item_from(const nlohmann::json& json) {
   item.limit = number_or_nothing(json, "limit");
   if (json.value("bound", "at_most") == "at_least") item.bound = DeviceItem::Bound::at_least;
   item.by_axis = json.value("by_axis", std::vector<double>{});
-  const auto remark = json.find("remark");
-  item.text = remark != json.end() ? phrase_from(nlohmann::ordered_json(*remark))
-                                   : remark_of_earlier(json.value("text", std::string{}));
+  item.text = phrase_from(nlohmann::ordered_json(json.at("remark")));
   return item;
 }
 
@@ -155,13 +152,10 @@ nlohmann::ordered_json trait_names(const std::vector<DeviceTrait>& traits) {
   return names;
 }
 
-/// The traits that the profile gives as unknown of the device that a simulated one models; for a
-/// profile by an earlier version, those that are unknown to this program.
-std::vector<DeviceTrait> not_known_in(const nlohmann::json& profile, const std::string& model) {
-  const auto stands_for = profile.find("stands_for");
-  if (stands_for == profile.end()) return not_known_of(model);
+/// The traits that the profile gives as unknown of the device that a simulated one models.
+std::vector<DeviceTrait> not_known_in(const nlohmann::json& stands_for) {
   std::vector<DeviceTrait> traits{};
-  for (const nlohmann::json& name : stands_for->at("not_known")) {
+  for (const nlohmann::json& name : stands_for.at("not_known")) {
     const auto* const found = std::find_if(
         kDeviceTraits.begin(), kDeviceTraits.end(),
         [&name](DeviceTrait trait) { return name_of(trait) == name.get<std::string>(); });
@@ -348,8 +342,7 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     for (const nlohmann::json& response : json.value("responses", nlohmann::json::array())) {
       profile.responses.push_back(response_from(response));
     }
-    if (profile.is_simulated) profile.not_known = not_known_in(json, profile.model);
-    leave_out_unknown(profile);
+    if (!profile.stands_for().empty()) profile.not_known = not_known_in(json.at("stands_for"));
     return profile;
   } catch (const std::exception& error) {
     throw std::runtime_error("the device profile " + origin + " cannot be read: " + error.what() +

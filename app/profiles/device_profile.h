@@ -117,8 +117,6 @@ void leave_out_unknown(DeviceProfile& profile);
 
 /// The document, indented, with a final line break.
 std::string json_text_of(const DeviceProfile& profile);
-/// In a profile of a simulated model of a device by an earlier version, unknown traits are removed
-/// as well.
 /// Errors: std::runtime_error with a sentence that names `origin` and its problem.
 DeviceProfile profile_from_json(const std::string& text, const std::string& origin);
 

@@ -142,10 +142,7 @@ std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
       stretch.segment =
           stored_value<int>(data, "segment").value_or(static_cast<int>(stretches.size()));
       stretch.program = program_of(session, data);
-      stretch.judges_rendered_force =
-          stored_value<std::string>(data, "judged_force") == std::string("rendered");
-      // asperity 0.1.0 stored only the first device of a session.
-      if (event.kind == "session_began" || data.contains("device")) stretch.device = device;
+      stretch.device = device;
     } else if (!stretches.empty()) {
       if (event.kind == "masking_noise") stretches.back().noise = noise_of(event.data_json);
       if (event.kind == "mask_on") stretches.back().eye_mask_confirmed = true;
@@ -198,15 +195,6 @@ std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
         remedy_for_study_data(protocol)};
   }
   return {};
-}
-
-std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
-                                                   const RecordedDevice& device,
-                                                   const std::optional<SessionRow>& unfinished) {
-  const bool has_begun_so =
-      unfinished &&
-      study_data_blocker(protocol, recorded_device(unfinished->device, unfinished->device_json));
-  return has_begun_so ? std::nullopt : study_data_blocker(protocol, device);
 }
 
 }  // namespace asperity

@@ -40,17 +40,16 @@ struct RecordedNoise {
     not_played,    ///< the program played none, and none was attested
     elsewhere,     ///< played by another source; it was measured at the ear and attested
     program,       ///< played by the program; an attempt during which it failed does not count
-    not_recorded,  ///< the stored description does not state it
-    not_stored,    ///< nothing is stored about it, as with asperity 0.1.0 at a terminal
+    not_recorded,  ///< nothing is stored about it, or the stored description does not state it
   };
-  Source source = Source::not_stored;
+  Source source = Source::not_recorded;
   std::optional<double> measured_dBA{};  ///< at the ear
   std::string verified_by{};
 };
 
 /// The program and pacing of a stretch of a session, as text.
 struct RecordedProgram {
-  std::string program{};  ///< "asperity 0.1.0, commit 5979704d1215"
+  std::string program{};  ///< "asperity 0.2.0, commit 5979704d1215"
   std::string instruction_set{};
   std::string os{};
   std::string pacing{};  ///< "real_time, scheduling none"
@@ -61,14 +60,11 @@ struct RecordedProgram {
 /// A stretch of uninterrupted running: its conditions are constant.
 struct RecordedStretch {
   int segment = 1;  ///< as AttemptRow::segment
-  std::optional<RecordedDevice>
-      device{};  ///< absent: the session was resumed by asperity 0.1.0, which did not record it
+  RecordedDevice device{};
   RecordedProgram program{};
   RecordedNoise noise{};
   /// The participant or experimenter confirmed that it was put on.
   bool eye_mask_confirmed = false;
-  /// The judged normal force was the one that the renderer computed.
-  bool judges_rendered_force = false;
 };
 
 /// The stretches in which an attempt was made, in order; all of them where none was. Never empty.
@@ -89,11 +85,6 @@ struct StudyDataBlocker {
 /// `device.input_only`. Nothing where neither applies.
 std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
                                                    const RecordedDevice& device);
-/// The same for a session that is begun or, with its row in the store, resumed. Sessions that
-/// asperity 0.1.0 began on such devices can be resumed on one.
-std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
-                                                   const RecordedDevice& device,
-                                                   const std::optional<SessionRow>& unfinished);
 
 /// The event that a session which is resumed on another device stores before `session_resumed`:
 /// text as SessionRow::device, data the capability record.

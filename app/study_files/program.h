@@ -19,11 +19,11 @@ struct ProgramIdentity {
 /// The identity of the running program. Reads the executable once per call.
 ProgramIdentity this_program();
 
-/// "0.1.0"
+/// "0.2.0"
 std::string program_version();
 /// "Release": the build type, empty for none.
 std::string program_build();
-/// "asperity 0.1.0 (commit 1a2b3c4, Release)"
+/// "asperity 0.2.0 (commit 1a2b3c4, Release)"
 std::string version_line();
 
 }  // namespace asperity

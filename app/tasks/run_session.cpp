@@ -263,9 +263,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
             .with(complaints.front()));
   }
   if (sitting.mode == SessionMode::run) {
-    const auto blocker =
-        study_data_blocker(protocol, recorded_device(rig->capability()), sitting.unfinished);
-    if (blocker) {
+    if (const auto blocker = study_data_blocker(protocol, recorded_device(rig->capability()))) {
       throw PhrasedError(phrase("StudyData", "%1; %2 (Pilot: --mode pilot)")
                              .with(blocker->problem, blocker->remedy));
     }
@@ -282,11 +280,6 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
                             "the session last ran on %1 and is resumed on %2; this is stored with "
                             "the session and stated in its report")
                          .with(before.full_text(), now.full_text()));
-    }
-    if (sitting.mode == SessionMode::run && study_data_blocker(protocol, now)) {
-      inputs.resumed(phrase("RunSession",
-                            "the session began on a device with which no participant can feel the "
-                            "surfaces, and is resumed in the same way; its report states this"));
     }
   }
   const Wait wait = sleep_until_stopped(stop, links);

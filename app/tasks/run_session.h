@@ -65,8 +65,8 @@ struct RunInputs {
   std::function<void(const RehearsedDevice&)> rehearsed{};
   /// Called once the device is open and the protocol accepts it, before any question is asked.
   std::function<void(const Protocol&)> ready{};
-  /// Called before `ready` with each circumstance of a resumed session that its report will state:
-  /// a different device than before, a device without force that asperity 0.1.0 accepted.
+  /// Called before `ready` if a resumed session has a different device than before, which its
+  /// report will state.
   std::function<void(const Phrase& circumstance)> resumed{};
   /// Called before `ready` with what the study has under the label of a new session. Nothing is
   /// stored before it returns; it can wait for a confirmation, and throw RespondentGone.

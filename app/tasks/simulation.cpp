@@ -69,16 +69,12 @@ struct Batches {
   int largest_number = 0;    ///< at least that of every virtual participant, deleted ones included
   int deleted = 0;           ///< virtual participants of whom only the deletion is recorded
   bool any_virtual = false;  ///< deleted ones included
-  bool any_deleted_before_a_session = false;
 };
 
 Batches batches_in(const Study& study, const SimulationInputs& inputs) {
   Batches there{};
   for (const WithdrawalRow& withdrawal : study.withdrawals()) {
-    if (!withdrawal.is_virtual || withdrawal.data != WithdrawnData::deleted) continue;
-    ++there.deleted;
-    there.any_deleted_before_a_session =
-        there.any_deleted_before_a_session || withdrawal.sessions == 0;
+    if (withdrawal.is_virtual && withdrawal.data == WithdrawnData::deleted) ++there.deleted;
   }
   int virtual_people = 0;
   for (const ParticipantRow& person : study.participants()) {
@@ -193,7 +189,6 @@ class Simulation final {
   }
   void prepare(Study& study);
   void check_sessions(const Study& study) const;
-  bool is_half_added(const Study& study, const Batches& there) const;
   bool is_interrupted(const Study& study, const Batch& batch) const;
   std::uint64_t seed_of(int number, int sitting) const;
   void work();
@@ -296,26 +291,6 @@ void Simulation::check_recordings(const Study& study) const {
   }
 }
 
-/// Whether asperity 0.1.0 was interrupted while it added the batch: one by one, in order, and
-/// before the first session. Participants are now added in one transaction, and a missing one was
-/// deleted.
-bool Simulation::is_half_added(const Study& study, const Batches& there) const {
-  if (there.any_deleted_before_a_session) return false;
-  const std::vector<SessionRow> sessions = study.sessions();
-  bool is_end = false;  // all participants up to here exist, and this one does not
-  for (int i = 0; i < batch_.participants; ++i) {
-    const std::string label = virtual_person(batch_.first + i, random_, "").label;
-    const bool is_there = study.participant(label).has_value();
-    if (is_end && is_there) return false;
-    is_end = !is_there;
-    if (std::any_of(sessions.begin(), sessions.end(),
-                    [&label](const SessionRow& row) { return row.participant == label; })) {
-      return false;
-    }
-  }
-  return is_end;
-}
-
 /// Whether a batch has begun with these protocols, or with none, and has not completed all of their
 /// sessions. A withdrawn participant has nothing left to do.
 bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
@@ -369,22 +344,22 @@ void Simulation::prepare(Study& study) {
       inputs_.warned(warning);
     }
   }
-  if (there.begun == batch_ && !is_half_added(study, there)) return;
-  if (there.begun != batch_ && there.of_seed > 0 && inputs_.noticed) {
+  if (there.begun == batch_) return;
+  if (there.of_seed > 0 && inputs_.noticed) {
     inputs_.noticed(
         {.there = there.of_seed,
          .first = virtual_person(batch_.first, random_, "").label,
          .last = virtual_person(batch_.first + batch_.participants - 1, random_, "").label});
   }
-  std::vector<ParticipantRow> missing{};
+  std::vector<ParticipantRow> added{};
   for (int i = 0; i < batch_.participants; ++i) {
     const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;
     ParticipantRow person =
         virtual_person(batch_.first + i, random_, SimulatedClock(first_sitting).utc());
     person.answers_json = with_batch(person.answers_json, batch_);
-    if (!study.participant(person.label)) missing.push_back(std::move(person));
+    added.push_back(std::move(person));
   }
-  study.add_participants(missing);
+  study.add_participants(added);
 }
 
 SimulationResult Simulation::run() {

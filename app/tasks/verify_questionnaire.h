@@ -12,7 +12,7 @@ namespace asperity {
 
 /// What contradicts the protocol in the answers of a session, as sentences: an answer that its question cannot have, a
 /// question that was asked although its condition was not met, or was not asked although it was. A question without a row
-/// was not reached, or was left empty in a session of version 0.1.
+/// was not reached.
 std::vector<std::string> questionnaire_problems(const SessionRow& session, const Protocol& protocol,
                                                 const std::vector<ResponseRow>& rows);
 

@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/words/earlier_wordings.h"
 #include "app/words/event_kinds.h"
 #include "app/words/offered_reasons.h"
 
@@ -44,9 +43,6 @@ void add_codes(const Item& item, std::vector<std::string>& codes) {
     for (const Item& part : item.at(kArgumentsKey)) add_codes(part, codes);
     return;
   }
-  if (item.contains(kEarlierKey)) {
-    return add_codes(json_of(phrase_of_earlier(string_member(item, kEarlierKey))), codes);
-  }
   std::string code = string_member(item, kCodeKey);
   if (code.empty()) code = item.contains(kEnglishKey) ? kEnglishKey : kTyped;
   codes.push_back(std::move(code));
@@ -77,7 +73,6 @@ nlohmann::ordered_json json_of(const Phrase& phrase) {
 Phrase phrase_from(const Item& item) {
   if (item.is_string()) return item.get<std::string>();
   if (!item.is_object()) return item.dump();
-  if (item.contains(kEarlierKey)) return phrase_of_earlier(string_member(item, kEarlierKey));
   if (item.contains(kEnglishKey)) return string_member(item, kEnglishKey);
   std::vector<Phrase> arguments{};
   const auto stored_arguments = item.find(kArgumentsKey);
@@ -101,8 +96,8 @@ StoredWords stored(const Phrase& phrase) {
 
 Phrase phrase_of(const StoredWords& words) {
   const Item item = words.item();
-  const bool is_readable = item.is_string() || !string_member(item, kCodeKey).empty() ||
-                           item.contains(kEnglishKey) || item.contains(kEarlierKey);
+  const bool is_readable =
+      item.is_string() || !string_member(item, kCodeKey).empty() || item.contains(kEnglishKey);
   return is_readable ? phrase_from(item) : Phrase(words.text);
 }
 
@@ -111,10 +106,7 @@ Phrase phrase_of(const std::optional<StoredWords>& words) {
 }
 
 Phrase phrase_of(const EventRow& event) {
-  if (!event.text_json.empty()) return phrase_of(event.words());
-  const EventKind* const kind = event_kind(event.kind);
-  return kind != nullptr && kind->text_is_words ? phrase_of_earlier(event.text)
-                                                : Phrase(event.text);
+  return event.text_json.empty() ? Phrase(event.text) : phrase_of(event.words());
 }
 
 EventRow event_row(std::int64_t time_ns, const std::string& kind, const Phrase& text,

@@ -9,9 +9,9 @@ const std::vector<EventKind>& event_kinds() {
   static const std::vector<EventKind> kKinds{
       {.name = "session_began",
        .meaning = "the session began. Data: the program that runs this segment of the session; "
-                  "`utc`, when it began (from version 0.2.0 on); `device` as in `session`, and "
+                  "`utc`, when it began; `device` as in `session`, and "
                   "`judged_force`, the normal force by which the exploration is assessed: `sent`, "
-                  "or `rendered` for a device without motors (Asperity 0.1.0 stored neither); "
+                  "or `rendered` for a device without motors; "
                   "`compute`, the `device`, `platform` and `driver` that evaluated the contacts of "
                   "two textured bodies, where it was not the processor",
        .hed = "Experiment-structure",
@@ -184,7 +184,7 @@ const std::vector<EventKind>& event_kinds() {
        .meaning = "the masking noise of the segment that begins. Data: `kind`, `gain`, the "
                   "declared and the measured level, `verified_by` (who measured the level) and the "
                   "sound output. Kind `none` with `heard` false: no sound could be played, for "
-                  "example at a terminal (Asperity 0.1.0 did not store this event)",
+                  "example at a terminal",
        .hed = "Sensory-event, Auditory-presentation, Signal-noise",
        .text_is_public = true,
        .public_data = {"kind", "gain", "declared_dBA", "measured_dBA", "generator", "heard",

@@ -54,8 +54,6 @@ const std::vector<ReasonWords>& all_reasons() {
        phrase("Reasons", "the masking noise could not start")},
       {Reason::missed_in_contact, "deadlines_missed_in_contact",
        phrase("Reasons", "deadlines missed in contact: %1, at most %2 allowed")},
-      {Reason::missed_deadlines, "deadlines_missed",
-       phrase("Reasons", "missed deadlines: %1, at most %2 allowed")},
       {Reason::lost_records, "records_lost",
        phrase("Reasons", "lost records: %1, at most %2 allowed")},
       {Reason::force_limited, "force_limited", phrase("Reasons", "ticks with limited force: %1")},

@@ -36,7 +36,6 @@ enum class Reason {
   no_noise,
   // of an attempt
   missed_in_contact,      ///< deadlines; how many, how many are allowed
-  missed_deadlines,       ///< of version 0.1, in contact or not; how many, how many are allowed
   lost_records,           ///< how many, how many are allowed
   force_limited,          ///< in how many ticks
   not_explored_as_asked,  ///< the measures that failed, by surface

@@ -8,7 +8,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/profiles/device_profile.h"
 #include "app/tasks/protocol_files.h"
@@ -152,20 +151,6 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
               Contains(HasSubstr("are unknown: friction, force resolution, position resolution, "
                                  "damping, moving mass, stiffest spring, resonance; no stimulus")))
       << "nor is its workspace, but what its driver tells is compared";
-  // Of an earlier version, which took the virtual hand's friction for a delta.3's.
-  DeviceProfile earlier = good("in place of delta.3");
-  earlier.items.push_back({.name = "latency_s", .status = Status::pass, .value = 0.00025});
-  std::filesystem::create_directories(study / "profiles");
-  auto json = nlohmann::json::parse(json_text_of(earlier));
-  json.erase("stands_for");
-  json["measured_utc"] = kYesterday;
-  json["items"].front()["value"] = 0.9;
-  write_file(study / "profiles" / "delta.json", json.dump(), Overwrite::allow);
-  const auto told = warnings(compared("simulated:delta.3"));
-  EXPECT_THAT(compared("simulated:delta.3").compared, HasSubstr(", measured on "));
-  EXPECT_THAT(told, Contains(HasSubstr(not_known)));
-  EXPECT_THAT(told, Each(Not(HasSubstr("0.900 N"))));
-  EXPECT_THAT(told, Each(Not(HasSubstr("has no value for"))));
 }
 
 // 20 N s/m, at the latency and the velocity window of a Falcon. That its mass is unknown is

@@ -20,7 +20,6 @@
 #include "app/profiles/profile_verdict.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/device_remarks.h"
-#include "app/words/earlier_wordings.h"
 #include "app/words/reason.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
@@ -554,22 +553,6 @@ TEST(DeviceProfile, SaysInAnotherLanguageWhatWasStored) {
   fault.text = fault.text.with(phrase_of(Fault::not_finite));
   EXPECT_EQ(phrase_from(json_of(fault.text)).translated(spelt_out),
             fault.text.translated(spelt_out));
-  EXPECT_EQ(remark_of_earlier("of a later version").english(), "of a later version");
-}
-
-// Profiles of 0.1.0 had only the sentence.
-TEST(DeviceProfile, SaysInAnotherLanguageWhatAnEarlierVersionStored) {
-  const auto spelt_out = [](const char*, const char* words) {
-    return "<" + std::string(words) + ">";
-  };
-  const DeviceProfile profile = measured({});
-  auto earlier = nlohmann::ordered_json::parse(json_text_of(profile));
-  auto& first = earlier.at("items").front();
-  first.erase("remark");
-  first["text"] = "Of a simulated device: it says something about this computer.";
-  const DeviceProfile stored = profile_from_json(earlier.dump(), "here");
-  EXPECT_EQ(stored.items.front().text.translated(spelt_out),
-            phrase_of(DeviceRemark::of_this_computer).translated(spelt_out));
 }
 
 TEST(DeviceProfile, RefusesWhatIsNoneAndNamesTheFile) {

@@ -185,7 +185,7 @@ TEST(Exploration, HasARowWithoutNumbersWhereNothingIsStored) {
               Not(HasSubstr("Not stored")));
 }
 
-// Two surfaces in a trial, the first visited twice. Attempts of earlier versions have contact times, and no visits.
+// Two surfaces in a trial, the first visited twice. Attempts that were made up without visits have contact times.
 TEST(Exploration, HasVisitsAndPathWhereTheyAreStored) {
   const auto trial_of = [](bool has_visits) {
     MadeUpTrial trial{};

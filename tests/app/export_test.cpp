@@ -441,7 +441,7 @@ TEST(Export, StatesReasonsByTheirCodesNextToTheirWords) {
   decide(1, Verdict::exclude, stored(offered_reasons(ReasonFor::excluding_attempt).front()));
   decide(2, Verdict::exclude, "the alarm rang");
   decide(3, Verdict::flag, stored(phrase_of(Reason::force_limited).with("7")));
-  decide(3, Verdict::flag, {"surface 1 was not touched", ""});  // as version 0.1.0 stored it
+  decide(3, Verdict::flag, stored(phrase_of(Reason::not_touched).with("1")));
   made.study().add_event(session, event_row(5, "session_stopped", phrase_of(Reason::as_asked)));
   made.study().add_event(session, event_row(6, "phase", "iti"));
   made.study().add_event(session, event_row(7, "session_completed", Phrase()));  // without words

@@ -52,7 +52,7 @@ TEST_F(InstabilityOfSession, IsStoredForEverySurfaceAndFoundAgainInTheRecording)
       *surface.row.instability->buzz += 0.1;
       EXPECT_THAT(differing_instability(recorded, surface, Agreement::close).value_or(""),
                   HasSubstr("the stored value of buzz is "));
-      surface.row.instability.reset();  // of a study before schema version 13
+      surface.row.instability.reset();
       EXPECT_EQ(differing_instability(recorded, surface, Agreement::exact), std::nullopt);
     }
   }

@@ -80,31 +80,6 @@ TEST_F(RunSession, RefusesStudyDataOnADeviceThatAVirtualHandHolds) {
       << "a virtual participant is nobody's study data";
 }
 
-TEST_F(RunSession, ResumesWhatAnEarlierVersionBeganOnTheSimulatedDevice) {
-  {
-    // As asperity 0.1.0 began it.
-    const Protocol protocol = load_protocol(inputs_.protocol, models_, inputs_.study);
-    Study store = Study::open(inputs_.study, Access::read_write);
-    store.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
-    const SteppedRig rig(rig_settings_for(protocol, {}), 0);
-    const SessionConditions begun{.seed = 5,
-                                  .pacing = "stepped",
-                                  .scheduling = "none",
-                                  .device = rig.capability(),
-                                  .started_utc = rig.clock().utc(),
-                                  .clock_zero_ns = rig.clock().now_ns()};
-    const OpenSession session = begin_session(store, protocol, "p1", begun, this_program());
-    store.end_session(session.row.id, SessionState::stopped, "2026-01-01T00:10:00.000Z");
-  }
-  inputs_.mode = SessionMode::run;
-  inputs_.resume = true;
-  std::vector<std::string> told{};
-  inputs_.resumed = [&](const Phrase& circumstance) { told.push_back(circumstance.english()); };
-  EXPECT_EQ(run().state, SessionState::completed);
-  EXPECT_THAT(told, testing::ElementsAre(testing::StartsWith(
-                        "the session began on a device with which no participant can feel")));
-}
-
 TEST_F(RunSession, StoresThatNothingSounded) {
   EXPECT_EQ(run().state, SessionState::completed);
   std::vector<std::string> noise{};

@@ -483,13 +483,8 @@ class Conditions : public testing::Test {
     }
   }
   static EventRow began() { return {.kind = "session_began", .data_json = R"({"segment": 1})"}; }
-  /// As asperity 0.1.0 stored it, without the device.
   static EventRow resumed() {
     return {.kind = "session_resumed", .data_json = R"({"segment": 2})"};
-  }
-  static EventRow resumed_on(const std::string& device) {
-    return {.kind = "session_resumed",
-            .data_json = R"({"segment": 2, "device": ")" + device + "\"}"};
   }
   static EventRow noise(const std::string& data) {
     return {.kind = "masking_noise", .data_json = data};
@@ -505,7 +500,7 @@ class Conditions : public testing::Test {
   }
   std::string conditions() { return words_of(section(chapter(), "Apparatus and conditions")); }
 
-  /// Stored as 0.1.0 does where the protocol requires no fraction: everything passes.
+  /// Where the protocol requires no fraction: everything passes.
   static ComplianceRow measured(const std::string& quantity, double mean,
                                 std::optional<double> fraction) {
     ComplianceRow row{.position = 1, .quantity = quantity, .minimum = 0.5, .maximum = 2.0};
@@ -532,7 +527,7 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
                                            "verified_by": "A. Keller"})")});
   add_session(kFalcon, {began(), noise(R"({"kind": "pink", "heard": false, "measured_dBA": null,
                                            "verified_by": ""})")});
-  add_session(kFalcon, {began()});  // asperity 0.1.0 at a terminal
+  add_session(kFalcon, {began()});  // interrupted before it was stored
   add_session(kFalcon, {began(), noise(R"({"output": "unknown"})")});
   const std::string words = conditions();
   EXPECT_THAT(
@@ -541,9 +536,8 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
                 "device. The program played masking noise in 2 of 6 sessions (level at the ear, as "
                 "measured in 1 of 6 sessions: 64.5 dB(A)). Masking noise came from another source "
                 "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
-                "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
-                "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the version of "
-                "the program used then played none in terminal sessions and did not record this."));
+                "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 2 "
+                "of 6 sessions."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
@@ -553,8 +547,8 @@ TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
 }
 
 TEST_F(Conditions, TellThePartsOfAResumedSessionApart) {
-  add_session(kFalcon, {began(), played("65"), resumed_on("falcon Novint Falcon"),
-                        noise(R"({"kind": "none", "heard": false})")});
+  add_session(kFalcon,
+              {began(), played("65"), resumed(), noise(R"({"kind": "none", "heard": false})")});
   add_session(kFalcon, {began(), played("65")});
   EXPECT_THAT(conditions(), HasSubstr("The program played masking noise in 1 of 2 sessions and in "
                                       "part of one more (level at the ear, as measured: 65 dB(A)). "
@@ -580,8 +574,8 @@ TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
                         "2 sessions: forces were computed but not exerted, and no participant "
                         "felt the surfaces there."));
   EXPECT_THAT(words_of(section(chapter(), "Exploration")),
-              HasSubstr("The normal force was zero, as sent to a device without motors, in 1 of "
-                        "2 sessions."));
+              HasSubstr("The normal force was computed in 1 of 2 sessions, but not exerted by the "
+                        "device."));
 }
 
 TEST_F(Conditions, StateThatAVirtualHandMadeTheStrokes) {
@@ -600,22 +594,17 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
   add_session(kFalcon,
               {began(),
                {.kind = kDeviceChanged, .text = "mouse pointer of a window", .data_json = kMouse},
-               resumed_on("mouse pointer of a window")});
+               resumed()});
   EXPECT_THAT(conditions(),
               HasSubstr("Session 1 of p1 began on falcon Novint Falcon, serial number 7, then was "
                         "resumed on mouse pointer of a window."));
-  add_session(kFalcon, {began(), resumed()});
-  EXPECT_THAT(conditions(),
-              HasSubstr("The device after resuming is not recorded in part of 1 of 2 sessions: the "
-                        "version of the program used then stored only the first device."));
 }
 
 TEST_F(Conditions, StateThatSessionsWereResumedAndDevicesPooled) {
   add_session(kFalcon, {began()});
   EXPECT_THAT(words_of(chapter()), AllOf(Not(HasSubstr("interrupted and resumed")),
                                          Not(HasSubstr("pool the sessions"))));
-  add_session(kMouse, {began(), resumed_on("mouse pointer of a window"),
-                       resumed_on("mouse pointer of a window")});
+  add_session(kMouse, {began(), resumed(), resumed()});
   EXPECT_THAT(words_of(section(chapter(), "Sessions and exclusions")),
               HasSubstr("Session 1 of p2 was interrupted and resumed twice."));
   EXPECT_THAT(conditions(), Not(HasSubstr("pool the sessions"))) << "nothing was answered";
@@ -627,17 +616,17 @@ TEST_F(Conditions, StateThatSessionsWereResumedAndDevicesPooled) {
 }
 
 TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
-  template_.program_version = "0.1.0";
+  template_.program_version = "0.2.0";
   template_.program_commit = "5979704d1215";
   template_.os = "Linux 6.1";
   add_session(kFalcon, {began(), {.kind = "session_resumed", .data_json = R"({"segment": 2,
-      "program_version": "0.2.0", "program_commit": "71cf3affd4dd", "os": "Linux 6.12",
+      "program_version": "0.3.0", "program_commit": "71cf3affd4dd", "os": "Linux 6.12",
       "device": "falcon Novint Falcon"})"}});
   const std::string words = words_of(section(chapter(), "Provenance"));
   EXPECT_THAT(words, HasSubstr("operating system | Linux 6.1 (in part of the only session); Linux "
                                "6.12 (in part of the only session)"));
   EXPECT_THAT(words,
-              HasSubstr("asperity 0.2.0, commit 71cf3affd4dd (in part of the only session)"));
+              HasSubstr("asperity 0.3.0, commit 71cf3affd4dd (in part of the only session)"));
   EXPECT_THAT(words, HasSubstr("device | falcon Novint Falcon |"));
 }
 

@@ -237,25 +237,5 @@ TEST(Simulate, WarnsAsCheckDoesOfSessionsWithAnotherTextOfTheVersion) {
   EXPECT_EQ(asperity(check).err.find("another text"), std::string::npos);
 }
 
-// As asperity 0.1.0 left them when it was killed while it added participants, and one of another simulation was deleted.
-TEST(Simulate, CompletesTheParticipantsThatAnEarlierVersionBeganToAdd) {
-  const SmallStudy small(1);
-  ASSERT_EQ(asperity(simulate_arguments(small, small.study(), 1, 3)).status, 0);
-  delete_participant(small.study(), "virtual0001");
-  {
-    Study study = Study::open(small.study(), Access::read_write);
-    ParticipantRow person{.label = "virtual0002", .is_virtual = true};
-    person.sex = "M";
-    person.created_utc = "1970-01-01T00:00:00Z";
-    person.answers_json =
-        R"({"simulation_seed":"7","simulation_first":2,"simulation_participants":2})";
-    study.add_participant(person);
-  }
-  const Outcome resumed = asperity(with_resume(simulate_arguments(small, small.study(), 2, 7)));
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  EXPECT_EQ(participants_in(small.study(), small.place() / "resumed"),
-            (std::vector<std::string>{"virtual0002", "virtual0003"}));
-}
-
 }  // namespace
 }  // namespace asperity::test

@@ -3,7 +3,6 @@
 #include "results_schema/stored_words.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "tests/results_schema/rows_for_tests.h"
 
@@ -68,13 +67,6 @@ TEST(StoredWords, ArePutTogetherByTheirCodes) {
       R"({"code":"list","arguments":[{"code":"force_limited","arguments":["7"]},"a cough"]})");
   EXPECT_EQ(read.invalid_reason->text, "repeated by the experimenter: a sneeze");
   EXPECT_EQ(read.invalid_reason->json, R"({"code":"trial_repeated","arguments":["a sneeze"]})");
-}
-
-TEST(StoredWords, OfBeforeThereWereCodesStayTold) {
-  const StoredWords earlier{"force limited in 7 ticks", ""};
-  EXPECT_EQ(earlier.item(), (nlohmann::ordered_json{{"earlier", "force limited in 7 ticks"}}));
-  EXPECT_EQ(joined(joined(earlier, "a cough"), kLimited).item().at("arguments").size(), 3U);
-  EXPECT_EQ(joined(std::nullopt, earlier), earlier);
 }
 
 }  // namespace

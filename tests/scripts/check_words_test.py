@@ -41,7 +41,6 @@ with tempfile.TemporaryDirectory() as folder:
         "app/gui/page.cpp": f'// {planted}\nauto a = tr("{planted}");\nauto b = name("nobody");\n',
         "app/cli/parts.cpp": 'const char* kText =\n    "Nobody "\n    "mends it.";\n',
         "app/raw.cpp": f'const char* kText = R"({planted})";\n',
-        "app/words/earlier_wordings.cpp": f'const char* kText = "{planted}";\n',
         "protocols/library/a.json": f'{{"prompt": "{planted}"}}\n',
         "docs/page.md": f"It is `nobody`.\n\n```\n{planted}\n```\n\n    {planted}\n\n{planted}\n",
         "app/README.md": f"{planted}\n",

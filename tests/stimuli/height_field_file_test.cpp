@@ -31,7 +31,7 @@ const HeightFieldProvenance kProvenance{.kind = "photograph",
                                         .seed = {},
                                         .source_name = "wall.jpg",
                                         .source_sha256 = "ab12",
-                                        .program_version = "0.1.0"};
+                                        .program_version = "0.2.0"};
 
 std::string field_refusal(std::span<const std::byte> png, const std::string& sidecar) {
   return refusal_of<std::invalid_argument>([&] { decode_height_field(png, sidecar, "wall.png"); });

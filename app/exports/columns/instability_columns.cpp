@@ -9,8 +9,7 @@
 namespace asperity::export_columns {
 namespace {
 
-constexpr const char* kWhenNotJudged =
-    "the attempt was stored before schema version 13, or was interrupted";
+constexpr const char* kWhenNotJudged = "the attempt was interrupted";
 
 template <class Value>
 std::function<Cell(const ExportPlace&)> cell_of_instability(

@@ -155,10 +155,10 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   }
   const auto number = [&add](const char* name, const char* unit, const char* description,
                              std::optional<double> PresentationRow::*member) {
-    add(missing(
-        "the attempt was stored before schema version 11; the value is that of the protocol",
-        column(name, "number", unit, description,
-               [member](const Place& at) { return optional_cell(at.presentation->*member); })));
+    add(missing("it is not stored; the value is that of the protocol",
+                column(name, "number", unit, description, [member](const Place& at) {
+                  return optional_cell(at.presentation->*member);
+                })));
   };
   number("stiffness_N_per_m", "N/m", "stiffness of the surface without its texture",
          &PresentationRow::stiffness_N_per_m);
@@ -236,9 +236,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
             "the point drawn for the presentation",
             [direction = direction](const Place& at) { return texture_origin_m(at, direction); })));
   }
-  add(
-      missing("no surface was touched before in the attempt, or the attempt was stored before "
-              "schema version 11",
+  add(missing("no surface was touched before in the attempt",
               at_least(0, column("interval_s", "number", "s",
                                  "inter-stimulus interval: time from the last contact with a "
                                  "surface of the attempt to the onset of this one",

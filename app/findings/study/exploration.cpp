@@ -36,7 +36,7 @@ struct ExploredQuantity {
   bool is_time() const noexcept { return own_average_of(quantity) == OwnAverage::median; }
 };
 
-/// In the order of the tables. A quantity that only later versions store is missing in earlier sessions.
+/// In the order of the tables.
 constexpr std::array kExploredQuantities{
     ExploredQuantity{kExploration, "contact_s", 2, Explored::contact_s},
     ExploredQuantity{kExploration, "visits", 2, Explored::visits},

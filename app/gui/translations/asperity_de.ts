@@ -6880,10 +6880,6 @@
         <translation>das Maskierrauschen ist verstummt</translation>
     </message>
     <message>
-        <source>missed deadlines: %1, at most %2 allowed</source>
-        <translation>verpasste Fristen: %1, höchstens %2 erlaubt</translation>
-    </message>
-    <message>
         <source>lost records: %1, at most %2 allowed</source>
         <translation>verlorene Datensätze: %1, höchstens %2 erlaubt</translation>
     </message>
@@ -7184,10 +7180,6 @@
     <message>
         <source>the session last ran on %1 and is resumed on %2; this is stored with the session and stated in its report</source>
         <translation>die Sitzung lief zuletzt an %1 und wird an %2 fortgesetzt; das wird mit der Sitzung gespeichert und steht in ihrem Bericht</translation>
-    </message>
-    <message>
-        <source>the session began on a device with which no participant can feel the surfaces, and is resumed in the same way; its report states this</source>
-        <translation>die Sitzung begann an einem Gerät, an dem keine Versuchsperson die Oberflächen fühlen kann, und wird ebenso fortgesetzt; das steht in ihrem Bericht</translation>
     </message>
     <message>
         <source>%1; choose another device, or relax the requirement in the protocol</source>
@@ -7635,14 +7627,6 @@
     <message>
         <source>Choose the device on which the session last ran, unless a change is intended; a change is stored and stated in the report.</source>
         <translation>Das Gerät wählen, an dem die Sitzung zuletzt lief, sofern kein Wechsel beabsichtigt ist; ein Wechsel wird gespeichert und im Bericht genannt.</translation>
-    </message>
-    <message>
-        <source>%1 The session began without a force that a participant could feel, and is resumed in the same way; the report states this.</source>
-        <translation>%1 Die Sitzung begann ohne eine Kraft, die eine Versuchsperson hätte fühlen können, und wird ebenso fortgesetzt; das steht im Bericht.</translation>
-    </message>
-    <message>
-        <source>For new sessions choose a device with motors.</source>
-        <translation>Für neue Sitzungen ein Gerät mit Motoren wählen.</translation>
     </message>
     <message>
         <source>The study folder is on a local disk and writable. Every user of this computer can read it.</source>

@@ -91,9 +91,7 @@ std::set<std::string> distinct_devices(const ReportFacts& facts, std::size_t cou
   std::set<std::string> devices{};
   for (const ReportedSession& session : facts.sessions) {
     if (session.counted_attempts < counted_attempts) continue;
-    for (const RecordedStretch& stretch : session.stretches) {
-      if (stretch.device) devices.insert(stretch.device->text);
-    }
+    for (const RecordedStretch& stretch : session.stretches) devices.insert(stretch.device.text);
   }
   return devices;
 }
@@ -104,13 +102,6 @@ std::string devices_text(const ReportFacts& facts) {
   if (distinct_devices(facts, 1).size() > 1) {
     text += " The analyses pool the sessions on different devices.";
   }
-  const SessionShare unknown = share_of_sessions(
-      facts, [](const RecordedStretch& stretch) { return !stretch.device.has_value(); });
-  if (unknown.is_any()) {
-    text += (text.empty() ? "" : " ") + std::string("The device after resuming is not recorded ") +
-            unknown.text_after_not() +
-            ": the version of the program used then stored only the first device.";
-  }
   return text;
 }
 
@@ -119,8 +110,7 @@ ReportList resumed_elsewhere(const ReportFacts& facts) {
   for (const ReportedSession& session : facts.sessions) {
     std::vector<std::string> devices{};
     for (const RecordedStretch& stretch : session.stretches) {
-      if (!stretch.device) continue;
-      const std::string device = stretch.device->full_text();
+      const std::string device = stretch.device.full_text();
       if (devices.empty() || devices.back() != device) devices.push_back(device);
     }
     if (devices.size() < 2) continue;
@@ -155,11 +145,6 @@ std::string recorded_noise_text(const ReportFacts& facts) {
     sentences.push_back("Whether masking noise was played is not recorded " +
                         unknown.text_after_not() + '.');
   }
-  if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
-    sentences.push_back("No masking noise is recorded " + unstored.text_after_not() +
-                        "; the version of the program used then played none in terminal sessions "
-                        "and did not record this.");
-  }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
   return text;
@@ -169,7 +154,7 @@ std::string unfelt_force_text(const ReportFacts& facts) {
   std::string text{};
   for (const std::string hand : {"virtual", "recorded"}) {
     const SessionShare held = share_of_sessions(facts, [&hand](const RecordedStretch& stretch) {
-      return stretch.device && stretch.device->hand_of_program() == hand;
+      return stretch.device.hand_of_program() == hand;
     });
     if (!held.is_any()) continue;
     text += (text.empty() ? "A " : " A ") + hand + " hand moved the device " + held.text() +
@@ -187,9 +172,8 @@ std::string devices_in(const ReportFacts& facts) {
   const std::set<std::string> devices = distinct_devices(facts, 0);
   std::string text{};
   for (const std::string& device : devices) {
-    const SessionShare share = share_of_sessions(facts, [&device](const RecordedStretch& stretch) {
-      return stretch.device && stretch.device->text == device;
-    });
+    const SessionShare share = share_of_sessions(
+        facts, [&device](const RecordedStretch& stretch) { return stretch.device.text == device; });
     const bool is_only = devices.size() == 1 && share.whole == share.all;
     text += (text.empty() ? "" : "; ") + device + (is_only ? "" : " (" + share.text() + ')');
   }
@@ -197,12 +181,10 @@ std::string devices_in(const ReportFacts& facts) {
 }
 
 bool is_moved_by_program(const RecordedStretch& stretch) {
-  return stretch.device && !stretch.device->hand_of_program().empty();
+  return !stretch.device.hand_of_program().empty();
 }
 
-bool gives_no_force(const RecordedStretch& stretch) {
-  return stretch.device && stretch.device->has_motors == false;
-}
+bool gives_no_force(const RecordedStretch& stretch) { return stretch.device.has_motors == false; }
 
 SessionShare share_of_sessions(const ReportFacts& facts,
                                const std::function<bool(const RecordedStretch&)>& is_so) {

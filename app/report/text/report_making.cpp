@@ -119,9 +119,7 @@ ReportSection making_section(const ReportFacts& facts) {
   add_of_stretches("instruction set",
                    [](const Stretch& each) { return each.program.instruction_set; });
   add_of_stretches("operating system", [](const Stretch& each) { return each.program.os; });
-  add_of_stretches("device", [](const Stretch& each) {
-    return each.device ? each.device->text : std::string("not recorded");
-  });
+  add_of_stretches("device", [](const Stretch& each) { return each.device.text; });
   add_of_stretches("pacing", [](const Stretch& each) { return each.program.pacing; });
   const bool computes =
       std::any_of(facts.sessions.begin(), facts.sessions.end(), [](const ReportedSession& session) {

@@ -71,10 +71,6 @@ std::string times(const ReportedCount& count, const std::string& none, const std
 /// " (one of them in contact)": of the missed deadlines, where there were any.
 std::string in_contact_text(const ReportedServo& servo) {
   if (servo.missed_deadlines.total == 0) return {};
-  if (servo.missed_in_contact.of == 0) return " (the number in contact is not recorded)";
-  if (servo.missed_in_contact.of < servo.attempts) {
-    return " (the number in contact is not recorded for every attempt)";
-  }
   const std::uint64_t missed = unsigned_count(servo.missed_in_contact.total);
   return " (" + (missed == 0 ? "none" : count_in_words(missed)) + " in contact)";
 }
@@ -229,18 +225,9 @@ std::string explored_by_text(const ReportFacts& facts) {
   if (const SessionShare held = share_of_sessions(facts, is_moved_by_program); held.is_any()) {
     text += " No participant made the strokes " + held.text_after_not() + '.';
   }
-  const SessionShare computed = share_of_sessions(facts, [](const RecordedStretch& stretch) {
-    return gives_no_force(stretch) && stretch.judges_rendered_force;
-  });
-  if (computed.is_any()) {
+  if (const SessionShare computed = share_of_sessions(facts, gives_no_force); computed.is_any()) {
     text +=
         " The normal force was computed " + computed.text() + ", but not exerted by the device.";
-  }
-  const SessionShare zero = share_of_sessions(facts, [](const RecordedStretch& stretch) {
-    return gives_no_force(stretch) && !stretch.judges_rendered_force;
-  });
-  if (zero.is_any()) {
-    text += " The normal force was zero, as sent to a device without motors, " + zero.text() + '.';
   }
   return text;
 }

@@ -94,7 +94,7 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   }
   const std::optional<SessionRow> unfinished = resumed_row(inputs, protocol);
   if (inputs.mode == SessionMode::run) {
-    if (const auto blocker = study_data_blocker(protocol, recorded_device(*device), unfinished)) {
+    if (const auto blocker = study_data_blocker(protocol, recorded_device(*device))) {
       check.state = State::stop;
       check.text = blocker->problem.as_sentence();
       check.remedy = blocker->remedy.as_sentence();
@@ -123,14 +123,6 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.remedy = phrase("SessionChecks",
                           "Choose the device on which the session last ran, unless a change is "
                           "intended; a change is stored and stated in the report.");
-  }
-  if (inputs.mode == SessionMode::run && study_data_blocker(protocol, recorded_device(*device))) {
-    check.state = State::look;
-    check.text = phrase("SessionChecks",
-                        "%1 The session began without a force that a participant could feel, and "
-                        "is resumed in the same way; the report states this.")
-                     .with(check.text);
-    check.remedy = phrase("SessionChecks", "For new sessions choose a device with motors.");
   }
   return check;
 }

@@ -557,7 +557,7 @@ void begin_a_session(const std::filesystem::path& folder) {
   session.protocol_id = writing.add_protocol(protocol);
   session.seed = "1";
   session.generator = "none";
-  session.program_version = "0.1.0";
+  session.program_version = "0.2.0";
   session.program_commit = "none";
   session.program_build = "test";
   session.instruction_set = "sse2";

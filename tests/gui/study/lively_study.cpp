@@ -81,7 +81,7 @@ void add_session(Study& study, const MadeUpSession& made) {
   session.mode = made.mode;
   session.seed = "42";
   session.generator = "none";
-  session.program_version = "0.1.0";
+  session.program_version = "0.2.0";
   session.program_commit = "none";
   session.program_build = "test";
   session.instruction_set = "sse2";
