@@ -21,8 +21,8 @@ end_making() {
   rm --recursive --force "$making_in"
 }
 
-# simulate_and_analyze ASPERITY STUDY PROTOCOL…: what is complete already is left as it is.
-simulate_and_analyze() {
+# simulate_participants ASPERITY STUDY PROTOCOL…: what is complete already is left as it is.
+simulate_participants() {
   local asperity=$1 study=$2 files=() protocol
   shift 2
   for protocol in "$@"; do
@@ -34,11 +34,13 @@ simulate_and_analyze() {
     fi
   done
   echo "Completing $kParticipants virtual participants, ${#files[@]} sessions each" >&2
-  # Without the line for every stored attempt. At Ctrl-C asperity finishes the trials under way and says so.
+  # Without the line for every stored attempt, and on a terminal with one moving line of progress. At Ctrl-C asperity
+  # finishes the trials under way and says so.
   "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
-    --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk '!/^(done|stored) / { print; fflush() }') >&2
+    --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk -v is_terminal="$(if [[ -t 2 ]]; then echo 1; fi)" '
+      /^(done|stored) / { next }
+      { if (moving) printf "\r" }
+      { moving = is_terminal && /^simulating: /; printf moving ? "%s" : "%s\n", $0; fflush() }
+      END { if (moving) print "" }') >&2
   echo >&2
-  "$asperity" analyze "$study"
-  echo >&2
-  echo "The study is in $study; its tables come out with: scripts/run export $study --out TABLES" >&2
 }

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""scripts/demo-study with a pretended asperity: what it runs in each state that a study can be in."""
+"""scripts/demo-study with a pretended asperity: what it runs and shows in each state that a study can be in."""
+import contextlib
+import json
+import os
 import pathlib
 import shutil
 import stat
@@ -11,24 +14,47 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROTOCOLS = ("chapter_selection", "chapter_matching", "chapter_recognition")
 
 
+def outcome(protocol, table, question, column, counts, group="virtual"):
+    """A part of asperity analyze --json, with numbers and texts that the result does not show."""
+    rows = [{column: name, "column_1": one, "column_2": two, "column_3": three, "all": one + two + three}
+            for name, (one, two, three) in counts.items()]
+    return {"protocol": protocol, "group": group, "participants": 20, "sessions": 19, "answers": 59, "remarks": [],
+            "questions": [{"name": "another", "question": "Another?", "answer": "Another answer."},
+                          {"name": question, "question": f'The "{question}" question?', "answer": "Its answer."}],
+            "tables": [{"name": "persons", "title": "Another table", "note": "", "rows": [{"sessions": 7, "group": "men", "all": 99}]},
+                       {"name": table, "title": f"The title of {table}", "note": f"Note of {table}.", "rows": rows}],
+            "findings": [{"quantity": "sessions", "key": "virtual", "value": 500}]}
+
+
+RESULT = json.dumps({"format": "asperity.analysis/1", "study": "Demo", "outcomes": [
+    outcome("chapter_matching", "table_2", "whole", "person", {"Female": (9, 9, 10), "Male": (9, 8, 10), "Total": (18, 17, 20)}),
+    outcome("chapter_recognition", "table_3", "right", "person", {"Female": (8, 8, 9), "Male": (7, 8, 9), "Total": (15, 16, 18)}),
+    outcome("chapter_selection", "table_1", "preference", "item", {"height_map": (98, 98, 98)}, group="people"),
+    outcome("chapter_selection", "table_1", "preference", "item",
+            {"height_map": (8, 20, 19), "sinusoid": (8, 0, 1), "stochastic": (4, 0, 0)})]}, indent=2)
+
+
 class DemoStudy(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.pretended = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
+        self.addCleanup(shutil.rmtree, self.pretended)
         self.study = self.folder / "demo-study"
-        self.asked = self.folder / "asked"
+        self.asked = self.pretended / "asked"
         self.pretend()
 
-    def pretend(self, new="", simulate=""):
-        """An asperity that notes what it is asked; `new` and `simulate` are what it does besides."""
+    def pretend(self, new="", simulate="", result=RESULT):
+        """An asperity that notes what it is asked; `new` and `simulate` are what it does besides, `result` what it finds."""
         files = " ".join(f'"$2/protocols/{name}.json"' for name in PROTOCOLS)
-        self.asperity = self.folder / "asperity"
+        (self.pretended / "result").write_text(result)
+        self.asperity = self.pretended / "asperity"
         self.asperity.write_text(f"""#!/bin/sh
 echo "$@" >> {self.asked}
 case $1 in
   new) mkdir -p "$2/protocols"; {new or ":"}; touch {files} ;;
   simulate) echo "done virtual0001 1 1 1" >&2; echo "stored virtual0001 1 2 1 not_compliant" >&2; echo "simulating: 50 %" >&2; {simulate or ":"} ;;
-  analyze) echo "the result" ;;
+  analyze) cat {self.pretended}/result ;;
 esac
 """)
         self.asperity.chmod(self.asperity.stat().st_mode | stat.S_IXUSR)
@@ -49,8 +75,7 @@ esac
         self.assertRegex(make, r"^new .*/demo-study --demo$")
         self.assertIn("simulate STUDY/protocols/chapter_selection.json STUDY/protocols/chapter_matching.json "
                       "STUDY/protocols/chapter_recognition.json --study STUDY --participants 20 --seed 1", simulate)
-        self.assertEqual(analyze, "analyze STUDY")
-        self.assertEqual(answer.stdout, "the result\n")
+        self.assertEqual(analyze, "analyze STUDY --json")
 
     def test_goes_on_with_a_study_that_is_there_and_makes_nothing_anew(self):
         self.run_demo()
@@ -58,7 +83,7 @@ esac
         answer, (simulate, analyze) = self.run_demo()
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertTrue(simulate.endswith(" --resume"), simulate)
-        self.assertEqual(analyze, "analyze STUDY")
+        self.assertEqual(analyze, "analyze STUDY --json")
         self.assertEqual(self.everything(), before)
 
     def test_leaves_no_half_made_study_behind(self):
@@ -66,7 +91,7 @@ esac
         answer, asked = self.run_demo()
         self.assertEqual(answer.returncode, 1)
         self.assertEqual(len(asked), 1)
-        self.assertEqual([path.name for path in self.folder.iterdir()], ["asperity"])
+        self.assertEqual(list(self.folder.iterdir()), [])
         self.pretend()
         self.assertEqual(self.run_demo()[0].returncode, 0)
 
@@ -83,11 +108,38 @@ esac
         self.assertIn("simulating: 50 %", answer.stderr)
         self.assertNotIn("virtual0001", answer.stderr)
 
+    def test_shows_the_progress_of_the_simulation_in_one_line_of_a_terminal(self):
+        self.pretend(simulate='echo "simulating: 100 %" >&2; echo "60 sessions" ')
+        terminal, screen = os.openpty()
+        with contextlib.closing(os.fdopen(terminal, "rb", buffering=0)) as shown:
+            subprocess.run([ROOT / "scripts" / "demo-study", self.asperity, self.study], stdout=subprocess.PIPE, stderr=screen, check=True)
+            os.close(screen)
+            self.assertIn(b"\nsimulating: 50 %\rsimulating: 100 %\r60 sessions\r\n", shown.read(10000))
+
     def test_stops_when_the_simulation_was_interrupted(self):
         self.pretend(simulate="exit 1")
         answer, asked = self.run_demo()
         self.assertEqual(answer.returncode, 1)
         self.assertEqual([line.split()[0] for line in asked], ["new", "simulate"])
+
+    def test_shows_the_counts_of_virtual_participants_next_to_the_published_ones(self):
+        text = self.run_demo()[0].stdout
+        rows = [line.split() for line in text.splitlines()]
+        for row in ("height_map (image) 8 20 19 47 12 11 13 36", "sinusoid 8 0 1 9 7 8 7 22", "stochastic 4 0 0 4 1 1 0 2",
+                    "Female 9 9 10 28 9 9 8 26", "Male 9 8 10 27 9 10 9 28", "Total 18 17 20 55 18 19 17 54",
+                    "Female 8 8 9 25 7 8 7 22", "Male 7 8 9 24 9 8 8 25", "Total 15 16 18 49 16 16 15 47"):
+            self.assertIn(row.split(), rows)
+        self.assertIn("20 virtual participants completed 57 sessions", text.replace("\n", " "))
+        self.assertIn("177 responses", text.replace("\n", " "))
+        self.assertEqual([line for line in text.splitlines() if "answer" in line],
+                         ['The "preference" question? Its answer.', 'The "whole" question? Its answer. Note of table_2.',
+                          'The "right" question? Its answer.'])
+
+    def test_shows_no_result_without_virtual_participants(self):
+        self.pretend(result=RESULT.replace('"virtual"', '"people"'))
+        answer, _ = self.run_demo()
+        self.assertEqual((answer.returncode, answer.stdout), (1, ""))
+        self.assertIn("no virtual participants", answer.stderr)
 
 
 if __name__ == "__main__":
