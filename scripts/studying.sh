@@ -21,6 +21,30 @@ end_making() {
   rm --recursive --force "$making_in"
 }
 
+# number_at PLACE STUDY: a number in the header of the database of a study (https://www.sqlite.org/fileformat.html).
+readonly kSchemaPlace=60 kApplicationPlace=68
+number_at() {
+  od --address-radix=n --endian=big --format=u4 --skip-bytes="$1" --read-bytes=4 "$2/study.sqlite" | tr --delete ' '
+}
+
+# choose_study ASPERITY STUDY sets $study to STUDY, or, if that has another schema than the studies of this program, to
+# the first of STUDY-2, STUDY-3, … that does not exist or has this schema.
+choose_study() {
+  local asperity=$1 empty n=1
+  study=${2%/}
+  if [[ ! -e $study/study.sqlite ]]; then return; fi
+  empty=$(mktemp --directory)
+  "$asperity" new "$empty/study" > /dev/null
+  while [[ -e $study/study.sqlite && $(number_at $kApplicationPlace "$study") == "$(number_at $kApplicationPlace "$empty/study")" &&
+    $(number_at $kSchemaPlace "$study") != "$(number_at $kSchemaPlace "$empty/study")" ]]; do
+    n=$((n + 1))
+    echo "The study $study has schema $(number_at $kSchemaPlace "$study"), and this program uses" \
+      "schema $(number_at $kSchemaPlace "$empty/study"). It is kept; the study ${2%/}-$n is used instead." >&2
+    study=${2%/}-$n
+  done
+  rm --recursive "$empty"
+}
+
 # simulate_participants ASPERITY STUDY PROTOCOL…: what is complete already is left as it is.
 simulate_participants() {
   local asperity=$1 study=$2 files=() protocol

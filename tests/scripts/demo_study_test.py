@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import shutil
+import sqlite3
 import stat
 import subprocess
 import tempfile
@@ -12,6 +13,12 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROTOCOLS = ("chapter_selection", "chapter_matching", "chapter_recognition")
+SCHEMA = 14
+
+
+def make_database(file, schema, application=7):
+    with contextlib.closing(sqlite3.connect(file)) as database:
+        database.executescript(f"PRAGMA application_id = {application}; PRAGMA user_version = {schema}; CREATE TABLE study (name)")
 
 
 def outcome(protocol, table, question, column, counts, group="virtual"):
@@ -42,6 +49,7 @@ class DemoStudy(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.pretended)
         self.study = self.folder / "demo-study"
         self.asked = self.pretended / "asked"
+        make_database(self.pretended / "study.sqlite", SCHEMA)
         self.pretend()
 
     def pretend(self, new="", simulate="", result=RESULT):
@@ -52,7 +60,7 @@ class DemoStudy(unittest.TestCase):
         self.asperity.write_text(f"""#!/bin/sh
 echo "$@" >> {self.asked}
 case $1 in
-  new) mkdir -p "$2/protocols"; {new or ":"}; touch {files} ;;
+  new) mkdir -p "$2/protocols"; {new or ":"}; touch {files}; cp {self.pretended}/study.sqlite "$2" ;;
   simulate) echo "done virtual0001 1 1 1" >&2; echo "stored virtual0001 1 2 1 not_compliant" >&2; echo "simulating: 50 %" >&2; {simulate or ":"} ;;
   analyze) cat {self.pretended}/result ;;
 esac
@@ -66,8 +74,14 @@ esac
         self.asked.unlink(missing_ok=True)
         return answer, asked
 
-    def everything(self):
-        return sorted((path, path.stat().st_mtime_ns) for path in self.study.rglob("*"))
+    def make_study(self, name, schema):
+        (self.folder / name / "protocols").mkdir(parents=True)
+        for protocol in PROTOCOLS:
+            (self.folder / name / "protocols" / f"{protocol}.json").touch()
+        make_database(self.folder / name / "study.sqlite", schema)
+
+    def everything(self, name="demo-study"):
+        return sorted((path, path.stat().st_mtime_ns) for path in (self.folder / name).rglob("*"))
 
     def test_makes_simulates_and_shows_a_new_study(self):
         answer, (make, simulate, analyze) = self.run_demo()
@@ -80,11 +94,38 @@ esac
     def test_goes_on_with_a_study_that_is_there_and_makes_nothing_anew(self):
         self.run_demo()
         before = self.everything()
-        answer, (simulate, analyze) = self.run_demo()
+        answer, (make, simulate, analyze) = self.run_demo()
         self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertNotIn(str(self.folder), make)  # an empty study to compare the schema
         self.assertTrue(simulate.endswith(" --resume"), simulate)
         self.assertEqual(analyze, "analyze STUDY --json")
         self.assertEqual(self.everything(), before)
+
+    def test_keeps_studies_of_other_schemas_and_makes_one_beside_them(self):
+        self.make_study("demo-study", SCHEMA - 1)
+        self.make_study("demo-study-2", SCHEMA + 85)
+        before = self.everything(), self.everything("demo-study-2")
+        answer, asked = self.run_demo()
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertEqual((self.everything(), self.everything("demo-study-2")), before)
+        for line in (f"{self.study} has schema 13, and this program uses schema 14", f"{self.study}-2 has schema 99, and"):
+            self.assertIn(line, answer.stderr)
+        self.assertRegex(asked[1], r"^new .*/demo-study-3 --demo$")
+        self.assertIn("--study STUDY-3 ", asked[2])
+        self.assertIn("In " + str(self.study) + "-3, ", answer.stdout.replace("\n", " "))
+        _, asked = self.run_demo()
+        self.assertEqual([line.split()[0] for line in asked], ["new", "simulate", "analyze"])
+        self.assertIn("--study STUDY-3 ", asked[1])
+
+    def test_leaves_a_database_of_another_program_to_the_refusal_of_this_one(self):
+        self.make_study("demo-study", SCHEMA - 1)
+        (self.study / "study.sqlite").unlink()
+        make_database(self.study / "study.sqlite", SCHEMA - 1, application=8)
+        self.pretend(simulate="exit 1")
+        answer, asked = self.run_demo()
+        self.assertEqual(answer.returncode, 1)
+        self.assertNotIn("schema", answer.stderr)
+        self.assertIn("--study STUDY ", asked[1])
 
     def test_leaves_no_half_made_study_behind(self):
         self.pretend(new="exit 1")
