@@ -22,7 +22,6 @@
 #include "app/device_bench/device_choice.h"
 #include "app/plugins/plugin_files.h"
 #include "app/session/rig/clock.h"
-#include "app/session/study_friction.h"
 #include "app/tasks/compute_warnings.h"
 #include "app/tasks/plugin_stimuli.h"
 #include "app/tasks/plugin_warnings.h"
@@ -36,7 +35,6 @@
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
 #include "protocols/plan/plan.h"
-#include "renderers/force/friction.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
@@ -151,33 +149,6 @@ void say_in_order(const std::vector<Diagnostic>& problems,
   say_warnings_before(nullptr);
 }
 
-/// That a study begun with a version without the laws of friction keeps the law of its sessions; nullopt where each
-/// stimulus states a law, or has none.
-std::optional<Diagnostic> note_on_friction(const Protocol& protocol, const std::string& file_name,
-                                           const std::filesystem::path& study,
-                                           const ModelRegistry& models) {
-  const std::optional<SessionRow> first = session_with_earlier_friction(study, models);
-  if (!first) return {};
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const ForceModel* const model = models.find(planned.stimulus.model);
-      if (model == nullptr || states_friction_law(planned.stimulus.parameters)) continue;
-      const ParameterValues of_new = friction_of_new_studies(model->declaration);
-      if (of_new.empty()) continue;
-      const std::string kept(
-          friction_law_of(complete_values(model->declaration, planned.stimulus.parameters)).name);
-      return JsonDocument(protocol.source, file_name)
-          .at_key("/stimuli", "stimuli without friction_law use the law \"" + kept +
-                                  "\" in this study, because its first session used it (" +
-                                  first->participant + ", session " +
-                                  std::to_string(first->session) + ", version " +
-                                  first->program_version + "); in a new study they use the law \"" +
-                                  std::string(friction_law_of(of_new).name) + "\"");
-    }
-  }
-  return {};
-}
-
 /// The problems of a rehearsal, and what of the study's files and stimuli may not be meant.
 void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
                        const ModelRegistry& models, std::vector<Diagnostic>& warnings) {
@@ -196,9 +167,6 @@ void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
           "with another build of a plug-in, could not be determined: " +
           std::string(error.what()));
     }
-  }
-  if (auto note = note_on_friction(*check.protocol, check.file, study, models)) {
-    warnings.push_back(std::move(*note));
   }
   StimulusBuilder builder(models, study);
   check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, builder);

@@ -172,8 +172,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
   // What needs no measurement.
   FrictionRehearsal friction{};
   if (device.wanted.has_motors) {
-    friction =
-        rehearse_friction(protocol, models, device.response, unstated_friction_of(study, models));
+    friction = rehearse_friction(protocol, models, device.response);
   }
   const auto warn_of_friction = [&] {
     warn_of(friction.warnings);
@@ -209,9 +208,8 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
             (is_simulated ? ", and with " + of_itself
                           : "; a session compares the force and the rate when it opens the device");
         tell_gaps(*found.profile, protocol, now_utc, warn);
-        warn_of(rehearse_friction(protocol, models, damped_response_of(*found.profile),
-                                  unstated_friction_of(study, models))
-                    .not_compared);
+        warn_of(
+            rehearse_friction(protocol, models, damped_response_of(*found.profile)).not_compared);
       } else if (device.wanted.has_motors) {
         warn("the study has no profile of " + words_for(device) + ": " + except_friction +
              "no stimulus and no limit of the protocol was compared with it; measure the device "

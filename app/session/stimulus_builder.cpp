@@ -129,9 +129,7 @@ std::string recipe_of(const BodyDescription& body, BodyRole role, const std::str
 }  // namespace
 
 StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder)
-    : models_(models),
-      study_folder_(std::move(study_folder)),
-      friction_(unstated_friction_of(study_folder_, models_)) {}
+    : models_(models), study_folder_(std::move(study_folder)) {}
 
 void StimulusBuilder::compute_on(std::shared_ptr<const Compute> compute) {
   computed_ = computed_on(std::move(compute), models_);
@@ -215,7 +213,7 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
                                                 const PreparedStimulus& stimulus,
                                                 const ParameterValues& given) {
   const RendererInputs& inputs = stimulus.inputs;
-  ParameterValues values = values_of(friction_, model);
+  ParameterValues values{};
   if (inputs.height_field && model.suggested_by) {
     // A suggestion takes the spectrum of the whole sample; every attempt asks for the same few.
     const std::string key = model.declaration.id + ' ' + content_of(stimulus, kHeightFieldRole) +
@@ -231,10 +229,6 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
   }
   for (const auto& [name, value] : given) values[name] = value;
   return complete_values(model.declaration, values);
-}
-
-ParameterValues StimulusBuilder::default_parameters(const ForceModel& model) const {
-  return complete_values(model.declaration, values_of(friction_, model));
 }
 
 PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/study_friction.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "protocols/plan/plan.h"
@@ -57,16 +56,11 @@ struct LoadedBody {
 /// draws random numbers is solved with one seed and felt with another: its texture force scatters about the solution by
 /// some 2 %.
 ///
-/// Where a protocol states no law of friction, a study has that of its first session with a point model: sessions of
-/// versions without the laws have `rounded`, and a study that begins with this version has `dahl`
-/// (friction_of_new_studies). The same holds for all sessions of the study, resumed or new, so that they render the same.
-///
 /// Errors: std::runtime_error naming the stimulus and the file or parameter.
 ///
 /// Threads: any; sessions that are simulated in parallel share one.
 class StimulusBuilder final {
  public:
-  /// Reads which friction the study has, where it is a study. To be made before the study is opened for writing.
   /// An empty folder: without a study (`can_make`).
   StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder);
 
@@ -94,9 +88,6 @@ class StimulusBuilder final {
   /// A file of a role that force models declare. Errors: ResultsError naming the file.
   LoadedAsset asset(const std::string& study_path);
   const ModelRegistry& models() const noexcept { return computed_ ? *computed_ : models_; }
-  /// The parameters that a model has in this study where a protocol states none.
-  ParameterValues default_parameters(const ForceModel& model) const;
-  UnstatedFriction unstated_friction() const noexcept { return friction_; }
 
  private:
   /// The parameters suggested by the sample, those given, and the model's defaults for the rest.
@@ -115,7 +106,6 @@ class StimulusBuilder final {
   const ModelRegistry& models_;
   std::optional<ModelRegistry> computed_{};  ///< the same, on a compute device
   std::filesystem::path study_folder_{};
-  UnstatedFriction friction_ = UnstatedFriction::of_new_studies;
   std::mutex fields_mutex_{};
   std::mutex suggestions_mutex_{};
   std::map<std::string, ParameterValues> suggestions_{};

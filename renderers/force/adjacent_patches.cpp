@@ -85,10 +85,6 @@ ParameterValues parameters_of_friction(std::span<const AdjacentPatch> patches) {
     shared[parameter.name] =
         is_shared && !patches.empty() ? value_of(patches.front()) : parameter.default_value;
   }
-  const Parameter speed = friction_speed_parameter();
-  // Stored recordings were made with the default speed.
-  if (&friction_law_of(shared) == &friction_law("rounded"))
-    shared[speed.name] = speed.default_value;
   return shared;
 }
 

@@ -32,8 +32,7 @@ RendererInputs without_border(RendererInputs inputs);
 /// Model: F = g(p)·[Σᵢ wᵢ(p)·Fᵢ + (1 − Σᵢ wᵢ(p))·F₀], the penetration in the same way without g. Fᵢ is the force of
 /// patch i without a border, F₀ that of a flat surface of `material`, and g the border of the workspace. Of each friction
 /// parameter the flat surface has the value that all patches share, otherwise the default, so that it does not depend on
-/// the order of the patches; with the law `rounded` it has the default friction speed. The weight wᵢ is 1 inside patch i,
-/// at a distance of at least `blend_m` from its sides, and decreases to 0 at the sides as a smoothstep; it stays 1 at a
+/// the order of the patches. The weight wᵢ is 1 inside patch i, at a distance of at least `blend_m` from its sides, and decreases to 0 at the sides as a smoothstep; it stays 1 at a
 /// side on the border of the workspace, and beyond. The patches must not overlap, so that at most one weight is above 0.
 ///
 /// Every patch has a separate renderer. It is reset when the probe enters the patch, and called while its weight is above

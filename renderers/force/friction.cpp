@@ -221,15 +221,12 @@ std::string names_of_laws() {
 }
 
 Parameter law_parameter() {
-  Parameter parameter{
-      .name = kLaw,
-      .kind = ParameterKind::choice,
-      .unit = "1",
-      .choices = {},
-      .default_value = std::string("rounded"),
-      .meaning =
-          "Friction law. A stimulus without this parameter uses dahl in a study that began with "
-          "version 0.2.0 or later, and rounded in an earlier study"};
+  Parameter parameter{.name = kLaw,
+                      .kind = ParameterKind::choice,
+                      .unit = "1",
+                      .choices = {},
+                      .default_value = std::string("dahl"),
+                      .meaning = "Friction law"};
   for (const FrictionLaw& law : kLaws) {
     parameter.choices.emplace_back(law.name);
     parameter.meaning += "; " + std::string(law.name) + ": " + std::string(law.meaning);
@@ -262,8 +259,7 @@ const FrictionLaw& friction_law(std::string_view name) {
 }
 
 const FrictionLaw& friction_law_of(const ParameterValues& parameters) {
-  return states_friction_law(parameters) ? friction_law(choice_of(parameters, kLaw))
-                                         : kLaws.front();
+  return parameters.contains(kLaw) ? friction_law(choice_of(parameters, kLaw)) : kLaws.front();
 }
 
 FrictionSettings friction_settings(double coefficient, const ParameterValues& parameters) {
@@ -322,17 +318,6 @@ void add_friction_parameters(std::vector<Parameter>& parameters) {
       "Law bounded: delay of the velocity, the sum of the latency and the lag of the estimate"));
 }
 
-ParameterValues friction_of_new_studies(const ModelDeclaration& model) {
-  const bool has_laws = std::any_of(model.parameters.begin(), model.parameters.end(),
-                                    [](const Parameter& one) { return one.name == kLaw; });
-  if (!has_laws) return {};
-  return {{kLaw, std::string("dahl")}};
-}
-
-bool states_friction_law(const ParameterValues& parameters) noexcept {
-  return parameters.contains(kLaw);
-}
-
 ParameterValues friction_values_of(const ParameterValues& parameters) {
   std::vector<Parameter> declared{};
   add_friction_parameters(declared);
@@ -348,12 +333,10 @@ ParameterValues without_unused_friction(const ParameterValues& parameters) {
   const FrictionLaw& law = friction_law_of(parameters);
   ParameterValues used = parameters;
   for (const auto& [name, value] : friction_values_of(parameters)) {
-    const bool is_name_of_law = name == kLaw && &law != &kLaws.front();
-    // Version 0.1.0 stored v₀ for every model.
-    if (name == kSpeed || is_name_of_law) continue;
-    if (std::find(law.parameters.begin(), law.parameters.end(), name) == law.parameters.end()) {
-      used.erase(name);
-    }
+    const bool is_used =
+        name == kLaw || name == kSpeed ||
+        std::find(law.parameters.begin(), law.parameters.end(), name) != law.parameters.end();
+    if (!is_used) used.erase(name);
   }
   return used;
 }

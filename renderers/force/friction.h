@@ -78,8 +78,7 @@ struct FrictionLaw {
 /// Symbols: v velocity along the surface, N normal force, μ = FrictionSettings::coefficient, T the period.
 ///
 /// **rounded**: D = μ·N·v/√(v² + v₀²). Coulomb friction that decreases to zero below v₀: a damper of B = μN/v₀ near rest,
-/// evaluated with a velocity that is as old as the device makes it. The law of version 0.1.0, and the only one without a
-/// memory.
+/// evaluated with a velocity that is as old as the device makes it.
 ///
 /// **bounded**: the same curve, with a slope that a loop of period T carries, at the end of an implicit step.
 ///
@@ -174,19 +173,11 @@ Parameter friction_speed_parameter();
 /// Adds the parameters of friction to those of a point model: v₀, the law and the laws' further parameters.
 void add_friction_parameters(std::vector<Parameter>& parameters);
 
-/// The values of the parameters of friction that a study takes where its protocol states none: the law `dahl`. The
-/// declared defaults are those of inputs that state none, which include all that versions without the laws stored: the law
-/// `rounded`. A study that such a version began keeps them (StimulusBuilder). Empty for a model without the parameter.
-ParameterValues friction_of_new_studies(const ModelDeclaration& model);
-
-/// Whether a model's values state a law; those that versions without the laws stored do not.
-bool states_friction_law(const ParameterValues& parameters) noexcept;
-
 /// Only the parameters of friction among a model's values.
 ParameterValues friction_values_of(const ParameterValues& parameters);
 
-/// A model's values without those parameters of friction that its law does not use. With the law `rounded` these are the
-/// values that version 0.1.0 had, so that what is stored under them is found again.
+/// A model's values without those parameters of friction that have no effect: those that its law does not use, except v₀,
+/// below which the textures of some models fade too.
 ParameterValues without_unused_friction(const ParameterValues& parameters);
 
 /// The friction of one contact: a law with its constants and its state.

@@ -28,8 +28,7 @@ std::span<const Layer> shared_layers() noexcept;
 void add_layer_parameters(std::vector<Parameter>& parameters);
 
 /// A model's values without those parameters of the shared layers that have no effect: of laws of friction that are not
-/// chosen, and of a resonance that is switched off. With the law `rounded` and without resonance these are the values that
-/// version 0.1.0 had, so that what is stored under them is found again.
+/// chosen, and of a resonance that is switched off.
 ParameterValues without_unused_layers(const ParameterValues& parameters);
 
 }  // namespace asperity

@@ -78,7 +78,7 @@ class ComparedDevice : public testing::Test {
     return sentences;
   }
 
-  /// The law that acts as a damper near rest, and that was the only one of earlier versions.
+  /// The law that acts as a damper near rest.
   void use_rounded_friction() {
     for (auto& [name, stimulus] : protocol.stimuli) {
       stimulus.parameters["friction_law"].value = std::string("rounded");
@@ -334,7 +334,7 @@ TEST_F(ComparedDevice, IsRefusedForWhatFailedWithoutANumber) {
 
 // Pressed as hard as their explorations accept, 2.5 N, friction of 0.2 is a damper of 50 N s/m. Bodies are behind a
 // virtual coupling.
-// With the law of earlier versions; dahl, that of new studies, is no damper (FrictionStroke measures it).
+// With the law `rounded`; `dahl`, the default, is not a damper (FrictionStroke measures it).
 TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPointsWithRoundedFriction) {
   const ModelRegistry models = built_in_models();
   const auto warned_on = [&](const std::string& device, bool is_rounded) {

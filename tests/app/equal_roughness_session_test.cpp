@@ -131,7 +131,8 @@ TEST_F(EqualRoughnessSession, RendersTheAmplitudesThatTheResponsesDetermined) {
     for (const PresentationRow& surface : attempt.presentations) {
       const ModelDeclaration& model = models_.find(surface.model)->declaration;
       const std::string& name = *model.amplitude_parameter;
-      const double own = number_of(builder_->default_parameters(*models_.find(surface.model)), name);
+      const double own =
+          number_of(complete_values(models_.find(surface.model)->declaration, {}), name);
       const double rendered = number_of(parameter_values_in(surface.parameters_json), name);
       if (attempt.trial <= kTrialsOfMatching) {
         if (surface.role == "standard") {
@@ -185,7 +186,8 @@ TEST_F(EqualRoughnessSession, IsResumedWhereTheMatchesWereNotYetStored) {
   ASSERT_EQ(run_trials(kTrialsOfMatching).state, SessionState::stopped);
   const std::string of_session = " AND session_id = " + std::to_string(session_.row.id);
   change_store(
-      "DROP TRIGGER trial_no_delete; DROP TRIGGER event_no_delete; DELETE FROM trial WHERE trial > 16" +
+      "DROP TRIGGER trial_no_delete; DROP TRIGGER event_no_delete; DELETE FROM trial WHERE trial > "
+      "16" +
       of_session + "; DELETE FROM event WHERE kind = 'roughness_match'" + of_session);
   ASSERT_TRUE(match_events().empty());
   EXPECT_EQ(resume().state, SessionState::completed);
@@ -381,8 +383,9 @@ TEST(EqualRoughnessText, StatesTheMatchesThatDidNotSucceed) {
   EXPECT_THAT(equal_roughness_text(facts), HasSubstr("All 8 matches succeeded."));
   facts.roughness_matches = {
       {MatchStatus::matched, 6}, {MatchStatus::below_range, 1}, {MatchStatus::unmatched, 2}};
-  EXPECT_THAT(equal_roughness_text(facts),
-              HasSubstr("Of 9 matches, 3 did not succeed: 1 below_range (rougher than the reference"));
+  EXPECT_THAT(
+      equal_roughness_text(facts),
+      HasSubstr("Of 9 matches, 3 did not succeed: 1 below_range (rougher than the reference"));
 }
 
 }  // namespace

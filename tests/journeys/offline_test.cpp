@@ -56,7 +56,8 @@ TEST(Render, OfAFlatFieldIsASpringWithFriction) {
       place.path(),
       "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t-0.001\n0.001\t0.00006\t0\t-0.001\n"
       "0.002\t0.00012\t0\t-0.001\n0.003\t0.00018\t0\t0.001\n0.004\t0.00024\t0\t0.001\n",
-      {"--model", "height_map", "--stimulus", place / "flat.png"});
+      {"--model", "height_map", "--param", "friction_law=rounded", "--stimulus",
+       place / "flat.png"});
   EXPECT_EQ(forces.columns, (std::vector<std::string>{"time_s", "fx_N", "fy_N", "fz_N", "tx_N_m",
                                                       "ty_N_m", "tz_N_m", "penetration_m"}));
   ASSERT_EQ(forces.rows.size(), 5U);

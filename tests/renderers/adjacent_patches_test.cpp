@@ -18,12 +18,13 @@ namespace {
 constexpr double kBlendOfTest_m = 0.002;
 constexpr double kPeriod_s = 1e-3;
 
-/// Two patches of 47 mm with a gap of 6 mm on a workspace of 100 mm.
+/// Two patches of 47 mm with a gap of 6 mm on a workspace of 100 mm, with a friction that does not depend on the path.
 class TwoPatches : public testing::Test {
  protected:
   AdjacentPatch patch(double centre_x_m, ParameterValues parameters,
                       const std::string& model = "sinusoid") const {
     const ForceModel* const found = models_.find(model);
+    parameters["friction_law"] = std::string("rounded");
     RendererInputs inputs{.parameters = complete_values(found->declaration, std::move(parameters)),
                           .material = material_,
                           .patch = workspace_};

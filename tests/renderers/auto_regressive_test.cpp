@@ -26,10 +26,12 @@ constexpr double kFrictionSd = 0.06;
 constexpr double kProcessA1 = 1.4562305898749055;
 constexpr double kProcessA2 = -0.81;
 
+/// With the law `rounded`, with which the whole force along the surface is that of one coefficient.
 std::unique_ptr<ForceRenderer> varied(double friction, ParameterValues parameters = {},
                                       std::uint64_t seed = 11) {
   RendererInputs inputs;
   inputs.parameters = std::move(parameters);
+  inputs.parameters["friction_law"] = std::string("rounded");
   inputs.material.friction = friction;
   inputs.patch = wide_patch();
   inputs.patch.extent_m = {100.0, 100.0};

@@ -109,6 +109,7 @@ TEST(BumpMap, BeginsAtThePlaneOrAtTheCrests) {
 
 TEST(BumpMap, TakesFrictionFromTheRenderedNormalForce) {
   RendererInputs inputs;
+  inputs.parameters = {{"friction_law", std::string("rounded")}};
   inputs.material = {.stiffness_N_per_m = kBumps_N_per_m, .friction = 0.5};
   inputs.patch = wide_patch();
   inputs.height_field = grating(kBumps);

@@ -34,6 +34,14 @@ RendererInputs matched_stimulus() {
   return inputs;
 }
 
+/// With a friction that follows the normal force at once.
+RendererInputs stimulus_with_rounded_friction(ParameterValues parameters) {
+  RendererInputs inputs = matched_stimulus();
+  inputs.parameters = std::move(parameters);
+  inputs.parameters["friction_law"] = std::string("rounded");
+  return inputs;
+}
+
 // 60 mm/s over L = 4 mm is 15 Hz: in the 1.8 s that are kept, 27 whole periods. Full contact at a
 // mean of 1 N with k = 500 N/m and A = 0.2 mm: D_z = 500 · 0.2 mm · sin, RMS 0.1/√2 = 0.0707107 N.
 // Friction 0.2 · 60/√(60² + 10²) = 0.197279 of the normal force: D_x has 0.0139498 N RMS.
@@ -41,8 +49,8 @@ constexpr double kNormalRms_N = 0.0707107;
 constexpr double kWithFriction_N = 0.0720736;
 
 TEST(TextureForce, OfASinusoidIsItsStiffnessTimesItsRms) {
-  RendererInputs inputs = matched_stimulus();
-  inputs.parameters = {{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}};
+  RendererInputs inputs =
+      stimulus_with_rounded_friction({{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}});
   EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs), kWithFriction_N, 1e-6);
   inputs.material.friction = 0.0;
   EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs), kNormalRms_N, 1e-6);
@@ -55,8 +63,8 @@ TEST(TextureForce, OfAHeightMapIsThatOfItsHeights) {
 }
 
 TEST(TextureForce, CountsOnlyWhatLiesInItsBand) {
-  RendererInputs inputs = matched_stimulus();
-  inputs.parameters = {{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}};
+  const RendererInputs inputs =
+      stimulus_with_rounded_friction({{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}});
   EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs, {.low_Hz = 16.0}), 0.0, 1e-6);
   EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs, {.low_Hz = 14.0, .high_Hz = 16.0}),
               kWithFriction_N, 1e-6);
@@ -139,8 +147,7 @@ TEST(SolvedAmplitude, RefusesMoreThanAModelReaches) {
 
 TEST(SolvedAmplitude, IsTheOneWorkedOutByHand) {
   // Twice the RMS of 0.2 mm needs 0.4 mm.
-  RendererInputs inputs = matched_stimulus();
-  inputs.parameters = {{"wavelength_m", 0.004}};
+  const RendererInputs inputs = stimulus_with_rounded_friction({{"wavelength_m", 0.004}});
   EXPECT_NEAR(solve_amplitude(model("sinusoid"), inputs, 2.0 * kWithFriction_N).value, 0.0004,
               1e-8);
 }
@@ -153,8 +160,9 @@ TEST(SolvedAmplitude, SolvesTheLiteralLawToo) {
 }
 
 TEST(SolvedAmplitude, SaysWhatCanBeReachedWhenTheTargetCannot) {
-  const std::string said = refusal_of<std::invalid_argument>(
-      [] { solve_amplitude(model("lateral_gradient"), matched_stimulus(), 1000.0); });
+  const std::string said = refusal_of<std::invalid_argument>([] {
+    solve_amplitude(model("lateral_gradient"), stimulus_with_rounded_friction({}), 1000.0);
+  });
   EXPECT_THAT(said, testing::HasSubstr("lateral_gradient"));
   EXPECT_THAT(said, testing::HasSubstr("gain_N ranges from 0 to 50 N"));
   EXPECT_THAT(said, testing::HasSubstr("1000 N"));

@@ -17,14 +17,6 @@
 namespace asperity {
 namespace {
 
-StimulusDescription plate_with_friction(double friction, double speed_m_per_s) {
-  StimulusDescription stimulus{};
-  stimulus.model = "sinusoid";
-  stimulus.parameters = {{"friction_speed_m_per_s", speed_m_per_s}};
-  stimulus.material.friction = friction;
-  return stimulus;
-}
-
 constexpr double kLoopPeriod_s = 1e-3;
 
 PressedFriction pressed(const std::string& law, const ParameterValues& parameters, double force_N,
@@ -37,21 +29,20 @@ PressedFriction pressed(const std::string& law, const ParameterValues& parameter
 }
 
 TEST(PressedFriction, IsADamperNearRestWithTheRoundedLaw) {
-  const ModelRegistry models = built_in_models();
-  const auto friction =
-      pressed_friction_of(*models.find("sinusoid"), plate_with_friction(0.4, 0.01), 2.0);
-  ASSERT_TRUE(friction);
-  EXPECT_DOUBLE_EQ(friction->near_rest(kLoopPeriod_s).damper_N_s_per_m,
+  const PressedFriction friction = pressed("rounded", {{"friction_speed_m_per_s", 0.01}}, 2.0);
+  EXPECT_DOUBLE_EQ(friction.near_rest(kLoopPeriod_s).damper_N_s_per_m,
                    80.0);  // 0.4 · 2 N / 0.01 m/s
-  EXPECT_EQ(friction->near_rest(kLoopPeriod_s).stiffness_N_per_m, 0.0);
-  EXPECT_DOUBLE_EQ(friction->force_with_N(40.0), 1.0);
-  EXPECT_DOUBLE_EQ(friction->speed_with_m_per_s(40.0), 0.02);
-  EXPECT_GT(friction->greatest_speed_m_per_s, 0.01);
+  EXPECT_EQ(friction.near_rest(kLoopPeriod_s).stiffness_N_per_m, 0.0);
+  EXPECT_DOUBLE_EQ(friction.force_with_N(40.0), 1.0);
+  EXPECT_DOUBLE_EQ(friction.speed_with_m_per_s(40.0), 0.02);
+  EXPECT_GT(friction.greatest_speed_m_per_s, 0.01);
 }
 
 TEST(PressedFriction, IsNoneWithoutFriction) {
   const ModelRegistry models = built_in_models();
-  EXPECT_FALSE(pressed_friction_of(*models.find("sinusoid"), plate_with_friction(0.0, 0.01), 2.0));
+  StimulusDescription smooth{.model = "sinusoid"};
+  smooth.material.friction = 0.0;
+  EXPECT_FALSE(pressed_friction_of(*models.find("sinusoid"), smooth, 2.0));
 }
 
 // A quarter of 2m/T = 100 N s/m without a delay, at the end of the step: 25/(1 + 25 · 1 ms/50 g).

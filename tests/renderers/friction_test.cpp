@@ -56,13 +56,16 @@ FrictionSample moving(const glm::dvec2& velocity_m_per_s, double normal_N = 1.0)
   return {.velocity_m_per_s = velocity_m_per_s, .normal_N = normal_N, .dt_s = kTick_s};
 }
 
-TEST(FrictionLaws, AreNamedAndTheFirstOneIsThatOfEarlierVersions) {
-  EXPECT_EQ(friction_laws().front().name, "rounded");
+TEST(FrictionLaws, AreNamed) {
   EXPECT_EQ(friction_law("dahl").name, "dahl");
   EXPECT_THROW(friction_law("sticky"), std::invalid_argument);
-  // A model, or a session of an earlier version, without the parameter.
+  // A model without the parameter.
   EXPECT_EQ(friction_law_of({{"friction_speed_m_per_s", 0.01}}).name, "rounded");
   EXPECT_THROW(friction_settings(0.2, {}), std::invalid_argument);
+}
+
+TEST(FrictionLaws, AreDahlWhereNoneIsStated) {
+  EXPECT_EQ(friction_law_of(complete_values(sinusoid_model().declaration, {})).name, "dahl");
 }
 
 TEST(FrictionLaws, AreDeclaredByEveryPointModelOnceAndWithTheSameDefaults) {
@@ -83,25 +86,20 @@ TEST(FrictionLaws, AreDeclaredByEveryPointModelOnceAndWithTheSameDefaults) {
 }
 
 // Solutions of equal force are stored under the parameters of their models.
-TEST(FrictionLaws, AddNothingToTheParametersOfEarlierVersionsWhereTheyAreNotChosen) {
-  const ForceModel sinusoid = sinusoid_model();
-  const ParameterValues earlier =
-      without_unused_layers(complete_values(sinusoid.declaration, {}));
-  EXPECT_THAT(earlier, testing::ElementsAre(
-                           testing::Key("amplitude_m"), testing::Key("direction_rad"),
-                           testing::Key("force_direction"), testing::Key("friction_speed_m_per_s"),
-                           testing::Key("wavelength_m")));
-  const ParameterValues dahl = without_unused_layers(friction_with("dahl"));
+TEST(FrictionLaws, LeaveOutTheParametersOfOtherLaws) {
+  using testing::Key;
+  EXPECT_THAT(without_unused_layers(friction_with("rounded")),
+              testing::ElementsAre(Key("friction_law"), Key("friction_speed_m_per_s")));
   EXPECT_THAT(
-      dahl, testing::ElementsAre(testing::Key("friction_law"), testing::Key("friction_smoothing_s"),
-                                 testing::Key("friction_speed_m_per_s"),
-                                 testing::Key("friction_stiffness_N_per_m")));
+      without_unused_layers(friction_with("dahl")),
+      testing::ElementsAre(Key("friction_law"), Key("friction_smoothing_s"),
+                           Key("friction_speed_m_per_s"), Key("friction_stiffness_N_per_m")))
+      << "v₀ is also that of some textures";
 }
 
-// Bit for bit: recordings of earlier versions replay.
-TEST(RoundedFriction, IsThatOfEarlierVersionsBitForBit) {
+TEST(RoundedFriction, FollowsItsFormula) {
   Random random(3);
-  Friction friction(0.2, {{"friction_speed_m_per_s", 0.010}});
+  Friction friction(0.2, friction_with("rounded"));
   for (int i = 0; i < 1000; ++i) {
     const double vx = 0.1 * random.normal();
     const double vy = 0.1 * random.normal();
@@ -491,16 +489,18 @@ TEST(FrictionOfModels, BetweenAdjacentSurfacesDoesNotDependOnTheirOrder) {
   const std::string stiffness = "friction_stiffness_N_per_m";
   const Values soft{{law, std::string("dahl")}, {stiffness, 100.0}};
   const Values stiff{{law, std::string("dahl")}, {stiffness, 1000.0}};
-  const Values usual{{law, std::string("dahl")}};
+  const Values usual{};
   const Values proxy{{law, std::string("proxy")}};
-  const Values rounded{};
+  const Values rounded{{law, std::string("rounded")}};
+  const Values lubricated{{law, std::string("rounded")}, {"friction_speed_m_per_s", 0.1}};
   for (const auto& [a, b] : {std::pair(soft, stiff), std::pair(usual, proxy),
                              std::pair(proxy, rounded), std::pair(stiff, rounded)}) {
     EXPECT_EQ(drag_in_gap_N(a, b), drag_in_gap_N(b, a));
   }
   EXPECT_EQ(drag_in_gap_N(soft, stiff), drag_in_gap_N(usual, usual)) << "the default";
-  EXPECT_EQ(drag_in_gap_N(usual, proxy), drag_in_gap_N(rounded, rounded)) << "the default law";
+  EXPECT_EQ(drag_in_gap_N(rounded, proxy), drag_in_gap_N(usual, usual)) << "the default law";
   EXPECT_GT(drag_in_gap_N(stiff, stiff), 1.5 * drag_in_gap_N(soft, soft)) << "where it is shared";
+  EXPECT_GT(drag_in_gap_N(rounded, rounded), 1.5 * drag_in_gap_N(lubricated, lubricated));
 }
 
 // On the crest of a texture above the plane the flat surface has no contact of its own to continue.

@@ -61,7 +61,8 @@ TEST(CorrectedHeightMap, ScalesTheHeights) {
 TEST(CorrectedHeightMap, RubsAgainstTheMotion) {
   // N = 0.5 N, mu = 0.2, v = 60 mm/s along (0.6, 0.8), v0 = 10 mm/s:
   // |F| = 0.2 · 0.5 · 60/sqrt(60² + 10²) = 0.1 · 0.98639 = 0.098639 N.
-  const auto renderer = make_renderer(height_map_model(), inputs_on(level(0.0F)));
+  const auto renderer = make_renderer(
+      height_map_model(), inputs_on(level(0.0F), {{"friction_law", std::string("rounded")}}));
   ProbeState probe = probe_at({0.0, 0.0, -0.001});
   probe.velocity_m_per_s = {0.036, 0.048, 0.2};
   const glm::dvec3 force_N = answer(*renderer, probe).wrench.force_N;

@@ -57,7 +57,6 @@ inline RendererInputs stimulus_of_stroke(const ForceModel& model, std::uint64_t 
   inputs.patch = {.extent_m = {0.2, 0.2}, .tiling = Tiling::repeat};
   inputs.height_field = kField;
   inputs.assets = kFiles;
-  inputs.parameters = friction_of_new_studies(model.declaration);
   inputs.seed = seed;
   if (model.declaration.needs_bodies) {
     static const auto kBodies = [] {

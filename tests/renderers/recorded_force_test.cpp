@@ -44,9 +44,12 @@ std::vector<TickRecord> to_and_fro(const ForceModel& model, const RendererInputs
   return records;
 }
 
+/// With a friction that follows the normal force at once.
 RendererInputs sinusoid(double amplitude_m) {
   RendererInputs inputs{};
-  inputs.parameters = {{"amplitude_m", amplitude_m}, {"wavelength_m", 0.002}};
+  inputs.parameters = {{"amplitude_m", amplitude_m},
+                       {"friction_law", std::string("rounded")},
+                       {"wavelength_m", 0.002}};
   return inputs;
 }
 

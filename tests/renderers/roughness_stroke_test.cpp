@@ -569,10 +569,11 @@ TEST(RoughnessStroke, OfAPointOnPdGradientFallsAsOneOverSpacing) {
   }
 }
 
-// Its force is along z, and along the stroke there is friction alone: the same greatest force at every
-// spacing.
+// Its force is along z, and along the stroke there is friction alone, which follows the normal force with the law
+// `rounded`: the same greatest force at every spacing.
 TEST(RoughnessStroke, OfAFixedDirectionDoesNotDependOnSpacing) {
   RoughnessStroke stroke = stroke_of("sinusoid");
+  stroke.parameters["friction_law"] = std::string("rounded");
   stroke.material.friction = 0.2;
   const auto at = [&](double spacing_m) {
     return greatest_lateral_N(stroke, texture_at_spacing(sinusoid_of(0.4e-3), spacing_m), -0.5e-3);

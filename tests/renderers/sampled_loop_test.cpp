@@ -205,9 +205,10 @@ double friction_vibration_N(const FrictionCase& one) {
   device.set_limits({.force_N = 10.0});
   hand.stroke();
   const auto renderer = make_renderer(
-      sinusoid_model(),
-      {.parameters = {{"amplitude_m", 0.0}, {"friction_speed_m_per_s", one.speed_m_per_s}},
-       .material = {.friction = one.friction}});
+      sinusoid_model(), {.parameters = {{"amplitude_m", 0.0},
+                                        {"friction_law", std::string("rounded")},
+                                        {"friction_speed_m_per_s", one.speed_m_per_s}},
+                         .material = {.friction = one.friction}});
   ButterworthFilter quick(HighPass{.order = 4, .cutoff_Hz = 30.0}, 1000.0);
   constexpr int kTicks = 20'000;
   constexpr int kSettling = 2000;

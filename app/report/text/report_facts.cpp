@@ -15,7 +15,6 @@
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
-#include "renderers/force/friction.h"
 #include "renderers/force/layers.h"
 
 namespace asperity {
@@ -136,12 +135,6 @@ void count_parameters(const PresentationRow& surface, ReportFacts& facts) {
   const ParameterValues rendered = parameter_values_in(surface.parameters_json);
   for (const auto& [name, value] : without_unused_layers(rendered)) {
     facts.parameters[surface.model][name].insert(value);
-  }
-  static const ModelRegistry kModels = built_in_models();
-  const ForceModel* const model = kModels.find(surface.model);
-  const bool is_plugin = asset_sha256(surface.assets, kPluginRole).has_value();
-  if (is_plugin || (model != nullptr && !friction_of_new_studies(model->declaration).empty())) {
-    facts.friction_laws[surface.model].insert(std::string(friction_law_of(rendered).name));
   }
 }
 

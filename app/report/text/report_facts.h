@@ -140,8 +140,6 @@ struct ReportFacts {
   /// Of the surfaces in counted attempts: model → parameter → the values as rendered, without those of friction laws that
   /// were not used
   std::map<std::string, std::map<std::string, std::set<ParameterValue>>> parameters{};
-  /// Of the point models, as rendered; of versions that had no choice of a law, the law that they had.
-  std::map<std::string, std::set<std::string>> friction_laws{};
   std::set<std::size_t> surfaces{};  ///< the numbers of surfaces presented in answered attempts
   std::set<std::string> answer_sources{};  ///< "keyboard"
 

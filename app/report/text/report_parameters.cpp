@@ -70,37 +70,30 @@ bool differs_from_default(const ModelRegistry& models, const std::string& model,
 
 constexpr const char* kFrictionLaw = "friction_law";
 
-/// "friction law dahl"; empty for a model without friction laws.
-std::string friction_law_text(const ReportFacts& facts, const std::string& model) {
-  const auto found = facts.friction_laws.find(model);
-  if (found == facts.friction_laws.end()) return {};
-  return words_of_parameter(kFrictionLaw) + ' ' +
-         listed({found->second.begin(), found->second.end()});
-}
-
 /// The law, where all models had the same one. Models share it, and readers compare it: it is stated whether or not it is
-/// the default, which depends on the version of the program.
+/// the default.
 std::string common_friction(const ReportFacts& facts) {
-  std::set<std::string> laws{};
-  for (const auto& [model, own] : facts.friction_laws) laws.insert(own.begin(), own.end());
+  std::set<ParameterValue> laws{};
+  for (const auto& [model, parameters] : facts.parameters) {
+    const auto own = parameters.find(kFrictionLaw);
+    if (own != parameters.end()) laws.insert(own->second.begin(), own->second.end());
+  }
   if (laws.size() != 1) return {};
-  return " The friction law was " + *laws.begin() + '.';
+  return " The friction law was " + values_text(kFrictionLaw, laws) + '.';
 }
 
 /// "amplitude 50 µm, wavelength 2.5 mm"
 std::string stated_values(const ReportFacts& facts, const std::string& model,
                           const RenderedValues& parameters) {
   const std::set<std::string> stated = stated_parameters(facts, model);
+  const bool has_common_friction = !common_friction(facts).empty();
   std::vector<std::string> parts{};
-  if (common_friction(facts).empty()) {
-    if (std::string friction = friction_law_text(facts, model); !friction.empty()) {
-      parts.push_back(std::move(friction));
-    }
-  }
   for (const auto& [name, values] : parameters) {
-    if (name == kFrictionLaw) continue;
-    if (!stated.contains(name) && !differs_from_default(facts.declared_models, model, name, values))
-      continue;
+    const bool is_shown =
+        name == kFrictionLaw ? !has_common_friction
+                             : stated.contains(name) ||
+                                   differs_from_default(facts.declared_models, model, name, values);
+    if (!is_shown) continue;
     const std::string shown = values_text(name, values);
     if (!shown.empty()) parts.push_back(words_of_parameter(name) + ' ' + shown);
   }
@@ -142,12 +135,7 @@ ReportSection parameters_section(const ReportFacts& facts) {
   table.title = "Parameters of the force models, as rendered";
   table.columns = {{"force model", false}, {"parameter", false}, {"value", false}};
   for (const auto& [model, parameters] : facts.parameters) {
-    if (const auto laws = facts.friction_laws.find(model); laws != facts.friction_laws.end()) {
-      table.rows.push_back({model, words_of_parameter(kFrictionLaw),
-                            listed({laws->second.begin(), laws->second.end()})});
-    }
     for (const auto& [name, values] : parameters) {
-      if (name == kFrictionLaw) continue;
       const std::string shown = values_text(name, values);
       if (!shown.empty()) table.rows.push_back({model, words_of_parameter(name), shown});
     }

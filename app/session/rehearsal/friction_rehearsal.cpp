@@ -39,13 +39,12 @@ std::string in_ms(double time_s) { return in_three_digits(1e3 * time_s); }
 
 std::optional<PressedFriction> friction_of(const StimulusDescription& stimulus,
                                            const Exploration& exploration,
-                                           const ModelRegistry& models, UnstatedFriction friction) {
+                                           const ModelRegistry& models) {
   const ForceModel* const model = models.find(stimulus.model);
   if (model == nullptr) return {};
   const double aimed_N = habits_for(exploration, stimulus.patch).normal_force_N;
-  StimulusDescription stated = stimulus;
-  stated.parameters.merge(values_of(friction, *model));
-  return pressed_friction_of(*model, stated, exploration.normal_force_N.maximum.value_or(aimed_N));
+  return pressed_friction_of(*model, stimulus,
+                             exploration.normal_force_N.maximum.value_or(aimed_N));
 }
 
 /// The values from which the device's limit for dampers was computed.
@@ -174,7 +173,7 @@ RehearsalWarning unknown_damping(const std::string& stimulus_template, double re
 }  // namespace
 
 FrictionRehearsal rehearse_friction(const Protocol& protocol, const ModelRegistry& models,
-                                    const DampedResponse& device, UnstatedFriction friction) {
+                                    const DampedResponse& device) {
   const FrictionLoop loop{.device = device, .rate_Hz = protocol.rate_Hz};
   FrictionRehearsal found{};
   std::map<std::string, double> required_N_s_per_m{};  // by template, where the damping is unknown
@@ -182,8 +181,7 @@ FrictionRehearsal rehearse_friction(const Protocol& protocol, const ModelRegistr
   for (const Trial& trial : possible_trials(protocol)) {
     for (const PlannedPresentation& planned : trial.presentations) {
       const std::string& name = planned.stimulus.name;
-      const auto asked =
-          friction_of(planned.stimulus, exploration_of(protocol, trial), models, friction);
+      const auto asked = friction_of(planned.stimulus, exploration_of(protocol, trial), models);
       if (!asked) continue;
       const FrictionNearRest near_rest = asked->near_rest(loop.period_s());
       const auto add = [&](std::optional<RehearsalWarning> warning) {

@@ -6,7 +6,6 @@
 
 #include "app/profiles/device_profile.h"
 #include "app/session/rehearsal/rehearsal_warning.h"
-#include "app/session/study_friction.h"
 #include "protocols/design/protocol.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/friction_near_rest.h"
@@ -28,9 +27,9 @@ struct FrictionRehearsal {
 /// The normal force is the greatest that the instructed exploration accepts, or else its target. A warning of a damper
 /// names v₀ and a normal force with which the loop would not vibrate, v₀ as far as the model accepts it, or the mass and
 /// the delay that the law has to assume; one of a spring names the greatest stiffness. The mass is assumed where it is
-/// unknown. Bodies behind a virtual coupling are not compared. `friction` is the law of stimuli that state none.
+/// unknown. Bodies behind a virtual coupling are not compared.
 FrictionRehearsal rehearse_friction(const Protocol& protocol, const ModelRegistry& models,
-                                    const DampedResponse& device, UnstatedFriction friction);
+                                    const DampedResponse& device);
 
 /// Of a measured device: its damping is that along the surface.
 DampedResponse damped_response_of(const DeviceProfile& profile);

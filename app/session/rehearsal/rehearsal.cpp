@@ -60,9 +60,7 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
   std::vector<RehearsalWarning> warnings{};
   add(limit_warnings(protocol, profile), warnings);
   add(level_warnings(protocol, profile, builder.models()), warnings);
-  add(rehearse_friction(protocol, builder.models(), damped_response_of(profile),
-                        builder.unstated_friction())
-          .warnings,
+  add(rehearse_friction(protocol, builder.models(), damped_response_of(profile)).warnings,
       warnings);
   StimulusRehearsal rehearsal(protocol, profile, builder);
   std::set<std::string> seen{};

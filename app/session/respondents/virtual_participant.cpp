@@ -35,7 +35,7 @@ Sample plate_with(const std::string& height_field, const Protocol& protocol,
     throw std::logic_error(
         "the force model height_map is missing; register it with the other models");
   Sample sample{.model = model};
-  sample.inputs.parameters = builder.default_parameters(*model);
+  sample.inputs.parameters = complete_values(model->declaration, {});
   sample.inputs.material = protocol.material;
   sample.inputs.patch = protocol.patch;
   const std::optional<double> cutoff_m = protocol.observer.gaussian_wavelength_m;
