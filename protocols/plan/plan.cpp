@@ -25,8 +25,8 @@ bool are_of_one_stimulus(const Trial& one, const Trial& other) {
 std::vector<Trial> possible_trials(const Protocol& protocol) {
   Protocol every = protocol;
   for (auto& [name, block] : every.blocks) {
-    block.order = Block::Order::fixed;
-    block.positions = Block::Positions::as_listed;
+    block.order = Protocol::Block::Order::fixed;
+    block.positions = Protocol::Block::Positions::as_listed;
     block.repetitions = 1;
     block.repetitions_of.clear();
     block.maximum_in_a_row.clear();
