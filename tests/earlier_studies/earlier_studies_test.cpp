@@ -213,7 +213,7 @@ class InterruptedSession : public EarlierStudy {
 };
 
 TEST_F(InterruptedSession, OfAKilledProgramResumesInTheSameOrder) {
-  resume_at_terminal("improved_selection.json", "P01", "pilot");
+  resume_at_terminal("improved_recognition.json", "P01", "pilot");
   expect_completed("P01");
   expect_unchanged_rows();
   expect_everything_holds();
