@@ -577,7 +577,7 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsBoundedForAHeavierDevice) {
   EXPECT_FALSE(one(rubbing(""), with_item(of_50_grams(), "latency_s", 0.0045), "friction_damping"));
 }
 
-TEST_F(DeviceRehearsalTest, DoesNotWarnOfFrictionWithTheLawOfNewStudies) {
+TEST_F(DeviceRehearsalTest, DoesNotWarnOfFrictionWithTheDefaultLaw) {
   const DeviceProfile late = with_item(of_50_grams(), "latency_s", 0.1);
   EXPECT_FALSE(one(one_stimulus("sinusoid", R"("amplitude_m": 1e-5)"), late, "friction_damping"));
   EXPECT_TRUE(one(one_stimulus("sinusoid", R"("amplitude_m": 1e-5, "friction_law": "rounded")"),
