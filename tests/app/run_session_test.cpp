@@ -117,8 +117,8 @@ TEST_F(RunSession, StatesAndStoresThatASessionIsResumedOnAnotherDevice) {
   EXPECT_THAT(changes, testing::ElementsAre("simulated in place of Novint Falcon"));
   const auto stretches = recorded_stretches(row, stored.events(row.id), stored.attempts(row.id));
   ASSERT_EQ(stretches.size(), 3U);
-  EXPECT_EQ(stretches[1].device->text, "simulated mass, spring and damper");
-  EXPECT_EQ(stretches[2].device->text, "simulated in place of Novint Falcon");
+  EXPECT_EQ(stretches[1].device.text, "simulated mass, spring and damper");
+  EXPECT_EQ(stretches[2].device.text, "simulated in place of Novint Falcon");
 }
 
 TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndStoresWhatItIs) {
