@@ -7,7 +7,11 @@
 #include <stdexcept>
 #include <string>
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -31,6 +35,16 @@ struct Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 };
+
+void find_first_hit(RTCScene scene, RTCRayHit& hit) {
+#if RTC_VERSION_MAJOR < 4
+  RTCIntersectContext context{};
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &hit);
+#else
+  rtcIntersect1(scene, &hit);
+#endif
+}
 
 }  // namespace
 
@@ -162,9 +176,7 @@ std::optional<SurfaceSearch::Hit> SurfaceSearch::first_front(const Ray& ray) con
   for (int sheet = 0; sheet < kMostSheets; ++sheet) {
     hit.ray.tfar = static_cast<float>(ray.reach);
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context{};
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene_->scene, &context, &hit);
+    find_first_hit(scene_->scene, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     const auto corners_m = scene_->corners_m(hit.hit.primID);
     const glm::dvec3 front = glm::cross(corners_m[1] - corners_m[0], corners_m[2] - corners_m[0]);

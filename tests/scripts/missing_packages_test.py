@@ -28,7 +28,7 @@ class MissingPackages(unittest.TestCase):
         self.assertRegex(
             configured_without(["glm", "Hidapi"]),
             r"^CMake Error at CMakeLists\.txt:\d+ \(message\): Asperity needs the following, which was not found: "
-            r"glm \(Debian: libglm-dev\), Hidapi 0\.13 \(Debian: libhidapi-dev\); on Debian 12 "
+            r"glm \(Debian: libglm-dev\), Hidapi 0\.13 \(Debian: libhidapi-dev\); on Debian 12 and 13 "
             r"`scripts/install build test` installs it, on other systems install the corresponding packages\.$")
 
     def test_are_those_that_are_installed_for_the_program_and_its_tests(self):
