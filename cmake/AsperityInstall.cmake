@@ -42,6 +42,12 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# The libraries of one release are not those of the next: a package names the release it was made on, in the manner of
+# Debian's own, and that of the later release is the newer version.
+cmake_host_system_information(RESULT ASPERITY_SYSTEM QUERY DISTRIB_INFO)
+if(ASPERITY_SYSTEM_ID STREQUAL "debian")
+  set(CPACK_DEBIAN_PACKAGE_RELEASE "1~deb${ASPERITY_SYSTEM_VERSION_ID}u1")
+endif()
 # Legible letters on a machine that has none yet.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core")
 include(CPack)
