@@ -149,7 +149,7 @@ function(asperity_compile_as_test target)
 endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… [GROUP <file>…]… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
-#   [HEADERS <name>] [COST <number>] [ALONE <pattern>…] [SLOW <pattern>…])
+#   [HEADERS <name>] [COST <number>] [ALONE <pattern>…] [SLOW <pattern>…] [FIRST <pattern>…])
 # The program asperity_<folder>_tests. To ctest each of its suites is a test, <folder>.<Suite>, run in one process: most of
 # the processor time of short tests is spent on starting programs. Suites that change their process (its limits,
 # signals, locale, current folder) or need one that nothing was done in match a pattern of ALONE: each of their tests is a
@@ -157,9 +157,10 @@ endfunction()
 # Tests are discovered when ctest runs (TestSuites.cmake), so that building never runs a test program. The label "slow"
 # leaves a program to scripts/test slow (SLOW: some of its suites), "long" to scripts/test-long, which runs those that are also labelled fuzz,
 # monte-carlo, realtime or window; these programs are built on request (targets slow_tests and long_tests).
-# COST, about the seconds of its longest tests, has ctest begin with them: a test run ends with many short ones.
+# COST, about the seconds of its longest tests, has ctest begin with them, and FIRST names suites that come before all others:
+# a test run ends with many short ones.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE;SLOW" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE;SLOW;FIRST" ${ARGN})
   if(NOT ARG_HEADERS)
     set(ARG_HEADERS asperity_test_headers)
   endif()
@@ -205,6 +206,7 @@ set(program "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/@program@")
 set(launcher "@ARG_LAUNCHER@")
 set(alone "@ARG_ALONE@")
 set(slow "@ARG_SLOW@")
+set(first "@ARG_FIRST@")
 set(labels "@top@;@ARG_LABELS@")
 set(timeout_s @timeout_s@)
 set(cost @ARG_COST@)

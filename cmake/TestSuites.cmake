@@ -6,6 +6,7 @@
 #   launcher  what starts it, in words; may be empty
 #   alone     patterns of suites whose tests get a process each: <folder>.<Suite>.<Test>
 #   slow      patterns of suites with the label slow in a program without it
+#   first     patterns of suites that take longest, with which ctest begins
 #   labels, timeout_s (of one test), cost, working_directory
 
 if(NOT EXISTS "${program}")
@@ -36,6 +37,9 @@ endif()
 function(asperity_register name filter count)
   add_test("${name}" ${launcher} "${program}" "--gtest_filter=${filter}")
   math(EXPR begins_early "${cost} + ${count}")
+  if(suite MATCHES "${first_pattern}")
+    math(EXPR begins_early "${begins_early} + 1000")
+  endif()
   math(EXPR longest_s "${timeout_s} + 3 * (${count} - 1)")
   if(suite MATCHES "${slow_pattern}")
     list(APPEND labels slow)
@@ -44,7 +48,7 @@ function(asperity_register name filter count)
     LABELS "${labels}" TIMEOUT ${longest_s} COST ${begins_early} WORKING_DIRECTORY "${working_directory}")
 endfunction()
 
-foreach(kind IN ITEMS alone slow)
+foreach(kind IN ITEMS alone slow first)
   string(REPLACE ";" "|" ${kind}_pattern "${${kind}}")
   set(${kind}_pattern "^(${${kind}_pattern})\\.$")
 endforeach()
@@ -73,8 +77,8 @@ foreach(line IN LISTS lines ITEMS "end.")
     list(APPEND suites "${suite}")
   endif()
 endforeach()
-foreach(pattern IN LISTS alone slow)
+foreach(pattern IN LISTS alone slow first)
   if(NOT "${suites}" MATCHES "(^|;)${pattern}\\.(;|$)")
-    message(FATAL_ERROR "No suite of ${program} matches ${pattern}, which its CMakeLists.txt names under ALONE or SLOW.")
+    message(FATAL_ERROR "No suite of ${program} matches ${pattern}, which its CMakeLists.txt names under ALONE, SLOW or FIRST.")
   endif()
 endforeach()

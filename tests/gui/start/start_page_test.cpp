@@ -25,6 +25,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/tasks/new_study.h"
+#include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
