@@ -2,6 +2,8 @@
 
 #include "stimuli/meshes/surface_search.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/stimuli/made_mesh.h"
