@@ -45,7 +45,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The libraries of one release are not those of the next: a package names the release it was made on, in the manner of
 # Debian's own, and that of the later release is the newer version.
 cmake_host_system_information(RESULT ASPERITY_SYSTEM QUERY DISTRIB_INFO)
-if(ASPERITY_SYSTEM_ID STREQUAL "debian")
+if(ASPERITY_SYSTEM_ID STREQUAL "debian" AND DEFINED ASPERITY_SYSTEM_VERSION_ID)
   set(CPACK_DEBIAN_PACKAGE_RELEASE "1~deb${ASPERITY_SYSTEM_VERSION_ID}u1")
 endif()
 # Legible letters on a machine that has none yet.

@@ -75,6 +75,11 @@ function(asperity_add_sources target)
         message(FATAL_ERROR "Group ${group} of ${target} in ${folder} has more than ${largest} sources: begin another with GROUP.")
       endif()
       string(MAKE_C_IDENTIFIER "${folder}_${group}" name)
+      # A property of the source in its folder, whatever its target.
+      get_source_file_property(known "${file}" TARGET_DIRECTORY ${target} UNITY_GROUP)
+      if(known AND NOT known STREQUAL name)
+        message(FATAL_ERROR "${file} is in group ${known} of another target and in ${name} of ${target}: use the same number.")
+      endif()
       set_source_files_properties("${file}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${name})
     endif()
   endforeach()
@@ -149,18 +154,18 @@ function(asperity_compile_as_test target)
 endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… [GROUP <file>…]… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
-#   [HEADERS <name>] [COST <number>] [ALONE <pattern>…] [SLOW <pattern>…] [FIRST <pattern>…])
+#   [HEADERS <name>] [COST <number>] [ALONE <pattern>…] [FIRST <pattern>…])
 # The program asperity_<folder>_tests. To ctest each of its suites is a test, <folder>.<Suite>, run in one process: most of
 # the processor time of short tests is spent on starting programs. Suites that change their process (its limits,
 # signals, locale, current folder) or need one that nothing was done in match a pattern of ALONE: each of their tests is a
 # test of ctest, <folder>.<Suite>.<Test>, and a process.
 # Tests are discovered when ctest runs (TestSuites.cmake), so that building never runs a test program. The label "slow"
-# leaves a program to scripts/test slow (SLOW: some of its suites), "long" to scripts/test-long, which runs those that are also labelled fuzz,
+# leaves a program to scripts/test slow, "long" to scripts/test-long, which runs those that are also labelled fuzz,
 # monte-carlo, realtime or window; these programs are built on request (targets slow_tests and long_tests).
 # COST, about the seconds of its longest tests, has ctest begin with them, and FIRST names suites that come before all others:
 # a test run ends with many short ones.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE;SLOW;FIRST" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE;FIRST" ${ARGN})
   if(NOT ARG_HEADERS)
     set(ARG_HEADERS asperity_test_headers)
   endif()
@@ -192,7 +197,7 @@ function(asperity_add_tests folder)
     endif()
     add_dependencies(${target} ${program})
   endforeach()
-  # Only what hangs takes so long, also beside other work; a wait that fails ends after the patience of tests/support.
+  # Only what hangs takes so long, also next to other work; a wait that fails ends after the patience of tests/support.
   set(timeout_s 600)
   if("long" IN_LIST ARG_LABELS)
     set(timeout_s 3600)
@@ -205,7 +210,6 @@ set(folder "@folder@")
 set(program "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/@program@")
 set(launcher "@ARG_LAUNCHER@")
 set(alone "@ARG_ALONE@")
-set(slow "@ARG_SLOW@")
 set(first "@ARG_FIRST@")
 set(labels "@top@;@ARG_LABELS@")
 set(timeout_s @timeout_s@)

@@ -5,7 +5,6 @@
 #   program   the program's path
 #   launcher  what starts it, in words; may be empty
 #   alone     patterns of suites whose tests get a process each: <folder>.<Suite>.<Test>
-#   slow      patterns of suites with the label slow in a program without it
 #   first     patterns of suites that take longest, with which ctest begins
 #   labels, timeout_s (of one test), cost, working_directory
 
@@ -15,7 +14,7 @@ if(NOT EXISTS "${program}")
   return()
 endif()
 
-# What the program lists is kept beside it: asking forty programs again takes longer than many a test.
+# The list of a program's tests is stored next to it: starting every program again takes longer than many tests.
 set(list_file "${program}.tests")
 if("${program}" IS_NEWER_THAN "${list_file}")
   execute_process(COMMAND ${launcher} "${program}" --gtest_list_tests
@@ -42,14 +41,11 @@ function(asperity_register name filter count)
     math(EXPR begins_early "${begins_early} + 1000")
   endif()
   math(EXPR longest_s "${timeout_s} + 3 * (${count} - 1)")
-  if(suite MATCHES "${slow_pattern}")
-    list(APPEND labels slow)
-  endif()
   set_tests_properties("${name}" PROPERTIES
     LABELS "${labels}" TIMEOUT ${longest_s} COST ${begins_early} WORKING_DIRECTORY "${working_directory}")
 endfunction()
 
-foreach(kind IN ITEMS alone slow first)
+foreach(kind IN ITEMS alone first)
   string(REPLACE ";" "|" ${kind}_pattern "${${kind}}")
   set(${kind}_pattern "^(${${kind}_pattern})\\.$")
 endforeach()
@@ -78,8 +74,8 @@ foreach(line IN LISTS lines ITEMS "end.")
     list(APPEND suites "${suite}")
   endif()
 endforeach()
-foreach(pattern IN LISTS alone slow first)
+foreach(pattern IN LISTS alone first)
   if(NOT "${suites}" MATCHES "(^|;)${pattern}\\.(;|$)")
-    message(FATAL_ERROR "No suite of ${program} matches ${pattern}, which its CMakeLists.txt names under ALONE, SLOW or FIRST.")
+    message(FATAL_ERROR "No suite of ${program} matches ${pattern}, which its CMakeLists.txt names under ALONE or FIRST.")
   endif()
 endforeach()

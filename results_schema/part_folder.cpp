@@ -89,8 +89,8 @@ void PartFolder::refuse_what_is_not_left_by_us() const {
     if (!fs::exists(fs::symlink_status(part_, error))) return;
     throw ResultsError(
         part_.string() +
-            " already exists: an interrupted earlier version of Asperity may have left it, or a "
-            "user may have made it. Remove or rename it, then try again",
+            " already exists, and no running or interrupted program owns it. Remove or rename it, "
+            "then try again",
         part_, EEXIST);
   }
   const std::string network = network_file_system_at(part_);

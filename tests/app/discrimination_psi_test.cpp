@@ -62,6 +62,11 @@ TEST(Discrimination, ComputesThePosteriorThresholdWithThePriorOfTheProtocol) {
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const auto stated = FoundNumbers(thresholds).value("jnd.posterior", "p10|all");
   ASSERT_TRUE(stated);
+  std::vector<std::pair<double, bool>> trials{};  // value of the comparison; was it chosen?
+  for (const MadeUpTrial& trial : staircase_trials(kPerformer, protocol, 200)) {
+    trials.emplace_back(json::parse(trial.factors_json)["amplitude_m"].get<double>(),
+                        trial.answers.front() == "comparison");
+  }
   double sum = 0.0;
   double weighted = 0.0;
   for (int i = 0; i < 41; ++i) {
@@ -75,10 +80,9 @@ TEST(Discrimination, ComputesThePosteriorThresholdWithThePriorOfTheProtocol) {
         const double threshold_m = 1e-6 * std::pow(50.0, i / 40.0);
         f.alpha = threshold_m / f.inverse(0.75);
         double likelihood = 1.0;
-        for (const MadeUpTrial& trial : staircase_trials(kPerformer, protocol, 200)) {
-          const double value_m = json::parse(trial.factors_json)["amplitude_m"].get<double>();
+        for (const auto& [value_m, is_hit] : trials) {
           const double hit = f.value(value_m - kStandard_m);
-          likelihood *= trial.answers.front() == "comparison" ? hit : 1.0 - hit;
+          likelihood *= is_hit ? hit : 1.0 - hit;
         }
         sum += likelihood;
         weighted += likelihood * std::log(threshold_m);

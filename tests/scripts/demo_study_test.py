@@ -101,7 +101,7 @@ esac
         self.assertEqual(analyze, "analyze STUDY --json")
         self.assertEqual(self.everything(), before)
 
-    def test_keeps_studies_of_other_schemas_and_makes_one_beside_them(self):
+    def test_keeps_studies_of_other_schemas_and_makes_another(self):
         self.make_study("demo-study", SCHEMA - 1)
         self.make_study("demo-study-2", SCHEMA + 85)
         before = self.everything(), self.everything("demo-study-2")

@@ -9,7 +9,7 @@
 namespace asperity::export_columns {
 namespace {
 
-constexpr const char* kWhenNotJudged = "the attempt was interrupted";
+constexpr const char* kWhenNotJudged = "the attempt was interrupted, or the computation failed";
 
 template <class Value>
 std::function<Cell(const ExportPlace&)> cell_of_instability(
