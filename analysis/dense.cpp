@@ -1,3 +1,5 @@
+// Implements decompositions by those of Eigen, which are instantiated here alone.
+
 #include "analysis/dense.h"
 
 #include <Eigen/Eigenvalues>

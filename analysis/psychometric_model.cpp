@@ -1,3 +1,5 @@
+// Implements the checks of counts and models before a fit.
+
 #include "analysis/psychometric_model.h"
 
 #include <algorithm>
