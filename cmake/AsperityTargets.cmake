@@ -26,6 +26,11 @@ function(asperity_configure target)
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     # A formula has to mean the same arithmetic on every target.
     -ffp-contract=off)
+  # What runs in a tick lies in these folders.
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+  if(NOT folder MATCHES "^(analysis|stimuli|device|renderers|bench)(/|$)")
+    asperity_optimise_lightly(${target})
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE
       -Wno-restrict  # false alarms at -O3
@@ -105,7 +110,6 @@ endfunction()
 function(asperity_add_component component)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   asperity_add_library(${component} SOURCES ${ARG_SOURCES})
-  asperity_optimise_lightly(asperity_${component})
   target_link_libraries(asperity_${component} PUBLIC ${ARG_LIBRARIES} PRIVATE nlohmann_json::nlohmann_json)
   if(component STREQUAL "words")
     target_precompile_headers(asperity_words PRIVATE
