@@ -181,9 +181,9 @@ struct PresentationRow {
   std::string parameters_json = "{}";  ///< complete, as rendered, matching solved
   std::string seed{};
   /// Of the surface without its texture, and the height of its plane above that of the workspace.
-  std::optional<double> stiffness_N_per_m{};
-  std::optional<double> friction{};
-  std::optional<double> raised_m{};
+  double stiffness_N_per_m = 0.0;
+  double friction = 0.0;
+  double raised_m = 0.0;
   std::optional<std::int64_t> onset_ns{};    ///< first tick with the surface rendered
   std::optional<std::int64_t> contact_ns{};  ///< first tick with the probe in the surface
   std::optional<std::int64_t> offset_ns{};

@@ -116,7 +116,7 @@ void add_vector(JsonLine& line, std::string_view key, const glm::dvec2& vector) 
   line.close(']');
 }
 
-/// Nothing where the surface has its whole workspace: plans are compared with those that older programs stored.
+/// Nothing where the surface has its whole workspace.
 void add_place(JsonLine& line, const PlannedPresentation& planned) {
   const SurfacePatch& whole = planned.stimulus.patch;
   const SurfacePatch& patch = planned.patch;
@@ -157,20 +157,19 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   } else {
     line.field("equal_force", std::nullopt);
   }
-  // Written only where it is varied or matched: other plans are compared with those that older programs stored.
+  // From here on only what the presentation has.
   if (stimulus.relative_amplitude) {
     line.field("relative_amplitude", *stimulus.relative_amplitude);
   }
   if (planned.roughness_match) line.field("roughness_match", text_of(*planned.roughness_match));
-  // Written only if there are bodies: other plans are compared with those that older programs stored.
   if (stimulus.surface) add_body(line, "surface", *stimulus.surface);
   if (stimulus.tool) add_body(line, "tool", *stimulus.tool);
-  if (!stimulus.declared_assets.empty()) {  // the same applies
+  if (!stimulus.declared_assets.empty()) {
     line.key("assets");
     line.levels(stimulus.declared_assets);
   }
   add_place(line, planned);
-  if (planned.has_own_material) {  // the same applies
+  if (planned.has_own_material) {
     line.key("material");
     line.open('{');
     line.field("stiffness_N_per_m", stimulus.material.stiffness_N_per_m);
@@ -180,8 +179,7 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   line.close('}');
 }
 
-/// Nothing for a form without parameters: plans are compared with those that older programs stored. Labels are
-/// texts, and a plan is the same in all languages.
+/// Labels are texts, and a plan is the same in all languages.
 void add_parameters(JsonLine& line, const AnswerForm& form) {
   if (const auto* const line_form = std::get_if<LineForm>(&form)) {
     line.field("longest", line_form->longest);
@@ -210,19 +208,6 @@ void add_options_and_correct(JsonLine& line, const TrialQuestion& question) {
   line.close(']');
 }
 
-/// The only question of a trial, as all versions of the program wrote it.
-void add_only_question(JsonLine& line, const Trial& trial) {
-  const TrialQuestion& question = trial.questions.front();
-  line.key("question");
-  line.open('{');
-  line.field("name", question.name);
-  line.field("form", name_of(question.form));
-  line.field("standard_picture", trial.standard_picture);
-  add_parameters(line, question.form);
-  add_options_and_correct(line, question);
-  line.close('}');
-}
-
 void add_questions(JsonLine& line, const Trial& trial) {
   line.field("standard_picture", trial.standard_picture);
   line.field("layout", trial.on_one_page ? "one_page" : "one_after_another");
@@ -249,27 +234,18 @@ std::string json_of(const Trial& trial) {
   line.field("block_ordinal", trial.block_ordinal);
   line.field("phase", text_of(trial.phase));
   line.field("repetition", trial.repetition);
-  if (trial.track) {  // other plans are compared with those that older programs stored
+  if (trial.track) {
     line.field("track", trial.track->track);
     line.field("step", trial.track->step);
   }
-  if (trial.catch_trial) {
-    const CatchType type = trial.catch_trial->type;
-    line.key("catch");
-    // Plans of older programs have only easy ones.
-    type == CatchType::easy ? line.add(true) : line.add(text_of(type));
-  }
+  if (trial.catch_trial) line.field("catch", text_of(trial.catch_trial->type));
   line.key("factors");
   line.levels(trial.factors);
   line.key("presentations");
   line.open('[');
   for (const PlannedPresentation& planned : trial.presentations) add_presentation(line, planned);
   line.close(']');
-  if (trial.questions.size() == 1) {
-    add_only_question(line, trial);
-  } else {
-    add_questions(line, trial);
-  }
+  add_questions(line, trial);
   line.close('}');
   return std::move(line).take();
 }

@@ -40,8 +40,7 @@ struct TextureRecipe {
 inline constexpr double kLargestTilt = 1.0;
 
 /// The recipe with the names of the command line and of the sidecar of a height field; `sign` is 1 or −1. `method` is left
-/// out for the published method, and the direction of the light for a method that does not use it: the values of a recipe
-/// that an earlier version could express are those of that version.
+/// out for the published method, and the direction of the light for a method that does not use it.
 ParameterValues parameter_values(const TextureRecipe& recipe);
 
 /// The recipe with all values, for a form.

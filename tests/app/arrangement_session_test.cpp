@@ -411,8 +411,8 @@ TEST_F(ArrangedSession, StoresTheRovedMaterialOfEverySurface) {
       const PlannedPresentation& planned = trial.presentations.at(i);
       EXPECT_EQ(row.stiffness_N_per_m, planned.stimulus.material.stiffness_N_per_m);
       EXPECT_EQ(row.friction, planned.stimulus.material.friction);
-      stiffness.insert(*row.stiffness_N_per_m);
-      raised_m.insert(std::round(1e6 * *row.raised_m));
+      stiffness.insert(row.stiffness_N_per_m);
+      raised_m.insert(std::round(1e6 * row.raised_m));
     }
     // The hand presses with about 1 N: the depth follows the stiffness and the height of the plane.
     for (const TickRecord& record : records_of_attempt(attempt)) {

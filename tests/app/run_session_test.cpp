@@ -63,6 +63,17 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
   EXPECT_THROW(run(), std::runtime_error);
 }
 
+TEST_F(RunSession, StoresParametersAndMaterialThatTheProtocolDoesNotState) {
+  EXPECT_EQ(run().state, SessionState::completed);
+  const std::vector<AttemptRow> attempts = study().attempts(study().sessions().at(0).id);
+  ASSERT_FALSE(attempts.empty());
+  for (const PresentationRow& surface : attempts.front().presentations) {
+    EXPECT_THAT(surface.parameters_json, testing::HasSubstr(R"("friction_law":"dahl")"));
+    EXPECT_EQ(surface.stiffness_N_per_m, 500.0);
+    EXPECT_EQ(surface.friction, 0.2);
+  }
+}
+
 // --- study data come from a device that a participant holds and feels -----------------------------
 
 TEST_F(RunSession, RefusesStudyDataOnADeviceThatAVirtualHandHolds) {

@@ -13,7 +13,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROTOCOLS = ("chapter_selection", "chapter_matching", "chapter_recognition")
-SCHEMA = 14
+SCHEMA = 15
 
 
 def make_database(file, schema, application=7):
@@ -108,7 +108,7 @@ esac
         answer, asked = self.run_demo()
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertEqual((self.everything(), self.everything("demo-study-2")), before)
-        for line in (f"{self.study} has schema 13, and this program uses schema 14", f"{self.study}-2 has schema 99, and"):
+        for line in (f"{self.study} has schema {SCHEMA - 1}, and this program uses schema {SCHEMA}", f"{self.study}-2 has schema {SCHEMA + 85}, and"):
             self.assertIn(line, answer.stderr)
         self.assertRegex(asked[1], r"^new .*/demo-study-3 --demo$")
         self.assertIn("--study STUDY-3 ", asked[2])

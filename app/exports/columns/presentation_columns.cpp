@@ -154,11 +154,9 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
            "the model does not need this file");
   }
   const auto number = [&add](const char* name, const char* unit, const char* description,
-                             std::optional<double> PresentationRow::*member) {
-    add(missing("it is not stored; the value is that of the protocol",
-                column(name, "number", unit, description, [member](const Place& at) {
-                  return optional_cell(at.presentation->*member);
-                })));
+                             double PresentationRow::*member) {
+    add(column(name, "number", unit, description,
+               [member](const Place& at) { return at.presentation->*member; }));
   };
   number("stiffness_N_per_m", "N/m", "stiffness of the surface without its texture",
          &PresentationRow::stiffness_N_per_m);

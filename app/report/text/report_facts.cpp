@@ -169,8 +169,8 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   if (attempt.outcome == AttemptOutcome::answered) {
     facts.surfaces.insert(attempt.presentations.size());
     for (const PresentationRow& surface : attempt.presentations) {
-      if (surface.stiffness_N_per_m) facts.stiffness_N_per_m.insert(*surface.stiffness_N_per_m);
-      if (surface.friction) facts.friction.insert(*surface.friction);
+      facts.stiffness_N_per_m.insert(surface.stiffness_N_per_m);
+      facts.friction.insert(surface.friction);
       if (use == AnalysisUse::counted) count_parameters(surface, facts);
     }
   }

@@ -162,9 +162,9 @@ CREATE TABLE presentation (
   contact_s                REAL NOT NULL CHECK (contact_s >= 0),
   matched_texture_force_N  REAL CHECK (matched_texture_force_N >= 0),
   achieved_texture_force_N REAL CHECK (achieved_texture_force_N >= 0),
-  stiffness_N_per_m        REAL,
-  friction                 REAL,
-  raised_m                 REAL,
+  stiffness_N_per_m        REAL NOT NULL,
+  friction                 REAL NOT NULL,
+  raised_m                 REAL NOT NULL,
   PRIMARY KEY (attempt_id, position)
 ) STRICT, WITHOUT ROWID;
 
