@@ -10,8 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_reader.h"
-#include "renderers/built_in_models.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -21,16 +20,8 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-json library_file(std::string_view name) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == name) return json::parse(each.text);
-  }
-  throw std::invalid_argument("no such library protocol");
-}
-
 std::vector<std::string> warnings_of(const json& file) {
-  const Protocol protocol =
-      read_protocol(file.dump(), "file.json", declarations_of(built_in_models()));
+  const Protocol protocol = test::valid(file, test::models_of_library());
   std::vector<std::string> warnings{};
   for (const Diagnostic& warning : warnings_about_analysis(protocol, "file.json")) {
     warnings.push_back(warning.pointer + ": " + warning.message);
@@ -45,13 +36,13 @@ TEST(AnalysisWarnings, AreNoneAboutTheLibrary) {
 }
 
 TEST(AnalysisWarnings, NameTestsThatADesignDoesNotHave) {
-  json file = library_file("amplitude_same_different");
+  json file = test::library_file("amplitude_same_different");
   file["analysis"]["family"] = {"conditions", "order"};
   EXPECT_THAT(warnings_of(file),
               ElementsAre(AllOf(HasSubstr("/analysis/family/0: the test \"conditions\""),
                                 HasSubstr("one condition"), HasSubstr("; remove it")),
                           HasSubstr("/analysis/family/1: the test \"order\" is not possible")));
-  file = library_file("amplitude_jnd");
+  file = test::library_file("amplitude_jnd");
   file["analysis"]["family"] = {"order", "point_of_subjective_equality"};
   EXPECT_THAT(warnings_of(file),
               ElementsAre(AllOf(HasSubstr("/analysis/family/1:"),
@@ -59,7 +50,7 @@ TEST(AnalysisWarnings, NameTestsThatADesignDoesNotHave) {
 }
 
 TEST(AnalysisWarnings, AreAboutStaircasesThatGuessesAttain) {
-  json file = library_file("amplitude_jnd");
+  json file = test::library_file("amplitude_jnd");
   for (auto& [name, block] : file["blocks"].items()) {
     if (block.contains("procedure")) {
       block["procedure"]["down"] = 1;
@@ -72,7 +63,7 @@ TEST(AnalysisWarnings, AreAboutStaircasesThatGuessesAttain) {
 }
 
 TEST(AnalysisWarnings, AreAboutTooFewSurfacesForAConfiguration) {
-  json file = library_file("map_of_renderings");
+  json file = test::library_file("map_of_renderings");
   for (auto& [name, block] : file["blocks"].items()) {
     if (!block.contains("all_pairs")) continue;
     json& levels = file["factors"][block["all_pairs"]["factor"].get<std::string>()]["levels"];
@@ -83,14 +74,14 @@ TEST(AnalysisWarnings, AreAboutTooFewSurfacesForAConfiguration) {
 }
 
 TEST(AnalysisWarnings, AreAboutRatingsOfASingleSurface) {
-  json file = library_file("roughness_of_photographs");
+  json file = test::library_file("roughness_of_photographs");
   EXPECT_THAT(warnings_of(file), testing::IsEmpty());
   for (auto& [name, stimulus] : file["stimuli"].items()) stimulus["texture"] = "metal";
   EXPECT_THAT(warnings_of(file), ElementsAre(HasSubstr("every trial presents the same surface")));
 }
 
 TEST(AnalysisWarnings, AreAboutAPredictorWithoutRecordings) {
-  json file = library_file("roughness_diameter");
+  json file = test::library_file("roughness_diameter");
   const std::string items = file["estimation"]["spacing"];
   file["estimation"].erase("spacing");
   file["estimation"]["factor"] = items;
@@ -105,7 +96,7 @@ TEST(AnalysisWarnings, AreAboutAPredictorWithoutRecordings) {
 }
 
 TEST(AnalysisWarnings, StateWhomALimitOfCatchErrorsExcludes) {
-  json file = library_file("amplitude_jnd_psi");
+  json file = test::library_file("amplitude_jnd_psi");
   file["analysis"]["exclude"] = {{"catch_error_rate_above", 0.5}};
   // 5 catch trials: a guesser makes at most 2 errors in half of all sessions; 3 of 5 errors at 5 % have p = 0.00116.
   EXPECT_THAT(
@@ -124,7 +115,7 @@ TEST(AnalysisWarnings, StateWhomALimitOfCatchErrorsExcludes) {
 }
 
 TEST(AnalysisWarnings, AreAboutAResponseThatVirtualParticipantsNeverGive) {
-  json file = library_file("amplitude_jnd_psi");
+  json file = test::library_file("amplitude_jnd_psi");
   file["blocks"]["comparisons"]["question"]["allow_cannot_tell"] = true;
   EXPECT_THAT(warnings_of(file),
               ElementsAre(AllOf(HasSubstr("/blocks/comparisons/question/allow_cannot_tell"),
@@ -134,7 +125,7 @@ TEST(AnalysisWarnings, AreAboutAResponseThatVirtualParticipantsNeverGive) {
 }
 
 TEST(AnalysisWarnings, AreAboutAScaleThatMayRateConfidence) {
-  json file = library_file("amplitude_same_different");
+  json file = test::library_file("amplitude_same_different");
   json& block = file["blocks"]["comparisons"];
   const std::string judged = block["question"]["name"];
   block["questions"] = {block["question"],

@@ -9,10 +9,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/protocol_problems.h"
 #include "protocols/plan/arranged_patches.h"
 #include "protocols/plan/plan.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -40,16 +39,8 @@ ArrangedJson two_gratings(const ArrangedJson& arrangement) {
   return protocol;
 }
 
-ProtocolReading reading_of_arranged(const ArrangedJson& protocol) {
-  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
-}
-
 Protocol arranged_protocol(const ArrangedJson& arrangement) {
-  const ProtocolReading reading = reading_of_arranged(two_gratings(arrangement));
-  for (const Diagnostic& problem : reading.problems) {
-    ADD_FAILURE() << problem.pointer << ": " << problem.message;
-  }
-  return reading.protocol.value();
+  return test::valid(two_gratings(arrangement));
 }
 
 const Arrangement& arrangement_in(const Protocol& protocol) {
@@ -64,7 +55,7 @@ TEST(ArrangementOfATrial, IsASequenceThatCanBeFeltAgainUnlessStated) {
   EXPECT_FALSE(arrangement_in(plain).interval);
   ArrangedJson once = two_gratings(nullptr);
   once["blocks"]["pairs"]["question"]["allow_revisit"] = false;
-  EXPECT_FALSE(arrangement_in(*reading_of_arranged(once).protocol).allows_revisits());
+  EXPECT_FALSE(arrangement_in(test::valid(once)).allows_revisits());
 }
 
 TEST(ArrangementOfATrial, IsReadAsStated) {
@@ -198,25 +189,16 @@ TEST(ArrangementOfATrial, RefusesWhatCannotBePresented) {
     SCOPED_TRACE(fault.message);
     ArrangedJson protocol = two_gratings({{"surfaces", "sequential"}});
     fault.change(protocol, protocol["blocks"]["pairs"]);
-    std::string messages{};
-    for (const Diagnostic& problem : reading_of_arranged(protocol).problems) {
-      if (problem.pointer == std::string("/blocks/pairs") + fault.pointer) {
-        EXPECT_GT(problem.line, 0);
-        messages += problem.message + '\n';
-      }
-    }
-    EXPECT_THAT(messages, HasSubstr(fault.message));
+    EXPECT_THAT(test::problems_at(protocol, std::string("/blocks/pairs") + fault.pointer),
+                HasSubstr(fault.message));
   }
 }
 
 TEST(ArrangementOfATrial, SideBySideHasNoScene) {
   ArrangedJson protocol = two_gratings({{"surfaces", "side_by_side"}});
   protocol["environment"] = {{"scene", {{"visual_texture", "off"}}}};
-  std::string messages{};
-  for (const Diagnostic& problem : reading_of_arranged(protocol).problems) {
-    messages += problem.pointer + ": " + problem.message + '\n';
-  }
-  EXPECT_THAT(messages, HasSubstr("/environment/scene: the scene shows one surface"));
+  EXPECT_THAT(test::problems_at(protocol, "/environment/scene"),
+              HasSubstr("the scene shows one surface"));
 }
 
 TEST(RovingOfABlock, DrawsALevelForEveryPresentation) {
@@ -224,7 +206,7 @@ TEST(RovingOfABlock, DrawsALevelForEveryPresentation) {
   stated["blocks"]["pairs"]["repetitions"] = 30;
   stated["blocks"]["pairs"]["rove"] = {{"stiffness_N_per_m", {400, 500, 600}}};
   stated["stimuli"]["grating"]["material"] = {{"friction", 0.05}};
-  const Protocol protocol = reading_of_arranged(stated).protocol.value();
+  const Protocol protocol = test::valid(stated);
   std::map<double, int> counts{};
   int different = 0;
   const Plan plan = make_plan(protocol, {1, 0});
@@ -246,11 +228,8 @@ TEST(RovingOfABlock, DrawsALevelForEveryPresentation) {
   }
   stated["blocks"]["pairs"]["rove"] = {{"raised_m", {0, 0.001}}};
   stated["blocks"]["pairs"]["arrangement"] = {{"surfaces", "side_by_side"}};
-  std::string messages{};
-  for (const Diagnostic& problem : reading_of_arranged(stated).problems) {
-    if (problem.pointer == "/blocks/pairs/rove/raised_m") messages += problem.message;
-  }
-  EXPECT_THAT(messages, HasSubstr("lie in one plane"));
+  EXPECT_THAT(test::problems_at(stated, "/blocks/pairs/rove/raised_m"),
+              HasSubstr("lie in one plane"));
 }
 
 }  // namespace

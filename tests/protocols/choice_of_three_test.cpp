@@ -13,15 +13,13 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/proportion.h"
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/plan.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -36,22 +34,9 @@ ThreeJson& block_of_three(ThreeJson& protocol) { return protocol["blocks"]["comp
 
 /// amplitude_jnd, with its staircases, and another design.
 ThreeJson tracks_of_three(const std::string& design) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name != "amplitude_jnd") continue;
-    ThreeJson protocol = ThreeJson::parse(each.text);
-    protocol["blocks"].erase("practice");
-    protocol.erase("resume");
-    auto& flow = protocol["flow"];
-    flow.erase(std::remove_if(flow.begin(), flow.end(),
-                              [](const ThreeJson& step) {
-                                return step.contains("run") && step["run"] == "practice";
-                              }),
-               flow.end());
-    block_of_three(protocol)["design"] = design;
-    return protocol;
-  }
-  ADD_FAILURE() << "the library has no such protocol";
-  return {};
+  ThreeJson protocol = test::without_practice(test::library_file("amplitude_jnd"));
+  block_of_three(protocol)["design"] = design;
+  return protocol;
 }
 
 /// Five levels, 30 trials with balanced positions.
@@ -63,26 +48,6 @@ ThreeJson constant_of_three(const std::string& design) {
   block["repetitions"] = design == "oddity" ? 3 : 6;
   block["positions"] = "balanced";
   return protocol;
-}
-
-ProtocolReading reading_of_three(const ThreeJson& protocol) {
-  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
-}
-
-Protocol valid_of_three(const ThreeJson& protocol) {
-  const ProtocolReading reading = reading_of_three(protocol);
-  for (const Diagnostic& problem : reading.problems) {
-    ADD_FAILURE() << problem.pointer << ": " << problem.message;
-  }
-  return reading.protocol.value();
-}
-
-std::vector<Trial> main_trials_of_three(const Protocol& protocol) {
-  std::vector<Trial> trials{};
-  for (const Trial& trial : example_plan(protocol, {1, 0}).trials) {
-    if (trial.phase == Phase::main) trials.push_back(trial);
-  }
-  return trials;
 }
 
 double amplitude_of_surface(const PlannedPresentation& planned) {
@@ -116,7 +81,7 @@ TEST(ChoiceOfThree, PresentsTheCorrectSurfaceAtEveryPlaceEquallyOften) {
     SCOPED_TRACE(design);
     std::map<std::size_t, int> by_place{};
     std::map<std::string, int> by_level{};
-    for (const Trial& trial : main_trials_of_three(valid_of_three(constant_of_three(design)))) {
+    for (const Trial& trial : test::main_trials(test::valid(constant_of_three(design)))) {
       ASSERT_EQ(trial.presentations.size(), 3U);
       EXPECT_EQ(trial.questions.front().options.size(), 3U);
       ++by_place[place_of_correct(trial)];
@@ -130,7 +95,7 @@ TEST(ChoiceOfThree, PresentsTheCorrectSurfaceAtEveryPlaceEquallyOften) {
 
 TEST(ChoiceOfThree, HasTheComparisonAsTheCorrectResponseOfThreeAlternatives) {
   for (const Trial& trial :
-       main_trials_of_three(valid_of_three(constant_of_three("three_alternatives")))) {
+       test::main_trials(test::valid(constant_of_three("three_alternatives")))) {
     EXPECT_EQ(comparisons_in(trial), 1U);
     EXPECT_EQ(trial.questions.front().correct, std::vector<std::string>{"comparison"});
   }
@@ -139,7 +104,7 @@ TEST(ChoiceOfThree, HasTheComparisonAsTheCorrectResponseOfThreeAlternatives) {
 TEST(ChoiceOfThree, HasBothTypesOfOddityTrialsEquallyOften) {
   int of_comparison = 0;
   int of_standard = 0;
-  for (const Trial& trial : main_trials_of_three(valid_of_three(constant_of_three("oddity")))) {
+  for (const Trial& trial : test::main_trials(test::valid(constant_of_three("oddity")))) {
     const bool is_comparison_odd = comparisons_in(trial) == 1;
     EXPECT_EQ(trial.questions.front().correct.at(0), is_comparison_odd ? "comparison" : "standard");
     ++(is_comparison_odd ? of_comparison : of_standard);
@@ -153,10 +118,10 @@ TEST(ChoiceOfThree, BalancesPositionsAndTypesInEveryTrack) {
     SCOPED_TRACE(design);
     ThreeJson file = tracks_of_three(design);
     file["blocks"]["comparisons"]["positions"] = "balanced";
-    const Protocol protocol = valid_of_three(file);
+    const Protocol protocol = test::valid(file);
     const std::size_t types = find_design(design)->trials.size();
     std::map<int, std::vector<Trial>> by_track{};
-    for (const Trial& trial : main_trials_of_three(protocol)) {
+    for (const Trial& trial : test::main_trials(protocol)) {
       if (trial.track) by_track[trial.track->track].push_back(trial);
     }
     EXPECT_EQ(by_track.size(), protocol.blocks.at("comparisons").procedure->tracks.size())
@@ -182,7 +147,7 @@ TEST(ChoiceOfThree, BalancesPositionsAndTypesInEveryTrack) {
 TEST(ChoiceOfThree, CountsItsRowsAsItMakesThem) {
   for (const char* const design : kDesignsOfThree) {
     for (const ThreeJson& file : {constant_of_three(design), tracks_of_three(design)}) {
-      const Protocol protocol = valid_of_three(file);
+      const Protocol protocol = test::valid(file);
       const Protocol::Block& block = protocol.blocks.at("comparisons");
       EXPECT_EQ(row_count(protocol, block), rows_of(protocol, block).size());
     }
@@ -191,7 +156,7 @@ TEST(ChoiceOfThree, CountsItsRowsAsItMakesThem) {
 
 TEST(ChoiceOfThree, IsStatedInTheDesignOfTheBlock) {
   const auto stated = [](const std::string& design) {
-    const Protocol protocol = valid_of_three(constant_of_three(design));
+    const Protocol protocol = test::valid(constant_of_three(design));
     return design_of(protocol, protocol.blocks.at("comparisons"), make_plan(protocol, {1, 0}));
   };
   EXPECT_THAT(stated("three_alternatives"),
@@ -205,7 +170,7 @@ TEST(ChoiceOfThree, CanLieSideBySide) {
   ThreeJson file = constant_of_three("oddity");
   block_of_three(file)["arrangement"] = {{"surfaces", "side_by_side"}};
   file["environment"].erase("scene");
-  for (const Trial& trial : main_trials_of_three(valid_of_three(file))) {
+  for (const Trial& trial : test::main_trials(test::valid(file))) {
     EXPECT_LT(trial.presentations[0].patch.centre_m.x, trial.presentations[1].patch.centre_m.x);
     EXPECT_LT(trial.presentations[1].patch.centre_m.x, trial.presentations[2].patch.centre_m.x);
   }
@@ -223,7 +188,7 @@ TEST(ChoiceOfThree, DeterminesTheGuessRateOfAPriorAndItsTarget) {
   };
   for (const char* const design : kDesignsOfThree) {
     const ThreeJson file = psi_of_three(design);
-    const Protocol protocol = valid_of_three(file);
+    const Protocol protocol = test::valid(file);
     for (const ThresholdPrior& prior :
          {prior_of(protocol.blocks.at("comparisons").procedure->tracks),
           prior_of(stored_protocol(file.dump()).blocks.at("comparisons").tracks)}) {
@@ -232,7 +197,7 @@ TEST(ChoiceOfThree, DeterminesTheGuessRateOfAPriorAndItsTarget) {
     }
   }
   const ThresholdPrior of_two = prior_of(
-      valid_of_three(psi_of_three("two_alternatives")).blocks.at("comparisons").procedure->tracks);
+      test::valid(psi_of_three("two_alternatives")).blocks.at("comparisons").procedure->tracks);
   EXPECT_EQ(of_two.guess_rate, 0.5);
   EXPECT_EQ(of_two.performance, 0.75);
 }
@@ -270,11 +235,7 @@ TEST(ChoiceOfThree, RefusesWhatItCannotAsk) {
     SCOPED_TRACE(fault.message);
     ThreeJson protocol = constant_of_three(fault.design);
     fault.change(protocol);
-    std::string messages{};
-    for (const Diagnostic& problem : reading_of_three(protocol).problems) {
-      if (problem.pointer == fault.pointer) messages += problem.message + '\n';
-    }
-    EXPECT_THAT(messages, HasSubstr(fault.message));
+    EXPECT_THAT(test::problems_at(protocol, fault.pointer), HasSubstr(fault.message));
   }
 }
 
@@ -288,7 +249,7 @@ JudgedCounts judged_of_three(const Protocol& protocol, std::uint64_t seed) {
   const ExperimentKind& kind = kind_named("discrimination");
   VirtualObserver observer(protocol.observer, Random(seed));
   JudgedCounts counts{};
-  for (const Trial& trial : main_trials_of_three(protocol)) {
+  for (const Trial& trial : test::main_trials(protocol)) {
     std::vector<ForceFeatures> felt{};
     for (const PlannedPresentation& planned : trial.presentations) {
       felt.push_back(
@@ -320,7 +281,7 @@ Protocol observed_protocol(const std::string& design, double percent, double noi
   file["observer"]["lapse"] = 0.0;
   block_of_three(file)["vary"]["levels_percent"] = {percent};
   block_of_three(file)["repetitions"] = design == "oddity" ? 300 : 600;
-  return valid_of_three(file);
+  return test::valid(file);
 }
 
 TEST(ChoiceOfThree, IsJudgedWithoutErrorByANoiselessObserver) {

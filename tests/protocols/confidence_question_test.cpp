@@ -9,10 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -24,10 +22,7 @@ ConfidenceJson& rated_block(ConfidenceJson& protocol) { return protocol["blocks"
 
 /// amplitude_jnd with constant stimuli, and a scale for the confidence of its response.
 ConfidenceJson with_confidence(const std::string& design) {
-  ConfidenceJson file{};
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == "amplitude_jnd") file = ConfidenceJson::parse(each.text);
-  }
+  ConfidenceJson file = test::library_file("amplitude_jnd");
   ConfidenceJson& block = rated_block(file);
   block["design"] = design;
   block.erase("procedure");
@@ -45,10 +40,7 @@ ConfidenceJson with_confidence(const std::string& design) {
 
 TEST(ConfidenceOfAResponse, IsReadAndStored) {
   const ConfidenceJson file = with_confidence("two_alternatives");
-  const ProtocolReading reading =
-      read_protocol_with_problems(file.dump(1), "file.json", test::example_models());
-  ASSERT_TRUE(reading.protocol) << reading.problems.front().message;
-  const Protocol& protocol = *reading.protocol;
+  const Protocol protocol = test::valid(file);
   const auto& questions = protocol.blocks.at("comparisons").questions;
   EXPECT_EQ(questions.at(1).confidence_of, questions.at(0).name);
   EXPECT_EQ(stored_protocol(file.dump()).blocks.at("comparisons").questions.at(1).confidence_of,
@@ -86,12 +78,7 @@ TEST(ConfidenceOfAResponse, IsRefusedWhereItGivesNoRoc) {
     SCOPED_TRACE(fault.message);
     ConfidenceJson file = with_confidence(fault.design);
     fault.change(rated_block(file));
-    std::string messages{};
-    for (const Diagnostic& problem :
-         read_protocol_with_problems(file.dump(1), "file.json", test::example_models()).problems) {
-      if (problem.pointer == fault.pointer) messages += problem.message + '\n';
-    }
-    EXPECT_THAT(messages, HasSubstr(fault.message));
+    EXPECT_THAT(test::problems_at(file, fault.pointer), HasSubstr(fault.message));
   }
 }
 

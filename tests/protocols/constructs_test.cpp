@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/file/stored_protocol.h"
 #include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -17,15 +17,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::string rating_with(const std::string& construct) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name != "attributes_of_textures") continue;
-    std::string text(each.text);
-    const std::string declared = R"("analysis": {)";
-    const std::size_t at = text.rfind(declared);
-    return text.insert(at + declared.size(), R"("constructs": {"roughness": )" + construct + "}, ");
-  }
-  ADD_FAILURE() << "the library has no ratings";
-  return {};
+  std::string text = test::library_text("attributes_of_textures");
+  const std::string declared = R"("analysis": {)";
+  return text.insert(text.rfind(declared) + declared.size(),
+                     R"("constructs": {"roughness": )" + construct + "}, ");
 }
 
 std::string problems_of_construct(const std::string& construct) {

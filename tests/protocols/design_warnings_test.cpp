@@ -10,8 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_reader.h"
-#include "renderers/built_in_models.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -21,16 +20,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-json design_of_library(std::string_view name) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == name) return json::parse(each.text);
-  }
-  throw std::invalid_argument("no such library protocol");
-}
-
 std::vector<std::string> warned(const json& file) {
-  const Protocol protocol =
-      read_protocol(file.dump(), "file.json", declarations_of(built_in_models()));
+  const Protocol protocol = test::valid(file, test::models_of_library());
   std::vector<std::string> warnings{};
   for (const Diagnostic& warning : warnings_about_design(protocol, "file.json")) {
     warnings.push_back(warning.pointer + ": " + warning.message);
@@ -45,7 +36,7 @@ TEST(DesignWarnings, AreNoneAboutTheLibrary) {
 }
 
 TEST(DesignWarnings, NameACrossedFactorThatNothingUses) {
-  json file = design_of_library("semantic_differential");
+  json file = test::library_file("semantic_differential");
   file["factors"]["speed"] = {{"levels", {0.06, 0.12}}};
   file["description"] = "The speed of the hand is not prescribed.";
   for (auto& [name, block] : file["blocks"].items()) {
@@ -57,7 +48,7 @@ TEST(DesignWarnings, NameACrossedFactorThatNothingUses) {
 }
 
 TEST(DesignWarnings, AreAboutAPriorOutsideTheLevels) {
-  json file = design_of_library("amplitude_jnd_psi");
+  json file = test::library_file("amplitude_jnd_psi");
   for (auto& [name, block] : file["blocks"].items()) {
     if (!block.contains("procedure")) continue;
     block["procedure"]["prior"]["threshold"] = {{"lowest", 0.001}, {"highest", 1}, {"count", 41}};
@@ -67,7 +58,7 @@ TEST(DesignWarnings, AreAboutAPriorOutsideTheLevels) {
 }
 
 TEST(DesignWarnings, AreAboutPartsThatNeedNotConnectAllLevels) {
-  json file = design_of_library("map_of_renderings");
+  json file = test::library_file("map_of_renderings");
   for (const auto& [parts, expected] : {std::pair{4, 0U}, {5, 1U}, {9, 1U}}) {
     for (auto& [name, block] : file["blocks"].items()) {
       if (block.contains("all_pairs")) block["all_pairs"]["parts"] = parts;
@@ -79,7 +70,7 @@ TEST(DesignWarnings, AreAboutPartsThatNeedNotConnectAllLevels) {
 }
 
 TEST(DesignWarnings, AreAboutPositionsThatAreNotBalancedWithinLevels) {
-  json file = design_of_library("amplitude_jnd_psi");
+  json file = test::library_file("amplitude_jnd_psi");
   for (auto& [name, block] : file["blocks"].items()) {
     if (!block.contains("procedure")) continue;
     block.erase("procedure");

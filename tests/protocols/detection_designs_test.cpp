@@ -13,14 +13,12 @@
 
 #include "analysis/detection_function.h"
 #include "analysis/signal_detection.h"
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/plan.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -36,54 +34,20 @@ DesignJson& design_block(DesignJson& protocol) { return protocol["blocks"]["comp
 /// amplitude_jnd with constant stimuli and another design.
 DesignJson with_design(const std::string& design) {
   const bool is_pair = design == "same_different";
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name != "amplitude_jnd") continue;
-    DesignJson protocol = DesignJson::parse(each.text);
-    protocol["blocks"].erase("practice");
-    protocol.erase("resume");
-    auto& flow = protocol["flow"];
-    flow.erase(std::remove_if(flow.begin(), flow.end(),
-                              [](const DesignJson& step) {
-                                return step.contains("run") && step["run"] == "practice";
-                              }),
-               flow.end());
-    DesignJson& block = design_block(protocol);
-    block.erase("procedure");
-    block["design"] = design;
-    block["vary"]["levels_percent"] = {5, 10, 20, 30, 50};
-    block["repetitions"] = kRepetitions;
-    if (!is_pair) block.erase("positions");
-    block["question"]["options"] =
-        is_pair
-            ? DesignJson{{{"value", "same"}, {"text", "The same"}},
-                         {{"value", "different"}, {"text", "Different"}}}
-            : DesignJson{{{"value", "yes"}, {"text", "Yes"}}, {{"value", "no"}, {"text", "No"}}};
-    protocol["observer"][is_pair ? "different_above" : "yes_above"] = is_pair ? 0.03 : 0.1;
-    protocol["analysis"]["family"] = {"conditions"};
-    return protocol;
-  }
-  ADD_FAILURE() << "the library has no such protocol";
-  return {};
-}
-
-ProtocolReading reading_of_design(const DesignJson& protocol) {
-  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
-}
-
-Protocol valid_design(const DesignJson& protocol) {
-  const ProtocolReading reading = reading_of_design(protocol);
-  for (const Diagnostic& problem : reading.problems) {
-    ADD_FAILURE() << problem.pointer << ": " << problem.message;
-  }
-  return reading.protocol.value();
-}
-
-std::vector<Trial> main_trials(const Protocol& protocol) {
-  std::vector<Trial> trials{};
-  for (const Trial& trial : make_plan(protocol, {1, 0}).trials) {
-    if (trial.phase == Phase::main) trials.push_back(trial);
-  }
-  return trials;
+  DesignJson protocol = test::without_practice(test::library_file("amplitude_jnd"));
+  DesignJson& block = design_block(protocol);
+  block.erase("procedure");
+  block["design"] = design;
+  block["vary"]["levels_percent"] = {5, 10, 20, 30, 50};
+  block["repetitions"] = kRepetitions;
+  if (!is_pair) block.erase("positions");
+  block["question"]["options"] =
+      is_pair ? DesignJson{{{"value", "same"}, {"text", "The same"}},
+                           {{"value", "different"}, {"text", "Different"}}}
+              : DesignJson{{{"value", "yes"}, {"text", "Yes"}}, {{"value", "no"}, {"text", "No"}}};
+  protocol["observer"][is_pair ? "different_above" : "yes_above"] = is_pair ? 0.03 : 0.1;
+  protocol["analysis"]["family"] = {"conditions"};
+  return protocol;
 }
 
 /// "standard, comparison"
@@ -100,10 +64,10 @@ double amplitude_of(const PlannedPresentation& planned) {
 }
 
 TEST(YesNoDesign, PresentsTheStandardAndTheComparisonEquallyOften) {
-  const Protocol protocol = valid_design(with_design("yes_no"));
+  const Protocol protocol = test::valid(with_design("yes_no"));
   std::map<std::string, int> by_level{};
   int standards = 0;
-  for (const Trial& trial : main_trials(protocol)) {
+  for (const Trial& trial : test::main_trials(protocol)) {
     ASSERT_EQ(trial.presentations.size(), 1U);
     const PlannedPresentation& surface = trial.presentations.front();
     const bool is_signal = surface.role == "comparison";
@@ -118,9 +82,9 @@ TEST(YesNoDesign, PresentsTheStandardAndTheComparisonEquallyOften) {
 }
 
 TEST(SameDifferentDesign, PresentsEveryPairInBothOrdersAndBothEqualPairs) {
-  const Protocol protocol = valid_design(with_design("same_different"));
+  const Protocol protocol = test::valid(with_design("same_different"));
   std::map<std::string, int> by_roles{};
-  for (const Trial& trial : main_trials(protocol)) {
+  for (const Trial& trial : test::main_trials(protocol)) {
     ASSERT_EQ(trial.presentations.size(), 2U);
     const bool differs = trial.presentations[0].role != trial.presentations[1].role;
     EXPECT_EQ(amplitude_of(trial.presentations[0]) != amplitude_of(trial.presentations[1]),
@@ -138,14 +102,14 @@ TEST(SameDifferentDesign, PresentsEveryPairInBothOrdersAndBothEqualPairs) {
 
 TEST(DetectionDesigns, CountTheirRowsAsTheyMakeThem) {
   for (const char* const design : {"yes_no", "same_different"}) {
-    const Protocol protocol = valid_design(with_design(design));
+    const Protocol protocol = test::valid(with_design(design));
     const Protocol::Block& block = protocol.blocks.at("comparisons");
     EXPECT_EQ(row_count(protocol, block), rows_of(protocol, block).size());
   }
 }
 
 TEST(DetectionDesigns, AreStatedInTheDesignOfTheBlock) {
-  const Protocol protocol = valid_design(with_design("same_different"));
+  const Protocol protocol = test::valid(with_design("same_different"));
   const std::string design =
       design_of(protocol, protocol.blocks.at("comparisons"), make_plan(protocol, {1, 0}));
   EXPECT_THAT(design, HasSubstr("same–different task, one surface after the other"));
@@ -200,13 +164,8 @@ TEST(DetectionDesigns, RefuseWhatTheyCannotAsk) {
     SCOPED_TRACE(fault.message);
     DesignJson protocol = with_design(fault.design);
     fault.change(protocol);
-    std::string messages{};
-    for (const Diagnostic& problem : reading_of_design(protocol).problems) {
-      if (problem.pointer == std::string("/blocks/comparisons") + fault.pointer) {
-        messages += problem.message + '\n';
-      }
-    }
-    EXPECT_THAT(messages, HasSubstr(fault.message));
+    EXPECT_THAT(test::problems_at(protocol, std::string("/blocks/comparisons") + fault.pointer),
+                HasSubstr(fault.message));
   }
 }
 
@@ -218,7 +177,7 @@ std::vector<PsychometricBlock> judged(const Protocol& protocol, std::uint64_t se
   constexpr double kStandard_m = 50e-6;
   std::map<double, PsychometricBlock> by_difference{};
   VirtualObserver observer(protocol.observer, Random(seed));
-  for (const Trial& trial : main_trials(protocol)) {
+  for (const Trial& trial : test::main_trials(protocol)) {
     std::vector<ForceFeatures> felt{};
     double difference = 0.0;
     std::size_t comparisons = 0;
@@ -273,7 +232,7 @@ Protocol judged_protocol(const JudgedDesign& design, double noise, double criter
   protocol["observer"]["magnitude_of"] = "normal_force";
   protocol["observer"][design.criterion] = criterion;
   design_block(protocol)["repetitions"] = repetitions;
-  return valid_design(protocol);
+  return test::valid(protocol);
 }
 
 TEST(DetectionDesigns, AreJudgedWithoutErrorByANoiselessObserver) {
@@ -294,7 +253,7 @@ TEST(DetectionDesigns, AreGuessedByADeafObserver) {
     file["observer"]["deaf"] = true;
     design_block(file)["repetitions"] = 40;
     DetectionCounts counts{};
-    for (const PsychometricBlock& block : judged(valid_design(file), 2)) {
+    for (const PsychometricBlock& block : judged(test::valid(file), 2)) {
       HitCount& count = block.x > 0.0 ? counts.signal : counts.noise;
       count.trials += block.trials;
       count.hits += block.hits;
@@ -324,10 +283,10 @@ TEST(DetectionDesigns, RecoverThePlantedDifferenceOfAnObserverWithNoise) {
 TEST(DetectionDesigns, HaveOneProblemWithAProcedure) {
   DesignJson protocol = with_design("yes_no");
   design_block(protocol)["procedure"] = {{"method", "psi"}, {"stop", {{"trials", 40}}}};
-  const std::vector<Diagnostic> problems = reading_of_design(protocol).problems;
-  ASSERT_EQ(problems.size(), 1U) << "the key is to be removed, whatever it states";
-  EXPECT_THAT(problems.front().message,
-              HasSubstr("presents every level equally often, because a proportion correct"));
+  EXPECT_THAT(test::problems_in(protocol),
+              ::testing::ElementsAre(
+                  HasSubstr("presents every level equally often, because a proportion correct")))
+      << "the key is to be removed, whatever it states";
 }
 
 }  // namespace

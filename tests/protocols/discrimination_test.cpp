@@ -12,11 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/dimension.h"
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/plan.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -25,21 +23,14 @@ namespace {
 using ProtocolJson = nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr const char* kBlock = "/blocks/comparisons";
-
 /// Two-interval forced choice: an amplitude of 50 µm, and 5, 10, 20, 30 and 50 % above.
 ProtocolJson amplitude_jnd() {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name != "amplitude_jnd") continue;
-    ProtocolJson protocol = ProtocolJson::parse(each.text);
-    ProtocolJson& block = protocol["blocks"]["comparisons"];
-    block.erase("procedure");
-    block["vary"]["levels_percent"] = {5, 10, 20, 30, 50};
-    block["repetitions"] = 16;
-    return protocol;
-  }
-  ADD_FAILURE() << "the library has no such protocol";
-  return {};
+  ProtocolJson protocol = test::library_file("amplitude_jnd");
+  ProtocolJson& block = protocol["blocks"]["comparisons"];
+  block.erase("procedure");
+  block["vary"]["levels_percent"] = {5, 10, 20, 30, 50};
+  block["repetitions"] = 16;
+  return protocol;
 }
 
 ProtocolJson& main_block(ProtocolJson& protocol) { return protocol["blocks"]["comparisons"]; }
@@ -52,50 +43,26 @@ ProtocolJson comparison_of_amplitudes() {
   return protocol;
 }
 
-ProtocolReading reading_of_discrimination(const ProtocolJson& protocol) {
-  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
-}
-
-Protocol valid_discrimination(const ProtocolJson& protocol) {
-  const ProtocolReading reading = reading_of_discrimination(protocol);
-  for (const Diagnostic& problem : reading.problems) {
-    ADD_FAILURE() << problem.pointer << ": " << problem.message;
-  }
-  return reading.protocol.value();
-}
-
-using Change = std::function<void(ProtocolJson& protocol)>;
-
-/// The messages at a pointer after a change of a valid protocol.
-std::string problems_at(ProtocolJson protocol, const std::string& pointer, const Change& change) {
-  change(protocol);
-  std::string messages{};
-  for (const Diagnostic& problem : reading_of_discrimination(protocol).problems) {
-    if (problem.pointer == pointer) messages += problem.message + '\n';
-  }
-  return messages;
-}
-
 struct FaultOfBlock {
   const char* pointer = "";  ///< below the main block
   const char* message = "";
-  Change change{};
+  std::function<void(ProtocolJson&)> change{};
 };
 
 void expect_faults(const ProtocolJson& valid, const std::vector<FaultOfBlock>& faults) {
   for (const FaultOfBlock& fault : faults) {
     SCOPED_TRACE(fault.message);
-    EXPECT_THAT(problems_at(valid, std::string(kBlock) + fault.pointer, fault.change),
+    ProtocolJson changed = valid;
+    fault.change(changed);
+    EXPECT_THAT(test::problems_at(changed, std::string("/blocks/comparisons") + fault.pointer),
                 HasSubstr(fault.message));
   }
 }
 
 TEST(Discriminations, ArePlannedWithEveryLevelInBothOrders) {
-  const Plan plan = make_plan(valid_discrimination(amplitude_jnd()), {1, 0});
   std::map<std::string, int> by_level{};
   std::map<std::string, int> comparison_first{};
-  for (const Trial& trial : plan.trials) {
-    if (trial.phase != Phase::main) continue;
+  for (const Trial& trial : test::main_trials(test::valid(amplitude_jnd()))) {
     const std::string level = text_of(trial.factors.at("amplitude_m"));
     ++by_level[level];
     ASSERT_EQ(trial.presentations.size(), 2U);
@@ -105,8 +72,7 @@ TEST(Discriminations, ArePlannedWithEveryLevelInBothOrders) {
       const double amplitude_m = std::get<double>(planned.stimulus.parameters.at("amplitude_m"));
       EXPECT_EQ(text_of(Level(amplitude_m)), planned.role == "standard" ? "5e-05" : level);
     }
-    const Trial& asked = trial;
-    EXPECT_EQ(asked.questions.front().correct, std::vector<std::string>{"comparison"});
+    EXPECT_EQ(trial.questions.front().correct, std::vector<std::string>{"comparison"});
   }
   ASSERT_EQ(by_level.size(), 5U);
   for (const auto& [level, trials] : by_level) {
@@ -119,9 +85,7 @@ TEST(Discriminations, ArePlannedWithEveryLevelInBothOrders) {
 }
 
 TEST(Discriminations, ByComparisonHaveNoCorrectResponse) {
-  const Plan plan = make_plan(valid_discrimination(comparison_of_amplitudes()), {1, 0});
-  for (const Trial& trial : plan.trials) {
-    if (trial.phase != Phase::main) continue;
+  for (const Trial& trial : test::main_trials(test::valid(comparison_of_amplitudes()))) {
     EXPECT_TRUE(trial.questions.front().correct.empty());
   }
 }
@@ -148,9 +112,7 @@ TEST(Discriminations, RefuseSurfacesThatAreNotAStandardAndAComparison) {
 TEST(Discriminations, MayHaveTheOptionCannotTell) {
   for (ProtocolJson protocol : {amplitude_jnd(), comparison_of_amplitudes()}) {
     main_block(protocol)["question"]["allow_cannot_tell"] = true;
-    const Plan plan = make_plan(valid_discrimination(protocol), {1, 0});
-    for (const Trial& trial : plan.trials) {
-      if (trial.phase != Phase::main) continue;
+    for (const Trial& trial : test::main_trials(test::valid(protocol))) {
       ASSERT_EQ(trial.questions.front().options.size(), 3U);
       EXPECT_EQ(trial.questions.front().options.back().value, kCannotTellOption);
     }
@@ -174,14 +136,14 @@ TEST(Discriminations, StateInTheWeightedMethodThatChoicesAreUnforced) {
     return std::get<WeightedUpDown>(settings).unforced_alternatives;
   };
   ProtocolJson protocol = unforced_weighted();
-  const Protocol read = valid_discrimination(protocol);
+  const Protocol read = test::valid(protocol);
   EXPECT_EQ(alternatives(read.blocks.at("comparisons").procedure->tracks.front()), 2U);
   const StoredProtocol stored = stored_protocol(protocol.dump());
   ASSERT_EQ(stored.blocks.at("comparisons").tracks.size(), 1U);
   EXPECT_EQ(alternatives(stored.blocks.at("comparisons").tracks.front()), 2U);
   main_block(protocol)["question"].erase("allow_cannot_tell");
-  EXPECT_FALSE(alternatives(
-      valid_discrimination(protocol).blocks.at("comparisons").procedure->tracks.front()));
+  EXPECT_FALSE(
+      alternatives(test::valid(protocol).blocks.at("comparisons").procedure->tracks.front()));
 }
 
 TEST(Discriminations, RefuseCannotTellWhereAProcedureHasNoStepForIt) {
@@ -254,7 +216,7 @@ TEST(Discriminations, OfDecreasingLevelsAreValid) {
   for (const char* const block : {"practice", "comparisons"}) {
     protocol["blocks"][block]["vary"]["levels_percent"] = {-50, -20};
   }
-  (void)valid_discrimination(protocol);
+  (void)test::valid(protocol);
 }
 
 TEST(VariedParameters, RefuseLevelsThatAreMissingOrStatedTwice) {
@@ -373,7 +335,7 @@ TEST(VariedParameters, OfADetectionHaveDifferencesOrValues) {
     vary["levels"] = {1e-6, 2e-6, 5e-6};
     protocol["blocks"][block]["presented"][0]["stimulus"] = "smooth";
   }
-  const Protocol read = valid_discrimination(protocol);
+  const Protocol read = test::valid(protocol);
   EXPECT_EQ(read.blocks.at("comparisons").vary->standard, 0.0);
   EXPECT_EQ(read.blocks.at("comparisons").vary->unit, "m");
 }
@@ -381,7 +343,7 @@ TEST(VariedParameters, OfADetectionHaveDifferencesOrValues) {
 TEST(VariedParameters, HaveLevelsOnAGrid) {
   ProtocolJson protocol = amplitude_jnd();
   main_block(protocol)["vary"]["levels_percent"] = {{"lowest", 10}, {"highest", 50}, {"step", 20}};
-  const Protocol read = valid_discrimination(protocol);
+  const Protocol read = test::valid(protocol);
   EXPECT_THAT(read.blocks.at("comparisons").vary->values(),
               testing::ElementsAre(5.5e-5, 6.5e-5, 7.5e-5));
   EXPECT_EQ(read.factors.at("amplitude_m").unit, "m");

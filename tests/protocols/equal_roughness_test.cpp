@@ -14,15 +14,12 @@
 
 #include "analysis/random.h"
 #include "analysis/tail_probabilities.h"
-#include "protocols/file/library_protocols.h"
 #include "protocols/file/plan_warnings.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/roughness_matching.h"
-#include "renderers/built_in_models.h"
-#include "renderers/force/force_model.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -30,26 +27,10 @@ namespace {
 using ::testing::HasSubstr;
 using RoughnessJson = nlohmann::json;
 
-RoughnessJson realism_of_models() {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == "realism_of_models") {
-      return RoughnessJson::parse(each.text);
-    }
-  }
-  ADD_FAILURE() << "the library has no such protocol";
-  return {};
-}
-
-ProtocolReading reading_of_models(const RoughnessJson& file) {
-  return read_protocol_with_problems(file.dump(1), "file.json", declarations_of(built_in_models()));
-}
+RoughnessJson realism_of_models() { return test::library_file("realism_of_models"); }
 
 Protocol valid_models(const RoughnessJson& file) {
-  ProtocolReading reading = reading_of_models(file);
-  for (const Diagnostic& problem : reading.problems) {
-    ADD_FAILURE() << problem.pointer << ": " << problem.message;
-  }
-  return reading.protocol.value_or(Protocol{});
+  return test::valid(file, test::models_of_library());
 }
 
 // --- the estimate --------------------------------------------------------------------------------
@@ -381,24 +362,19 @@ TEST(EqualRoughness, RefusesFilesThatCannotMatch) {
     SCOPED_TRACE(std::string(fault.pointer) + ": " + fault.message);
     RoughnessJson file = realism_of_models();
     fault.change(file);
-    std::string messages{};
-    std::string all{};
-    for (const Diagnostic& problem : reading_of_models(file).problems) {
-      all += problem.pointer + ": " + problem.message + '\n';
-      if (problem.pointer == fault.pointer) messages += problem.message + '\n';
-    }
-    EXPECT_THAT(messages, HasSubstr(fault.message)) << all;
+    EXPECT_THAT(test::problems_at(file, fault.pointer, test::models_of_library()),
+                HasSubstr(fault.message));
   }
 }
 
 TEST(EqualRoughness, NeedsModelsWithAnAmplitude) {
-  std::vector<ModelDeclaration> models = declarations_of(built_in_models());
+  std::vector<ModelDeclaration> models = test::models_of_library();
   for (ModelDeclaration& model : models) {
     if (model.id == "recorded") model.amplitude_parameter.reset();
   }
   RoughnessJson file = realism_of_models();
   for (auto& [name, stimulus] : file["stimuli"].items()) stimulus.erase("equal_force");
-  const ProtocolReading reading = read_protocol_with_problems(file.dump(1), "file.json", models);
+  const ProtocolReading reading = test::reading_of(file, models);
   ASSERT_EQ(reading.problems.size(), 1U);
   EXPECT_EQ(reading.problems.front().pointer, "/blocks/matching/vary/parameter");
   EXPECT_THAT(reading.problems.front().message, HasSubstr("has no amplitude"));

@@ -8,10 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/protocol_problems.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/course.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -47,25 +46,11 @@ nlohmann::json external_file() {
     "flow": [{"screen": "Welcome"}, {"run": "tracks"}, {"run": "after"}, {"screen": "Goodbye"}]})");
 }
 
-Protocol external_protocol(const nlohmann::json& file) {
-  ProtocolReading reading =
-      read_protocol_with_problems(file.dump(1), "file.json", test::example_models());
-  for (const Diagnostic& problem : reading.problems) {
-    ADD_FAILURE() << problem.pointer << ": " << problem.message;
-  }
-  return reading.protocol.value_or(Protocol{});
-}
-
 /// "POINTER: MESSAGE" of every problem of the file after a change of its procedure.
 std::vector<std::string> problems_of_changed(const std::function<void(nlohmann::json&)>& change) {
   nlohmann::json file = external_file();
   change(file["blocks"]["tracks"]);
-  std::vector<std::string> problems{};
-  for (const Diagnostic& problem :
-       read_protocol_with_problems(file.dump(1), "file.json", test::example_models()).problems) {
-    problems.push_back(problem.pointer + ": " + problem.message);
-  }
-  return problems;
+  return test::problems_in(file);
 }
 
 TrialOutcome answered_as(const Trial& trial, bool counts_down) {
@@ -75,7 +60,7 @@ TrialOutcome answered_as(const Trial& trial, bool counts_down) {
 }
 
 TEST(ExternalLevels, AreRequestedBeforeEachTrialAndForNoOtherTrack) {
-  const Protocol protocol = external_protocol(external_file());
+  const Protocol protocol = test::valid(external_file());
   Course course(protocol, {.seed = 5});
   EXPECT_TRUE(course.plan().trials.empty());
   EXPECT_EQ(course.awaited(), nullptr);
@@ -108,7 +93,7 @@ TEST(ExternalLevels, AreRequestedBeforeEachTrialAndForNoOtherTrack) {
 }
 
 TEST(ExternalLevels, AreThoseOfTheBlockOnly) {
-  const Protocol protocol = external_protocol(external_file());
+  const Protocol protocol = test::valid(external_file());
   Course course(protocol, {.seed = 5});
   EXPECT_THROW(course.supply(NextLevel{15.0}), std::invalid_argument);
   EXPECT_TRUE(course.requested()) << "nothing was supplied";
@@ -117,7 +102,7 @@ TEST(ExternalLevels, AreThoseOfTheBlockOnly) {
 }
 
 TEST(ExternalLevels, StayUntilTheTrialHasAnAnswerThatCounts) {
-  const Protocol protocol = external_protocol(external_file());
+  const Protocol protocol = test::valid(external_file());
   Course course(protocol, {.seed = 5});
   const int first = course.requested()->of.track;
   course.supply(NextLevel{70.0});
@@ -136,7 +121,7 @@ TEST(ExternalLevels, StayUntilTheTrialHasAnAnswerThatCounts) {
 }
 
 TEST(ExternalLevels, EndTracksOneByOne) {
-  const Protocol protocol = external_protocol(external_file());
+  const Protocol protocol = test::valid(external_file());
   Course course(protocol, {.seed = 5});
   course.supply(TrackEnd::program);
   ASSERT_TRUE(course.requested());
@@ -151,7 +136,7 @@ TEST(ExternalLevels, EndTracksOneByOne) {
 }
 
 TEST(ExternalLevels, OfAnExampleAreExamples) {
-  const Protocol protocol = external_protocol(external_file());
+  const Protocol protocol = test::valid(external_file());
   EXPECT_EQ(example_plan(protocol, {.seed = 5}).trials.size(), 10U);
   EXPECT_EQ(make_plan(protocol, {.seed = 5}).trials.size(), 0U);
   EXPECT_EQ(expected_trials(protocol), 10);

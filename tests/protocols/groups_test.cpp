@@ -11,18 +11,14 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
 
+using test::replaced;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("the example lacks " + from);
-  return text.replace(at, from.size(), to);
-}
 
 /// The example with a between-participants factor, to which an exploration is bound.
 std::string grouped() {

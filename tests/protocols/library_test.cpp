@@ -14,20 +14,16 @@
 #include "protocols/file/warnings.h"
 #include "protocols/observer/virtual_observer.h"
 #include "protocols/plan/course.h"
-#include "renderers/built_in_models.h"
-#include "renderers/force/force_model.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
-
-std::vector<ModelDeclaration> models_of_library() { return declarations_of(built_in_models()); }
 
 class Library : public testing::TestWithParam<LibraryProtocol> {
  protected:
   Protocol protocol() const {
     return read_protocol(GetParam().text, std::string(GetParam().name) + ".json",
-                         models_of_library());
+                         test::models_of_library());
   }
 };
 
@@ -138,7 +134,7 @@ std::vector<InBothLanguages> in_both_languages() {
     const LibraryProtocol& english = library_protocols()[i];
     EXPECT_EQ(german[i].name, english.name);
     const auto read = [](const LibraryProtocol& one) {
-      return read_protocol(one.text, std::string(one.name), models_of_library());
+      return read_protocol(one.text, std::string(one.name), test::models_of_library());
     };
     all.push_back({.english = read(english),
                    .german = read(german[i]),
@@ -182,10 +178,7 @@ TEST(LibraryProtocols, GiveTheSamePlansInGerman) {
 }
 
 Protocol library_protocol(const std::string& name) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == name) return read_protocol(each.text, name, models_of_library());
-  }
-  throw std::invalid_argument("no library protocol " + name);
+  return read_protocol(test::library_text(name), name, test::models_of_library());
 }
 
 TEST(LibraryProtocols, HoldForceAndSpeedByBandsThatDoNotMeet) {

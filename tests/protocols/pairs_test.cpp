@@ -10,11 +10,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/plan.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -22,32 +20,14 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-json pairs_of_textures() {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == "roughness_in_pairs") return json::parse(each.text);
-  }
-  ADD_FAILURE() << "the library has no such protocol";
-  return {};
-}
+json pairs_of_textures() { return test::library_file("roughness_in_pairs"); }
 
-ProtocolReading reading_of_pairs(const json& protocol) {
-  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
-}
+Plan plan_of_valid(const json& protocol) { return make_plan(test::valid(protocol), {1, 0}); }
 
-Plan plan_of_valid(const json& protocol) {
-  const ProtocolReading reading = reading_of_pairs(protocol);
-  for (const Diagnostic& problem : reading.problems) ADD_FAILURE() << problem.message;
-  return make_plan(reading.protocol.value(), {1, 0});
-}
-
-/// The first problem at a pointer below the main block, or at another one that begins with "//".
+/// The problems at a pointer below the main block, or at another one that begins with "//".
 std::string problem_in_block(const json& protocol, const std::string& place) {
-  const std::string pointer =
-      place.starts_with("//") ? place.substr(1) : "/blocks/comparisons" + place;
-  for (const Diagnostic& problem : reading_of_pairs(protocol).problems) {
-    if (problem.pointer == pointer) return problem.message;
-  }
-  return {};
+  return test::problems_at(
+      protocol, place.starts_with("//") ? place.substr(1) : "/blocks/comparisons" + place);
 }
 
 json& comparisons_block(json& protocol) { return protocol["blocks"]["comparisons"]; }
@@ -60,8 +40,7 @@ TexturePair pair_in(const Trial& trial) {
 
 TEST(AllPairs, ComeInBothOrdersOnceInEveryRepetition) {
   std::map<int, std::map<TexturePair, int>> of_repetition{};
-  for (const Trial& trial : plan_of_valid(pairs_of_textures()).trials) {
-    if (trial.phase != Phase::main) continue;
+  for (const Trial& trial : test::main_trials(test::valid(pairs_of_textures()))) {
     ASSERT_EQ(trial.presentations.size(), 2U);
     EXPECT_EQ(trial.presentations[0].position, 1);
     EXPECT_EQ(trial.presentations[1].position, 2);
@@ -84,8 +63,7 @@ TEST(AllPairs, ComeOnceInAnOrderThatIsDrawnOrBalanced) {
   comparisons_block(protocol)["positions"] = "balanced";
   std::map<std::set<std::string>, int> pairs{};
   int in_order_of_levels = 0;
-  for (const Trial& trial : plan_of_valid(protocol).trials) {
-    if (trial.phase != Phase::main) continue;
+  for (const Trial& trial : test::main_trials(test::valid(protocol))) {
     const TexturePair pair = pair_in(trial);
     ++pairs[{pair.first, pair.second}];
     const std::vector<std::string> levels{"metal", "stone", "wood", "brick"};
@@ -106,8 +84,7 @@ TEST(AllPairs, AreCombinedWithEveryLevelOfACrossedFactor) {
   protocol["blocks"]["familiarisation"]["crossed"] = {"model"};
   std::set<std::string> textures{};
   int trials = 0;
-  for (const Trial& trial : plan_of_valid(protocol).trials) {
-    if (trial.phase != Phase::main) continue;
+  for (const Trial& trial : test::main_trials(test::valid(protocol))) {
     ++trials;
     textures.insert(text_of(trial.factors.at("texture")));
     EXPECT_EQ(trial.presentations[0].item, trial.presentations[0].stimulus.model)

@@ -10,29 +10,19 @@
 
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
-#include "renderers/built_in_models.h"
-#include "renderers/force/force_model.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
+
+using test::replaced;
 
 Protocol read(const std::string& text) {
   return read_protocol(text, "p.json", test::example_models());
 }
 
 Protocol library(std::string_view name) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name != name) continue;
-    return read_protocol(each.text, std::string(name), declarations_of(built_in_models()));
-  }
-  throw std::logic_error("no such library protocol");
-}
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("the example lacks " + from);
-  return text.replace(at, from.size(), to);
+  return read_protocol(test::library_text(name), std::string(name), test::models_of_library());
 }
 
 std::string text_of_plan(const Plan& plan) {
@@ -277,14 +267,15 @@ TEST(Plan, CriterionBlocksHoldTheirMostTrials) {
 }
 
 std::string iterated() {
-  std::string text = with(test::example_selection(), R"("crossed": ["texture"],)", "");
-  text = with(text, R"("maximum_in_a_row": {"texture": 2},)", "");
-  text = with(text, R"("levels": ["metal", "stone"])", R"("levels": ["metal", "stone", "wood"])");
-  text = with(text, R"("textures": {)",
-              R"("counterbalance": "williams", "textures": {
+  std::string text = replaced(test::example_selection(), R"("crossed": ["texture"],)", "");
+  text = replaced(text, R"("maximum_in_a_row": {"texture": 2},)", "");
+  text =
+      replaced(text, R"("levels": ["metal", "stone"])", R"("levels": ["metal", "stone", "wood"])");
+  text = replaced(text, R"("textures": {)",
+                  R"("counterbalance": "williams", "textures": {
                   "wood": {"height_field": "stimuli/wood.png", "picture": "stimuli/wood_photo.png"},)");
-  return with(text, R"({"run": "main", "break_every_trials": 3,)",
-              R"({"run": "main", "for_each": "texture",)");
+  return replaced(text, R"({"run": "main", "break_every_trials": 3,)",
+                  R"({"run": "main", "for_each": "texture",)");
 }
 
 std::vector<std::string> order_of_blocks(const Plan& plan) {
@@ -320,15 +311,15 @@ TEST(Plan, CounterbalancesTheOrderOfAnIteratedFactor) {
 }
 
 TEST(Plan, CounterbalancesTwoFactorsInEveryCombination) {
-  std::string text = with(iterated(), R"("factors": {)",
-                          R"("factors": {"posture": {"levels": ["sitting", "standing"]},)");
-  text = with(text, R"("blocks": {)", R"("blocks": {"other": {
+  std::string text = replaced(iterated(), R"("factors": {)",
+                              R"("factors": {"posture": {"levels": ["sitting", "standing"]},)");
+  text = replaced(text, R"("blocks": {)", R"("blocks": {"other": {
       "listed": [{"texture": "metal"}, {"texture": "stone"}, {"texture": "wood"}],
       "presented": [{"stimulus": "rendered", "with": {"model": "height_map"}},
                     {"stimulus": "rendered", "with": {"model": "sinusoid"}}],
       "question": {"name": "q", "prompt": "Which?"}, "exploration": "stroking"},)");
-  text = with(text, R"({"check": "device"},)",
-              R"({"check": "device"}, {"run": "other", "for_each": "posture"},)");
+  text = replaced(text, R"({"check": "device"},)",
+                  R"({"check": "device"}, {"run": "other", "for_each": "posture"},)");
   const Protocol protocol = read(text);
   ASSERT_EQ(counterbalance_rows(protocol), 2 * 6);
   std::set<std::string> orders{};
@@ -354,18 +345,18 @@ TEST(Plan, RestsBetweenTheLevelsOfAnIteratedFactor) {
 }
 
 TEST(Plan, WithoutCounterbalancingThereIsOneRowAndLevelsComeAsListed) {
-  const Protocol protocol = read(with(iterated(), R"("williams")", R"("none")"));
+  const Protocol protocol = read(replaced(iterated(), R"("williams")", R"("none")"));
   EXPECT_EQ(counterbalance_rows(protocol), 1);
   EXPECT_EQ(order_of_blocks(make_plan(protocol, {4, 3})),
             (std::vector<std::string>{"metal", "stone", "wood"}));
 }
 
 TEST(Plan, TellsTheExperimenterWhichCodedSampleToPlace) {
-  std::string text = with(test::example_selection(), R"("photograph")", R"("physical_sample")");
-  text = with(text, R"("metal": {)", R"("metal": {"code": "K7",)");
-  text = with(text, R"("stone": {)", R"("stone": {"code": "K2",)");
-  text = with(text, R"({"name": "most_realistic",)",
-              R"({"name": "most_realistic", "experimenter_prompt": "Place sample {code}.",)");
+  std::string text = replaced(test::example_selection(), R"("photograph")", R"("physical_sample")");
+  text = replaced(text, R"("metal": {)", R"("metal": {"code": "K7",)");
+  text = replaced(text, R"("stone": {)", R"("stone": {"code": "K2",)");
+  text = replaced(text, R"({"name": "most_realistic",)",
+                  R"({"name": "most_realistic", "experimenter_prompt": "Place sample {code}.",)");
   for (const Trial& trial : make_plan(read(text), {1, 0}).trials) {
     EXPECT_EQ(trial.experimenter_prompt, text_of(trial.factors.at("texture")) == "metal"
                                              ? "Place sample K7."
@@ -375,19 +366,19 @@ TEST(Plan, TellsTheExperimenterWhichCodedSampleToPlace) {
 }
 
 void expect_bound_to_a_factor(const std::string& model, const std::string& parameter) {
-  std::string text =
-      with(test::example_selection(), R"("texture": {"factor": "texture"},
+  std::string text = replaced(
+      test::example_selection(), R"("texture": {"factor": "texture"},
       "equal_force": {"to_model": "height_map"})",
-           R"("texture": "metal", "parameters": {")" + parameter + R"(": {"factor": "scale"}})");
-  text = with(text, R"("model": {"factor": "model"})", R"("model": ")" + model + '"');
-  text = with(text, R"("factors": {)", R"("factors": {"scale": {"levels": [0.5, 1, 2]},)");
-  text = with(text, R"("crossed": ["texture"])", R"("crossed": [])");
+      R"("texture": "metal", "parameters": {")" + parameter + R"(": {"factor": "scale"}})");
+  text = replaced(text, R"("model": {"factor": "model"})", R"("model": ")" + model + '"');
+  text = replaced(text, R"("factors": {)", R"("factors": {"scale": {"levels": [0.5, 1, 2]},)");
+  text = replaced(text, R"("crossed": ["texture"])", R"("crossed": [])");
   EXPECT_THROW(read(text), ProtocolError);  // an empty crossing is a mistake
-  text = with(text, R"("crossed": [],)", "");
-  text = with(text, R"("maximum_in_a_row": {"texture": 2},)", "");
-  text = with(text, R"({"model": "height_map"}})", R"({"scale": 0.5}, "item": "half"})");
-  text = with(text, R"({"model": "sinusoid"}})", R"({"scale": 1}, "item": "one"})");
-  text = with(text, R"({"model": "stochastic"}})", R"({"scale": 2}, "item": "two"})");
+  text = replaced(text, R"("crossed": [],)", "");
+  text = replaced(text, R"("maximum_in_a_row": {"texture": 2},)", "");
+  text = replaced(text, R"({"model": "height_map"}})", R"({"scale": 0.5}, "item": "half"})");
+  text = replaced(text, R"({"model": "sinusoid"}})", R"({"scale": 1}, "item": "one"})");
+  text = replaced(text, R"({"model": "stochastic"}})", R"({"scale": 2}, "item": "two"})");
   const Plan plan = make_plan(read(text), {1, 0});
   std::set<std::string> items{};
   for (const PlannedPresentation& planned : plan.trials[0].presentations) {
@@ -470,8 +461,9 @@ TEST(Plan, IsWrittenAsALibraryWritesIt) {
 
 TEST(Plan, AddingABlockDoesNotMoveTheTrialsOfThoseBeforeIt) {
   const std::string before = test::example_selection();
-  const std::string after = with(before, R"({"run": "main", "break_every_trials": 3,)",
-                                 R"({"run": "main"}, {"run": "main", "break_every_trials": 3,)");
+  const std::string after =
+      replaced(before, R"({"run": "main", "break_every_trials": 3,)",
+               R"({"run": "main"}, {"run": "main", "break_every_trials": 3,)");
   const Plan one = make_plan(read(before), {5, 0});
   const Plan two = make_plan(read(after), {5, 0});
   for (std::size_t i = 0; i < one.trials.size(); ++i) {

@@ -6,11 +6,11 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/file/schema_check.h"
 #include "protocols/file/warnings.h"
 #include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -78,14 +78,6 @@ void expect_complaint(const std::string& text, const Fault& fault) {
                      << fault.words << "\nfound:\n"
                      << all;
   expect_no_follow_ups(text, all);
-}
-
-std::string library_text(std::string_view name) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == name) return std::string(each.text);
-  }
-  ADD_FAILURE() << name;
-  return {};
 }
 
 class PlantedInSelection : public testing::TestWithParam<Fault> {};
@@ -167,10 +159,10 @@ TEST_P(PlantedInSelection, IsRefusedAtItsPlace) {
   expect_complaint(planted(test::example_selection(), GetParam()), GetParam());
 }
 TEST_P(PlantedInMatching, IsRefusedAtItsPlace) {
-  expect_complaint(planted(library_text("improved_matching"), GetParam()), GetParam());
+  expect_complaint(planted(test::library_text("improved_matching"), GetParam()), GetParam());
 }
 TEST_P(PlantedInRecognition, IsRefusedAtItsPlace) {
-  expect_complaint(planted(library_text("improved_recognition"), GetParam()), GetParam());
+  expect_complaint(planted(test::library_text("improved_recognition"), GetParam()), GetParam());
 }
 
 const auto fault_name = [](const auto& each) { return std::string(each.param.name); };
@@ -506,7 +498,7 @@ TEST(PlantedFaults, OneMistakeGetsOneComplaint) {
 
 TEST(PlantedFaults, WhatMayBeDrawnIsCheckedEvenIfItSeldomIs) {
   // A session draws three of the four textures: a lucky one would not come across brick.
-  std::string text = library_text("chapter_recognition");
+  std::string text = test::library_text("chapter_recognition");
   const std::string from = R"("pictures": ["metal", "stone", "wood", "brick", )";
   ASSERT_NE(text.find(from), std::string::npos);
   text.replace(text.find(from), from.size(), R"("pictures": ["metal", "stone", "wood", )");
@@ -620,7 +612,7 @@ TEST(PlantedFaults, ASyntaxErrorStatesItsCorrection) {
 
 class PlantedInMagnitude : public testing::TestWithParam<Fault> {};
 TEST_P(PlantedInMagnitude, IsRefusedAtItsPlace) {
-  expect_complaint(planted(library_text("roughness_diameter"), GetParam()), GetParam());
+  expect_complaint(planted(test::library_text("roughness_diameter"), GetParam()), GetParam());
 }
 INSTANTIATE_TEST_SUITE_P(
     Faults, PlantedInMagnitude,
@@ -730,10 +722,7 @@ TEST(Problems, NameTypesInPlainEnglish) {
 
 /// What is doubted of the library's protocol of three forces with one text in place of another.
 std::vector<Diagnostic> warnings_with(const std::string& from, const std::string& to) {
-  std::string text = library_text("roughness_force");
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::invalid_argument("not in the protocol: " + from);
-  text.replace(at, from.size(), to);
+  const std::string text = test::replaced(test::library_text("roughness_force"), from, to);
   return warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json");
 }
 

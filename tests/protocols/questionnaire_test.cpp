@@ -8,10 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/answers/question.h"
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -23,10 +21,7 @@ using ::testing::IsEmpty;
 
 /// A library protocol that asks, at the end, for pain, its strength and its kind, and shows a text.
 json questioned() {
-  json protocol{};
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == "spacing_jnd") protocol = json::parse(each.text);
-  }
+  json protocol = test::library_file("spacing_jnd");
   protocol["questions"].update(json::parse(R"({
     "pain": {"prompt": "Does your hand hurt?", "form": "choice", "options": ["yes", "no"]},
     "strength": {"prompt": "How strong is the pain?", "form": "scale",
@@ -43,25 +38,8 @@ json questioned() {
   return protocol;
 }
 
-std::vector<Diagnostic> questionnaire_problems(const json& protocol) {
-  return read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models())
-      .problems;
-}
-
-/// The first problem at a pointer; empty where there is none.
-std::string questionnaire_problem(const json& protocol, const std::string& pointer) {
-  for (const Diagnostic& problem : questionnaire_problems(protocol)) {
-    if (problem.pointer == pointer) return problem.message;
-  }
-  return {};
-}
-
 TEST(Questionnaire, IsReadWithItsFormsAndConditions) {
-  const ProtocolReading reading =
-      read_protocol_with_problems(questioned().dump(1), "file.json", test::example_models());
-  for (const Diagnostic& problem : reading.problems)
-    ADD_FAILURE() << problem.pointer << problem.message;
-  const Protocol& protocol = reading.protocol.value();
+  const Protocol protocol = test::valid(questioned());
   EXPECT_EQ(protocol.questions.at("strength").scale.points, 11);
   EXPECT_EQ(protocol.questions.at("strength").condition,
             (AnswerCondition{.question = "pain", .test = AnswerIsOneOf{{"yes"}}}));
@@ -78,25 +56,25 @@ TEST(Questionnaire, IsReadWithItsFormsAndConditions) {
 TEST(Questionnaire, RefusesAConditionOnAQuestionThatIsUnknownOrAskedLater) {
   json protocol = questioned();
   protocol["questions"]["strength"]["if"]["question"] = "pian";
-  EXPECT_THAT(questionnaire_problem(protocol, "/questions/strength/if/question"),
+  EXPECT_THAT(test::problems_at(protocol, "/questions/strength/if/question"),
               HasSubstr("did you mean \"pain\""));
 
   protocol = questioned();
   protocol["flow"][protocol["flow"].size() - 2]["ask"] = {"strength", "pain", "kinds", "since"};
-  EXPECT_EQ(questionnaire_problem(protocol, "/questions/strength/if/question"),
+  EXPECT_EQ(test::problems_at(protocol, "/questions/strength/if/question"),
             "the flow does not ask the question \"pain\" before; ask it in an earlier step of the "
             "flow, or earlier in the same one");
-  EXPECT_EQ(questionnaire_problem(protocol, "/questions/kinds/if/question"), "");
+  EXPECT_EQ(test::problems_at(protocol, "/questions/kinds/if/question"), "");
 
   protocol = questioned();
   const std::size_t last = protocol["flow"].size() - 1;
   std::swap(protocol["flow"][last], protocol["flow"][last - 1]);
-  EXPECT_THAT(questionnaire_problem(protocol, "/flow/" + std::to_string(last - 1) + "/if/question"),
+  EXPECT_THAT(test::problems_at(protocol, "/flow/" + std::to_string(last - 1) + "/if/question"),
               HasSubstr("does not ask the question \"strength\" before"));
 
   protocol = questioned();
   protocol["questions"]["pain"]["if"] = {{"question", "pain"}, {"is", "yes"}};
-  EXPECT_THAT(questionnaire_problem(protocol, "/questions/pain/if/question"), HasSubstr("before"));
+  EXPECT_THAT(test::problems_at(protocol, "/questions/pain/if/question"), HasSubstr("before"));
 }
 
 TEST(Questionnaire, RefusesAValueThatTheQuestionCannotHave) {
@@ -107,7 +85,7 @@ TEST(Questionnaire, RefusesAValueThatTheQuestionCannotHave) {
   };
   const std::string at = "/questions/since/if";
   const auto problem = [&](const char* condition, const char* key) {
-    return questionnaire_problem(with_condition(condition), at + key);
+    return test::problems_at(with_condition(condition), at + key);
   };
   EXPECT_EQ(problem(R"({"question": "pain", "is": "maybe"})", "/is"),
             "\"maybe\" is not an option of the question \"pain\"; use \"yes\" or \"no\"");
@@ -147,13 +125,13 @@ TEST(Questionnaire, RefusesKeysOfOtherForms) {
   protocol["questions"]["pain"]["scale"] = {{"points", 5}};
   protocol["questions"]["strength"].erase("scale");
   protocol["questions"]["kinds"].erase("options");
-  EXPECT_THAT(questionnaire_problem(protocol, "/questions/pain/unit"),
+  EXPECT_THAT(test::problems_at(protocol, "/questions/pain/unit"),
               HasSubstr("\"number\" has a unit"));
-  EXPECT_THAT(questionnaire_problem(protocol, "/questions/pain/scale"),
+  EXPECT_THAT(test::problems_at(protocol, "/questions/pain/scale"),
               HasSubstr("\"scale\" has a scale"));
-  EXPECT_THAT(questionnaire_problem(protocol, "/questions/strength"),
+  EXPECT_THAT(test::problems_at(protocol, "/questions/strength"),
               HasSubstr("a scale needs the key"));
-  EXPECT_THAT(questionnaire_problem(protocol, "/questions/kinds"),
+  EXPECT_THAT(test::problems_at(protocol, "/questions/kinds"),
               HasSubstr("a multiple choice needs"));
 }
 
@@ -161,11 +139,11 @@ TEST(Questionnaire, RefusesAScaleAndAConditionAmongTheQuestionsAboutTheParticipa
   json protocol = questioned();
   protocol["participants"]["questions"] = {"strength", "kinds", "pain"};
   protocol["questions"]["kinds"].erase("if");
-  EXPECT_THAT(questionnaire_problem(protocol, "/participants/questions/0"),
+  EXPECT_THAT(test::problems_at(protocol, "/participants/questions/0"),
               HasSubstr("ask it in the flow"));
-  EXPECT_THAT(questionnaire_problem(protocol, "/participants/questions/1"),
+  EXPECT_THAT(test::problems_at(protocol, "/participants/questions/1"),
               HasSubstr("multiple choice"));
-  EXPECT_EQ(questionnaire_problem(protocol, "/participants/questions/2"), "");
+  EXPECT_EQ(test::problems_at(protocol, "/participants/questions/2"), "");
 }
 
 TEST(AnswerCondition, IsMetByAnAnswerThatFits) {

@@ -8,10 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/plan/plan.h"
-#include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -19,41 +17,18 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-json attributes() {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name == "attributes_of_textures") return json::parse(each.text);
-  }
-  ADD_FAILURE() << "the library has no such protocol";
-  return {};
-}
-
-/// The first problem at a pointer; empty where there is none.
-std::string problem_at(const json& protocol, const std::string& pointer) {
-  const ProtocolReading reading =
-      read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
-  for (const Diagnostic& problem : reading.problems) {
-    if (problem.pointer == pointer) return problem.message;
-  }
-  return {};
-}
-
-Protocol valid_protocol(const json& protocol) {
-  const ProtocolReading reading =
-      read_protocol_with_problems(protocol.dump(1), "file.json", test::example_models());
-  for (const Diagnostic& problem : reading.problems) ADD_FAILURE() << problem.message;
-  return reading.protocol.value();
-}
+json attributes() { return test::library_file("attributes_of_textures"); }
 
 TEST(Questions, OfOneNameHaveOneFormInAllMainBlocks) {
   json protocol = attributes();
   const std::string scale = protocol["blocks"]["ratings"]["questions"][0]["name"];
   protocol["blocks"]["recognition"]["question"]["name"] = scale;
-  EXPECT_THAT(problem_at(protocol, "/blocks/recognition/question/name"),
+  EXPECT_THAT(test::problems_at(protocol, "/blocks/recognition/question/name"),
               HasSubstr("give one of the questions another name"));
 }
 
 TEST(Questions, ArePlannedInEveryTrialOfTheirBlock) {
-  const Plan plan = make_plan(valid_protocol(attributes()), {1, 0});
+  const Plan plan = make_plan(test::valid(attributes()), {1, 0});
   std::set<std::string> first{};
   for (const Trial& trial : plan.trials) {
     if (trial.block == "recognition") {
@@ -83,7 +58,7 @@ TEST(Questions, ComeInTheOrderOfTheFileUnlessTheyAreShuffled) {
   block.erase("question_order");
   block["question_layout"] = "one_after_another";
   block.erase("page_prompt");
-  for (const Trial& trial : make_plan(valid_protocol(protocol), {1, 0}).trials) {
+  for (const Trial& trial : make_plan(test::valid(protocol), {1, 0}).trials) {
     if (trial.block != "ratings") continue;
     EXPECT_EQ(trial.questions[0].name, "rough");
     EXPECT_EQ(trial.questions[4].name, "pleasant");
@@ -94,12 +69,12 @@ TEST(Questions, ComeInTheOrderOfTheFileUnlessTheyAreShuffled) {
 // A question that is added leaves the trials as they were.
 TEST(Questions, DoNotChangeTheTrialsThatAskThem) {
   json protocol = attributes();
-  const Plan before = make_plan(valid_protocol(protocol), {5, 0});
+  const Plan before = make_plan(test::valid(protocol), {5, 0});
   protocol["blocks"]["recognition"].erase("question");
   json own = attributes()["blocks"]["recognition"]["question"];
   protocol["blocks"]["recognition"]["questions"] = {
       own, {{"name", "sure"}, {"prompt", "How sure are you?"}, {"scale", json::object()}}};
-  const Plan after = make_plan(valid_protocol(protocol), {5, 0});
+  const Plan after = make_plan(test::valid(protocol), {5, 0});
   ASSERT_EQ(before.trials.size(), after.trials.size());
   for (std::size_t i = 0; i < before.trials.size(); ++i) {
     EXPECT_EQ(before.trials[i].factors, after.trials[i].factors);
@@ -117,7 +92,7 @@ TEST(Questions, AreRefusedAtTheirPlace) {
   const auto refused = [](const char* pointer, const json& value, const std::string& at) {
     json protocol = attributes();
     protocol[json::json_pointer(pointer)] = value;
-    return problem_at(protocol, at);
+    return test::problems_at(protocol, at);
   };
   const std::string block = "/blocks/ratings";
   EXPECT_THAT(refused("/blocks/ratings/questions/1/name", "rough", block + "/questions/1/name"),
@@ -148,7 +123,7 @@ TEST(Questions, AreRefusedAtTheirPlace) {
               HasSubstr("are not words"));
   json protocol = attributes();
   protocol["blocks"]["ratings"].erase("questions");
-  EXPECT_THAT(problem_at(protocol, block), HasSubstr("needs the key \"question\""));
+  EXPECT_THAT(test::problems_at(protocol, block), HasSubstr("needs the key \"question\""));
 }
 
 // A recognition whose trials also have a scale has ratings to test.
@@ -169,9 +144,10 @@ TEST(Questions, OfAScaleMakeTheTestsOfRatingsAvailable) {
   block["questions"] = {
       question, {{"name", "sure"}, {"prompt", "How sure are you?"}, {"scale", {{"points", 5}}}}};
   protocol["analysis"] = {{"family", {"right", "ratings"}}};
-  valid_protocol(protocol);
+  test::valid(protocol);
   block["questions"].erase(1);
-  EXPECT_THAT(problem_at(protocol, "/analysis/family/1"), HasSubstr("has no test \"ratings\""));
+  EXPECT_THAT(test::problems_at(protocol, "/analysis/family/1"),
+              HasSubstr("has no test \"ratings\""));
 }
 
 }  // namespace

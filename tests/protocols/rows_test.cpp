@@ -1,7 +1,5 @@
 // The combinations of a block: excluded ones, derived levels, unequal repetitions, and places in the order.
 
-#include "protocols/plan/block_rows.h"
-
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,31 +12,30 @@
 
 #include "protocols/design/arithmetic.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/plan/block_rows.h"
 #include "protocols/plan/plan.h"
 #include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
 
+using test::replaced;
 using testing::HasSubstr;
-
-std::string example_with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("the example lacks " + from);
-  return text.replace(at, from.size(), to);
-}
 
 /// A rating of waves: two wavelengths times three speeds, and the keys given in its block.
 std::string rated_waves(const std::string& keys) {
   std::string text = test::example_selection();
-  text = example_with(text, R"("kind": "selection")", R"("kind": "rating")");
-  text = example_with(text, R"(  "realism_standard": "photograph",)", "");
-  text = example_with(text, R"("model": {"levels": ["height_map", "sinusoid", "stochastic"]},)",
-              R"("wavelength": {"levels": [0.001, 0.002]}, "speed": {"levels": [0.02, 0.04, 0.08]},)");
-  text = example_with(text, R"("model": {"factor": "model"},
+  text = replaced(text, R"("kind": "selection")", R"("kind": "rating")");
+  text = replaced(text, R"(  "realism_standard": "photograph",)", "");
+  text = replaced(
+      text, R"("model": {"levels": ["height_map", "sinusoid", "stochastic"]},)",
+      R"("wavelength": {"levels": [0.001, 0.002]}, "speed": {"levels": [0.02, 0.04, 0.08]},)");
+  text =
+      replaced(text, R"("model": {"factor": "model"},
       "texture": {"factor": "texture"},
       "equal_force": {"to_model": "height_map"})",
-              R"("model": "sinusoid", "parameters": {"wavelength_m": {"factor": "wavelength"}})");
+               R"("model": "sinusoid", "parameters": {"wavelength_m": {"factor": "wavelength"}})");
   const std::size_t from = text.find(R"("crossed": ["texture"])");
   const std::size_t to = text.find(R"("exploration": "stroking")");
   return text.replace(from, to - from,
@@ -132,10 +129,10 @@ TEST(DerivedLevels, AreComputedInEveryTrialAndBoundLikeAnyFactor) {
   EXPECT_EQ(protocol.factors.at("frequency").levels,
             (std::vector<Level>{10.0, 20.0, 40.0, 80.0}));
   EXPECT_EQ(protocol.factors.at("frequency").meaning, "Computed as speed / wavelength");
-  const Protocol bound = read_protocol(
-      example_with(rated_waves(R"("derived": {"half": "0.3 * wavelength"},)"), R"({"factor": "wavelength"})",
-           R"({"factor": "half"})"),
-      "p.json", test::example_models());
+  const Protocol bound =
+      read_protocol(replaced(rated_waves(R"("derived": {"half": "0.3 * wavelength"},)"),
+                             R"({"factor": "wavelength"})", R"({"factor": "half"})"),
+                    "p.json", test::example_models());
   // 12 significant digits: 0.3 · 0.001 is the level 0.0003.
   EXPECT_EQ(bound.factors.at("half").levels, (std::vector<Level>{0.0003, 0.0006}));
 }
@@ -157,8 +154,8 @@ TEST(DerivedLevels, AreRefusedWhereTheyCannotBeComputed) {
   // The place of a level that the parameter does not accept is that of the formula.
   EXPECT_THAT(
       [] {
-        (void)read_protocol(example_with(rated_waves(R"("derived": {"far": "1000 * wavelength"},)"),
-                                 R"({"factor": "wavelength"})", R"({"factor": "far"})"),
+        (void)read_protocol(replaced(rated_waves(R"("derived": {"far": "1000 * wavelength"},)"),
+                                     R"({"factor": "wavelength"})", R"({"factor": "far"})"),
                             "p.json", test::example_models());
       },
       testing::ThrowsMessage<ProtocolError>(HasSubstr("(/blocks/main/derived/far)")));

@@ -12,12 +12,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/library_protocols.h"
-#include "protocols/file/protocol_problems.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/plan.h"
-#include "renderers/built_in_models.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -27,19 +25,14 @@ using ::testing::HasSubstr;
 
 /// The library's protocol without its familiarisation.
 json rated_models() {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name != "map_of_renderings") continue;
-    json protocol = json::parse(each.text);
-    protocol["blocks"].erase("familiarisation");
-    for (const char* const factor : {"familiar_1", "familiar_2"}) {
-      protocol["factors"].erase(factor);
-      protocol["stimuli"].erase(factor);
-    }
-    protocol["flow"] = json::parse(R"([{"run": "ratings"}])");
-    return protocol;
+  json protocol = test::library_file("map_of_renderings");
+  protocol["blocks"].erase("familiarisation");
+  for (const char* const factor : {"familiar_1", "familiar_2"}) {
+    protocol["factors"].erase(factor);
+    protocol["stimuli"].erase(factor);
   }
-  ADD_FAILURE() << "the library has no such protocol";
-  return {};
+  protocol["flow"] = json::parse(R"([{"run": "ratings"}])");
+  return protocol;
 }
 
 json& ratings_block(json& protocol) { return protocol["blocks"]["ratings"]; }
@@ -57,22 +50,12 @@ json with_models(std::size_t count, const json& all_pairs) {
   return protocol;
 }
 
-ProtocolReading reading_of_ratings(const json& protocol) {
-  return read_protocol_with_problems(protocol.dump(1), "file.json",
-                                     declarations_of(built_in_models()));
-}
-
 Protocol valid_ratings(const json& protocol) {
-  const ProtocolReading reading = reading_of_ratings(protocol);
-  for (const Diagnostic& problem : reading.problems) ADD_FAILURE() << text_of(problem);
-  return reading.protocol.value();
+  return test::valid(protocol, test::models_of_library());
 }
 
 std::string problem_in_ratings(const json& protocol, const std::string& pointer) {
-  for (const Diagnostic& problem : reading_of_ratings(protocol).problems) {
-    if (problem.pointer == pointer) return problem.message;
-  }
-  return {};
+  return test::problems_at(protocol, pointer, test::models_of_library());
 }
 
 using ModelPair = std::pair<std::string, std::string>;
