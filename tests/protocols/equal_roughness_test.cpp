@@ -484,16 +484,16 @@ TEST(EqualRoughness, LetsAJudgeOfStrengthChooseEachModelInHalfOfItsComparisons) 
   file["observer"] = {
       {"expectation", "none"}, {"feature_noise", 0.2}, {"magnitude_of", "normal_force"}};
   // The errors of the matches of a participant are common to all comparisons of this participant. With 20 comparisons of each
-  // of 1000 participants the standard error of a proportion is 0.6 %; with 60 of 333 it would be 1 %.
+  // of 400 participants the standard error of a proportion is 0.9 %; with 60 of 133 it would be 1.6 %.
   file["blocks"]["comparisons"]["repetitions"] = 1;
-  constexpr int kComparisons = 20'000;
+  constexpr int kComparisons = 8000;
   const auto matched = proportions_of_choices(valid_models(file), kComparisons);
   ASSERT_EQ(matched.size(), 5U);
   for (const auto& [model, proportion] : matched) {
     EXPECT_NEAR(proportion, 0.5, 0.03) << model << " at equal roughness";
   }
   file["blocks"]["comparisons"].erase("equal_roughness");
-  const auto unmatched = proportions_of_choices(valid_models(file), kComparisons / 10);
+  const auto unmatched = proportions_of_choices(valid_models(file), kComparisons / 4);
   EXPECT_GT(unmatched.at("filtered_noise"), 0.9) << "the strongest";
   EXPECT_LT(unmatched.at("normal_map"), 0.1) << "the weakest";
 }

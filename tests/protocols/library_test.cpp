@@ -127,7 +127,7 @@ nlohmann::json without_wording(nlohmann::json trial) {
   return kept;
 }
 
-std::vector<InBothLanguages> in_both_languages() {
+std::vector<InBothLanguages> read_in_both_languages() {
   std::vector<InBothLanguages> all{};
   const auto german = library_protocols("de");
   for (std::size_t i = 0; i < german.size(); ++i) {
@@ -142,6 +142,11 @@ std::vector<InBothLanguages> in_both_languages() {
                    .german_rest = without_texts(std::string(german[i].text))});
   }
   return all;
+}
+
+const std::vector<InBothLanguages>& in_both_languages() {
+  static const std::vector<InBothLanguages> kAll = read_in_both_languages();
+  return kAll;
 }
 
 TEST(LibraryProtocols, AreTheSameInGermanButForTheirTexts) {
@@ -163,16 +168,13 @@ TEST(LibraryProtocols, AreTheSameInGermanButForTheirTexts) {
 
 TEST(LibraryProtocols, GiveTheSamePlansInGerman) {
   for (const InBothLanguages& both : in_both_languages()) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const Allocation request{.seed = seed, .counterbalance_row = static_cast<int>(seed)};
-      const Plan english = example_plan(both.english, request);
-      const Plan german = example_plan(both.german, request);
-      ASSERT_EQ(german.trials.size(), english.trials.size());
-      for (std::size_t i = 0; i < german.trials.size(); ++i) {
-        EXPECT_EQ(without_wording(nlohmann::json::parse(json_of(german.trials[i]))),
-                  without_wording(nlohmann::json::parse(json_of(english.trials[i]))))
-            << both.german.name << ", trial " << i;
-      }
+    const Plan english = example_plan(both.english, {.seed = 2, .counterbalance_row = 1});
+    const Plan german = example_plan(both.german, {.seed = 2, .counterbalance_row = 1});
+    ASSERT_EQ(german.trials.size(), english.trials.size());
+    for (std::size_t i = 0; i < german.trials.size(); ++i) {
+      EXPECT_EQ(without_wording(nlohmann::json::parse(json_of(german.trials[i]))),
+                without_wording(nlohmann::json::parse(json_of(english.trials[i]))))
+          << both.german.name << ", trial " << i;
     }
   }
 }
