@@ -18,7 +18,7 @@
 namespace asperity {
 namespace {
 
-RendererInputs replayed_stimulus() {
+RendererInputs made_stimulus() {
   RendererInputs inputs;
   inputs.patch = wide_patch();
   inputs.height_field = grating();
@@ -29,6 +29,11 @@ RendererInputs replayed_stimulus() {
       placed(body_mesh(SphereShape{.diameter_m = 0.006}, nullptr), BodyRole::tool));
   inputs.seed = 3;
   return inputs;
+}
+
+const RendererInputs& replayed_stimulus() {
+  static const RendererInputs kInputs = made_stimulus();
+  return kInputs;
 }
 
 // A hand that comes down, strokes to and fro at odd times, and meets a fault on the way.

@@ -18,6 +18,11 @@ std::shared_ptr<const BodySurface> surface_of_shape(const Shape& shape) {
   return std::make_shared<const BodySurface>(body_mesh(shape, nullptr));
 }
 
+const std::shared_ptr<const BodySurface>& long_box() {
+  static const auto kSurface = surface_of_shape(BoxShape{{0.3, 0.05, 0.02}});
+  return kSurface;
+}
+
 TEST(TurningGuide, IsACircleThatTurnsTheTool) {
   constexpr double kRadius_m = 0.02;
   const TurningGuide guide(kRadius_m);
@@ -38,7 +43,7 @@ TEST(TurningGuide, IsACircleThatTurnsTheTool) {
 }
 
 TEST(BodyGuide, IsTheUpperSideOfABoxWithoutItsEdges) {
-  const BodyGuide guide(surface_of_shape(BoxShape{{0.3, 0.05, 0.02}}), 0.0);
+  const BodyGuide guide(long_box(), 0.0);
   EXPECT_NEAR(guide.body_origin_m().z, -0.01, 1e-9);
   EXPECT_NEAR(guide.to_m() - guide.from_m(), 0.298, 0.004);
   for (const double s_m : {guide.from_m(), -0.0123, 0.0, 0.05, guide.to_m()}) {
@@ -66,8 +71,7 @@ TEST(BodyGuide, IsAnArcOfASphereOfSixtyDegrees) {
 }
 
 TEST(BodyGuide, RefusesABodyThatTheLineMissesOrThatIsTooShort) {
-  EXPECT_THROW(BodyGuide(surface_of_shape(BoxShape{{0.3, 0.05, 0.02}}), 0.03),
-               std::invalid_argument);
+  EXPECT_THROW(BodyGuide(long_box(), 0.03), std::invalid_argument);
   EXPECT_THROW(BodyGuide(surface_of_shape(SphereShape{.diameter_m = 0.004}), 0.0),
                std::invalid_argument);
 }

@@ -19,10 +19,21 @@
 namespace asperity {
 namespace {
 
+constexpr double kSphereRadius_m = 0.02;
+
+/// 600 000 facets take a second to make.
+const std::shared_ptr<const BodySurface>& sphere_surface() {
+  static const auto kSurface = proxy_surface_of(SphereShape{2.0 * kSphereRadius_m});
+  return kSurface;
+}
+const std::shared_ptr<const BodySurface>& box_surface() {
+  static const auto kSurface = proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}});
+  return kSurface;
+}
+
 TEST(SurfaceProxy, HeightAboveASphereIsTheDistanceFromIt) {
-  constexpr double kSphereRadius_m = 0.02;
   const glm::dvec3 centre_m{0.0, 0.0, -kSphereRadius_m};
-  SurfaceProxy proxy(proxy_surface_of(SphereShape{2.0 * kSphereRadius_m}));
+  SurfaceProxy proxy(sphere_surface());
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec3 out =
@@ -38,16 +49,14 @@ TEST(SurfaceProxy, HeightAboveASphereIsTheDistanceFromIt) {
 }
 
 TEST(SurfaceProxy, IsTheSameAlongAPathAsFromASearch) {
-  constexpr double kSphereRadius_m = 0.02;
-  const auto surface = proxy_surface_of(SphereShape{2.0 * kSphereRadius_m});
-  SurfaceProxy following(surface);
+  SurfaceProxy following(sphere_surface());
   for (int i = 0; i < 3000; ++i) {
     const double angle_rad = kFast_m_per_s * kProxyTick_s * i / kSphereRadius_m;
     const glm::dvec3 probe_m =
         glm::dvec3(0.0, 0.0, -kSphereRadius_m) +
         (kSphereRadius_m - 0.001) *
             glm::dvec3(std::sin(angle_rad), 0.3 * std::sin(0.1 * angle_rad), std::cos(angle_rad));
-    SurfaceProxy fresh(surface);
+    SurfaceProxy fresh(sphere_surface());
     const auto place = following.follow(probe_m);
     const auto searched = fresh.follow(probe_m);
     ASSERT_TRUE(place && searched);
@@ -80,9 +89,8 @@ TEST(SurfaceProxy, PointAndNormalHaveNoStepsAtTheEdgesOfFacets) {
 
 TEST(SurfaceProxy, ForceIsContinuousOverTheEdgeOfABox) {
   // Around the edge at a height of 0.5 mm outside and, less deep than the rounding of the edge, inside.
-  const auto surface = proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}});
   for (const double height_m : {0.0005, -5e-6}) {
-    SurfaceProxy proxy(surface);
+    SurfaceProxy proxy(box_surface());
     std::optional<ProxyPlace> last{};
     const glm::dvec3 corner_m{0.015 + height_m, 0.0, height_m};
     for (const glm::dvec3& probe_m :
@@ -102,7 +110,7 @@ TEST(SurfaceProxy, ForceIsContinuousOverTheEdgeOfABox) {
 }
 
 TEST(SurfaceProxy, SlidesOffTheEdgeOfABox) {
-  SurfaceProxy proxy(proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}}));
+  SurfaceProxy proxy(box_surface());
   for (const glm::dvec3& probe_m : path_m({{0.0, 0.001, 0.002}, {0.01, 0.001, -0.002}})) {
     proxy.follow(probe_m);
   }
@@ -157,7 +165,7 @@ TEST(SurfaceProxy, StaysOnTheSideOfAThinPlateFromWhichItCame) {
 }
 
 TEST(SurfaceProxy, HasNoPlaceBeyondItsReachAndIsFoundAgain) {
-  SurfaceProxy proxy(proxy_surface_of(SphereShape{0.04}));
+  SurfaceProxy proxy(sphere_surface());
   EXPECT_FALSE(proxy.follow({0.0, 0.0, 0.05}).has_value());
   for (const glm::dvec3& probe_m : path_m({{0.0, 0.0, 0.05}, {0.0, 0.0, -0.001}})) {
     const auto place = proxy.follow(probe_m);
@@ -172,7 +180,7 @@ TEST(SurfaceProxy, HasNoPlaceBeyondItsReachAndIsFoundAgain) {
 }
 
 TEST(SurfaceProxy, BeginsInsideABodyWithAHeightBelowZero) {
-  SurfaceProxy proxy(proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}}));
+  SurfaceProxy proxy(box_surface());
   const auto place = proxy.follow({0.001, 0.002, -0.012});
   ASSERT_TRUE(place.has_value());
   EXPECT_NEAR(place->height_m, -0.012, 1e-9);
@@ -224,8 +232,7 @@ struct Gap {
 
 TEST(SurfaceProxy, NoForceInFreeAirAfterAGapPastTheEdgeOfABox) {
   constexpr double kHalfSide_m = 0.015;
-  const auto surface = proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}});
-  ASSERT_GT(surface->facets(), 500'000U);
+  ASSERT_GT(box_surface()->facets(), 500'000U);
   for (const Gap& gap :
        {Gap{.name = "1 m/s",
        .depth_m = 0.003,
@@ -236,7 +243,7 @@ TEST(SurfaceProxy, NoForceInFreeAirAfterAGapPastTheEdgeOfABox) {
         Gap{.name = "25 ms", .depth_m = 0.006, .from_x_m = 0.0142, .way_m = 0.005},
         Gap{.name = "50 ms", .depth_m = 0.0105, .from_x_m = 0.0142, .way_m = 0.010},
         Gap{.name = "100 ms", .depth_m = 0.001, .from_x_m = 0.0142, .way_m = 0.020}}) {
-    SurfaceProxy proxy(surface);
+    SurfaceProxy proxy(box_surface());
     const glm::dvec3 over_m{0.0, 0.001, 0.001};
     const glm::dvec3 in_m{0.0, 0.001, -gap.depth_m};
     const glm::dvec3 before_m{gap.from_x_m, 0.001, -gap.depth_m};
@@ -252,7 +259,7 @@ TEST(SurfaceProxy, NoForceInFreeAirAfterAGapPastTheEdgeOfABox) {
 }
 
 TEST(SurfaceProxy, NoForceInFreeAirBehindABodyAfterAGap) {
-  SurfaceProxy proxy(proxy_surface_of(BoxShape{{0.03, 0.03, 0.03}}));
+  SurfaceProxy proxy(box_surface());
   for (const glm::dvec3& probe_m : path_m({{0.001, 0.002, 0.002}, {0.001, 0.002, -0.001}})) {
     proxy.follow(probe_m);
   }
