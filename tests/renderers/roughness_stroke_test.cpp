@@ -166,7 +166,7 @@ TEST(OffsetSurface, OfADiscIsASpheresWhereNothingChangesAcross) {
 double above_ground_m(const SpacedTexture& texture, double spacing_m, double diameter_m) {
   const TextureAtSpacing there = texture_at_spacing(texture, spacing_m);
   const OffsetSurface surface(*there.field, {.form = TipForm::sphere, .diameter_m = diameter_m},
-                              {.tiling = there.tiling, .line_m = there.line_m, .pitch_m = 2e-6});
+                              {.tiling = there.tiling, .line_m = there.line_m, .pitch_m = 5e-6});
   const auto [lowest, highest] =
       std::minmax_element(surface.heights_m().begin(), surface.heights_m().end());
   const double ground_m = texture.kind == "sinusoid" ? -*highest : 0.0;
@@ -364,7 +364,7 @@ TEST(RoughnessStroke, PeaksWhereTheProbeDropsBetween) {
       stroke.tip.diameter_m = diameter_m;
       const double drop_m = drop_spacing_m(diameter_m, height_m);
       std::map<double, double> share_at{};
-      for (const double share : {0.80, 0.85, 0.95, 1.05, 1.15, 1.20}) {
+      for (const double share : {0.85, 0.95, 1.05, 1.15}) {
         share_at[greatest_m_per_s2(stroke, share * drop_m, sinusoid_of(height_m))] = share;
       }
       // Of neighbours so far apart the highest says that the peak lies between the outer two.
@@ -400,13 +400,12 @@ TEST(RoughnessStroke, IsSmootherForLargerProbesOnFineTexturesAndAlikeOnCoarse) {
   }
 }
 
-// At the forty spacings of a sweep. From 4.2 to 6 mm the tool of 2 N is caught in the valleys, which is
+// At every third of the forty spacings of a sweep. From 4.2 to 6 mm the tool of 2 N is caught in the valleys, which is
 // flagged; it is shaken the more for it.
 TEST(RoughnessStroke, GrowsWithForceAtEverySpacing) {
-  constexpr int kSpacings = 40;
   int caught = 0;
-  for (int i = 0; i < kSpacings; ++i) {
-    const double spacing_m = 0.0005 * std::pow(16.0, static_cast<double>(i) / (kSpacings - 1));
+  for (int i = 0; i < 40; i += 3) {
+    const double spacing_m = 0.0005 * std::pow(16.0, i / 39.0);
     RoughnessStroke stroke = stroke_of("pd_gradient");
     double softer = 0.0;
     for (const double force_N : {0.25, 0.5, 1.0, 2.0}) {
@@ -422,7 +421,7 @@ TEST(RoughnessStroke, GrowsWithForceAtEverySpacing) {
       softer = result.roughness->max_accel_m_per_s2;
     }
   }
-  EXPECT_LT(caught, 10);
+  EXPECT_LT(caught, 4);
 }
 
 // Measured at 1.5 mm: 5.77 and 5.17, 15.3 and 13.8, 1.44 and 1.27 m/s²; at 8 mm: 1.22 and 1.95, 2.29
