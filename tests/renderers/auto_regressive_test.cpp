@@ -152,26 +152,15 @@ TEST(AutoRegressive, GrowsWithTheNormalForce) {
 TEST(AutoRegressive, IsThePlateAtRest) {
   const auto renderer = varied(0.2);
   const auto plate = varied(0.2, {{"friction_sd", 0.0}});
-  Random jitter(4);
   std::vector<ProbeState> path{probe_at({0.0, 0.0, -0.002})};
-  const auto rest = [&](int ticks) {
-    const double x_m = path.back().position_m.x;
-    for (int tick = 0; tick < ticks; ++tick) {
-      ProbeState probe = path.back();
-      probe.time_ns += 1'000'000;
-      probe.position_m.x = x_m + 1e-5 * (static_cast<double>(jitter.below(3)) - 1.0);
-      probe.velocity_m_per_s = {0.02 * (static_cast<double>(jitter.below(3)) - 1.0), 0.0, 0.0};
-      path.push_back(probe);
-    }
-  };
-  rest(30'000);
+  add_rest(path, 30'000);
   const std::size_t stroke_from = path.size();
   for (ProbeState probe : samples_of({.from_x_m = path.back().position_m.x, .duration_s = 0.5})) {
     probe.time_ns = path.back().time_ns + 1'000'000;
     path.push_back(probe);
   }
   const std::size_t stroke_to = path.size();
-  rest(30'000);
+  add_rest(path, 30'000);
   const auto felt = along_path(*renderer, path, 1000.0);
   const auto plain = along_path(*plate, path, 1000.0);
   double strongest_N = 0.0;

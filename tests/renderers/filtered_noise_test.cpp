@@ -63,10 +63,10 @@ struct Poles {
     const double a1 = is_pair ? 2.0 * r * std::cos(theta) : r;
     const double a2 = is_pair ? -r * r : 0.0;
     const std::complex<double> z = std::polar(1.0, -omega);
-    double power = 0.0;  // Σ h_i², from the recursion itself
+    double power = 0.0;  // Σ h_i², from the recursion itself, until nothing is left of it
     double before = 0.0;
     double last = 1.0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 1000; ++i) {
       power += last * last;
       const double next = a1 * last + a2 * before;
       before = last;

@@ -43,19 +43,41 @@ GpuContact contact_of(const ChanceContact& chance, const MaximumLaw& law) {
           .triangles_b = chance.triangles_b};
 }
 
-std::optional<Penetration> answer(const ChanceContact& chance, const MaximumLaw& law) {
-  GpuPenetration gpu(any_device(), chance.mesh_a, 1.0, chance.mesh_b, 1.0,
-                     {.contacts = 1, .samples = kGpuSamples, .triangles = 1000, .is_smooth = true});
+GpuPenetration gpu_for(const ChanceContact& chance) {
+  return GpuPenetration(
+      any_device(), chance.mesh_a, 1.0, chance.mesh_b, 1.0,
+      {.contacts = 1, .samples = kGpuSamples, .triangles = 1000, .is_smooth = true});
+}
+
+std::optional<Penetration> answer(GpuPenetration& gpu, const ChanceContact& chance,
+                                  const MaximumLaw& law) {
   const GpuContact contact = contact_of(chance, law);
   std::optional<Penetration> found;
   EXPECT_EQ(gpu.evaluate({&contact, 1}, {&found, 1}, kLong), GpuOutcome::answered);
   return found;
 }
 
+std::optional<Penetration> answer(const ChanceContact& chance, const MaximumLaw& law) {
+  GpuPenetration gpu = gpu_for(chance);
+  return answer(gpu, chance, law);
+}
+
 void press_in(ChanceContact& contact) {
   const auto found =
       reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, HardMaximum{.step_m = 1e-4});
   contact.pose_a.position_m.z -= 0.1e-3 - found->depth_m;
+}
+
+void expect_equal(const Penetration& found, const Penetration& expected, double depth_m = 1e-15) {
+  EXPECT_NEAR(found.depth_m, expected.depth_m, depth_m);
+  EXPECT_NEAR(found.slope.x, expected.slope.x, 1e-10);
+  EXPECT_NEAR(found.slope.y, expected.slope.y, 1e-10);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(found.lever_m[axis], expected.lever_m[axis], 1e-12);
+    EXPECT_NEAR(found.deepest_m[axis], expected.deepest_m[axis], 1e-15);
+  }
+  EXPECT_EQ(found.covered, expected.covered);
+  EXPECT_EQ(found.folded, expected.folded);
 }
 
 TEST(GpuPenetration, EqualsTheReferenceForTheHardMaximum) {
@@ -68,15 +90,7 @@ TEST(GpuPenetration, EqualsTheReferenceForTheHardMaximum) {
     const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
     const auto found = answer(contact, law);
     ASSERT_TRUE(expected && found);
-    EXPECT_NEAR(found->depth_m, expected->depth_m, 1e-15);
-    EXPECT_NEAR(found->slope.x, expected->slope.x, 1e-10);
-    EXPECT_NEAR(found->slope.y, expected->slope.y, 1e-10);
-    for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_NEAR(found->lever_m[axis], expected->lever_m[axis], 1e-12);
-      EXPECT_NEAR(found->deepest_m[axis], expected->deepest_m[axis], 1e-15);
-    }
-    EXPECT_EQ(found->covered, expected->covered);
-    EXPECT_EQ(found->folded, expected->folded);
+    expect_equal(*found, *expected);
     EXPECT_EQ(found->at_border, expected->at_border);
     EXPECT_EQ(found->at_window, expected->at_window);
   }
@@ -91,27 +105,8 @@ TEST(GpuPenetration, EqualsTheReferenceForTheSmoothMaximum) {
     const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
     const auto found = answer(contact, law);
     ASSERT_TRUE(expected && found);
-    EXPECT_NEAR(found->depth_m, expected->depth_m, 1e-14);
-    EXPECT_NEAR(found->slope.x, expected->slope.x, 1e-10);
-    EXPECT_NEAR(found->slope.y, expected->slope.y, 1e-10);
-    for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_NEAR(found->lever_m[axis], expected->lever_m[axis], 1e-12);
-      EXPECT_NEAR(found->deepest_m[axis], expected->deepest_m[axis], 1e-15);
-    }
-    EXPECT_EQ(found->covered, expected->covered);
+    expect_equal(*found, *expected, 1e-14);
   }
-}
-
-void expect_equal(const Penetration& found, const Penetration& expected) {
-  EXPECT_NEAR(found.depth_m, expected.depth_m, 1e-15);
-  EXPECT_NEAR(found.slope.x, expected.slope.x, 1e-10);
-  EXPECT_NEAR(found.slope.y, expected.slope.y, 1e-10);
-  for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(found.lever_m[axis], expected.lever_m[axis], 1e-12);
-    EXPECT_NEAR(found.deepest_m[axis], expected.deepest_m[axis], 1e-15);
-  }
-  EXPECT_EQ(found.covered, expected.covered);
-  EXPECT_EQ(found.folded, expected.folded);
 }
 
 // Two plates without texture, A upside down: everywhere equally deep.
@@ -157,10 +152,11 @@ TEST(GpuPenetration, FindsTheTopOfARoofInEveryTile) {
       {.size_m = glm::dvec2(1.5 * kGpuWindow_m), .cells = {2, 2}},
       [](double x_m, double y_m) { return -0.5 * std::abs(x_m) - 0.4 * std::abs(y_m); });
   contact.triangles_a = all_triangles(contact.mesh_a);
+  GpuPenetration gpu = gpu_for(contact);
   for (int along = -6; along <= 6; ++along) {
     contact.pose_a = upside_down({(0.3 + 0.5 * along) * cell_m, 0.4 * along * cell_m, -0.1e-3});
     const auto expected = reference_penetration(contact.a(), contact.b(), {}, kGpuGrid, law);
-    const auto found = answer(contact, law);
+    const auto found = answer(gpu, contact, law);
     ASSERT_TRUE(expected && found);
     expect_equal(*found, *expected);
   }

@@ -209,17 +209,9 @@ TEST(Recorded, IsThePlateAtRest) {
           recorded_model(),
           of_recording(waves_at(0.05, 0.1, 0.1, 0.1),
                        {{"axis", std::string(axis)}, {"axis_of_spectrum", std::string(spectrum)}}));
-      Random jitter(4);
       std::vector<ProbeState> path = samples_of({.duration_s = 0.5});
       const std::size_t stopped = path.size();
-      const double x_m = path.back().position_m.x;
-      for (int tick = 0; tick < 60'000; ++tick) {
-        ProbeState probe = path.back();
-        probe.time_ns += 1'000'000;
-        probe.position_m.x = x_m + 1e-5 * (static_cast<double>(jitter.below(3)) - 1.0);
-        probe.velocity_m_per_s = {0.02 * (static_cast<double>(jitter.below(3)) - 1.0), 0.0, 0.0};
-        path.push_back(probe);
-      }
+      add_rest(path, 60'000);
       const auto ticks = along_path(*renderer, path, 1000.0);
       double strongest_N = 0.0;
       for (std::size_t i = 0; i < path.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/random.h"
 #include "device/probe_state.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
@@ -97,6 +98,19 @@ inline std::vector<ProbeState> samples_of(const Stroke& stroke) {
     samples.push_back(probe);
   }
   return samples;
+}
+
+/// Ticks of 1 kHz at the last place, of a hand that has just stopped: its velocity varies about zero.
+inline void add_rest(std::vector<ProbeState>& path, int ticks) {
+  Random jitter(4);
+  const double x_m = path.back().position_m.x;
+  for (int tick = 0; tick < ticks; ++tick) {
+    ProbeState probe = path.back();
+    probe.time_ns += 1'000'000;
+    probe.position_m.x = x_m + 1e-5 * (static_cast<double>(jitter.below(3)) - 1.0);
+    probe.velocity_m_per_s = {0.02 * (static_cast<double>(jitter.below(3)) - 1.0), 0.0, 0.0};
+    path.push_back(probe);
+  }
 }
 
 /// What a renderer answers to a probe that has just come, at 1 kHz.
