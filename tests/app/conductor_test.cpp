@@ -162,10 +162,8 @@ TEST_F(ConductorTest, KeepsAnAbortedAttemptAndAsksAgainAfterAResume) {
   EXPECT_EQ(attempts()[1].outcome, AttemptOutcome::aborted);
   EXPECT_EQ(attempts()[1].invalid_reason.value().text, "the fire alarm rang");
 
-  make_rig({});
-  rig_->move_clock_to(1'000'000'000'000);
+  reopen_session();
   person_.at_question = {};
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
   end = run();
   EXPECT_EQ(end.state, SessionState::completed);
   const auto rows = attempts();
@@ -827,9 +825,7 @@ TEST_F(ConductorTest, LatchesZeroForceAndStopsWhenTheDeviceIsLost) {
   EXPECT_EQ(rows[0].servo->fault, "device_lost");
   EXPECT_FALSE(rows[0].valid);
 
-  make_rig({});
-  rig_->move_clock_to(1'000'000'000'000);
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  reopen_session();
   EXPECT_EQ(run().state, SessionState::completed);
   const auto all = attempts();
   ASSERT_EQ(all.size(), 4U);

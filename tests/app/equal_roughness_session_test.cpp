@@ -1,10 +1,7 @@
 // Sessions at amplitudes of equal roughness: what they present and store, resumed after an interruption anywhere.
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,16 +9,15 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/exports/export_study.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/equal_roughness.h"
 #include "app/records/presented_matches.h"
-#include "app/records/recorded_attempt.h"
 #include "app/report/text/report_roughness.h"
 #include "app/study_files/parameter_json.h"
 #include "protocols/file/stored_protocol.h"
-#include "results_schema/sqlite.h"
+#include "tests/app/exported_study.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -56,44 +52,20 @@ constexpr const char* kMatchedModels = R"({
 constexpr int kTrialsOfMatching = 16;
 constexpr int kTrialsOfSession = 22;
 
-class EqualRoughnessSession : public SessionTest {
+class EqualRoughnessSession : public ResumableSession {
  protected:
   void SetUp() override {
     begin(kMatchedModels);
-    links_ = {};
-  }
-
-  /// A participant for whom both models are as rough as the reference at 1 dB.
-  void start(std::uint64_t seed) {
-    SessionTest::start("p" + std::to_string(++participants_), seed);
-    person_.at_question = [](int, const Trial& trial) {
-      if (trial.block != "matching") return chooses(0);
-      const double amplitude = std::get<double>(trial.factors.at("relative_amplitude"));
-      const bool is_rougher = 20.0 * std::log10(amplitude) > 1.0;
-      const std::string role = is_rougher ? "comparison" : "standard";
-      return chooses(trial.presentations.front().role == role ? 0 : 1);
-    };
-  }
-
-  SessionEnd run_trials(int trials) {
-    int made = 0;
     links_.tell = [this](const std::string& text) { told_.push_back(text); };
-    conductor_ = std::make_unique<Conductor>(
-        *study_, protocol_, *builder_, *rig_, person_,
-        ConductorSettings{.record = true,
-                          .done =
-                              [this, &made, trials](const AttemptDone&) {
-                                if (++made == trials)
-                                  conductor_->requests().stop_after(StopAfter::trial);
-                              },
-                          .links = links_});
-    return conductor_->run(session_);
   }
 
-  SessionEnd resume() {
-    make_rig({});
-    session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
-    return run_trials(1000);
+  /// Both models are as rough as the reference at 1 dB.
+  Reply reply_to(const Trial& trial, std::uint64_t) const override {
+    if (trial.block != "matching") return chooses(0);
+    const double amplitude = std::get<double>(trial.factors.at("relative_amplitude"));
+    const bool is_rougher = 20.0 * std::log10(amplitude) > 1.0;
+    const std::string role = is_rougher ? "comparison" : "standard";
+    return chooses(trial.presentations.front().role == role ? 0 : 1);
   }
 
   std::vector<nlohmann::json> match_events() const {
@@ -104,19 +76,11 @@ class EqualRoughnessSession : public SessionTest {
     return events;
   }
 
-  void change_store(const std::string& statements) {
-    const std::filesystem::path folder = folder_.path() / "study";
-    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
-    database.execute(statements);
-  }
-
   std::vector<std::string> told_{};
-  int participants_ = 1;
 };
 
 TEST_F(EqualRoughnessSession, RendersTheAmplitudesThatTheResponsesDetermined) {
-  start(1);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  uninterrupted(1);
   const std::vector<PresentedMatch> matches =
       presented_matches(stored_protocol(kMatchedModels), study_->plan(session_.row.id));
   ASSERT_EQ(matches.size(), 2U);
@@ -148,8 +112,7 @@ TEST_F(EqualRoughnessSession, RendersTheAmplitudesThatTheResponsesDetermined) {
 }
 
 TEST_F(EqualRoughnessSession, StoresAndReportsEachMatchOnce) {
-  start(1);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  uninterrupted(1);
   const std::vector<nlohmann::json> events = match_events();
   ASSERT_EQ(events.size(), 2U);
   for (const nlohmann::json& event : events) {
@@ -162,33 +125,23 @@ TEST_F(EqualRoughnessSession, StoresAndReportsEachMatchOnce) {
 }
 
 TEST_F(EqualRoughnessSession, ContinuesAtTheSameAmplitudesAfterAnInterruptionAnywhere) {
-  start(3);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  const std::vector<std::string> expected = stored_plan();
-  ASSERT_EQ(expected.size(), static_cast<std::size_t>(kTrialsOfSession));
-  for (int position = 1; position < kTrialsOfSession; ++position) {
-    SCOPED_TRACE("after " + std::to_string(position));
-    start(3);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(resume().state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
-    EXPECT_EQ(match_events().size(), 2U);
-    EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
-              expected.size());
+  EXPECT_EQ(same_plan_after_interruptions(3).size(), static_cast<std::size_t>(kTrialsOfSession));
+  for (const SessionRow& row : study_->sessions()) {
+    session_.row = row;
+    if (row.state == SessionState::completed) {
+      EXPECT_EQ(match_events().size(), 2U) << row.id;
+    }
   }
 }
 
 TEST_F(EqualRoughnessSession, IsResumedWhereTheMatchesWereNotYetStored) {
+  const std::vector<std::string> expected = uninterrupted(3);
   start(3);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  const std::vector<std::string> expected = stored_plan();
-  start(3);
-  ASSERT_EQ(run_trials(kTrialsOfMatching).state, SessionState::stopped);
-  const std::string of_session = " AND session_id = " + std::to_string(session_.row.id);
+  ASSERT_EQ(run_attempts(kTrialsOfMatching).state, SessionState::stopped);
   change_store(
       "DROP TRIGGER trial_no_delete; DROP TRIGGER event_no_delete; DELETE FROM trial WHERE trial > "
-      "16" +
-      of_session + "; DELETE FROM event WHERE kind = 'roughness_match'" + of_session);
+      "16 AND" +
+      of_session() + "; DELETE FROM event WHERE kind = 'roughness_match' AND" + of_session());
   ASSERT_TRUE(match_events().empty());
   EXPECT_EQ(resume().state, SessionState::completed);
   EXPECT_EQ(stored_plan(), expected);
@@ -197,73 +150,47 @@ TEST_F(EqualRoughnessSession, IsResumedWhereTheMatchesWereNotYetStored) {
 
 TEST_F(EqualRoughnessSession, StoresTheMatchesThatAnInterruptionLeftOut) {
   start(3);
-  ASSERT_EQ(run_trials(kTrialsOfMatching).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(kTrialsOfMatching).state, SessionState::stopped);
   const std::vector<nlohmann::json> stored = match_events();
   ASSERT_EQ(stored.size(), 2U);
   change_store(
       "DROP TRIGGER event_no_delete; DELETE FROM event WHERE id = (SELECT max(id) FROM event WHERE "
-      "kind = 'roughness_match' AND session_id = " +
-      std::to_string(session_.row.id) + ")");
+      "kind = 'roughness_match' AND" +
+      of_session() + ")");
   ASSERT_EQ(match_events().size(), 1U);
   EXPECT_EQ(resume().state, SessionState::completed);
   EXPECT_THAT(match_events(), testing::UnorderedElementsAreArray(stored));
 }
 
 TEST_F(EqualRoughnessSession, IsFoundChangedWhereAnAmplitudeWasChanged) {
-  start(1);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  const SessionRow row = study_->session(session_.row.id);
+  uninterrupted(1);
   change_store(
       "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = json_set(plan_json, "
-      "'$.presentations[0].relative_amplitude', 1.9) WHERE trial = 20 AND session_id = " +
-      std::to_string(row.id));
-  try {
-    plan_of(*study_, row, models_);
-    FAIL() << "a changed amplitude was not found";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("trial 20"));
-  }
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells{};
-  std::stringstream stream(line);
-  for (std::string cell{}; std::getline(stream, cell, '\t');) cells.push_back(cell);
-  return cells;
+      "'$.presentations[0].relative_amplitude', 1.9) WHERE trial = 20 AND" +
+      of_session());
+  EXPECT_THAT(refusal_of<std::runtime_error>([this] { verified_plan(); }), HasSubstr("trial 20"));
 }
 
 TEST_F(EqualRoughnessSession, IsExportedWithEverySurface) {
-  start(1);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  ExportOptions options{};
-  options.formats = {};
-  export_study(*study_, models_, folder_.path() / "out", options);
-  std::ifstream file(folder_.path() / "out" / "presentations.tsv");
-  std::string line{};
-  ASSERT_TRUE(std::getline(file, line));
-  const std::vector<std::string> names = cells_of(line);
-  const auto place = [&names](const std::string& name) {
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-  };
-  std::map<std::string, int> statuses{};
+  uninterrupted(1);
+  export_study(*study_, models_, folder_.path() / "out", tables_only());
+  const Table surfaces = table_in(folder_.path() / "out", "presentations.tsv");
+  std::map<Cell, int> statuses{};
   int varied = 0;
-  while (std::getline(file, line)) {
-    const std::vector<std::string> cells = cells_of(line);
-    const std::string& status = cells.at(place("roughness_match"));
-    ++statuses[status];
-    const bool is_standard = cells.at(place("role")) == "standard";
-    EXPECT_EQ(cells.at(place("relative_amplitude")) == "n/a", is_standard);
-    varied += cells.at(place("role")) == "comparison" ? 1 : 0;
+  for (std::size_t row = 0; row < surfaces.rows.size(); ++row) {
+    ++statuses[cell_of(surfaces, row, "roughness_match")];
+    const Cell role = cell_of(surfaces, row, "role");
+    EXPECT_EQ(cell_of(surfaces, row, "relative_amplitude") == Cell{}, role == Cell{"standard"});
+    varied += role == Cell{"comparison"} ? 1 : 0;
   }
   EXPECT_EQ(varied, kTrialsOfMatching);
-  EXPECT_EQ(statuses["n/a"], 2 * kTrialsOfMatching);
-  EXPECT_EQ(statuses["reference"], 4);
-  EXPECT_EQ(statuses["matched"], 8);
+  EXPECT_EQ(statuses[Cell{}], 2 * kTrialsOfMatching) << "n/a";
+  EXPECT_EQ(statuses[Cell{"reference"}], 4);
+  EXPECT_EQ(statuses[Cell{"matched"}], 8);
 }
 
 TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {
-  start(1);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  uninterrupted(1);
   const std::vector<AnalysisOutcome> outcomes = analyze_study(*study_, {}, {});
   int tables = 0;
   for (const AnalysisOutcome& outcome : outcomes) {
@@ -294,13 +221,11 @@ std::pair<std::size_t, std::size_t> reported_matches(const Study& study) {
 }
 
 TEST_F(EqualRoughnessSession, IsReportedOnlyWhereAnAttemptCounts) {
-  start(1);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  uninterrupted(1);
   const std::int64_t first = session_.row.id;
-  start(2);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
+  uninterrupted(2);
   start(3);
-  ASSERT_EQ(run_trials(kTrialsOfMatching).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(kTrialsOfMatching).state, SessionState::stopped);
   ASSERT_EQ(study_->plan(session_.row.id).size(), static_cast<std::size_t>(kTrialsOfSession));
   EXPECT_EQ(reported_matches(*study_), std::pair(std::size_t{4}, std::size_t{4}))
       << "the third participant did not compare";

@@ -15,7 +15,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/records/recorded_attempt.h"
 #include "app/session/levels/child_process.h"
 #include "app/session/levels/supplied_steps.h"
 #include "app/tasks/sitting.h"
@@ -23,7 +22,6 @@
 #include "app/words/event_kinds.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
-#include "results_schema/sqlite.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {
@@ -33,7 +31,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Two interleaved tracks of six trials in each of two conditions, and a trial of a fixed block after them.
+/// Two interleaved tracks in each of two conditions, and a trial of a fixed block after them.
 std::string tracks_with(const std::string& procedure) {
   return R"({
   "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "tracks",
@@ -61,13 +59,21 @@ std::string tracks_with(const std::string& procedure) {
   "flow": [{"run": "tracks"}, {"run": "after"}]})";
 }
 
-constexpr const char* kStaircase =
-    R"({"method": "transformed_up_down", "down": 1, "up": 1, "steps": [20, 10, 5], "start": 50,
-        "stop": {"trials": 6}, "tracks": [{}, {}]})";
-constexpr const char* kExternalStaircase =
-    R"({"method": "external", "stop": {"trials": 6}, "tracks": [{}, {}],
-        "settings": {"start": 50, "steps": [4, 2, 1]}})";
-constexpr int kAllTrials = 25;
+/// Trials of each track, and of a session with these tracks.
+constexpr int kTrialsOfLongTrack = 6;
+constexpr int kStatedTrials = 8;
+constexpr int kAllTrials = 9;
+
+std::string staircase() {
+  return R"({"method": "transformed_up_down", "down": 1, "up": 1, "steps": [20, 10, 5], "start": 50,
+        "stop": {"trials": )" +
+         std::to_string(kTrialsOfLongTrack) + R"(}, "tracks": [{}, {}]})";
+}
+
+std::string external_staircase(int trials) {
+  return R"({"method": "external", "stop": {"trials": )" + std::to_string(trials) +
+         R"(}, "tracks": [{}, {}], "settings": {"start": 50, "steps": [4, 2, 1]}})";
+}
 
 /// The program of docs/formats/external.md.
 std::string documented_program() {
@@ -78,52 +84,20 @@ std::string documented_program() {
   return page.substr(from, page.find("```", from) - from);
 }
 
-class ExternalSession : public SessionTest {
+class ExternalSession : public ResumableSession {
  protected:
   void SetUp() override {
-    begin(tracks_with(kExternalStaircase));
+    begin(tracks_with(external_staircase(2)));
     write_program(documented_program());
-    links_ = {};
+    proportion_correct_ = 0.6;
   }
 
   void write_program(const std::string& text) { std::ofstream(script()) << text; }
   std::filesystem::path script() const { return folder_ / "program.py"; }
-  ExternalProgram program() const {
-    ExternalProgram chosen{.file = "/usr/bin/env", .arguments = {"python3", script().string()}};
-    chosen.arguments.insert(chosen.arguments.end(), arguments_.begin(), arguments_.end());
-    return chosen;
-  }
-
-  /// A new session; a trial has the same answer in every session of this seed.
-  void start(std::uint64_t seed) {
-    SessionTest::start("p" + std::to_string(++participants_), seed);
-    person_.at_question = [seed](int, const Trial& trial) {
-      Random random =
-          Random(seed).split("answers").split(static_cast<std::uint64_t>(trial.ordinal));
-      return reply_that_is(trial, random.uniform() < 0.6);
-    };
-  }
-
-  SessionEnd run_trials(int trials) {
-    int made = 0;
-    conductor_ = std::make_unique<Conductor>(
-        *study_, protocol_, *builder_, *rig_, person_,
-        ConductorSettings{.record = false,
-                          .level_program = program(),
-                          .done =
-                              [this, &made, trials](const AttemptDone&) {
-                                if (++made == trials)
-                                  conductor_->requests().stop_after(StopAfter::trial);
-                              },
-                          .links = links_});
-    return conductor_->run(session_);
-  }
-
-  SessionEnd resume(int trials) {
-    make_rig({});
-    rig_->move_clock_to(last_time_ns(*study_, study_->session(session_.row.id)));
-    session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
-    return run_trials(trials);
+  ConductorSettings settings() const override {
+    ExternalProgram program{.file = "/usr/bin/env", .arguments = {"python3", script().string()}};
+    program.arguments.insert(program.arguments.end(), arguments_.begin(), arguments_.end());
+    return {.record = false, .level_program = program};
   }
 
   std::vector<EventRow> events_of_kind(const std::string& kind) const {
@@ -137,48 +111,25 @@ class ExternalSession : public SessionTest {
                      "session-01_external.log");
   }
 
-  void change_store(const std::string& sql) {
-    const std::filesystem::path folder = folder_.path() / "study";
-    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
-    database.execute(sql);
-  }
-
-  std::size_t verified_trials() {
-    return plan_of(*study_, study_->session(session_.row.id), models_).trials.size();
-  }
-
-  int participants_ = 1;
   std::vector<std::string> arguments_{};  ///< further ones of the program
 };
 
 TEST_F(ExternalSession, OfTheDocumentedProgramHasTheLevelsOfTheSameStaircase) {
   std::vector<std::vector<std::string>> plans{};
-  for (const char* const procedure : {kExternalStaircase, kStaircase}) {
+  for (const std::string& procedure : {external_staircase(kTrialsOfLongTrack), staircase()}) {
     protocol_ = read_small_protocol(models_, tracks_with(procedure));
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      start(seed);
-      ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-      plans.push_back(stored_plan());
-      EXPECT_EQ(verified_trials(), static_cast<std::size_t>(kAllTrials));
+      plans.push_back(uninterrupted(seed));
+      EXPECT_EQ(plans.back().size(), 25U);
+      EXPECT_EQ(verified_trials(), 25U);
     }
   }
   for (std::size_t seed = 0; seed < 3; ++seed) EXPECT_EQ(plans[seed], plans[seed + 3]);
 }
 
 TEST_F(ExternalSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
-  start(2);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  const std::vector<std::string> expected = stored_plan();
-  ASSERT_EQ(expected.size(), static_cast<std::size_t>(kAllTrials));
-  for (int position = 1; position < kAllTrials; ++position) {
-    SCOPED_TRACE("after " + std::to_string(position));
-    start(2);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(verified_trials(), stored_plan().size());
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
-    EXPECT_EQ(verified_trials(), expected.size());
-  }
+  protocol_ = read_small_protocol(models_, tracks_with(external_staircase(kTrialsOfLongTrack)));
+  EXPECT_EQ(same_plan_after_interruptions(2).size(), 25U);
 }
 
 /// What it receives, one line each, is in its log.
@@ -194,13 +145,13 @@ sys.stderr.write("closed\n")
 TEST_F(ExternalSession, TellsAProgramThatIsStartedAgainTheEarlierResponses) {
   write_program(kWritesDown);
   start(1);
-  ASSERT_EQ(run_trials(3).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(3).state, SessionState::stopped);
   const std::string before = log();
-  EXPECT_THAT(before, AllOf(HasSubstr(R"("asperity":1,"begin")"), HasSubstr(R"("most_trials":6)"),
+  EXPECT_THAT(before, AllOf(HasSubstr(R"("asperity":1,"begin")"), HasSubstr(R"("most_trials":2)"),
                             HasSubstr(R"("settings":{"start":50,"steps":[4,2,1]})"),
                             HasSubstr(R"("factors":{"stroking":")"), HasSubstr("closed"),
                             testing::Not(HasSubstr("replayed"))));
-  ASSERT_EQ(resume(1000).state, SessionState::completed);
+  ASSERT_EQ(resume().state, SessionState::completed);
   const std::string after = log().substr(before.size());
   std::size_t replayed = 0;
   for (std::size_t at = after.find("replayed"); at != std::string::npos;
@@ -215,13 +166,13 @@ TEST_F(ExternalSession, TellsAProgramThatIsStartedAgainTheEarlierResponses) {
        at = after.find("\"tell\"", at + 1)) {
     ++told;
   }
-  EXPECT_EQ(told, 24U);
+  EXPECT_EQ(told, static_cast<std::size_t>(kStatedTrials));
 }
 
 TEST_F(ExternalSession, StoresTheProgramAndWhatItStated) {
   write_program(kWritesDown);
   start(1);
-  ASSERT_EQ(run_trials(2).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(2).state, SessionState::stopped);
   const std::vector<EventRow> programs = events_of_kind(kExternalProgram);
   ASSERT_EQ(programs.size(), 1U);
   EXPECT_EQ(programs.front().text, "env");
@@ -245,32 +196,14 @@ for line in sys.stdin:
 
 TEST_F(ExternalSession, EndsATrackWhenTheProgramEndsIt) {
   write_program(kEndsAtOnce);
-  start(1);
-  EXPECT_EQ(run_trials(1000).state, SessionState::completed);
-  EXPECT_EQ(stored_plan().size(), 5U) << "four tracks, and the trial after them";
-  EXPECT_EQ(verified_trials(), 5U);
-  for (int position = 1; position < 5; ++position) {
-    start(1);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    EXPECT_EQ(stored_plan().size(), 5U);
-  }
+  EXPECT_EQ(same_plan_after_interruptions(1).size(), 5U) << "four tracks, and the trial after them";
 }
 
 TEST_F(ExternalSession, KeepsCatchTrialsWhereTheyAre) {
-  std::string text = kExternalStaircase;
+  std::string text = external_staircase(4);
   text.insert(1, R"("catch_trials": {"level": 100, "every": 4}, )");
   protocol_ = read_small_protocol(models_, tracks_with(text));
-  start(4);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  const std::vector<std::string> expected = stored_plan();
-  for (int position = 1; position < 9; ++position) {
-    SCOPED_TRACE(position);
-    start(4);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
-  }
+  EXPECT_GT(same_plan_after_interruptions(4).size(), 18U) << "4 · 4 trials, and the one after them";
 }
 
 TEST_F(ExternalSession, PresentsTheLevelOfASkippedTrialAgainWithoutAsking) {
@@ -280,9 +213,9 @@ TEST_F(ExternalSession, PresentsTheLevelOfASkippedTrialAgainWithoutAsking) {
     if (question == 2) return feels_again(1);
     return correct_reply(trial);
   };
-  EXPECT_EQ(run_trials(1000).state, SessionState::completed);
+  EXPECT_EQ(run_attempts().state, SessionState::completed);
   EXPECT_EQ(stored_plan().size(), static_cast<std::size_t>(kAllTrials) + 1);
-  EXPECT_EQ(events_of_kind(kExternalLevel).size(), 24U);
+  EXPECT_EQ(events_of_kind(kExternalLevel).size(), static_cast<std::size_t>(kStatedTrials));
   EXPECT_EQ(verified_trials(), static_cast<std::size_t>(kAllTrials) + 1);
 }
 
@@ -292,9 +225,9 @@ TEST_F(ExternalSession, IsResumedWhereTheTrialOfAStatedLevelWasNotYetStored) {
     if (position == 0) {
       study_->end_session(session_.row.id, SessionState::stopped, "2026-01-01T00:00:00.000Z");
     } else {
-      ASSERT_EQ(run_trials(position).state, SessionState::stopped);
+      ASSERT_EQ(run_attempts(position).state, SessionState::stopped);
     }
-    const OpenSession stopped = reopen(*study_, protocol_, study_->session(session_.row.id));
+    const OpenSession stopped = reopen(*study_, protocol_, stored_session());
     const LevelRequest request = stopped.course->requested().value();
     study_->add_event(session_.row.id,
                       {.time_ns = last_time_ns(*study_, stopped.row) + 1,
@@ -304,8 +237,8 @@ TEST_F(ExternalSession, IsResumedWhereTheTrialOfAStatedLevelWasNotYetStored) {
                                                          .step = NextLevel{80.0},
                                                          .stated = 81.0})});
     EXPECT_EQ(verified_trials(), static_cast<std::size_t>(position));
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    const Plan plan = plan_of(*study_, study_->session(session_.row.id), models_);
+    EXPECT_EQ(resume().state, SessionState::completed);
+    const Plan plan = verified_plan();
     ASSERT_EQ(plan.trials.size(), static_cast<std::size_t>(kAllTrials));
     EXPECT_EQ(
         std::get<double>(plan.trials[static_cast<std::size_t>(position)].factors.at("amplitude_m")),
@@ -316,7 +249,7 @@ TEST_F(ExternalSession, IsResumedWhereTheTrialOfAStatedLevelWasNotYetStored) {
 TEST_F(ExternalSession, IsFoundChangedWhereAStoredLevelWasChangedOrRemoved) {
   const auto changed = [this](const std::string& change) {
     start(2);
-    EXPECT_EQ(run_trials(1000).state, SessionState::completed);
+    EXPECT_EQ(run_attempts().state, SessionState::completed);
     change_store("DROP TRIGGER IF EXISTS event_no_update; UPDATE event SET " + change +
                  " WHERE id = (SELECT max(id) FROM event WHERE kind = 'external_level')");
     try {
@@ -326,7 +259,7 @@ TEST_F(ExternalSession, IsFoundChangedWhereAStoredLevelWasChangedOrRemoved) {
     }
     return std::string("nothing found");
   };
-  EXPECT_THAT(changed(R"(data_json = replace(data_json, '"step":6', '"step":5'))"),
+  EXPECT_THAT(changed(R"(data_json = replace(data_json, '"step":2', '"step":1'))"),
               HasSubstr("comes next"));
   EXPECT_THAT(changed("data_json = replace(data_json, '\"stated\":', '\"stated\":10')"),
               HasSubstr("nearest to the one that the program stated"));
@@ -390,7 +323,7 @@ TEST_F(ExternalSession, WaitsForTheExperimenterAfterEveryFailureAndContinues) {
   for (const Failure& failure : failures()) {
     SCOPED_TRACE(failure.name);
     const bool hangs = failure.name == "hangs";
-    std::string text = kExternalStaircase;
+    std::string text = external_staircase(2);
     if (hangs) text.insert(1, R"("answer_within_s": 2, )");
     protocol_ = read_small_protocol(models_, tracks_with(text));
     write_program(failing_program(failure));
@@ -398,7 +331,7 @@ TEST_F(ExternalSession, WaitsForTheExperimenterAfterEveryFailureAndContinues) {
     person_.faults_heard.clear();
     start(1);
     person_.at_fault = [] { return Respondent::AfterFault::go_on; };
-    EXPECT_EQ(run_trials(1000).state, SessionState::completed);
+    EXPECT_EQ(run_attempts().state, SessionState::completed);
     EXPECT_EQ(attempts().size(), static_cast<std::size_t>(kAllTrials)) << "nothing was repeated";
     EXPECT_EQ(verified_trials(), static_cast<std::size_t>(kAllTrials));
     const std::size_t failed = person_.faults_heard.size();
@@ -415,12 +348,12 @@ TEST_F(ExternalSession, WaitsForTheExperimenterAfterEveryFailureAndContinues) {
 TEST_F(ExternalSession, StopsAfterAFailureWithoutAnExperimenterAndIsResumed) {
   write_program(failing_program(failures().front()));
   start(1);
-  const SessionEnd end = run_trials(1000);
+  const SessionEnd end = run_attempts();
   EXPECT_EQ(end.state, SessionState::stopped);
   EXPECT_THAT(end.reason.english(),
               AllOf(HasSubstr("the levels could not be determined"), HasSubstr("no more")));
   EXPECT_EQ(attempts().size(), 2U);
-  EXPECT_EQ(resume(1000).state, SessionState::completed);
+  EXPECT_EQ(resume().state, SessionState::completed);
   EXPECT_EQ(attempts().size(), static_cast<std::size_t>(kAllTrials));
 }
 
@@ -435,7 +368,7 @@ TEST_F(ExternalSession, WaitsWhereAFileOfTheProgramCannotBeRead) {
     arguments_.clear();
     return Respondent::AfterFault::end;
   };
-  const SessionEnd end = run_trials(1000);
+  const SessionEnd end = run_attempts();
   EXPECT_EQ(end.state, SessionState::stopped);
   ASSERT_EQ(person_.faults_heard.size(), 1U);
   EXPECT_THAT(person_.faults_heard.front(),
@@ -443,15 +376,14 @@ TEST_F(ExternalSession, WaitsWhereAFileOfTheProgramCannotBeRead) {
                     HasSubstr("Fix the problem, then resume")));
   EXPECT_EQ(events_of_kind(kExternalFailure).size(), 1U);
   EXPECT_THAT(events_of_kind(kExternalProgram), IsEmpty()) << "it was not started";
-  EXPECT_EQ(resume(1000).state, SessionState::completed);
+  EXPECT_EQ(resume().state, SessionState::completed);
 }
 
 TEST_F(ExternalSession, IsResumedWithoutTheProgramOnceEveryLevelIsStored) {
-  constexpr int kStatedTrials = 24;
   for (const int position : {kStatedTrials - 1, kStatedTrials}) {
     SCOPED_TRACE(position);
     start(2);
-    ASSERT_EQ(run_trials(position).state, SessionState::stopped);
+    ASSERT_EQ(run_attempts(position).state, SessionState::stopped);
     const std::string& label = session_.row.participant;
     const auto unfinished = unfinished_of(unfinished_sessions(*study_, protocol_), label, {});
     ASSERT_TRUE(unfinished);
@@ -467,7 +399,7 @@ TEST_F(ExternalSession, IsResumedWithoutTheProgramOnceEveryLevelIsStored) {
     };
     if (unfinished->lacks_levels) {
       EXPECT_THROW(resume_without(), PhrasedError);
-      EXPECT_EQ(study_->session(session_.row.id).state, SessionState::stopped);
+      EXPECT_EQ(stored_session().state, SessionState::stopped);
     } else {
       EXPECT_EQ(resume_without(), SessionState::completed);
       EXPECT_EQ(verified_trials(), static_cast<std::size_t>(kAllTrials));
@@ -480,12 +412,12 @@ TEST_F(ExternalSession, IsStoppedByTheExperimenterWhileItWaits) {
   links_.experimenter_is_there = true;
   start(1);
   person_.at_fault = [] { return Respondent::AfterFault::end; };
-  const SessionEnd end = run_trials(1000);
+  const SessionEnd end = run_attempts();
   EXPECT_EQ(end.state, SessionState::stopped);
   EXPECT_THAT(end.reason.english(), HasSubstr("not installed"));
   EXPECT_THAT(attempts(), IsEmpty());
   write_program(documented_program());
-  EXPECT_EQ(resume(1000).state, SessionState::completed);
+  EXPECT_EQ(resume().state, SessionState::completed);
 }
 
 /// Writes more than a pipe holds after its statement of a level, and then makes a file.
@@ -517,7 +449,7 @@ TEST_F(ExternalSession, ReadsTheErrorsOfAProgramDuringATrial) {
     has_warned = std::filesystem::exists(mark);
     return chooses(0);
   };
-  ASSERT_EQ(run_trials(1).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(1).state, SessionState::stopped);
   EXPECT_TRUE(has_warned);
   EXPECT_GE(log().size(), 300'000U);
 }
@@ -541,8 +473,8 @@ TEST_F(ExternalSession, StoresItsEndAlsoWhereTheErrorsOfAProgramCannotBeKept) {
     std::ofstream(logs / session_.row.participant) << "not a folder";
     const SessionState state =
         trials < kAllTrials ? SessionState::stopped : SessionState::completed;
-    EXPECT_EQ(run_trials(trials).state, state);
-    EXPECT_EQ(study_->session(session_.row.id).state, state);
+    EXPECT_EQ(run_attempts(trials).state, state);
+    EXPECT_EQ(stored_session().state, state);
     EXPECT_EQ(
         events_of_kind(state == SessionState::completed ? "session_completed" : "session_stopped")
             .size(),
@@ -564,7 +496,7 @@ for line in sys.stdin:
         print('{"level": 50}', flush=True)
 )");
   start(1);
-  ASSERT_EQ(run_trials(2).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(2).state, SessionState::stopped);
   EXPECT_LT(log().size(), 1'200'000U);
   EXPECT_THAT(log(), HasSubstr("further output is not kept"));
 }
@@ -587,8 +519,8 @@ TEST(ChildProcess, KeepsTheIdentifierOfAProcessThatHasEndedUntilItsGroupIsEnded)
 
 TEST(ExternalProgram, IsRefusedWhereASessionCannotUseIt) {
   const ModelRegistry models = built_in_models();
-  const Protocol needs = read_small_protocol(models, tracks_with(kExternalStaircase));
-  const Protocol has_own = read_small_protocol(models, tracks_with(kStaircase));
+  const Protocol needs = read_small_protocol(models, tracks_with(external_staircase(2)));
+  const Protocol has_own = read_small_protocol(models, tracks_with(staircase()));
   const auto complaint = [](const Protocol& protocol, std::optional<ExternalProgram> program) {
     const auto found = complaint_about_program(protocol, program);
     return found ? found->english() : std::string();

@@ -112,9 +112,7 @@ TEST_F(Questionnaire, GoesOnAfterAnInterruptionWithTheAnswersFromBefore) {
   EXPECT_EQ(run().state, SessionState::stopped);
   person_.forms.clear();
   answer({{"kinds", {"dull"}}});
-  make_rig({});
-  rig_->move_clock_to(1'000'000'000'000);
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  reopen_session();
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_THAT(person_.forms, ElementsAre("kinds"));
   EXPECT_THAT(stored(), ElementsAre("pain 1 yes keyboard", "strength 1 9 keyboard",

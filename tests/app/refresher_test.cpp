@@ -25,47 +25,21 @@ using ::testing::Not;
 
 /// Practice to three correct responses in a row, and a main block of two trials.
 std::string refreshed_protocol(int practice_trials) {
-  std::string text = practised_protocol("continue_flagged");
-  const auto replace = [&text](const std::string& from, const std::string& to) {
-    ASSERT_NE(text.find(from), std::string::npos) << from;
-    text.replace(text.find(from), from.size(), to);
-  };
-  replace(R"("main": {)", R"("main": {"repetitions": 2,)");
-  replace(R"("flow":)",
-          R"("resume": {"practice_trials": )" + std::to_string(practice_trials) + R"(}, "flow":)");
-  return text;
+  const std::string text = exchanged(practised_protocol("continue_flagged"), R"("main": {)",
+                                     R"("main": {"repetitions": 2,)");
+  return exchanged(
+      text, R"("flow":)",
+      R"("resume": {"practice_trials": )" + std::to_string(practice_trials) + R"(}, "flow":)");
 }
 
-class RefreshedSession : public SessionTest {
+class RefreshedSession : public ResumableSession {
  protected:
   void begin_refreshed(int practice_trials) {
     begin(refreshed_protocol(practice_trials));
     person_.at_question = [](int, const Trial& trial) { return correct_reply(trial); };
   }
 
-  /// Runs the session, and stops it after this number of attempts in this run.
-  SessionEnd run_attempts(int attempts) {
-    int made = 0;
-    conductor_ = std::make_unique<Conductor>(
-        *study_, protocol_, *builder_, *rig_, person_,
-        ConductorSettings{.record = true,
-                          .done =
-                              [this, &made, attempts](const AttemptDone& done) {
-                                done_.push_back(done);
-                                if (++made == attempts)
-                                  conductor_->requests().stop_after(StopAfter::trial);
-                              },
-                          .links = links_});
-    return conductor_->run(session_);
-  }
-
-  SessionEnd resume(int attempts = 1000) {
-    make_rig({});
-    person_.texts.clear();
-    done_.clear();
-    session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
-    return run_attempts(attempts);
-  }
+  ConductorSettings settings() const override { return {.record = true}; }
 
   /// "1/2 refresher" of every attempt in the order in which they were made.
   std::vector<std::string> made() const {
@@ -98,7 +72,7 @@ TEST_F(RefreshedSession, RepeatsTheFirstTrialsOfThePracticeAndCountsNone) {
   const SessionCounts counts = study_->session_counts(session_.row.id);
   EXPECT_EQ(counts.done_trials, 5);
   EXPECT_EQ(counts.attempts, 7);
-  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(), 7U);
+  EXPECT_EQ(verified_trials(), 7U);
   for (const AttemptRow& row : attempts()) {
     if (row.purpose == AttemptPurpose::refresher) {
       EXPECT_TRUE(row.valid);
@@ -156,9 +130,9 @@ TEST_F(RefreshedSession, RefusesToRepeatTheLastTrialWhilePracticeIsRepeated) {
 TEST_F(RefreshedSession, HasNoRefreshersWhenSimulated) {
   begin_refreshed(2);
   ASSERT_EQ(run_attempts(4).state, SessionState::stopped);
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  session_ = reopen(*study_, protocol_, stored_session());
   session_.row.mode = SessionMode::simulate;
-  EXPECT_EQ(run_attempts(1000).state, SessionState::completed);
+  EXPECT_EQ(run_attempts().state, SessionState::completed);
   EXPECT_EQ(attempts().size(), 5U);
 }
 
@@ -233,11 +207,11 @@ TEST_P(InterruptedRefresher, LeavesEveryTrackAsItIs) {
   const std::vector<std::string> expected = stored_plan();
   ASSERT_EQ(expected.size(), 10U);
 
-  start("p2", 7);
+  SessionTest::start("p2", 7);
   // A skipped trial changes its track; here the session is stopped before it.
   const bool ends = GetParam().ends_session;
   interrupt_at(ends ? 6 : 0);
-  ASSERT_EQ(run_attempts(ends ? 1000 : 5).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(ends ? kToItsEnd : 5).state, SessionState::stopped);
   interrupt_at(1);
   SessionEnd end = resume();
   if (ends) {
@@ -305,13 +279,9 @@ INSTANTIATE_TEST_SUITE_P(Each, InterruptedRefresher,
 
 /// Three trials of two surfaces, felt for at least 0.4 s each, with a break after 0.6 s of contact.
 TEST_F(SessionTest, RestsOnceSurfacesWereInContactForLongEnough) {
-  std::string text = small_protocol();
-  const std::string plain = R"({"run": "main"})";
-  ASSERT_NE(text.find(plain), std::string::npos);
-  text.replace(text.find(plain), plain.size(),
-               R"({"run": "main", "break_every_contact_minutes": 0.01,
-                   "pause": {"minimum_s": 1, "text": "Rest."}})");
-  begin(text);
+  begin(exchanged(small_protocol(), R"({"run": "main"})",
+                  R"({"run": "main", "break_every_contact_minutes": 0.01,
+                   "pause": {"minimum_s": 1, "text": "Rest."}})"));
   EXPECT_EQ(run().state, SessionState::completed);
   const std::vector<AttemptRow> rows = attempts();
   double since_break_s = 0.0;
@@ -332,7 +302,7 @@ TEST_F(SessionTest, RestsOnceSurfacesWereInContactForLongEnough) {
   }
   ASSERT_EQ(breaks_ns.size(), expected);
   for (std::size_t i = 0; i < expected; ++i) EXPECT_GE(breaks_ns[i], ends_ns[i]);
-  for (const PlanStep& step : plan_of(*study_, study_->session(session_.row.id), models_).steps) {
+  for (const PlanStep& step : verified_plan().steps) {
     EXPECT_FALSE(std::holds_alternative<Protocol::Break>(step)) << "is not planned";
   }
 }

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,9 +13,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/records/recorded_attempt.h"
 #include "app/session/conductor.h"
 #include "app/study_files/program.h"
+#include "app/tasks/unfinished_session.h"
 #include "renderers/built_in_models.h"
+#include "results_schema/sqlite.h"
 #include "tests/app/small_study.h"
 #include "tests/support/scripted_person.h"
 #include "tests/support/temporary_folder.h"
@@ -157,6 +162,18 @@ class SessionTest : public testing::Test {
     return plan;
   }
 
+  SessionRow stored_session() const { return study_->session(session_.row.id); }
+
+  /// Made again from the stored responses.
+  Plan verified_plan() const { return plan_of(*study_, stored_session(), models_); }
+
+  /// The interrupted session, with a new rig.
+  void reopen_session() {
+    make_rig({});
+    rig_->move_clock_to(last_time_ns(*study_, stored_session()));
+    session_ = reopen(*study_, protocol_, stored_session());
+  }
+
   TemporaryFolder folder_{};
   ModelRegistry models_ = built_in_models();
   Protocol protocol_{};
@@ -178,6 +195,99 @@ class SessionTest : public testing::Test {
     conditions.device = rig_->capability();
     session_ = begin_session(*study_, protocol_, participant, conditions, this_program());
   }
+};
+
+/// Sessions that a test stops after a number of attempts and resumes, each of a new participant.
+class ResumableSession : public SessionTest {
+ protected:
+  static constexpr int kToItsEnd = 1000;
+
+  /// A new session, in which the participant replies as `reply_to` determines.
+  void start(std::uint64_t seed) {
+    SessionTest::start("p" + std::to_string(++participants_), seed);
+    person_.at_question = [this, seed](int, const Trial& trial) { return reply_to(trial, seed); };
+  }
+
+  /// A trial has the same reply in every session of this seed.
+  virtual Reply reply_to(const Trial& trial, std::uint64_t seed) const {
+    Random random = Random(seed).split("answers").split(static_cast<std::uint64_t>(trial.ordinal));
+    return reply_that_is(trial, random.uniform() < proportion_correct_);
+  }
+
+  virtual ConductorSettings settings() const { return {.record = false}; }
+
+  /// Runs the session, and stops it after this number of attempts in this run.
+  SessionEnd run_attempts(int most = kToItsEnd) {
+    int made = 0;
+    ConductorSettings settings = this->settings();
+    settings.links = links_;
+    settings.done = [this, &made, most](const AttemptDone& done) {
+      done_.push_back(done);
+      if (++made == most) conductor_->requests().stop_after(StopAfter::trial);
+    };
+    conductor_ =
+        std::make_unique<Conductor>(*study_, protocol_, *builder_, *rig_, person_, settings);
+    return conductor_->run(session_);
+  }
+
+  SessionEnd resume(int most = kToItsEnd) {
+    reopen_session();
+    person_.texts.clear();
+    done_.clear();
+    return run_attempts(most);
+  }
+
+  /// The plan of a session that was not interrupted.
+  std::vector<std::string> uninterrupted(std::uint64_t seed) {
+    start(seed);
+    EXPECT_EQ(run_attempts().state, SessionState::completed);
+    return stored_plan();
+  }
+
+  /// Completes the session that was started, with an interruption after every attempt.
+  void interrupt_after_every_attempt() {
+    SessionEnd end = run_attempts(1);
+    for (int i = 0; i < kToItsEnd && end.state == SessionState::stopped; ++i) {
+      EXPECT_EQ(verified_trials(), stored_plan().size());
+      end = resume(1);
+    }
+    EXPECT_EQ(end.state, SessionState::completed);
+  }
+
+  /// Sessions that are interrupted after every attempt, and once after the first, the middle or the last but one, have the
+  /// plan of an uninterrupted one, which is returned.
+  std::vector<std::string> same_plan_after_interruptions(std::uint64_t seed) {
+    const std::vector<std::string> expected = uninterrupted(seed);
+    start(seed);
+    interrupt_after_every_attempt();
+    EXPECT_EQ(stored_plan(), expected);
+    const int attempts = static_cast<int>(expected.size());
+    for (const int position : {1, attempts / 2, attempts - 1}) {
+      SCOPED_TRACE("after " + std::to_string(position));
+      start(seed);
+      EXPECT_EQ(run_attempts(position).state, SessionState::stopped);
+      EXPECT_EQ(verified_trials(), stored_plan().size());
+      EXPECT_EQ(resume().state, SessionState::completed);
+      EXPECT_EQ(stored_plan(), expected);
+      EXPECT_EQ(verified_trials(), expected.size());
+    }
+    return expected;
+  }
+
+  std::size_t verified_trials() const { return verified_plan().trials.size(); }
+
+  void change_store(const std::string& statements) {
+    const std::filesystem::path folder = folder_.path() / "study";
+    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
+    database.execute(statements);
+  }
+  /// The condition of SQL for rows of the session.
+  std::string of_session() const { return " session_id = " + std::to_string(session_.row.id); }
+
+  double proportion_correct_ = 0.8;
+
+ private:
+  int participants_ = 1;
 };
 
 }  // namespace asperity

@@ -6,12 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/records/recorded_attempt.h"
 #include "app/session/trial_outcome.h"
 #include "results_schema/analysis_use.h"
-#include "results_schema/sqlite.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -44,54 +43,14 @@ constexpr const char* kStaircases = R"({
       "question": {"name": "rougher", "prompt": "Which is rougher?", "judgement": "performance"}}},
   "flow": [{"run": "tracks"}, {"run": "after"}]})";
 
+constexpr const char* kProcedure =
+    R"("method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10, 5],
+                    "stop": {"trials": 4}, "tracks": [{"start": 50}, {"start": 25}])";
 constexpr int kTrials = 17;
 
-class StaircaseSession : public SessionTest {
+class StaircaseSession : public ResumableSession {
  protected:
-  void SetUp() override {
-    begin(kStaircases);
-    links_ = {};
-  }
-
-  /// A new session. Its participant answers four of five trials correctly; a trial has the same answer in every session
-  /// of this seed.
-  void start(std::uint64_t seed) {
-    SessionTest::start("p" + std::to_string(++participants_), seed);
-    person_.at_question = [seed](int, const Trial& trial) {
-      Random random =
-          Random(seed).split("answers").split(static_cast<std::uint64_t>(trial.ordinal));
-      return reply_that_is(trial, random.uniform() < 0.8);
-    };
-  }
-
-  /// Runs the session, and stops it after this number of trials in this run.
-  SessionEnd run_trials(int trials) {
-    int made = 0;
-    conductor_ = std::make_unique<Conductor>(
-        *study_, protocol_, *builder_, *rig_, person_,
-        ConductorSettings{.record = true,
-                          .done =
-                              [this, &made, trials](const AttemptDone&) {
-                                if (++made == trials)
-                                  conductor_->requests().stop_after(StopAfter::trial);
-                              },
-                          .links = links_});
-    return conductor_->run(session_);
-  }
-
-  SessionEnd resume(int trials) {
-    make_rig({});
-    session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
-    return run_trials(trials);
-  }
-
-  std::vector<std::string> uninterrupted(std::uint64_t seed) {
-    start(seed);
-    EXPECT_EQ(run_trials(1000).state, SessionState::completed);
-    return stored_plan();
-  }
-
-  int participants_ = 1;
+  void SetUp() override { begin(kStaircases); }
 };
 
 TEST_F(StaircaseSession, StoresEveryTrialBeforeItsFirstAttempt) {
@@ -102,33 +61,15 @@ TEST_F(StaircaseSession, StoresEveryTrialBeforeItsFirstAttempt) {
     EXPECT_EQ(stored.back(), static_cast<std::size_t>(trial.ordinal));
     return correct_reply(trial);
   };
-  EXPECT_EQ(run_trials(1000).state, SessionState::completed);
+  EXPECT_EQ(run_attempts().state, SessionState::completed);
   EXPECT_EQ(stored.size(), static_cast<std::size_t>(kTrials));
-  EXPECT_EQ(study_->session(session_.row.id).expected_trials, kTrials);
+  EXPECT_EQ(stored_session().expected_trials, kTrials);
 }
 
-TEST_F(StaircaseSession, GoesOnWithTheSameLevelsAfterAnInterruptionAnywhere) {
+TEST_F(StaircaseSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const std::vector<std::string> expected = uninterrupted(seed);
-    ASSERT_EQ(expected.size(), static_cast<std::size_t>(kTrials));
-    for (int position = 1; position < kTrials; ++position) {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", after " + std::to_string(position));
-      start(seed);
-      EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-      EXPECT_EQ(resume(1000).state, SessionState::completed);
-      EXPECT_EQ(stored_plan(), expected);
-    }
-  }
-}
-
-TEST_F(StaircaseSession, GoesOnWithTheSameLevelsWhenInterruptedAfterEachTrial) {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const std::vector<std::string> expected = uninterrupted(seed);
-    start(seed);
-    SessionEnd end = run_trials(1);
-    for (int i = 0; i < kTrials && end.state != SessionState::completed; ++i) end = resume(1);
-    EXPECT_EQ(end.state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
+    SCOPED_TRACE(seed);
+    EXPECT_EQ(same_plan_after_interruptions(seed).size(), static_cast<std::size_t>(kTrials));
   }
 }
 
@@ -136,167 +77,112 @@ TEST_F(StaircaseSession, GoesOnWithTheSameLevelsWhenInterruptedAfterEachTrial) {
 class PsiSession : public StaircaseSession {
  protected:
   void SetUp() override {
-    std::string text = kStaircases;
-    const std::size_t first = text.find(R"({"method": "transformed_up_down")");
-    const std::string end = R"({"start": 25}]})";
-    text.replace(first, text.find(end) + end.size() - first,
-                 R"({"method": "psi", "stop": {"trials": 4}, "tracks": [{}, {}]})");
-    begin(text);
-    links_ = {};
+    begin(exchanged(kStaircases, kProcedure,
+                    R"("method": "psi", "stop": {"trials": 4}, "tracks": [{}, {}])"));
   }
 };
 
 TEST_F(PsiSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
-  const std::vector<std::string> expected = uninterrupted(1);
-  ASSERT_EQ(expected.size(), static_cast<std::size_t>(kTrials));
-  for (int position = 1; position < kTrials; ++position) {
-    SCOPED_TRACE("after " + std::to_string(position));
-    start(1);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
-  }
+  EXPECT_EQ(same_plan_after_interruptions(1).size(), static_cast<std::size_t>(kTrials));
 }
 
 /// The same tracks with the weighted method and the option "cannot tell", which is every third response.
 class UnforcedSession : public StaircaseSession {
  protected:
   void SetUp() override {
-    std::string text = kStaircases;
-    const auto replace = [&text](const std::string& from, const std::string& to) {
-      text.replace(text.find(from), from.size(), to);
-    };
-    replace(R"("method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10, 5],)",
-            R"("method": "weighted_up_down", "steps": [10, 5],)");
-    replace(R"("judgement": "performance"}})",
-            R"("judgement": "performance", "allow_cannot_tell": true}})");
-    begin(text);
-    links_ = {};
+    const std::string text =
+        exchanged(kStaircases, R"("judgement": "performance"}})",
+                  R"("judgement": "performance", "allow_cannot_tell": true}})");
+    begin(exchanged(text,
+                    R"("method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10, 5],)",
+                    R"("method": "weighted_up_down", "steps": [10, 5],)"));
   }
 
-  void start(std::uint64_t seed) {
-    StaircaseSession::start(seed);
-    const auto choose = person_.at_question;
-    person_.at_question = [choose](int question, const Trial& trial) {
-      const bool has_option = trial.questions.front().options.size() == 3;
-      return has_option && trial.ordinal % 3 == 0 ? chooses(2) : choose(question, trial);
-    };
+  Reply reply_to(const Trial& trial, std::uint64_t seed) const override {
+    const bool has_option = trial.questions.front().options.size() == 3;
+    return has_option && trial.ordinal % 3 == 0 ? chooses(2)
+                                                : StaircaseSession::reply_to(trial, seed);
   }
 };
 
 TEST_F(UnforcedSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
-  start(1);
-  ASSERT_EQ(run_trials(1000).state, SessionState::completed);
-  const std::vector<std::string> expected = stored_plan();
-  ASSERT_EQ(expected.size(), static_cast<std::size_t>(kTrials));
-  for (int position = 1; position < kTrials; ++position) {
-    SCOPED_TRACE("after " + std::to_string(position));
-    start(1);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
-  }
-  // As verification makes it again from the stored responses.
-  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
-            expected.size());
+  EXPECT_EQ(same_plan_after_interruptions(1).size(), static_cast<std::size_t>(kTrials));
 }
 
-TEST_F(UnforcedSession, TakesCannotTellAsTheThirdOutcome) {
-  start(1);
-  const Trial& trial = session_.course->plan().trials.front();
-  AttemptRow attempt{
-      .trial = trial.ordinal, .attempt = 1, .outcome = AttemptOutcome::answered, .valid = true};
+/// An attempt whose judged question has this answer; empty: none.
+AttemptRow attempt_at(const Trial& trial, AttemptOutcome outcome, const std::string& answer) {
+  AttemptRow attempt{.trial = trial.ordinal, .attempt = 1, .outcome = outcome, .valid = true};
   for (const PlannedPresentation& planned : trial.presentations) {
     attempt.presentations.push_back({.position = planned.position,
                                      .role = planned.role,
                                      .item = planned.item,
                                      .parameters_json = R"({"amplitude_m": 6e-5})"});
   }
-  attempt.responses.push_back({.question = "rougher", .answer = kCannotTellOption});
+  if (!answer.empty()) attempt.responses.push_back({.question = "rougher", .answer = answer});
+  return attempt;
+}
+
+TEST_F(UnforcedSession, TakesCannotTellAsTheThirdOutcome) {
+  start(1);
+  const Trial& trial = session_.course->plan().trials.front();
+  const AttemptRow attempt = attempt_at(trial, AttemptOutcome::answered, kCannotTellOption);
   EXPECT_EQ(outcome_of(protocol_, trial, attempt).answer->outcome, LevelOutcome::unsure);
 }
 
 TEST_F(StaircaseSession, IsResumedWhereTheNextTrialWasNotYetStored) {
   const std::vector<std::string> expected = uninterrupted(2);
   start(2);
-  ASSERT_EQ(run_trials(5).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(5).state, SessionState::stopped);
   ASSERT_EQ(stored_plan().size(), 6U);
-  {
-    const std::filesystem::path folder = folder_.path() / "study";
-    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
-    database.execute(
-        "DROP TRIGGER trial_no_delete; DELETE FROM trial WHERE trial = 6 AND session_id = " +
-        std::to_string(session_.row.id));
-  }
-  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(), 5U);
-  EXPECT_EQ(resume(1000).state, SessionState::completed);
+  change_store("DROP TRIGGER trial_no_delete; DELETE FROM trial WHERE trial = 6 AND" +
+               of_session());
+  EXPECT_EQ(verified_trials(), 5U);
+  EXPECT_EQ(resume().state, SessionState::completed);
   EXPECT_EQ(stored_plan(), expected);
 }
 
 /// The outcome of the last trial of the tracks determines a whole block.
 TEST_F(StaircaseSession, IsResumedWhereTheFollowingBlockWasNotYetStored) {
-  std::string text = kStaircases;
-  const std::string one = R"("levels_ratio": [2])";
-  text.replace(text.find(one), one.size(), R"("levels_ratio": [2, 3, 4])");
-  protocol_ = read_small_protocol(models_, text);
+  protocol_ = read_small_protocol(
+      models_, exchanged(kStaircases, R"("levels_ratio": [2])", R"("levels_ratio": [2, 3, 4])"));
   const std::vector<std::string> expected = uninterrupted(2);
   ASSERT_EQ(expected.size(), 19U);
   start(2);
-  ASSERT_EQ(run_trials(16).state, SessionState::stopped);
+  ASSERT_EQ(run_attempts(16).state, SessionState::stopped);
   ASSERT_EQ(stored_plan(), expected);
-  {
-    const std::filesystem::path folder = folder_.path() / "study";
-    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
-    database.execute(
-        "DROP TRIGGER trial_no_delete; DELETE FROM trial WHERE trial > 16 AND session_id = " +
-        std::to_string(session_.row.id));
-  }
-  EXPECT_EQ(resume(1000).state, SessionState::completed);
+  change_store("DROP TRIGGER trial_no_delete; DELETE FROM trial WHERE trial > 16 AND" +
+               of_session());
+  EXPECT_EQ(resume().state, SessionState::completed);
   EXPECT_EQ(stored_plan(), expected);
 }
 
 /// A procedure for each level of an iterated factor, in the group of the participant.
 TEST_F(StaircaseSession, ContinuesInEveryRunOfItsBlockAndInItsGroup) {
-  std::string text = kStaircases;
-  const auto replace = [&text](const std::string& from, const std::string& to) {
-    ASSERT_NE(text.find(from), std::string::npos) << from;
-    text.replace(text.find(from), from.size(), to);
-  };
-  replace(R"("factors": {)",
-          R"("counterbalance": "latin", "groups": {"factor": "hand"},
+  const std::string grouped = exchanged(kStaircases, R"("factors": {)",
+                                        R"("counterbalance": "latin", "groups": {"factor": "hand"},
              "factors": {"ground": {"levels": ["soft", "hard"]}, "hand": {"levels": ["bare", "gloved"]}, )");
-  replace(R"({"run": "tracks"})", R"({"run": "tracks", "for_each": "ground"})");
-  protocol_ = read_small_protocol(models_, text);
+  protocol_ = read_small_protocol(models_, exchanged(grouped, R"({"run": "tracks"})",
+                                                     R"({"run": "tracks", "for_each": "ground"})"));
   const std::vector<std::string> expected = uninterrupted(2);
   ASSERT_EQ(expected.size(), 33U);
   const std::optional<std::string> group = session_.row.group_level;
   ASSERT_TRUE(group);
-  for (const int position : {15, 16, 17, 31, 32}) {
-    SCOPED_TRACE(position);
-    do {
-      start(2);
-    } while (session_.row.group_level != group || session_.row.counterbalance_row != 0);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
-  }
+  do {
+    start(2);
+  } while (session_.row.group_level != group || session_.row.counterbalance_row != 0);
+  interrupt_after_every_attempt();
+  EXPECT_EQ(stored_plan(), expected);
+}
+
+/// The tracks with an easy trial after every three.
+std::string staircases_with_catch_trials() {
+  const std::string method = R"("method": "transformed_up_down",)";
+  return exchanged(kStaircases, method, method + R"( "catch_trials": {"level": 100, "every": 4},)");
 }
 
 TEST_F(StaircaseSession, ContinuesWithTheSameCatchTrials) {
-  std::string text = kStaircases;
-  const std::string method = R"("method": "transformed_up_down",)";
-  text.replace(text.find(method), method.size(),
-               method + R"( "catch_trials": {"level": 100, "every": 4},)");
-  protocol_ = read_small_protocol(models_, text);
-  const std::vector<std::string> expected = uninterrupted(2);
-  ASSERT_GT(expected.size(), 20U);
-  for (int position = 1; position < 8; ++position) {
-    SCOPED_TRACE(position);
-    start(2);
-    EXPECT_EQ(run_trials(position).state, SessionState::stopped);
-    EXPECT_EQ(resume(1000).state, SessionState::completed);
-    EXPECT_EQ(stored_plan(), expected);
-  }
+  protocol_ = read_small_protocol(models_, staircases_with_catch_trials());
+  EXPECT_GT(same_plan_after_interruptions(2).size(), 20U);
   int caught = 0;
   for (const PlannedTrialRow& row : study_->plan(session_.row.id)) {
     if (!row.is_catch) continue;
@@ -306,19 +192,13 @@ TEST_F(StaircaseSession, ContinuesWithTheSameCatchTrials) {
     EXPECT_EQ(use_in_analyses(row), AnalysisUse::catch_trial);
   }
   EXPECT_GE(caught, 5);
-  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
-            expected.size());
 }
 
 // A catch trial whose protocol states no type is an easy one.
 TEST_F(StaircaseSession, ExportsTheTypeOfItsCatchTrials) {
-  std::string text = kStaircases;
-  const std::string method = R"("method": "transformed_up_down",)";
-  text.replace(text.find(method), method.size(),
-               method + R"( "catch_trials": {"level": 100, "every": 4},)");
-  protocol_ = read_small_protocol(models_, text);
+  protocol_ = read_small_protocol(models_, staircases_with_catch_trials());
   start(2);
-  run_trials(1000);
+  run_attempts();
   const std::filesystem::path to = folder_.path() / "exported";
   export_study(*study_, models_, to, tables_only());
   const Table trials = table_in(to, "trials.tsv");
@@ -342,19 +222,18 @@ TEST_F(StaircaseSession, TakesTheFirstAttemptThatCompletedATrial) {
     if (question == 3) conductor_->requests().repeat_last("the door banged");
     return question == 4 ? incorrect_reply(trial) : correct_reply(trial);
   };
-  EXPECT_EQ(run_trials(1000).state, SessionState::completed);
+  EXPECT_EQ(run_attempts().state, SessionState::completed);
   const std::vector<AttemptRow> rows = attempts();
   ASSERT_EQ(rows.size(), static_cast<std::size_t>(kTrials) + 1);
   EXPECT_EQ(rows[2].trial, 3);
   EXPECT_FALSE(rows[2].valid);
   EXPECT_EQ(rows[3].trial, 3);
   const std::vector<std::string> repeated = stored_plan();
-  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
-            static_cast<std::size_t>(kTrials))
+  EXPECT_EQ(verified_trials(), static_cast<std::size_t>(kTrials))
       << "made again from the stored attempts";
   start(3);
   person_.at_question = [](int, const Trial& trial) { return correct_reply(trial); };
-  EXPECT_EQ(run_trials(1000).state, SessionState::completed);
+  EXPECT_EQ(run_attempts().state, SessionState::completed);
   EXPECT_EQ(stored_plan(), repeated);
 }
 
@@ -365,62 +244,38 @@ TEST_F(StaircaseSession, PresentsTheLevelOfASkippedTrialAgain) {
     if (question == 2) return feels_again(1);
     return correct_reply(trial);
   };
-  EXPECT_EQ(run_trials(1000).state, SessionState::completed);
+  EXPECT_EQ(run_attempts().state, SessionState::completed);
   EXPECT_EQ(stored_plan().size(), static_cast<std::size_t>(kTrials) + 1);
-  EXPECT_EQ(plan_of(*study_, study_->session(session_.row.id), models_).trials.size(),
-            static_cast<std::size_t>(kTrials) + 1);
+  EXPECT_EQ(verified_trials(), static_cast<std::size_t>(kTrials) + 1);
 }
 
 TEST_F(StaircaseSession, IsFoundIncompleteWhereItsLastTrialsWereRemoved) {
   uninterrupted(1);
-  const SessionRow row = study_->session(session_.row.id);
-  {
-    const std::filesystem::path folder = folder_.path() / "study";
-    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
-    database.execute(
-        "PRAGMA foreign_keys = OFF; DROP TRIGGER trial_no_delete; DROP TRIGGER attempt_no_delete; "
-        "DELETE FROM trial WHERE trial > 10 AND session_id = " +
-        std::to_string(row.id));
-    database.execute("DELETE FROM attempt WHERE trial > 10 AND session_id = " +
-                     std::to_string(row.id));
+  for (const char* const table : {"trial", "attempt"}) {
+    change_store("PRAGMA foreign_keys = OFF; DROP TRIGGER " + std::string(table) +
+                 "_no_delete; DELETE FROM " + table + " WHERE trial > 10 AND" + of_session());
   }
-  EXPECT_THROW(plan_of(*study_, row, models_), std::runtime_error);
-}
-
-/// An attempt with a judged question and a rating of confidence after it.
-AttemptRow attempt_at(const Trial& trial, AttemptOutcome outcome, bool is_correct) {
-  AttemptRow attempt{.trial = trial.ordinal, .attempt = 1, .outcome = outcome, .valid = true};
-  for (const PlannedPresentation& planned : trial.presentations) {
-    attempt.presentations.push_back({.position = planned.position,
-                                     .role = planned.role,
-                                     .item = planned.item,
-                                     .parameters_json = R"({"amplitude_m": 6e-5})"});
-  }
-  if (outcome == AttemptOutcome::answered || is_correct) {
-    attempt.responses.push_back(
-        {.question = "rougher", .answer = is_correct ? "comparison" : "standard"});
-  }
-  return attempt;
+  EXPECT_THROW(verified_plan(), std::runtime_error);
 }
 
 TEST_F(StaircaseSession, TakesAMissedDeadlineAsTheProtocolSpecifies) {
   start(1);
   const Trial& trial = session_.course->plan().trials.front();
-  const auto outcome = [&](AttemptOutcome what, bool is_correct) {
-    return outcome_of(protocol_, trial, attempt_at(trial, what, is_correct)).answer;
+  const auto outcome = [&](AttemptOutcome what, const std::string& answer) {
+    return outcome_of(protocol_, trial, attempt_at(trial, what, answer)).answer;
   };
-  EXPECT_FALSE(outcome(AttemptOutcome::timed_out, false)) << "the judged question";
-  ASSERT_TRUE(outcome(AttemptOutcome::timed_out, true)) << "a later question";
-  EXPECT_EQ(outcome(AttemptOutcome::timed_out, true)->outcome, LevelOutcome::correct);
-  EXPECT_FALSE(outcome(AttemptOutcome::skipped, true));
-  EXPECT_EQ(outcome(AttemptOutcome::answered, false)->value, 6e-5) << "as delivered";
-  const AttemptRow answered = attempt_at(trial, AttemptOutcome::answered, false);
+  EXPECT_FALSE(outcome(AttemptOutcome::timed_out, "")) << "the judged question";
+  ASSERT_TRUE(outcome(AttemptOutcome::timed_out, "comparison")) << "a later question";
+  EXPECT_EQ(outcome(AttemptOutcome::timed_out, "comparison")->outcome, LevelOutcome::correct);
+  EXPECT_FALSE(outcome(AttemptOutcome::skipped, "comparison"));
+  EXPECT_EQ(outcome(AttemptOutcome::answered, "standard")->value, 6e-5) << "as delivered";
+  const AttemptRow answered = attempt_at(trial, AttemptOutcome::answered, "standard");
   EXPECT_EQ(level_answer_of(protocol_, trial, answered)->level,
             protocol_.blocks.at("tracks").vary->level_of(6e-5));
   protocol_.blocks.at("tracks").procedure->timeouts_are_incorrect = true;
-  ASSERT_TRUE(outcome(AttemptOutcome::timed_out, false));
-  EXPECT_EQ(outcome(AttemptOutcome::timed_out, false)->outcome, LevelOutcome::incorrect);
-  EXPECT_EQ(outcome(AttemptOutcome::timed_out, true)->outcome, LevelOutcome::correct);
+  ASSERT_TRUE(outcome(AttemptOutcome::timed_out, ""));
+  EXPECT_EQ(outcome(AttemptOutcome::timed_out, "")->outcome, LevelOutcome::incorrect);
+  EXPECT_EQ(outcome(AttemptOutcome::timed_out, "comparison")->outcome, LevelOutcome::correct);
 }
 
 /// "Which is smoother?": the choice of the standard states that the comparison is rougher.
@@ -428,33 +283,21 @@ TEST_F(StaircaseSession, GoesDownAfterTheStandardWhereTheQuestionAsksForLess) {
   start(1);
   const Trial& trial = session_.course->plan().trials.front();
   protocol_.blocks.at("tracks").questions.at(0).asks_for_less = true;
-  const auto counts_down = [&](bool chose_comparison) {
-    return outcome_of(protocol_, trial,
-                      attempt_at(trial, AttemptOutcome::answered, chose_comparison))
+  const auto counts_down = [&](const std::string& chosen) {
+    return outcome_of(protocol_, trial, attempt_at(trial, AttemptOutcome::answered, chosen))
                .answer->outcome == LevelOutcome::correct;
   };
-  EXPECT_FALSE(counts_down(true));
-  EXPECT_TRUE(counts_down(false));
+  EXPECT_FALSE(counts_down("comparison"));
+  EXPECT_TRUE(counts_down("standard"));
 }
 
 TEST_F(StaircaseSession, IsFoundChangedWhereALevelWasChanged) {
   uninterrupted(1);
-  const SessionRow row = study_->session(session_.row.id);
-  EXPECT_EQ(plan_of(*study_, row, models_).trials.size(), static_cast<std::size_t>(kTrials));
-  {
-    const std::filesystem::path folder = folder_.path() / "study";
-    Database database(folder, folder / "study.sqlite", Database::Mode::read_write);
-    database.execute(
-        "DROP TRIGGER trial_no_update; UPDATE trial SET factors_json = "
-        "json_set(factors_json, '$.amplitude_m', 6.1e-5) WHERE trial = 7 AND session_id = " +
-        std::to_string(row.id));
-  }
-  try {
-    plan_of(*study_, row, models_);
-    FAIL() << "a changed level was not found";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("trial 7"));
-  }
+  change_store(
+      "DROP TRIGGER trial_no_update; UPDATE trial SET factors_json = "
+      "json_set(factors_json, '$.amplitude_m', 6.1e-5) WHERE trial = 7 AND" +
+      of_session());
+  EXPECT_THAT(refusal_of<std::runtime_error>([this] { verified_plan(); }), HasSubstr("trial 7"));
 }
 
 }  // namespace

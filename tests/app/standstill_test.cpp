@@ -102,9 +102,7 @@ TEST_F(Standstill, EndsTheSessionTheThirdTimeAndItCanBeResumed) {
   EXPECT_THAT(kinds_of_events(),
               ElementsAre("fault standstill", "fault_cleared ", "fault standstill",
                           "fault_cleared ", "fault standstill"));
-  make_rig({});
-  rig_->move_clock_to(1'000'000'000'000);
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  reopen_session();
   EXPECT_EQ(run().state, SessionState::completed);
 }
 

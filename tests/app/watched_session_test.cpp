@@ -494,10 +494,8 @@ TEST_F(WatchedSession, AsksARepeatedTrialAgainAfterAResumeWhenItWasInterrupted) 
   EXPECT_EQ(run().state, SessionState::stopped);
   EXPECT_EQ(unfinished_sessions(*study_, protocol_).at(0).trials_done, 0);  // skipped, set aside
   EXPECT_EQ(session_detail(*study_, session_.row.id).overview.done_trials, 0);
-  make_rig({});
-  rig_->move_clock_to(1'000'000'000'000);
+  reopen_session();
   person_.at_question = {};
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
   EXPECT_EQ(run().state, SessionState::completed);
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 5U);
@@ -551,9 +549,7 @@ TEST_F(WatchedSession, AsksARepeatedTrialOfAnEarlierBlockAgainAfterAResume) {
   };
   once_in(SessionPhase::fault, [&] { requests_.clear_fault(); });
   EXPECT_EQ(run().state, SessionState::stopped);
-  make_rig({});
-  rig_->move_clock_to(1'000'000'000'000);
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  reopen_session();
   EXPECT_EQ(run().state, SessionState::completed);
   std::vector<int> counted{};
   for (const AttemptRow& row : attempts()) {
