@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <thread>
@@ -43,6 +44,12 @@ DeviceProfile measured(const SimulatedDeviceSettings& settings,
   return test_device(device, options, {});
 }
 
+/// Of the plain simulated device, measured once in this process.
+const DeviceProfile& plain_profile() {
+  static const DeviceProfile kProfile = measured({});
+  return kProfile;
+}
+
 const DeviceItem& item(const DeviceProfile& profile, const std::string& name) {
   const DeviceItem* const found = profile.item(name);
   if (found == nullptr) throw std::runtime_error("no item " + name);
@@ -54,7 +61,7 @@ const DeviceCapability kStuck{.name = "stuck", .peak_force_N = 5.0};
 
 // The hand of the simulated device: 50 g on 300 N/m with 5 N·s/m along the surface and 10 across it.
 TEST(DeviceTest, FindsTheMassAndTheDampingOfThePlainDevice) {
-  const DeviceProfile profile = measured({});
+  const DeviceProfile& profile = plain_profile();
   const DeviceItem& damping = item(profile, "damping_N_s_per_m");
   ASSERT_EQ(damping.by_axis.size(), 3U) << damping.text.english();
   EXPECT_NEAR(damping.by_axis[0], 5.0, 0.5);
@@ -71,7 +78,7 @@ TEST(DeviceTest, FindsTheMassAndTheDampingOfThePlainDevice) {
 }
 
 TEST(DeviceTest, HasEveryItemOnceAndPassesFunctionAndSafetyOfTheSimulatedDevice) {
-  const DeviceProfile profile = measured({});
+  const DeviceProfile& profile = plain_profile();
   std::vector<std::string> names{};
   for (const DeviceQuantity& quantity : device_quantities()) names.emplace_back(quantity.name);
   for (const char* const name :
@@ -86,9 +93,12 @@ TEST(DeviceTest, HasEveryItemOnceAndPassesFunctionAndSafetyOfTheSimulatedDevice)
   EXPECT_EQ(item(profile, "workspace_reached").status, DeviceItem::Status::not_measured);
 }
 
-/// Of a stand-in for this model.
-DeviceProfile in_place_of(const std::string& model) {
-  return measured(simulated_settings("simulated:" + model).value());
+/// Of a simulated model of this device, measured once in this process.
+const DeviceProfile& in_place_of(const std::string& model) {
+  static std::map<std::string, DeviceProfile> profiles{};
+  const auto known = profiles.find(model);
+  if (known != profiles.end()) return known->second;
+  return profiles[model] = measured(simulated_settings("simulated:" + model).value());
 }
 
 // The numbers of its virtual hand are no delta.3's.
@@ -115,7 +125,7 @@ TEST(DeviceTest, LeavesOutOfAStandInWhatIsNotKnownOfTheRealOne) {
   }
   EXPECT_NEAR(delta.value("latency_s").value(), 0.25e-3, 0.3e-3) << "it is known";
   EXPECT_FALSE(delta.has_failed());
-  const DeviceProfile falcon = in_place_of("falcon");
+  const DeviceProfile& falcon = in_place_of("falcon");
   EXPECT_NEAR(falcon.value("position_resolution_m").value(), 38e-6, 0.25 * 38e-6);
   EXPECT_FALSE(falcon.value("friction_N"));
 }
@@ -123,7 +133,7 @@ TEST(DeviceTest, LeavesOutOfAStandInWhatIsNotKnownOfTheRealOne) {
 // Emulated devices pass function and safety; their timing is only told.
 TEST(DeviceTest, PassesFunctionAndSafetyOfEveryStandInAndOnlyTellsItsTiming) {
   for (const std::string& model : simulated_models()) {
-    const DeviceProfile profile = in_place_of(model);
+    const DeviceProfile& profile = in_place_of(model);
     for (const char* const name : {"force_zero_N", "limiter", "zero_after_stop",
                                    "zero_after_not_finite", "zero_without_heartbeat"}) {
       EXPECT_EQ(item(profile, name).status, DeviceItem::Status::pass) << model << ' ' << name;
@@ -136,12 +146,12 @@ TEST(DeviceTest, PassesFunctionAndSafetyOfEveryStandInAndOnlyTellsItsTiming) {
 }
 
 TEST(DeviceProfile, OfAStandInSaysWhatIsKnownAndIsReadAsItWasWritten) {
-  const DeviceProfile delta = in_place_of("delta.3");
+  const DeviceProfile& delta = in_place_of("delta.3");
   EXPECT_EQ(what_is_known(delta).english(),
             "Simulated model of delta.3; known: workspace, peak force, rate, latency; unknown: "
             "continuous force, position resolution, position noise, friction, damping, moving "
             "mass, resonance, stiffest spring, force resolution.");
-  EXPECT_TRUE(what_is_known(measured({})).empty());
+  EXPECT_TRUE(what_is_known(plain_profile()).empty());
   const std::string text = json_text_of(delta);
   const auto json = nlohmann::json::parse(text);
   EXPECT_EQ(json["stands_for"]["model"], "delta.3");
@@ -153,7 +163,7 @@ TEST(DeviceProfile, OfAStandInSaysWhatIsKnownAndIsReadAsItWasWritten) {
   EXPECT_EQ(stored.not_known, delta.not_known);
   EXPECT_TRUE(stored.is_unknown("friction_N"));
   EXPECT_FALSE(stored.is_unknown("latency_s"));
-  EXPECT_FALSE(nlohmann::json::parse(json_text_of(measured({}))).contains("stands_for"));
+  EXPECT_FALSE(nlohmann::json::parse(json_text_of(plain_profile())).contains("stands_for"));
 }
 
 TEST(DeviceProfile, TellsOfEachItemInTheWordsOfTheTable) {
@@ -294,7 +304,7 @@ TEST(DeviceTest, FindsThatALateDeviceHoldsLessStiffness) {
   SimulatedDeviceSettings late{};
   late.sensor.latency_s = 0.003;
   EXPECT_LT(measured(late).value("stiffness_N_per_m").value(),
-            0.5 * measured({}).value("stiffness_N_per_m").value());
+            0.5 * plain_profile().value("stiffness_N_per_m").value());
 }
 
 TEST(DeviceTest, SaysWhenMotorsAreTooWeakForTheFriction) {
@@ -443,7 +453,7 @@ TEST(DeviceTest, TellsItsPartsInOrderAndShowsEveryTick) {
 // Far above its resonance a handle of 50 g answers as its mass alone: |X/F| = 1 / mω², at 200 Hz
 // 1 / (0.05 · (2π · 200)²) = 12.7 µm/N.
 TEST(DeviceTest, KeepsTheResponsesToTonesOfEveryAxis) {
-  const DeviceProfile profile = measured({});
+  const DeviceProfile& profile = plain_profile();
   ASSERT_EQ(profile.responses.size(), 3U);
   EXPECT_EQ(profile.responses[2].axis, "z");
   for (const AxisResponse& response : profile.responses) {
@@ -528,7 +538,7 @@ TEST(DeviceTest, SaysThatALoopOf1000HzDoesNotRunOnADeviceThatAnswersAt200) {
 }
 
 TEST(DeviceProfile, IsReadAsItWasWritten) {
-  DeviceProfile profile = measured({});
+  DeviceProfile profile = plain_profile();
   profile.reached_minimum_m = glm::dvec3(-0.1, -0.2, 0.0);
   const std::string text = json_text_of(profile);
   EXPECT_EQ(json_text_of(profile_from_json(text, "here")), text);
@@ -541,7 +551,7 @@ TEST(DeviceProfile, SaysInAnotherLanguageWhatWasStored) {
   };
   ScriptedDevice stuck(kStuck);
   for (const DeviceProfile& profile :
-       {measured({}), in_place_of("delta.3"), test_device(stuck, stepped(), {})}) {
+       {plain_profile(), in_place_of("delta.3"), test_device(stuck, stepped(), {})}) {
     const DeviceProfile stored = profile_from_json(json_text_of(profile), "here");
     for (const DeviceItem& one : profile.items) {
       EXPECT_EQ(item(stored, one.name).text.translated(spelt_out), one.text.translated(spelt_out))

@@ -97,9 +97,7 @@ TEST(Export, LeavesNothingBehindWhenItIsStopped) {
 }
 
 TEST(Export, LeavesNoCellEmptyAndMissesNoneThatTheCodebookPromises) {
-  MadeUpStudy made;
-  fill(made);
-  const Exported tables(made);
+  const Exported& tables = exported_tables();
   std::size_t described = 0;
   for (const std::vector<Cell>& row : tables.codebook().rows) {
     const std::string& file = std::get<std::string>(row[0]);
@@ -119,9 +117,7 @@ TEST(Export, LeavesNoCellEmptyAndMissesNoneThatTheCodebookPromises) {
 }
 
 TEST(Export, BeginsEveryTableWithItsKeysAndSaysWhoIsVirtual) {
-  MadeUpStudy made;
-  fill(made);
-  const Exported tables(made);
+  const Exported& tables = exported_tables();
   const std::vector<std::string> keys{"participant", "session", "trial", "attempt"};
   const std::map<std::string, std::size_t> depth{
       {"participants", 1},  {"sessions", 2},  {"trials", 3},        {"attempts", 4},
@@ -143,9 +139,7 @@ TEST(Export, BeginsEveryTableWithItsKeysAndSaysWhoIsVirtual) {
 }
 
 TEST(Export, HasOneRowPerThing) {
-  MadeUpStudy made;
-  fill(made);
-  const Exported tables(made);
+  const Exported& tables = exported_tables();
   const std::map<std::string, std::size_t> expected{
       {"participants", 2},  {"sessions", 2},  {"trials", 3},        {"attempts", 3},
       {"presentations", 6}, {"responses", 5}, {"servo_quality", 0}, {"compliance", 0},
@@ -154,9 +148,7 @@ TEST(Export, HasOneRowPerThing) {
 }
 
 TEST(Export, GivesEachFactorAColumnWithTheProtocolsWords) {
-  MadeUpStudy made;
-  fill(made);
-  const Exported tables(made);
+  const Exported& tables = exported_tables();
   const Table trials = tables.table("trials");
   EXPECT_EQ(cell_of(trials, 0, "factor_spacing_m"), Cell{"0.01"});
   EXPECT_EQ(cell_of(trials, 0, "factor_order"), Cell{"first"});
@@ -217,9 +209,7 @@ TEST(Export, HasThePlaceOnTheTextureAndTheIntervalBeforeEverySurface) {
 }
 
 TEST(Export, GivesEachParameterOfAModelAColumn) {
-  MadeUpStudy made;
-  fill(made);
-  const Exported tables(made);
+  const Exported& tables = exported_tables();
   const Table surfaces = tables.table("presentations");
   EXPECT_EQ(cell_of(surfaces, 0, "parameter_amplitude_m"), Cell{});
   EXPECT_EQ(cell_of(surfaces, 1, "parameter_amplitude_m"), Cell{"1e-04"});
@@ -237,17 +227,13 @@ TEST(Export, GivesEachParameterOfAModelAColumn) {
 
 // The made-up session's clock begins at 5 s, its first attempt at 6 s.
 TEST(Export, CountsTimeFromTheBeginningOfTheSession) {
-  MadeUpStudy made;
-  fill(made);
-  const Exported tables(made);
+  const Exported& tables = exported_tables();
   EXPECT_EQ(cell_of(tables.table("attempts"), 0, "onset_s"), Cell{"1"});
   EXPECT_EQ(cell_of(tables.table("responses"), 0, "time_s"), Cell{"0.5"});
 }
 
 TEST(Export, PutsAnswersToTheSessionsQuestionsAmongTheResponses) {
-  MadeUpStudy made;
-  fill(made);
-  const Exported tables(made);
+  const Exported& tables = exported_tables();
   const Table responses = tables.table("responses");
   EXPECT_EQ(cell_of(responses, 0, "question"), Cell{"comment"});
   EXPECT_EQ(cell_of(responses, 0, "trial"), Cell{});

@@ -102,6 +102,16 @@ class Exported final {
   std::filesystem::path folder_{};
 };
 
+/// The tables of the study of `fill`, exported once in this process.
+inline const Exported& exported_tables() {
+  static MadeUpStudy made;
+  static const Exported kTables = [] {
+    fill(made);
+    return Exported(made);
+  }();
+  return kTables;
+}
+
 inline Cell cell_of(const Table& table, std::size_t row, const std::string& column) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), column);
   if (found == table.columns.end()) throw std::runtime_error("no column " + column);

@@ -119,8 +119,14 @@ Report report_of_choices(const std::vector<int>& height_map,
   return study_report(made.study(), {});
 }
 
+/// Of eight participants, made once in this process.
+const Report& report_of_eight() {
+  static const Report kReport = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
+  return kReport;
+}
+
 TEST(PaperText, StatesADifferenceWithItsTestOnce) {
-  const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
+  const Report& report = report_of_eight();
   // All of 8 participants chose the one more often: p = 2/2⁸. The differences sum to 6+4+6+4+2+6+4+6.
   EXPECT_THAT(
       paragraph(report, "Results"),
@@ -131,7 +137,7 @@ TEST(PaperText, StatesADifferenceWithItsTestOnce) {
 }
 
 TEST(PaperText, CallsNoTestConfirmatoryThatTheProtocolDoesNotDeclare) {
-  const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
+  const Report& report = report_of_eight();
   EXPECT_THAT(paragraph(report, "Methods"),
               HasSubstr(" No test was declared in advance: all tests are exploratory. "));
   EXPECT_THAT(paragraph(report, "Results"), Not(HasSubstr("confirmatory")));
@@ -208,7 +214,7 @@ TEST(PaperText, SeparatesExploratoryTestsFromDeclaredOnes) {
 
 /// The list of references has exactly what the text cites.
 TEST(PaperText, CitesEachPublicationBehindItsTest) {
-  const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
+  const Report& report = report_of_eight();
   EXPECT_THAT(
       paragraph(report, "Methods"),
       HasSubstr(" Tests: sign-flip (randomisation) test (Ernst, 2004), effect size Cohen’s d "
@@ -426,6 +432,11 @@ std::string methods_of_discrimination(const std::string& name, const nlohmann::j
   return paragraph(study_report(made.study(), {}), "Methods");
 }
 
+const std::string& methods_of_amplitude_jnd() {
+  static const std::string kMethods = methods_of_discrimination("amplitude_jnd");
+  return kMethods;
+}
+
 // The direction of the force has its default value, and belongs to the table only.
 TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
   const ModelRegistry models = built_in_models();
@@ -483,11 +494,11 @@ TEST(PaperText, StatesTheConsequenceOfAVibration) {
       methods_with("repeat_now"),
       HasSubstr(" lost. An attempt was also invalid, and was repeated at most twice, " + limit));
   EXPECT_THAT(methods_with("flag"), HasSubstr(" lost. An attempt was flagged " + limit));
-  EXPECT_THAT(methods_of_discrimination("amplitude_jnd"), Not(HasSubstr("vibrated")));
+  EXPECT_THAT(methods_of_amplitude_jnd(), Not(HasSubstr("vibrated")));
 }
 
 TEST(PaperText, StatesHowAStaircaseChoseTheLevels) {
-  const std::string methods = methods_of_discrimination("amplitude_jnd");
+  const std::string& methods = methods_of_amplitude_jnd();
   EXPECT_THAT(
       methods,
       HasSubstr("A 3-down/1-up staircase (Levitt, 1971) with a target of 79.4 % correct "
@@ -622,7 +633,7 @@ TEST(PaperText, StatesConstantStimuliWithoutTheIntervalsOfStaircases) {
 }
 
 TEST(PaperText, StatesPracticeExposureAndFeedback) {
-  const std::string methods = methods_of_discrimination("amplitude_jnd");
+  const std::string& methods = methods_of_amplitude_jnd();
   EXPECT_THAT(methods, HasSubstr(" was drawn between 0.8 s and 1.2 s. A visit ended after 3 "
                                  "strokes. Participants could not return to a surface within a "
                                  "trial. The place on the texture was drawn for each "
