@@ -16,9 +16,8 @@
 #include "analysis/number_text.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -62,75 +61,72 @@ void feel(MadeUpTrial& trial, double force_N, double speed_m_per_s) {
   add("speed_m_per_s", speed_m_per_s);
 }
 
-class ChoiceModelTest : public testing::Test {
- protected:
-  void choose(const ChoosingHand& hand, int people = 10, int trials = 80) {
-    std::mt19937 random(5);
-    std::normal_distribution<double> normal;
-    std::uniform_real_distribution<double> uniform;
-    const std::int64_t declared =
-        made_.add_protocol("jnd", "discrimination", kComparisonOfAmplitudes);
-    for (int person = 0; person < people; ++person) {
-      const std::string label = "p" + std::to_string(person);
-      made_.add_person(label, "F");
-      const double own = hand.own_sd * normal(random);
-      std::vector<MadeUpTrial> of_person{};
-      for (int i = 0; i < trials; ++i) {
-        ChosenTrial chosen{.participant = label,
-                           .level_m = kStandardAmplitude_m + 1e-5 * (i % 3 - 1),
-                           .comparison_first = (i / 3) % 2 == 0};
-        // As stored: means of both surfaces.
-        const double force_N = 1.0 + 0.2 * normal(random);
-        const double standard_N = 1.0 + 0.2 * normal(random);
-        const double speed = 0.05 + 0.005 * normal(random);
-        const double standard_speed = 0.05 + 0.005 * normal(random);
-        chosen.force_difference_N = static_cast<float>(force_N) - static_cast<float>(standard_N);
-        chosen.speed_difference_m_per_s =
-            static_cast<float>(speed) - static_cast<float>(standard_speed);
-        const double eta = own + hand.per_m * (chosen.level_m - kStandardAmplitude_m) +
-                           hand.per_N * (force_N - standard_N);
-        chosen.chose_comparison = uniform(random) < 1.0 / (1.0 + std::exp(-eta));
-        chosen_.push_back(chosen);
+/// The choices of participants, and their analysis.
+struct Chosen {
+  std::vector<ChosenTrial> trials{};
+  AnalysisOutcome outcome{};
 
-        MadeUpTrial trial{};
-        trial.factors_json = nlohmann::json{{"amplitude_m", chosen.level_m}}.dump();
-        trial.surfaces = {surface_of("standard", "sinusoid", ""),
-                          surface_of("comparison", "sinusoid", "")};
-        if (chosen.comparison_first) std::swap(trial.surfaces[0], trial.surfaces[1]);
-        trial.answers = {chosen.chose_comparison ? "comparison" : "standard"};
-        trial.options = {"standard", "comparison"};
-        trial.block = "only";
-        if (hand.has_forces) {
-          if (chosen.comparison_first) feel(trial, force_N, speed);
-          feel(trial, standard_N, standard_speed);
-          if (!chosen.comparison_first) feel(trial, force_N, speed);
-        }
-        of_person.push_back(trial);
-      }
-      made_.add_session(label, declared, of_person);
-    }
-    outcome_ = analyze_study(made_.study()).front();
-  }
-
-  const NamedTable* table() const {
-    for (const NamedTable& each : outcome_.tables) {
-      if (each.name == kChoiceModel) return &each;
-    }
-    return nullptr;
-  }
+  const NamedTable* table() const { return find_table(outcome, kChoiceModel); }
   std::optional<double> number(const std::string& quantity, const std::string& key) const {
-    for (const Finding& finding : outcome_.findings) {
-      if (finding.analysis == kChoiceModel && finding.quantity == quantity && finding.key == key) {
-        return finding.value;
-      }
-    }
-    return {};
+    return finding_of(outcome, kChoiceModel, quantity, key).value;
   }
-
-  MadeUpStudy made_;
-  std::vector<ChosenTrial> chosen_{};
-  AnalysisOutcome outcome_{};
 };
+
+Chosen chosen_by(const ChoosingHand& hand, int people = 3, int trials = 30) {
+  Chosen all{};
+  MadeUpStudy made;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  const std::int64_t declared = made.add_protocol("jnd", "discrimination", kComparisonOfAmplitudes);
+  for (int person = 0; person < people; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "F");
+    const double own = hand.own_sd * normal(random);
+    std::vector<MadeUpTrial> of_person{};
+    for (int i = 0; i < trials; ++i) {
+      ChosenTrial chosen{.participant = label,
+                         .level_m = kStandardAmplitude_m + 1e-5 * (i % 3 - 1),
+                         .comparison_first = (i / 3) % 2 == 0};
+      // As stored: means of both surfaces.
+      const double force_N = 1.0 + 0.2 * normal(random);
+      const double standard_N = 1.0 + 0.2 * normal(random);
+      const double speed = 0.05 + 0.005 * normal(random);
+      const double standard_speed = 0.05 + 0.005 * normal(random);
+      chosen.force_difference_N = static_cast<float>(force_N) - static_cast<float>(standard_N);
+      chosen.speed_difference_m_per_s =
+          static_cast<float>(speed) - static_cast<float>(standard_speed);
+      const double eta = own + hand.per_m * (chosen.level_m - kStandardAmplitude_m) +
+                         hand.per_N * (force_N - standard_N);
+      chosen.chose_comparison = uniform(random) < 1.0 / (1.0 + std::exp(-eta));
+      all.trials.push_back(chosen);
+
+      MadeUpTrial trial{};
+      trial.factors_json = nlohmann::json{{"amplitude_m", chosen.level_m}}.dump();
+      trial.surfaces = {surface_of("standard", "sinusoid", ""),
+                        surface_of("comparison", "sinusoid", "")};
+      if (chosen.comparison_first) std::swap(trial.surfaces[0], trial.surfaces[1]);
+      trial.answers = {chosen.chose_comparison ? "comparison" : "standard"};
+      trial.options = {"standard", "comparison"};
+      trial.block = "only";
+      if (hand.has_forces) {
+        if (chosen.comparison_first) feel(trial, force_N, speed);
+        feel(trial, standard_N, standard_speed);
+        if (!chosen.comparison_first) feel(trial, force_N, speed);
+      }
+      of_person.push_back(trial);
+    }
+    made.add_session(label, declared, of_person);
+  }
+  all.outcome = analyze_study(made.study()).front();
+  return all;
+}
+
+/// Of ten participants with 80 trials each, computed once in this process.
+const Chosen& chosen_by_ten() {
+  static const Chosen kChosen = chosen_by({}, 10, 80);
+  return kChosen;
+}
 
 /// The same trials as a table for the family, in units of the standard deviations over the trials.
 std::vector<Finding> findings_of_family(const std::vector<ChosenTrial>& trials) {
@@ -162,25 +158,24 @@ std::vector<Finding> findings_of_family(const std::vector<ChosenTrial>& trials) 
   return glmm_findings(input);
 }
 
-TEST_F(ChoiceModelTest, IsTheMixedModelOfTheFamilyWithCovariates) {
-  choose({});
-  const std::vector<Finding> findings = findings_of_family(chosen_);
+TEST(ChoiceModelTest, IsTheMixedModelOfTheFamilyWithCovariates) {
+  const Chosen& chosen = chosen_by_ten();
+  const std::vector<Finding> findings = findings_of_family(chosen.trials);
   const FoundNumbers family(findings);
   for (const auto& [factor, covariate] :
        {std::pair("level_difference", "level"), std::pair("force_difference", "force"),
         std::pair("speed_difference", "speed"), std::pair("comparison_first", "first")}) {
-    EXPECT_NEAR(std::log(number("odds_ratio", factor).value()),
+    EXPECT_NEAR(std::log(chosen.number("odds_ratio", factor).value()),
                 family.value("glmm.beta", covariate).value(), 1e-4)
         << factor;
   }
-  EXPECT_NEAR(number("sigma", "subject").value(), family.value("glmm.sigma", "subject").value(),
-              1e-3);
+  EXPECT_NEAR(chosen.number("sigma", "subject").value(),
+              family.value("glmm.sigma", "subject").value(), 1e-3);
 }
 
-TEST_F(ChoiceModelTest, FindsTheForceThatChangesChoices) {
-  choose({});
-  ASSERT_NE(table(), nullptr);
-  const Table& shown = table()->table;
+TEST(ChoiceModelTest, FindsTheForceThatChangesChoices) {
+  ASSERT_NE(chosen_by_ten().table(), nullptr);
+  const Table& shown = chosen_by_ten().table()->table;
   ASSERT_EQ(shown.rows.size(), 4U);
   const auto cell = [&](std::size_t row, const char* column) {
     return shown.rows[row][column_of(shown, column).value()];
@@ -198,21 +193,20 @@ TEST_F(ChoiceModelTest, FindsTheForceThatChangesChoices) {
   EXPECT_GT(number_of(cell(2, "odds_ratio_high")).value(), 1.0);
 }
 
-TEST_F(ChoiceModelTest, ExistsWhereParticipantsDoNotDiffer) {
-  choose({.own_sd = 0.0}, 6, 30);
-  EXPECT_EQ(number("sigma", "subject"), 0.0);
-  EXPECT_TRUE(number("odds_ratio", "force_difference"));
+TEST(ChoiceModelTest, ExistsWhereParticipantsDoNotDiffer) {
+  const Chosen chosen = chosen_by({.own_sd = 0.0}, 6);
+  EXPECT_EQ(chosen.number("sigma", "subject"), 0.0);
+  EXPECT_TRUE(chosen.number("odds_ratio", "force_difference"));
 }
 
-TEST_F(ChoiceModelTest, StatesThatEffectsPredictEveryChoice) {
-  choose({.own_sd = 0.0, .per_m = 0.0, .per_N = 1e6}, 3, 30);
-  ASSERT_NE(table(), nullptr);
-  EXPECT_EQ(table()->table.rows.at(0).back(), Cell{"separated_choices"});
+TEST(ChoiceModelTest, StatesThatEffectsPredictEveryChoice) {
+  const Chosen chosen = chosen_by({.own_sd = 0.0, .per_m = 0.0, .per_N = 1e6});
+  ASSERT_NE(chosen.table(), nullptr);
+  EXPECT_EQ(chosen.table()->table.rows.at(0).back(), Cell{"separated_choices"});
 }
 
-TEST_F(ChoiceModelTest, IsAbsentWithoutForces) {
-  choose({.has_forces = false}, 3, 30);
-  EXPECT_EQ(table(), nullptr);
+TEST(ChoiceModelTest, IsAbsentWithoutForces) {
+  EXPECT_EQ(chosen_by({.has_forces = false}).table(), nullptr);
 }
 
 }  // namespace

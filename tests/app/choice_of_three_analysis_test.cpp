@@ -1,6 +1,5 @@
 // Discriminations in which one of three surfaces is chosen, from the rows of a study to thresholds, tables and sentences.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -94,20 +93,22 @@ std::vector<MadeUpTrial> trials_of_three(const DiscriminationDesign& design,
   return trials;
 }
 
-AnalysisOutcome outcome_of_three(const DiscriminationDesign& design,
-                                 const PsychometricFunction& observer, int people, int rounds,
-                                 Errors errors = Errors::at_any_place) {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", protocol_of_three(design).dump());
-  for (int person = 0; person < people; ++person) {
-    const std::string label = "p" + std::to_string(10 + person);
-    made.add_person(label, "");
-    made.add_session(
-        label, protocol,
-        trials_of_three(design, observer, rounds, static_cast<unsigned>(300 + person), errors));
-  }
-  return outcome_of_discrimination(made);
+constexpr PsychometricFunction kGuesserAmongThree{.shape = PsychometricShape::weibull,
+                                                  .alpha = 1.0,
+                                                  .beta = 2.0,
+                                                  .gamma = 1.0 / 3.0,
+                                                  .lambda = 0.02};
+
+/// Computed once in this process for twelve participants with 30 trials of each type and level, or with 60.
+const AnalysisOutcome& outcome_of_three(const DiscriminationDesign& design,
+                                        const PsychometricFunction& observer, int trials = 60) {
+  const int rounds = trials / static_cast<int>(design.trials.size());
+  return outcome_once(outcome_key("three", design.id, observer.alpha, rounds), [&] {
+    return outcome_of_choices(protocol_of_three(design), {.number = 12}, [&](int person) {
+      return trials_of_three(design, observer, rounds, static_cast<unsigned>(300 + person),
+                             Errors::at_any_place);
+    });
+  });
 }
 
 // The planted threshold is at 2/3 correct, halfway between guessing and certainty.
@@ -115,8 +116,7 @@ TEST(ChoiceOfThreeAnalysis, RecoversThePlantedThreshold) {
   const double jnd_m = kObserverOfThree.inverse(2.0 / 3.0);
   for (const DiscriminationDesign* const design : designs_of_three()) {
     SCOPED_TRACE(std::string(design->id));
-    const int rounds = 60 / static_cast<int>(design->trials.size());
-    const AnalysisOutcome outcome = outcome_of_three(*design, kObserverOfThree, 12, rounds);
+    const AnalysisOutcome& outcome = outcome_of_three(*design, kObserverOfThree);
     const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
     int given = 0;
     int holding = 0;
@@ -129,8 +129,7 @@ TEST(ChoiceOfThreeAnalysis, RecoversThePlantedThreshold) {
     EXPECT_GE(holding, given - 2) << "of 95 % intervals";
     const std::vector<Finding> functions = part_of(outcome, "psychometric");
     EXPECT_DOUBLE_EQ(*FoundNumbers(functions).value("fit.gamma", "p10|all"), 1.0 / 3.0);
-    EXPECT_THAT(discrimination_table(outcome, "thresholds").note.english(),
-                HasSubstr("guess rate of 1/3"));
+    EXPECT_THAT(table_of(outcome, "thresholds").note.english(), HasSubstr("guess rate of 1/3"));
     EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("just-noticeable differences"));
   }
 }
@@ -149,9 +148,9 @@ TEST(ChoiceOfThreeAnalysis, StatesTheDifferenceWithUnitSensitivityByTheRuleOfThe
 
 TEST(ChoiceOfThreeAnalysis, HasSensitivitiesByEveryRuleOfTheDesign) {
   for (const DiscriminationDesign* const design : designs_of_three()) {
-    const AnalysisOutcome outcome = outcome_of_three(*design, kObserverOfThree, 2, 30);
-    const Table& table = discrimination_table(outcome, "sensitivity_of_choices").table;
-    EXPECT_EQ(table.rows.size(), 2U * kAbove_m.size());
+    const AnalysisOutcome& outcome = outcome_of_three(*design, kObserverOfThree);
+    const Table& table = table_of(outcome, "sensitivity_of_choices").table;
+    EXPECT_EQ(table.rows.size(), 12U * kAbove_m.size());
     const auto share = column_of(table, "share");
     const auto dprime = column_of(table, "d_prime");
     const auto independent = column_of(table, "d_prime_independent");
@@ -178,8 +177,7 @@ TEST(ChoiceOfThreeAnalysis, HasSensitivitiesByEveryRuleOfTheDesign) {
 TEST(ChoiceOfThreeAnalysis, StatesTheMeanSensitivityOverTheParticipants) {
   for (const DiscriminationDesign* const design : designs_of_three()) {
     SCOPED_TRACE(std::string(design->id));
-    const int rounds = 60 / static_cast<int>(design->trials.size());
-    const AnalysisOutcome outcome = outcome_of_three(*design, kObserverOfThree, 12, rounds);
+    const AnalysisOutcome& outcome = outcome_of_three(*design, kObserverOfThree);
     const std::vector<Finding> sensitivity = part_of(outcome, "sensitivity");
     const FoundNumbers found(sensitivity);
     EXPECT_EQ(found.all("dprime.mean").size(), kAbove_m.size());
@@ -202,10 +200,8 @@ TEST(ChoiceOfThreeAnalysis, StatesTheMeanSensitivityOverTheParticipants) {
 
 // 30 trials at each level have a standard error of d′ of about 0.27; the mean of twelve participants has 0.08.
 TEST(ChoiceOfThreeAnalysis, HasAMeanSensitivityOfZeroForObserversWhoGuessAmongAlternatives) {
-  PsychometricFunction guessing = kObserverOfThree;
-  guessing.alpha = 1.0;
   const std::vector<Finding> sensitivity =
-      part_of(outcome_of_three(three_alternatives(), guessing, 12, 30), "sensitivity");
+      part_of(outcome_of_three(three_alternatives(), kGuesserAmongThree, 30), "sensitivity");
   for (const Finding* const mean : FoundNumbers(sensitivity).all("dprime.mean")) {
     EXPECT_NEAR(*mean->value, 0.0, 3.29 * 0.08) << mean->key;
   }
@@ -214,13 +210,10 @@ TEST(ChoiceOfThreeAnalysis, HasAMeanSensitivityOfZeroForObserversWhoGuessAmongAl
 // Twelve guessing participants with 150 trials each: the mean proportion correct has a standard error of 0.011, and no
 // place is preferred.
 TEST(ChoiceOfThreeAnalysis, IsAtChanceForGuessingObservers) {
-  PsychometricFunction guessing = kObserverOfThree;
-  guessing.alpha = 1.0;
   for (const DiscriminationDesign* const design : designs_of_three()) {
     SCOPED_TRACE(std::string(design->id));
-    const int rounds = 30 / static_cast<int>(design->trials.size());
-    const AnalysisOutcome outcome = outcome_of_three(*design, guessing, 12, rounds);
-    const Table& levels = discrimination_table(outcome, "psychometric").table;
+    const AnalysisOutcome& outcome = outcome_of_three(*design, kGuesserAmongThree, 30);
+    const Table& levels = table_of(outcome, "psychometric").table;
     double hits = 0.0;
     double trials = 0.0;
     for (const std::vector<Cell>& row : levels.rows) {
@@ -241,8 +234,11 @@ TEST(ChoiceOfThreeAnalysis, FindsAPreferenceForAPlace) {
   for (const DiscriminationDesign* const design : designs_of_three()) {
     const int rounds = 30 / static_cast<int>(design->trials.size());
     const AnalysisOutcome outcome =
-        outcome_of_three(*design, kObserverOfThree, 8, rounds, Errors::at_first_place);
-    const Table& places = discrimination_table(outcome, "choices_by_place").table;
+        outcome_of_choices(protocol_of_three(*design), {.number = 8}, [&](int person) {
+          return trials_of_three(*design, kObserverOfThree, rounds,
+                                 static_cast<unsigned>(300 + person), Errors::at_first_place);
+        });
+    const Table& places = table_of(outcome, "choices_by_place").table;
     ASSERT_EQ(places.rows.size(), 8U);
     for (const std::vector<Cell>& row : places.rows) {
       const double a = std::get<double>(row[*column_of(places, "chosen_a")]);
@@ -259,8 +255,7 @@ TEST(ChoiceOfThreeAnalysis, FindsAPreferenceForAPlace) {
                 HasSubstr("The proportions of choices of the three positions were significantly "
                           "different"));
     EXPECT_THAT(answer_to(outcome, "order"), HasSubstr("Yes: mean proportions of choices: A "));
-    EXPECT_TRUE(std::none_of(outcome.tables.begin(), outcome.tables.end(),
-                             [](const NamedTable& each) { return each.name == "order"; }));
+    EXPECT_EQ(find_table(outcome, "order"), nullptr);
   }
 }
 
@@ -303,7 +298,7 @@ TEST(ChoiceOfThreeAnalysis, HasThresholdsInTheWideTable) {
     made.add_session("p10", protocol,
                      trials_of_three(*design, kObserverOfThree, 30, 1, Errors::at_any_place));
     const std::vector<Finding> thresholds = part_of(outcome_of_discrimination(made), "thresholds");
-    const std::map<std::string, std::string> row = wide_row(made, 0);
+    const std::map<std::string, std::string> row = wide_rows(made).at(0);
     EXPECT_NEAR(std::stod(row.at("jnd_which_jnd")),
                 *FoundNumbers(thresholds).value("jnd", "p10|all"), 1e-12)
         << design->id;

@@ -16,7 +16,6 @@
 #include "analysis/tail_probabilities.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/analyze_study.h"
 #include "protocols/design/discrimination_design.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
@@ -82,14 +81,12 @@ MadeUpTrial rated_with_confidence(const DiscriminationDesign& design, bool is_si
   return trial;
 }
 
-AnalysisOutcome outcome_with_confidence(const DiscriminationDesign& design,
-                                        const ConfidentObserver& observer, bool is_stated = true) {
-  constexpr int kPeople = 8;
+/// Of eight participants with this observer, computed once in this process.
+const AnalysisOutcome& outcome_with_confidence(const DiscriminationDesign& design,
+                                               const ConfidentObserver& observer,
+                                               bool is_stated = true) {
   constexpr int kTrialsOfKind = 100;
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("sure", "discrimination", confidence_protocol(design, is_stated).dump());
-  for (int person = 0; person < kPeople; ++person) {
+  const auto trials_of_person = [&](int person) {
     Random random(static_cast<std::uint64_t>(100 + person));
     std::vector<MadeUpTrial> trials{};
     for (int i = 0; i < kTrialsOfKind; ++i) {
@@ -97,15 +94,13 @@ AnalysisOutcome outcome_with_confidence(const DiscriminationDesign& design,
       trials.push_back(rated_with_confidence(design, true,
                                              observer.mean + observer.deviation * random.normal()));
     }
-    const std::string label = "p" + std::to_string(person + 1);
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials);
-  }
-  for (AnalysisOutcome& outcome : analyze_study(made.study(), std::nullopt, {})) {
-    if (outcome.kind == "discrimination") return std::move(outcome);
-  }
-  ADD_FAILURE() << "no discrimination";
-  return {};
+    return trials;
+  };
+  return outcome_once(
+      outcome_key("confidence", design.id, observer.mean, observer.deviation, is_stated), [&] {
+        return analysed("discrimination", confidence_protocol(design, is_stated).dump(),
+                        {.number = 8, .first = 1}, trials_of_person);
+      });
 }
 
 const std::vector<const DiscriminationDesign*>& rated_designs() {
@@ -156,9 +151,9 @@ TEST(ConfidenceRoc, HasAnAreaOfAHalfForGuesses) {
 }
 
 TEST(ConfidenceRoc, HasATableAndAnAnswer) {
-  const AnalysisOutcome outcome =
+  const AnalysisOutcome& outcome =
       outcome_with_confidence(yes_no_task(), {.mean = 1.4, .deviation = 1.6});
-  const Table& table = discrimination_table(outcome, "confidence_roc").table;
+  const Table& table = table_of(outcome, "confidence_roc").table;
   EXPECT_EQ(table.rows.size(), 9U) << "all participants, and each one";
   EXPECT_EQ(table.rows.front().front(), Cell{std::string("all participants")});
   EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("55 µm: A_z = 0.7"));
@@ -185,10 +180,9 @@ TEST(ConfidenceRoc, DistinguishesAParticipantWithTheLabelAllFromAllParticipants)
 }
 
 TEST(ConfidenceRoc, IsAbsentWhereAScaleDoesNotRateConfidence) {
-  const AnalysisOutcome outcome =
+  const AnalysisOutcome& outcome =
       outcome_with_confidence(yes_no_task(), {.mean = 1.0, .deviation = 1.0}, false);
-  EXPECT_TRUE(std::none_of(outcome.tables.begin(), outcome.tables.end(),
-                           [](const NamedTable& each) { return each.name == "confidence_roc"; }));
+  EXPECT_EQ(find_table(outcome, "confidence_roc"), nullptr);
   EXPECT_TRUE(part_of(outcome, "confidence_roc").empty());
 }
 

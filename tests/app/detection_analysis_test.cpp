@@ -1,6 +1,5 @@
 // Discriminations whose responses are words, from the rows of a study to thresholds, tables and sentences.
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -14,10 +13,9 @@
 #include "analysis/detection_function.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/study/study_analysis.h"
 #include "protocols/design/discrimination_design.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/made_up_choices.h"
 
 namespace asperity {
 namespace {
@@ -71,54 +69,51 @@ double as_never(const DetectionFunction&, double) { return 0.0; }
 double as_always(const DetectionFunction&, double) { return 1.0; }
 double as_coin(const DetectionFunction&, double) { return 0.5; }
 
-AnalysisOutcome outcome_of_detections(
-    const DiscriminationDesign& design, YesAt yes_at, int people, int rounds,
-    const DetectionJson& analysis = DetectionJson::parse(R"({"family": ["order"]})"),
-    YesAt of_every_other = nullptr) {
+struct Detecting {
+  const DiscriminationDesign& design;
+  YesAt yes_at = as_modelled;
+  int people = 12;
+  int rounds = 30;
+  YesAt of_every_other = nullptr;
+  bool declares_order = true;
+};
+
+/// Computed once in this process for these participants.
+const AnalysisOutcome& outcome_of_detections(const Detecting& detecting) {
+  const DiscriminationDesign& design = detecting.design;
   const DetectionFunction observer{
       .task = design.surfaces() == 1 ? DetectionTask::yes_no : DetectionTask::same_different,
       .alpha = 10e-6,
       .beta = 1.2,
       .criterion = design.surfaces() == 1 ? 0.8 : 1.6,
       .lambda = 0.02};
-  MadeUpStudy made;
-  DetectionJson document = detection_protocol(design);
-  document["analysis"] = analysis;
-  const std::int64_t protocol = made.add_protocol("jnd", "discrimination", document.dump());
-  for (int person = 0; person < people; ++person) {
+  const auto trials_of_person = [&](int person) {
+    const bool is_other = detecting.of_every_other != nullptr && person % 2 == 1;
+    const YesAt yes_at = is_other ? detecting.of_every_other : detecting.yes_at;
     std::mt19937 random(static_cast<unsigned>(200 + person));
     std::vector<MadeUpTrial> trials{};
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < detecting.rounds; ++round) {
       for (const double difference_m : kDifferences_m) {
         for (const DesignTrial& type : design.trials) {
-          const bool is_other = of_every_other != nullptr && person % 2 == 1;
-          const double p =
-              (is_other ? of_every_other : yes_at)(observer, type.is_signal ? difference_m : 0.0);
+          const double p = yes_at(observer, type.is_signal ? difference_m : 0.0);
           trials.push_back(detected(design, type, kStandardOfDetections_m + difference_m,
                                     static_cast<double>(random()) / 4294967296.0 < p));
         }
       }
     }
-    const std::string label = "p" + std::to_string(10 + person);
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials);
-  }
-  std::vector<AnalysisOutcome> outcomes = analyze_study(made.study(), std::nullopt, {});
-  EXPECT_EQ(outcomes.size(), 1U);
-  return std::move(outcomes.front());
-}
-
-const NamedTable* table_of(const AnalysisOutcome& outcome, const std::string& name) {
-  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [&name](const NamedTable& each) { return each.name == name; });
-  return found == outcome.tables.end() ? nullptr : &*found;
-}
-
-std::string answer_of(const AnalysisOutcome& outcome, const std::string& name) {
-  const auto found =
-      std::find_if(outcome.questions.begin(), outcome.questions.end(),
-                   [&name](const AnsweredQuestion& each) { return each.name == name; });
-  return found == outcome.questions.end() ? std::string() : found->answer.english();
+    return trials;
+  };
+  const auto code_of = [&observer](YesAt at) {
+    return at == nullptr ? std::string("none") : outcome_key(at(observer, 0.0), at(observer, 1.0));
+  };
+  const std::string key =
+      outcome_key("detected", design.id, code_of(detecting.yes_at), detecting.people,
+                  detecting.rounds, code_of(detecting.of_every_other), detecting.declares_order);
+  return outcome_once(key, [&] {
+    DetectionJson protocol = detection_protocol(design);
+    if (detecting.declares_order) protocol["analysis"]["family"] = {"order"};
+    return outcome_of_choices(protocol, {.number = detecting.people}, trials_of_person);
+  });
 }
 
 const std::vector<const DiscriminationDesign*>& designs_in_words() {
@@ -130,7 +125,7 @@ const std::vector<const DiscriminationDesign*>& designs_in_words() {
 TEST(DetectionAnalysis, RecoversTheDifferenceAtUnitSensitivity) {
   for (const DiscriminationDesign* const design : designs_in_words()) {
     SCOPED_TRACE(std::string(design->id));
-    const AnalysisOutcome outcome = outcome_of_detections(*design, as_modelled, 12, 30);
+    const AnalysisOutcome& outcome = outcome_of_detections({.design = *design});
     const FoundNumbers found(outcome.findings);
     int holding = 0;
     for (const Finding* const jnd : found.all("jnd.dprime1")) {
@@ -141,42 +136,40 @@ TEST(DetectionAnalysis, RecoversTheDifferenceAtUnitSensitivity) {
     }
     EXPECT_GE(holding, 9) << "of 12 intervals of 95 %";
     EXPECT_EQ(found.find("jnd", "p10|all"), nullptr) << "there is no proportion correct";
-    EXPECT_THAT(answer_of(outcome, "threshold"), HasSubstr("just-noticeable differences"));
-    EXPECT_THAT(answer_of(outcome, "sensitivity"), HasSubstr("Mean d′ by the amplitude"));
-    EXPECT_TRUE(answer_of(outcome, "order").empty());
-    EXPECT_EQ(table_of(outcome, "order"), nullptr);
+    EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("just-noticeable differences"));
+    EXPECT_THAT(answer_to(outcome, "sensitivity"), HasSubstr("Mean d′ by the amplitude"));
+    EXPECT_TRUE(answer_to(outcome, "order").empty());
+    EXPECT_EQ(find_table(outcome, "order"), nullptr);
   }
 }
 
 TEST(DetectionAnalysis, StatesHitsAndFalseAlarmsOfEveryLevelAndPair) {
-  const AnalysisOutcome outcome = outcome_of_detections(same_different_task(), as_modelled, 2, 10);
-  const NamedTable* const sensitivity = table_of(outcome, "sensitivity");
-  ASSERT_NE(sensitivity, nullptr);
-  EXPECT_EQ(sensitivity->table.rows.size(), 2U * kDifferences_m.size());
-  const auto signal = column_of(sensitivity->table, "signal_trials");
-  const auto noise = column_of(sensitivity->table, "noise_trials");
+  const AnalysisOutcome& outcome = outcome_of_detections({.design = same_different_task()});
+  const NamedTable& sensitivity = table_of(outcome, "sensitivity");
+  EXPECT_EQ(sensitivity.table.rows.size(), 12U * kDifferences_m.size());
+  const auto signal = column_of(sensitivity.table, "signal_trials");
+  const auto noise = column_of(sensitivity.table, "noise_trials");
   ASSERT_TRUE(signal && noise);
-  EXPECT_EQ(sensitivity->table.rows[0][*signal], Cell{std::int64_t{20}});
-  EXPECT_EQ(sensitivity->table.rows[0][*noise], Cell{std::int64_t{100}});
-  const NamedTable* const pairs = table_of(outcome, "responses_by_pair");
-  ASSERT_NE(pairs, nullptr);
+  EXPECT_EQ(sensitivity.table.rows[0][*signal], Cell{std::int64_t{60}});
+  EXPECT_EQ(sensitivity.table.rows[0][*noise], Cell{std::int64_t{300}});
+  const NamedTable& pairs = table_of(outcome, "responses_by_pair");
   // Made-up trials present every different pair in the listed order.
-  EXPECT_EQ(pairs->table.rows.size(), 2U * 3U);
-  EXPECT_EQ(table_of(outcome_of_detections(yes_no_task(), as_modelled, 2, 10), "responses_by_pair"),
+  EXPECT_EQ(pairs.table.rows.size(), 12U * 3U);
+  EXPECT_EQ(find_table(outcome_of_detections({.design = yes_no_task()}), "responses_by_pair"),
             nullptr);
 }
 
 // k of the differencing rule from the corrected proportion F of false alarms: F = 2·Φ(−k/√2).
 TEST(DetectionAnalysis, StatesTheCriterionOfSameDifferent) {
-  const AnalysisOutcome outcome = outcome_of_detections(same_different_task(), as_modelled, 1, 10);
-  const Table& table = table_of(outcome, "sensitivity")->table;
+  const AnalysisOutcome& outcome = outcome_of_detections({.design = same_different_task()});
+  const Table& table = table_of(outcome, "sensitivity").table;
   EXPECT_FALSE(column_of(table, "criterion"));
   const double k = number_of(table.rows[0][*column_of(table, "criterion_k")]).value();
   const double false_alarms =
       number_of(table.rows[0][*column_of(table, "false_alarm_rate")]).value();
-  EXPECT_NEAR(std::erfc(0.5 * k), (100.0 * false_alarms + 0.5) / 101.0, 1e-9);
-  const AnalysisOutcome yes_no = outcome_of_detections(yes_no_task(), as_modelled, 1, 10);
-  const Table& of_yes_no = table_of(yes_no, "sensitivity")->table;
+  EXPECT_NEAR(std::erfc(0.5 * k), (300.0 * false_alarms + 0.5) / 301.0, 1e-9);
+  const AnalysisOutcome& yes_no = outcome_of_detections({.design = yes_no_task()});
+  const Table& of_yes_no = table_of(yes_no, "sensitivity").table;
   EXPECT_TRUE(column_of(of_yes_no, "criterion"));
   EXPECT_FALSE(column_of(of_yes_no, "criterion_k"));
 }
@@ -185,20 +178,23 @@ TEST(DetectionAnalysis, StatesTheCriterionOfSameDifferent) {
 TEST(DetectionAnalysis, StatesThatSensitivityWithoutAnyYesFollowsFromTheNumbersOfTrials) {
   for (const auto& [yes_at, expected] :
        {std::pair<YesAt, double>{as_never, 0.643}, {as_always, -0.643}}) {
-    const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), yes_at, 1, 10);
-    const NamedTable& sensitivity = *table_of(outcome, "sensitivity");
+    const AnalysisOutcome& outcome = outcome_of_detections(
+        {.design = yes_no_task(), .yes_at = yes_at, .people = 1, .rounds = 10});
+    const NamedTable& sensitivity = table_of(outcome, "sensitivity");
     const auto dprime = column_of(sensitivity.table, "d_prime");
     EXPECT_NEAR(number_of(sensitivity.table.rows[0][*dprime]).value(), expected, 1e-3);
     EXPECT_THAT(sensitivity.note.english(), HasSubstr("with and without a signal: 5. Their d′"));
   }
-  const AnalysisOutcome other = outcome_of_detections(yes_no_task(), as_coin, 1, 10);
-  EXPECT_THAT(table_of(other, "sensitivity")->note.english(), Not(HasSubstr("Their d′")));
+  const AnalysisOutcome& other = outcome_of_detections(
+      {.design = yes_no_task(), .yes_at = as_coin, .people = 7, .rounds = 10});
+  EXPECT_THAT(table_of(other, "sensitivity").note.english(), Not(HasSubstr("Their d′")));
 }
 
 // With 10 trials of each kind at a level and no error, d′ = z(10.5/11) − z(0.5/51) for every participant: its spread is no
 // measure of precision.
 TEST(DetectionAnalysis, StatesThatAMeanSensitivityAtTheCeilingIsALowerBound) {
-  const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), as_step, 7, 10);
+  const AnalysisOutcome& outcome = outcome_of_detections(
+      {.design = yes_no_task(), .yes_at = as_step, .people = 7, .rounds = 10});
   const FoundNumbers found(outcome.findings);
   const std::vector<const Finding*> means = found.all("dprime.mean");
   ASSERT_EQ(means.size(), kDifferences_m.size());
@@ -207,24 +203,29 @@ TEST(DetectionAnalysis, StatesThatAMeanSensitivityAtTheCeilingIsALowerBound) {
     EXPECT_FALSE(mean->low) << mean->key;
     EXPECT_THAT(mean->method, HasSubstr("d′ of 7 of 7 participants"));
   }
-  EXPECT_THAT(answer_of(outcome, "sensitivity"), HasSubstr("(at least; ceiling: 7 of 7 "));
-  EXPECT_THAT(answer_of(outcome, "sensitivity"), HasSubstr("is a lower bound and has no CI"));
-  const AnalysisOutcome other = outcome_of_detections(yes_no_task(), as_coin, 7, 10);
-  EXPECT_THAT(answer_of(other, "sensitivity"), Not(HasSubstr("ceiling")));
+  EXPECT_THAT(answer_to(outcome, "sensitivity"), HasSubstr("(at least; ceiling: 7 of 7 "));
+  EXPECT_THAT(answer_to(outcome, "sensitivity"), HasSubstr("is a lower bound and has no CI"));
+  const AnalysisOutcome& other = outcome_of_detections(
+      {.design = yes_no_task(), .yes_at = as_coin, .people = 7, .rounds = 10});
+  EXPECT_THAT(answer_to(other, "sensitivity"), Not(HasSubstr("ceiling")));
   EXPECT_TRUE(FoundNumbers(other.findings).all("dprime.mean").front()->low);
 }
 
 // Without a correction, the d′ of those who respond "yes" only without a signal is −∞.
 TEST(DetectionAnalysis, StatesThatAMeanSensitivityAtTheFloorIsNoLowerBound) {
-  const AnalysisOutcome reversed = outcome_of_detections(yes_no_task(), as_reversed, 6, 10);
-  EXPECT_THAT(answer_of(reversed, "sensitivity"), HasSubstr("(at most; floor: 6 of 6 "));
-  EXPECT_THAT(answer_of(reversed, "sensitivity"), HasSubstr("is an upper bound and has no CI"));
-  EXPECT_THAT(answer_of(reversed, "sensitivity"), Not(HasSubstr("at least")));
-  const AnalysisOutcome both = outcome_of_detections(
-      yes_no_task(), as_step, 6, 10, DetectionJson::parse(R"({"family": ["order"]})"), as_reversed);
-  EXPECT_THAT(answer_of(both, "sensitivity"),
+  const AnalysisOutcome& reversed = outcome_of_detections(
+      {.design = yes_no_task(), .yes_at = as_reversed, .people = 6, .rounds = 10});
+  EXPECT_THAT(answer_to(reversed, "sensitivity"), HasSubstr("(at most; floor: 6 of 6 "));
+  EXPECT_THAT(answer_to(reversed, "sensitivity"), HasSubstr("is an upper bound and has no CI"));
+  EXPECT_THAT(answer_to(reversed, "sensitivity"), Not(HasSubstr("at least")));
+  const AnalysisOutcome& both = outcome_of_detections({.design = yes_no_task(),
+                                                       .yes_at = as_step,
+                                                       .people = 6,
+                                                       .rounds = 10,
+                                                       .of_every_other = as_reversed});
+  EXPECT_THAT(answer_to(both, "sensitivity"),
               HasSubstr("(ceiling: 3, floor: 3 of 6 participants)"));
-  EXPECT_THAT(answer_of(both, "sensitivity"),
+  EXPECT_THAT(answer_to(both, "sensitivity"),
               HasSubstr("is neither a lower nor an upper bound, and has no CI"));
   for (const Finding* const mean : FoundNumbers(both.findings).all("dprime.mean")) {
     EXPECT_FALSE(mean->low) << mean->key;
@@ -234,8 +235,9 @@ TEST(DetectionAnalysis, StatesThatAMeanSensitivityAtTheFloorIsNoLowerBound) {
 
 // The differencing rule has no negative d′: that of a guessing participant is 0 or greater by chance.
 TEST(DetectionAnalysis, StatesThatMeansOfSmallSensitivitiesAreTooHigh) {
-  const AnalysisOutcome guesses = outcome_of_detections(same_different_task(), as_coin, 7, 10);
-  const std::string answer = answer_of(guesses, "sensitivity");
+  const AnalysisOutcome& guesses = outcome_of_detections(
+      {.design = same_different_task(), .yes_at = as_coin, .people = 7, .rounds = 10});
+  const std::string answer = answer_to(guesses, "sensitivity");
   EXPECT_THAT(answer,
               HasSubstr("means of small d′ are too high. Participants with d′ = 0: 54 µm: "));
   for (const Finding& finding : guesses.findings) {
@@ -247,39 +249,44 @@ TEST(DetectionAnalysis, StatesThatMeansOfSmallSensitivitiesAreTooHigh) {
       EXPECT_GE(finding.value.value_or(0.0), 0.0) << finding.quantity << ' ' << finding.key;
     }
   }
-  EXPECT_THAT(answer_of(outcome_of_detections(yes_no_task(), as_coin, 7, 10), "sensitivity"),
-              Not(HasSubstr("too high")));
+  EXPECT_THAT(
+      answer_to(outcome_of_detections(
+                    {.design = yes_no_task(), .yes_at = as_coin, .people = 7, .rounds = 10}),
+                "sensitivity"),
+      Not(HasSubstr("too high")));
 }
 
 TEST(DetectionAnalysis, StatesHowManyThresholdsCouldNotBeEstimated) {
-  const AnalysisOutcome outcome =
-      outcome_of_detections(yes_no_task(), as_modelled, 6, 20,
-                            DetectionJson::parse(R"({"family": ["order"]})"), as_always);
-  EXPECT_THAT(answer_of(outcome, "threshold"), HasSubstr("Not estimated: 3 of 6 participants ("));
-  EXPECT_THAT(table_of(outcome, "mean_thresholds")->note.english(),
+  const AnalysisOutcome& outcome = outcome_of_detections(
+      {.design = yes_no_task(), .people = 6, .rounds = 20, .of_every_other = as_always});
+  EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("Not estimated: 3 of 6 participants ("));
+  EXPECT_THAT(table_of(outcome, "mean_thresholds").note.english(),
               HasSubstr("JND at d′ = 1: 3 of 6 thresholds could not be estimated ("));
 }
 
 TEST(DetectionAnalysis, StatesWhichPairsHaveADifferenceOfZero) {
-  const AnalysisOutcome outcome = outcome_of_detections(same_different_task(), as_coin, 2, 10);
-  EXPECT_THAT(table_of(outcome, "psychometric")->note.english(),
+  const AnalysisOutcome& outcome = outcome_of_detections(
+      {.design = same_different_task(), .yes_at = as_coin, .people = 7, .rounds = 10});
+  EXPECT_THAT(table_of(outcome, "psychometric").note.english(),
               HasSubstr("two standards, or two comparisons of any level"));
 }
 
 TEST(DetectionAnalysis, HasNoThresholdOfAnObserverWithoutErrors) {
   for (const DiscriminationDesign* const design : designs_in_words()) {
-    const AnalysisOutcome outcome = outcome_of_detections(*design, as_step, 2, 10);
+    const AnalysisOutcome& outcome =
+        outcome_of_detections({.design = *design, .yes_at = as_step, .people = 2, .rounds = 10});
     const Finding* const jnd = FoundNumbers(outcome.findings).find("jnd.dprime1", "p10|all");
     ASSERT_NE(jnd, nullptr);
     EXPECT_FALSE(jnd->value);
     EXPECT_EQ(jnd->word, "separated");
-    EXPECT_THAT(answer_of(outcome, "threshold"), HasSubstr("could not be estimated"));
+    EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("could not be estimated"));
   }
 }
 
 // Twelve guessing participants: the mean d′ of a level has a standard error of about 0.12 (yes/no, 30 and 150 trials).
 TEST(DetectionAnalysis, HasASensitivityOfZeroOfGuessingObservers) {
-  const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), as_coin, 12, 30);
+  const AnalysisOutcome& outcome =
+      outcome_of_detections({.design = yes_no_task(), .yes_at = as_coin});
   const FoundNumbers found(outcome.findings);
   const std::vector<const Finding*> means = found.all("dprime.mean");
   EXPECT_EQ(means.size(), kDifferences_m.size());
@@ -287,21 +294,20 @@ TEST(DetectionAnalysis, HasASensitivityOfZeroOfGuessingObservers) {
 }
 
 TEST(DetectionAnalysis, ExplainsWhyThereIsNoOrderEffect) {
-  const AnalysisOutcome outcome = outcome_of_detections(yes_no_task(), as_modelled, 2, 10);
-  const NamedTable* const tests = table_of(outcome, "tests");
-  ASSERT_NE(tests, nullptr);
-  const auto status = column_of(tests->table, "status");
+  const AnalysisOutcome& outcome = outcome_of_detections({.design = yes_no_task()});
+  const Table& tests = table_of(outcome, "tests").table;
+  const auto status = column_of(tests, "status");
   ASSERT_TRUE(status);
-  EXPECT_EQ(tests->table.rows[0][*status], Cell{std::string("no_choice_of_surface")});
+  EXPECT_EQ(tests.rows[0][*status], Cell{std::string("no_choice_of_surface")});
 }
 
 TEST(DetectionAnalysis, TestsNoOrderThatTheProtocolDoesNotDeclare) {
   for (const DiscriminationDesign* const design : designs_in_words()) {
-    const AnalysisOutcome outcome =
-        outcome_of_detections(*design, as_modelled, 2, 10, DetectionJson::object());
+    const AnalysisOutcome& outcome = outcome_of_detections(
+        {.design = *design, .people = 2, .rounds = 10, .declares_order = false});
     EXPECT_THAT(outcome.test_sentences, Not(Contains(Field(&TestSentence::test, "order"))))
         << design->id;
-    EXPECT_EQ(answer_of(outcome, "order"), "") << design->id;
+    EXPECT_EQ(answer_to(outcome, "order"), "") << design->id;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -12,35 +13,28 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric_function.h"
-#include "app/exports/export_study.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/study_analysis.h"
-#include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using nlohmann::json;
 
 /// Two participants, with the choices of two blocks.
 AnalysisOutcome outcome_of_two_blocks(const json& protocol, const std::vector<MadeUpChoice>& only,
                                       std::vector<MadeUpChoice> other) {
   for (MadeUpChoice& choice : other) choice.block = "other";
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("two", "discrimination", protocol.dump());
-  for (const char* const label : {"p1", "p2"}) {
-    made.add_person(label, "");
+  return outcome_of_choices(protocol, {.number = 2, .first = 1}, [&](int) {
     std::vector<MadeUpTrial> trials = trials_of(only);
     for (const MadeUpTrial& trial : trials_of(other)) trials.push_back(trial);
-    made.add_session(label, id, trials);
-  }
-  return outcome_of_discrimination(made);
+    return trials;
+  });
 }
 
 json protocol_with_two_blocks(const std::string& judgement) {
@@ -51,12 +45,8 @@ json protocol_with_two_blocks(const std::string& judgement) {
 
 TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
   const auto outcome_with = [](const std::vector<std::string>& textures) {
-    MadeUpStudy made;
-    const std::int64_t protocol =
-        made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
-    for (int person = 0; person < 8; ++person) {
-      const std::string label = "p" + std::to_string(person);
-      made.add_person(label, "");
+    const json protocol = discrimination_protocol("performance");
+    return outcome_of_choices(protocol, {.number = 8}, [&](int person) {
       std::vector<MadeUpTrial> trials{};
       for (std::size_t i = 0; i < textures.size(); ++i) {
         PsychometricFunction function = kPerformer;
@@ -67,9 +57,8 @@ TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
         for (MadeUpChoice& choice : choices) choice.texture = textures[i];
         for (const MadeUpTrial& trial : trials_of(choices)) trials.push_back(trial);
       }
-      made.add_session(label, protocol, trials);
-    }
-    return outcome_of_discrimination(made);
+      return trials;
+    });
   };
   const AnalysisOutcome two = outcome_with({"metal", "wood"});
   EXPECT_THAT(sentence_about(two, "conditions", "JND"),
@@ -89,26 +78,21 @@ TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
 
 // As strings "0.01" comes before "9e-04".
 TEST(Discrimination, NamesConditionsThatAreNumbersByTheirFactor) {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
-  for (unsigned person = 0; person < 3; ++person) {
-    const std::string label = "p" + std::to_string(person);
-    made.add_person(label, "");
+  const auto trials_of_person = [](int person) {
     std::vector<MadeUpTrial> trials{};
     for (const double wavelength_m : {0.01, 0.0009}) {
-      for (MadeUpTrial& trial :
-           trials_of(MadeUpObserver(kPerformer, person).choices(kAbove_m, 40, true))) {
+      MadeUpObserver observer(kPerformer, static_cast<unsigned>(person));
+      for (MadeUpTrial& trial : trials_of(observer.choices(kAbove_m, 40, true))) {
         json factors = json::parse(trial.factors_json);
         factors["wavelength_m"] = wavelength_m;
-        factors.erase("texture");
         trial.factors_json = factors.dump();
         trials.push_back(std::move(trial));
       }
     }
-    made.add_session(label, protocol, trials);
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+    return trials;
+  };
+  const AnalysisOutcome outcome =
+      outcome_of_choices(discrimination_protocol("performance"), {.number = 3}, trials_of_person);
   const std::string answer = answer_to(outcome, "conditions");
   EXPECT_THAT(answer, HasSubstr("wavelength 900 µm: "));
   EXPECT_LT(answer.find("wavelength 900 µm"), answer.find("wavelength 10 mm"));
@@ -119,18 +103,14 @@ TEST(Discrimination, NamesConditionsThatAreNumbersByTheirFactor) {
 }
 
 TEST(Discrimination, StatesThatNoParticipantHasAllConditions) {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
-  for (unsigned person = 0; person < 6; ++person) {
-    const std::string label = "p" + std::to_string(person);
-    made.add_person(label, "");
+  const auto trials_of_person = [](int person) {
     std::vector<MadeUpChoice> choices =
-        MadeUpObserver(kPerformer, person).choices(kAbove_m, 40, true);
+        MadeUpObserver(kPerformer, static_cast<unsigned>(person)).choices(kAbove_m, 40, true);
     for (MadeUpChoice& choice : choices) choice.texture = person % 2 == 0 ? "metal" : "wood";
-    made.add_session(label, protocol, trials_of(choices));
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+    return trials_of(choices);
+  };
+  const AnalysisOutcome outcome =
+      outcome_of_choices(discrimination_protocol("performance"), {.number = 6}, trials_of_person);
   EXPECT_THAT(sentence_about(outcome, "conditions", "JND"),
               HasSubstr("no participant has trials in every condition"));
   EXPECT_THAT(answer_to(outcome, "conditions"),
@@ -152,12 +132,9 @@ TEST(Discrimination, DoesNotDivideTheTrialsByFactorsThatAreDrawn) {
     const AnalysisOutcome outcome = outcome_of_discrimination(made);
     const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
     EXPECT_EQ(FoundNumbers(thresholds).find("jnd", "p1|all") != nullptr, is_drawn);
-    ExportOptions options{};
-    options.formats = {ExportFormat::wide};
-    export_study(made.study(), built_in_models(), made.beside("out"), options);
-    const std::string wide = read_file(made.beside("out") / "wide.csv");
-    EXPECT_EQ(wide.find("jnd_which_jnd") != std::string::npos, is_drawn);
-    EXPECT_EQ(wide.find("jnd_which_metal_jnd") != std::string::npos, !is_drawn);
+    const std::map<std::string, std::string> wide = wide_rows(made).at(0);
+    EXPECT_EQ(wide.contains("jnd_which_jnd"), is_drawn);
+    EXPECT_EQ(wide.contains("jnd_which_metal_jnd"), !is_drawn);
   }
 }
 
@@ -199,27 +176,22 @@ TEST(Discrimination, AnswersWithTheTestsOfTheTaskOnly) {
   protocol["blocks"]["only_harder"] = protocol["blocks"]["other"];
   protocol["blocks"].erase("other");
   protocol["blocks"]["only_harder"]["question"]["prompt"] = "Which is smoother?";
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("two", "discrimination", protocol.dump());
-  for (unsigned person = 0; person < 6; ++person) {
-    const std::string label = "p" + std::to_string(person);
-    made.add_person(label, "");
+  const AnalysisOutcome outcome = outcome_of_choices(protocol, {.number = 6}, [](int person) {
+    const auto seed = static_cast<unsigned>(person);
     std::vector<MadeUpChoice> choices =
-        MadeUpObserver(kComparer, 10 + person).choices(kAround_m, 40, false);
-    for (MadeUpChoice choice :
-         MadeUpObserver(kComparer, 30 + person).choices(kAround_m, 40, false)) {
+        MadeUpObserver(kComparer, 10 + seed).choices(kAround_m, 40, false);
+    for (MadeUpChoice choice : MadeUpObserver(kComparer, 30 + seed).choices(kAround_m, 40, false)) {
       choice.block = "only_harder";
       choice.chose_comparison = !choice.chose_comparison;
       choices.push_back(choice);
     }
-    made.add_session(label, id, trials_of(choices));
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+    return trials_of(choices);
+  });
   EXPECT_THAT(answer_to(outcome, "point_of_subjective_equality:only"),
               Not(HasSubstr("only_harder")));
   EXPECT_THAT(answer_to(outcome, "point_of_subjective_equality:only_harder"),
               HasSubstr("(only_harder)"));
-  const std::string note = discrimination_table(outcome, "psychometric").note.english();
+  const std::string note = table_of(outcome, "psychometric").note.english();
   EXPECT_THAT(note, HasSubstr("only: Hits are choices of the comparison."));
   EXPECT_THAT(note, HasSubstr("only_harder: Hits are choices of the standard"));
 }
@@ -267,21 +239,11 @@ TEST(Discrimination, StatesReasonsInTheWordsOfTheJudgement) {
 }
 
 TEST(Discrimination, SeparatesBlocksThatVaryDifferentParameters) {
-  json protocol = discrimination_protocol("performance");
-  protocol["blocks"]["other"] = protocol["blocks"]["only"];
+  json protocol = protocol_with_two_blocks("performance");
   protocol["blocks"]["other"]["question"]["judgement"] = "comparison";
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("two", "discrimination", protocol.dump());
-  for (const char* const label : {"p1", "p2"}) {
-    made.add_person(label, "");
-    std::vector<MadeUpTrial> trials =
-        trials_of(MadeUpObserver(kPerformer, 5).choices(kAbove_m, 40, true));
-    std::vector<MadeUpChoice> compared = MadeUpObserver(kComparer, 6).choices(kAround_m, 40, false);
-    for (MadeUpChoice& choice : compared) choice.block = "other";
-    for (const MadeUpTrial& trial : trials_of(compared)) trials.push_back(trial);
-    made.add_session(label, id, trials);
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome =
+      outcome_of_two_blocks(protocol, MadeUpObserver(kPerformer, 5).choices(kAbove_m, 40, true),
+                            MadeUpObserver(kComparer, 6).choices(kAround_m, 40, false));
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const FoundNumbers found(thresholds);
   EXPECT_TRUE(found.value("jnd", "p1|only"));

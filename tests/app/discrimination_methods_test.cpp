@@ -47,26 +47,26 @@ Protocol unforced_library_protocol(DiscriminationJudgement judgement) {
   return {};
 }
 
-/// p1, p2, …: `unsure` of 20 responses at each level are "cannot tell".
-AnalysisOutcome outcome_with_unsure(const std::vector<int>& unsure, bool is_performance) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol(
-      "jnd", "discrimination",
-      discrimination_protocol(is_performance ? "performance" : "comparison").dump());
-  const std::vector<double>& values_m = is_performance ? kAbove_m : kAround_m;
-  for (std::size_t person = 0; person < unsure.size(); ++person) {
+/// p1, p2, …: `unsure` of 20 responses at each level are "cannot tell". Computed once in this process.
+const AnalysisOutcome& outcome_with_unsure(const std::vector<int>& unsure, bool is_performance) {
+  const auto trials_of_person = [&](int person) {
     MadeUpObserver observer(is_performance ? kPerformer : kComparer,
                             static_cast<unsigned>(person + 1));
-    std::vector<MadeUpTrial> trials = trials_of(observer.choices(values_m, 20, is_performance));
+    std::vector<MadeUpTrial> trials =
+        trials_of(observer.choices(is_performance ? kAbove_m : kAround_m, 20, is_performance));
     for (std::size_t i = 0; i < trials.size(); ++i) {
       trials[i].options = {"standard", "comparison", "cannot_tell"};
-      if (static_cast<int>(i % 20) < unsure[person]) trials[i].answers = {"cannot_tell"};
+      if (static_cast<int>(i % 20) < unsure[static_cast<std::size_t>(person)]) {
+        trials[i].answers = {"cannot_tell"};
+      }
     }
-    const std::string label = "p" + std::to_string(person + 1);
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials);
-  }
-  return outcome_of_discrimination(made);
+    return trials;
+  };
+  return outcome_once(outcome_key("unsure", unsure.at(0), unsure.at(1), is_performance), [&] {
+    return outcome_of_choices(
+        discrimination_protocol(is_performance ? "performance" : "comparison"),
+        {.number = 2, .first = 1}, trials_of_person);
+  });
 }
 
 std::string methods_of(const AnalysisOutcome& outcome, DiscriminationJudgement judgement) {
@@ -100,18 +100,18 @@ TEST(DiscriminationMethods, StateTheRateOfCannotTell) {
 
 TEST(DiscriminationMethods, StateTheCoverageOfTheJndWithSplitCounts) {
   for (const bool is_performance : {false, true}) {
-    const AnalysisOutcome outcome = outcome_with_unsure({4, 2}, is_performance);
+    const AnalysisOutcome& outcome = outcome_with_unsure({4, 2}, is_performance);
     const std::string coverage = note_on_unforced_jnd(is_performance).english();
     const std::string of_others = note_on_unforced_jnd(!is_performance).english();
     const auto judgement =
         is_performance ? DiscriminationJudgement::performance : DiscriminationJudgement::comparison;
     EXPECT_THAT(methods_of(outcome, judgement), HasSubstr(coverage));
-    const std::string note = discrimination_table(outcome, "thresholds").note.english();
+    const std::string note = table_of(outcome, "thresholds").note.english();
     EXPECT_THAT(note, HasSubstr(coverage));
     EXPECT_THAT(note, Not(HasSubstr(of_others)));
   }
-  const AnalysisOutcome forced = outcome_with_unsure({0, 0}, true);
-  EXPECT_THAT(discrimination_table(forced, "thresholds").note.english(),
+  const AnalysisOutcome& forced = outcome_with_unsure({0, 0}, true);
+  EXPECT_THAT(table_of(forced, "thresholds").note.english(),
               Not(HasSubstr("In simulations of responses “cannot tell”")));
 }
 
@@ -178,24 +178,15 @@ AnalysisOutcome outcome_of_rated_detections() {
                          {"prompt", "How sure?"},
                          {"scale", {{"minimum", 1}, {"maximum", 3}, {"points", 3}}},
                          {"confidence_of", asked.at("name")}}};
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("sure", "discrimination", protocol.dump());
-  for (int person = 0; person < 6; ++person) {
+  return outcome_of_choices(protocol, {.number = 6, .first = 1}, [](int person) {
     Random random(static_cast<std::uint64_t>(300 + person));
     std::vector<MadeUpTrial> trials{};
     for (int i = 0; i < 60; ++i) {
       trials.push_back(rated_detection(false, random.normal()));
       trials.push_back(rated_detection(true, 1.0 + random.normal()));
     }
-    const std::string label = "p" + std::to_string(person + 1);
-    made.add_person(label, "");
-    made.add_session(label, id, trials);
-  }
-  for (AnalysisOutcome& outcome : analyze_study(made.study(), std::nullopt, {})) {
-    if (outcome.kind == "discrimination") return std::move(outcome);
-  }
-  ADD_FAILURE() << "no discrimination";
-  return {};
+    return trials;
+  });
 }
 
 TEST(DiscriminationMethods, StateSensitivityAndRocWithTheirSources) {

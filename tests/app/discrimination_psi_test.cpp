@@ -1,7 +1,6 @@
 // Discriminations whose levels psi chose: the posterior threshold next to the fitted one.
 
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -18,8 +17,8 @@
 namespace asperity {
 namespace {
 
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 TEST(Discrimination, ReportsThePosteriorThresholdOfPsiNextToTheFittedOne) {
   const AnalysisOutcome outcome = outcome_of_staircases(psi_protocol(40), 8, 80);
@@ -46,13 +45,13 @@ TEST(Discrimination, ReportsThePosteriorThresholdOfPsiNextToTheFittedOne) {
   EXPECT_FALSE(fitted->low);
   EXPECT_EQ(found.find("without", "p10|all"), nullptr) << "the procedure is not run again";
   EXPECT_GE(holding, 6) << "of 95 % intervals";
-  const NamedTable& table = discrimination_table(outcome, "thresholds");
+  const NamedTable& table = table_of(outcome, "thresholds");
   EXPECT_TRUE(column_of(table.table, "jnd_posterior_low"));
   EXPECT_THAT(table.note.english(), HasSubstr("Posterior JND: mean of the posterior"));
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   EXPECT_TRUE(FoundNumbers(means).value("geomean.jnd.posterior", "all"));
-  const AnalysisOutcome of_staircases = outcome_of_staircases(staircase_protocol(40), 1, 80);
-  EXPECT_FALSE(column_of(discrimination_table(of_staircases, "thresholds").table, "jnd_posterior"));
+  EXPECT_FALSE(
+      column_of(table_of(outcome_of_twelve_staircases(), "thresholds").table, "jnd_posterior"));
 }
 
 // The same probabilities from the trials themselves: 41 thresholds from 2 to 100 % of 50 µm, 8 slopes, 4 lapse rates.
@@ -94,15 +93,12 @@ TEST(Discrimination, ComputesThePosteriorThresholdWithThePriorOfTheProtocol) {
 
 TEST(Discrimination, HasNoPosteriorThresholdThatThePriorDetermines) {
   const json protocol = psi_protocol(30);
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
-  made.add_person("guesser", "");
   const PsychometricFunction guesser{
       .shape = PsychometricShape::weibull, .alpha = 1.0, .beta = 1.0, .gamma = 0.5};
-  made.add_session("guesser", id, staircase_trials(guesser, protocol, 3));
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome =
+      outcome_of_choices(protocol, {}, [&](int) { return staircase_trials(guesser, protocol, 3); });
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
-  const Finding* const posterior = FoundNumbers(thresholds).find("jnd.posterior", "guesser|all");
+  const Finding* const posterior = FoundNumbers(thresholds).find("jnd.posterior", "p10|all");
   ASSERT_NE(posterior, nullptr);
   EXPECT_FALSE(posterior->value);
   EXPECT_EQ(posterior->word, "at_end_of_prior");

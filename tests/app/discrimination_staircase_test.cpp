@@ -1,7 +1,6 @@
 // Discriminations whose levels a staircase chose: tracks, intervals by repeating the procedure, catch trials.
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <stdexcept>
@@ -36,11 +35,9 @@ using ::testing::Not;
 
 TEST(Discrimination, CountsErrorsInCatchTrialsAndEstimatesNothingFromThem) {
   const auto outcome_with = [](bool with_catch_trials) {
-    MadeUpStudy made;
-    const std::int64_t protocol =
-        made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
-    for (const std::string label : {"p1", "p2"}) {
-      MadeUpObserver observer(kPerformer, label == "p1" ? 1 : 2);
+    const MadeUpPeople two{.number = 2, .first = 1};
+    return outcome_of_choices(discrimination_protocol("performance"), two, [&](int person) {
+      MadeUpObserver observer(kPerformer, static_cast<unsigned>(person + 1));
       std::vector<MadeUpTrial> trials = trials_of(observer.choices(kAbove_m, 40, true));
       for (int i = 0; i < 5 && with_catch_trials; ++i) {
         MadeUpTrial easy = discriminated({.value_m = 100e-6, .chose_comparison = i > 0});
@@ -51,27 +48,23 @@ TEST(Discrimination, CountsErrorsInCatchTrialsAndEstimatesNothingFromThem) {
         }
         easy.repetition = 0;
         easy.is_catch = true;
-        easy.valid = label == "p1" || i != 3;
+        easy.valid = person == 0 || i != 3;
         trials.push_back(easy);
       }
-      made.add_person(label, "");
-      made.add_session(label, protocol, trials);
-    }
-    return outcome_of_discrimination(made);
+      return trials;
+    });
   };
   const AnalysisOutcome with = outcome_with(true);
   const AnalysisOutcome without = outcome_with(false);
-  EXPECT_EQ(discrimination_table(with, "thresholds").table.rows,
-            discrimination_table(without, "thresholds").table.rows);
-  EXPECT_EQ(discrimination_table(with, "order").table.rows,
-            discrimination_table(without, "order").table.rows);
+  EXPECT_EQ(table_of(with, "thresholds").table.rows, table_of(without, "thresholds").table.rows);
+  EXPECT_EQ(table_of(with, "order").table.rows, table_of(without, "order").table.rows);
   EXPECT_EQ(with.count.planned_trials, without.count.planned_trials);
-  const Table& caught = discrimination_table(with, "catch_trials").table;
+  const Table& caught = table_of(with, "catch_trials").table;
   const std::vector<std::vector<Cell>> expected{
       {std::string("p1"), std::string("only"), std::int64_t{3}, std::int64_t{5}, 0.6},
       {std::string("p2"), std::string("only"), std::int64_t{2}, std::int64_t{4}, 0.5}};
   EXPECT_EQ(caught.rows, expected);
-  EXPECT_THROW(discrimination_table(without, "catch_trials"), std::runtime_error);
+  EXPECT_THROW(table_of(without, "catch_trials"), std::runtime_error);
 }
 
 TEST(Discrimination, NeverReportsProportionsOverLevelsOfAProcedure) {
@@ -89,11 +82,9 @@ TEST(Discrimination, NeverReportsProportionsOverLevelsOfAProcedure) {
   }
   for (const AnalysisOutcome& outcome : analyze_study(made.study(), std::nullopt, {})) {
     const bool is_constant = outcome.protocol == "constant";
-    EXPECT_EQ(column_of(discrimination_table(outcome, "order").table, "share_first").has_value(),
-              is_constant);
-    EXPECT_EQ(column_of(discrimination_table(outcome, "trial_course").table, "share").has_value(),
-              is_constant);
-    EXPECT_TRUE(column_of(discrimination_table(outcome, "order").table, "difference"));
+    EXPECT_EQ(column_of(table_of(outcome, "order").table, "share_first").has_value(), is_constant);
+    EXPECT_EQ(column_of(table_of(outcome, "trial_course").table, "share").has_value(), is_constant);
+    EXPECT_TRUE(column_of(table_of(outcome, "order").table, "difference"));
   }
 }
 
@@ -120,7 +111,7 @@ TEST(Discrimination, ListsTheTrialsOfTracksInTheirOrder) {
   made.add_session("p1", id, trials);
   made.add_session("p1", id, run_of(2, 1));
   const AnalysisOutcome outcome = outcome_of_discrimination(made);
-  const Table& tracks = discrimination_table(outcome, "tracks").table;
+  const Table& tracks = table_of(outcome, "tracks").table;
   ASSERT_EQ(tracks.rows.size(), 30U);
   std::vector<std::vector<std::int64_t>> expected{};
   for (const auto& [session, block_ordinal, track, steps] :
@@ -143,27 +134,24 @@ TEST(Discrimination, ListsTheTrialsOfTracksInTheirOrder) {
 
 // The trials of constant stimuli are numbered like those of a track, but no level follows from a response.
 TEST(Discrimination, HasNoTracksOfConstantStimuli) {
-  MadeUpStudy made;
   json protocol = discrimination_protocol("performance");
   protocol["blocks"]["only"]["procedure"] = {{"method", "constant_stimuli"}, {"repetitions", 20}};
-  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
-  made.add_person("p1", "");
-  std::vector<MadeUpTrial> trials =
-      trials_of(MadeUpObserver(kPerformer, 5).choices(kAbove_m, 20, true));
-  int step = 0;
-  for (MadeUpTrial& trial : trials) {
-    trial.track = 1;
-    trial.step = ++step;
-  }
-  made.add_session("p1", id, trials);
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
-  EXPECT_THROW(discrimination_table(outcome, "tracks"), std::runtime_error);
-  EXPECT_FALSE(discrimination_table(outcome, "psychometric").table.rows.empty());
+  const AnalysisOutcome outcome = outcome_of_choices(protocol, {}, [](int) {
+    std::vector<MadeUpTrial> trials =
+        trials_of(MadeUpObserver(kPerformer, 5).choices(kAbove_m, 20, true));
+    int step = 0;
+    for (MadeUpTrial& trial : trials) {
+      trial.track = 1;
+      trial.step = ++step;
+    }
+    return trials;
+  });
+  EXPECT_THROW(table_of(outcome, "tracks"), std::runtime_error);
+  EXPECT_FALSE(table_of(outcome, "psychometric").table.rows.empty());
 }
 
 TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
-  const json protocol = staircase_protocol(40);
-  const AnalysisOutcome outcome = outcome_of_staircases(protocol, 12, 80);
+  const AnalysisOutcome& outcome = outcome_of_twelve_staircases();
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const FoundNumbers found(thresholds);
   const double jnd_m = kPerformer.inverse(0.75);
@@ -189,7 +177,7 @@ TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
     EXPECT_GE(*beta->value, 1.0);
     EXPECT_LE(*beta->value, 8.0);
   }
-  const NamedTable& table = discrimination_table(outcome, "thresholds");
+  const NamedTable& table = table_of(outcome, "thresholds");
   const auto without = column_of(table.table, "without_threshold");
   ASSERT_TRUE(without);
   EXPECT_EQ(table.table.rows[0][*column_of(table.table, "repetitions")], Cell(std::int64_t{500}));
@@ -199,8 +187,8 @@ TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
   EXPECT_THAT(std::get<std::string>(of_all), testing::EndsWith("/500"));
   EXPECT_THAT(table.note.english(), HasSubstr("running the procedure again"));
   EXPECT_THAT(table.note.english(), Not(HasSubstr("delta"))) << "no interval is of this method";
-  EXPECT_EQ(part_of(outcome_of_staircases(protocol, 2, 80), "thresholds"),
-            part_of(outcome_of_staircases(protocol, 2, 80), "thresholds"))
+  const AnalysisOutcome alone = outcome_of_staircases(staircase_protocol(40), 1, 80);
+  EXPECT_EQ(finding_of(alone, "thresholds", "jnd", "p10|all"), *found.find("jnd", "p10|all"))
       << "the same for the same responses";
 }
 
@@ -226,50 +214,47 @@ TEST(Discrimination, RepeatsUnfinishedTracksWithTheirNumberOfTrials) {
   EXPECT_EQ(trials, 120U + 7U);
 }
 
-// The third session was stopped after 60 of its 80 trials: the second track has 20 of 40.
+// The second session was stopped after 60 of its 80 trials: the second track has 20 of 40.
 TEST(Discrimination, MarksParticipantsWithAnUnfinishedTrack) {
   const json protocol = staircase_protocol(40);
   const auto study_of = [&](MadeUpStudy& made, SessionState last) {
     const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
-    for (int person = 0; person < 3; ++person) {
-      const std::string label = "p" + std::to_string(10 + person);
-      made.add_person(label, "");
+    add_people(made, id, {.number = 2}, [&](int person) {
       std::vector<MadeUpTrial> trials =
           staircase_trials(kPerformer, protocol, 200 + static_cast<std::uint64_t>(person));
-      if (person == 2) {
+      if (person == 1) {
         trials.resize(60);
         made.set_state(last);
       }
-      made.add_session(label, id, trials);
-    }
+      return trials;
+    });
   };
   MadeUpStudy made;
   study_of(made, SessionState::stopped);
   const AnalysisOutcome outcome = outcome_of_discrimination(made);
-  const NamedTable& table = discrimination_table(outcome, "thresholds");
+  const NamedTable& table = table_of(outcome, "thresholds");
   const auto unfinished = column_of(table.table, "unfinished_tracks");
   ASSERT_TRUE(unfinished);
   EXPECT_EQ(table.table.rows[0][*unfinished], Cell{});
-  EXPECT_EQ(table.table.rows[2][*unfinished], Cell(std::int64_t{1}));
+  EXPECT_EQ(table.table.rows[1][*unfinished], Cell(std::int64_t{1}));
   EXPECT_THAT(table.note.english(),
               HasSubstr("Unfinished tracks: tracks that were begun and not finished"));
   EXPECT_THAT(
       answer_to(outcome, "threshold"),
-      HasSubstr(" Participants with an unfinished track: 1 of 3. Estimates from unfinished tracks "
+      HasSubstr(" Participants with an unfinished track: 1 of 2. Estimates from unfinished tracks "
                 "that are included in the mean, because the presented trials were sufficient: 1 of "
                 "1."));
   EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
-              HasSubstr("Tracks of one of 3 participants were unfinished; the threshold was "
+              HasSubstr("Tracks of one of 2 participants were unfinished; the threshold was "
                         "estimated from the presented trials and is included in the means."));
-  EXPECT_EQ(wide_row(made, 2).at("jnd_which_unfinished_tracks"), "1");
+  EXPECT_EQ(wide_rows(made).at(1).at("jnd_which_unfinished_tracks"), "1");
 
   // In a completed session the missing answers belong to attempts that do not count.
   MadeUpStudy completed;
   study_of(completed, SessionState::completed);
-  EXPECT_FALSE(
-      column_of(discrimination_table(outcome_of_discrimination(completed), "thresholds").table,
-                "unfinished_tracks"));
-  EXPECT_FALSE(wide_row(completed, 2).contains("jnd_which_unfinished_tracks"));
+  EXPECT_FALSE(column_of(table_of(outcome_of_discrimination(completed), "thresholds").table,
+                         "unfinished_tracks"));
+  EXPECT_FALSE(wide_rows(completed).at(1).contains("jnd_which_unfinished_tracks"));
 }
 
 // Three trials at one or two levels have no threshold.
@@ -295,11 +280,8 @@ TEST(Discrimination, HasNoIntervalOfAProcedureThatCannotBeRepeated) {
   const json protocol = staircase_protocol(40);
   json unknown = protocol;
   unknown["blocks"]["only"]["procedure"]["steps"] = {3};  // not on the grid
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("jnd", "discrimination", unknown.dump());
-  made.add_person("p1", "");
-  made.add_session("p1", id, staircase_trials(kPerformer, protocol, 3));
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome = outcome_of_choices(
+      unknown, {.first = 1}, [&](int) { return staircase_trials(kPerformer, protocol, 3); });
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const Finding* const jnd = FoundNumbers(thresholds).find("jnd", "p1|all");
   ASSERT_TRUE(jnd != nullptr && jnd->value);
@@ -308,10 +290,6 @@ TEST(Discrimination, HasNoIntervalOfAProcedureThatCannotBeRepeated) {
 }
 
 TEST(Discrimination, StatesTheSimulatedCoverageOfItsIntervals) {
-  const auto note_of = [](const json& protocol, std::size_t kept) {
-    return discrimination_table(outcome_of_staircases(protocol, 1, kept), "thresholds")
-        .note.english();
-  };
   const auto coverages = simulated_coverages();
   const auto is_of_library = [](const SimulatedCoverage& each) {
     return each.down == 3 && each.tracks == 2 && each.trials == 40;
@@ -322,11 +300,13 @@ TEST(Discrimination, StatesTheSimulatedCoverageOfItsIntervals) {
   const bool deviates = std::any_of(rows.begin(), rows.end(), [](const SimulatedCoverage& row) {
     return row.coverage_percent < 93.0 || row.coverage_percent > 97.0;
   });
-  const std::string simulated = note_of(staircase_protocol(40), 80);
+  const std::string simulated =
+      table_of(outcome_of_twelve_staircases(), "thresholds").note.english();
   EXPECT_EQ(simulated.find("3-down/1-up, 2 × 40 trials") != std::string::npos, deviates)
       << simulated;
   EXPECT_THAT(simulated, Not(HasSubstr("was not simulated")));
-  EXPECT_THAT(note_of(staircase_protocol(41), 82), HasSubstr("was not simulated"));
+  const AnalysisOutcome other = outcome_of_staircases(staircase_protocol(41), 1, 82);
+  EXPECT_THAT(table_of(other, "thresholds").note.english(), HasSubstr("was not simulated"));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // Discriminations by the choice of a surface, from the rows of a study to thresholds, the order effect and sentences.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <sstream>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric_function.h"
-#include "app/exports/export_study.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
@@ -23,11 +23,9 @@
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/study_tests.h"
-#include "app/words/text_parts.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 
@@ -39,7 +37,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(Discrimination, RecoversTheThresholdOfObserversWithinItsInterval) {
-  const AnalysisOutcome outcome = outcome_of_observers(kPerformer, 12, kAbove_m, true);
+  const AnalysisOutcome& outcome = outcome_of_performers();
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   const double jnd_m = kPerformer.inverse(0.75);
@@ -66,19 +64,14 @@ TEST(Discrimination, RecoversTheThresholdOfObserversWithinItsInterval) {
 // Three participants whose thresholds differ by a factor of 8: the t interval of their arithmetic mean begins below 0,
 // and no JND is negative.
 TEST(Discrimination, HasGeometricMeansWithoutNegativeLimits) {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
-  for (const double alpha_m : {3e-6, 4e-6, 24e-6}) {
-    const std::string label = "p" + std::to_string(std::lround(alpha_m * 1e6));
-    PsychometricFunction function = kPerformer;
-    function.alpha = alpha_m;
-    made.add_person(label, "");
-    made.add_session(label, protocol,
-                     trials_of(MadeUpObserver(function, 3)
-                                   .choices({51e-6, 52e-6, 54e-6, 58e-6, 66e-6, 82e-6}, 60, true)));
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  constexpr std::array kAlphas_m{3e-6, 4e-6, 24e-6};
+  const AnalysisOutcome outcome =
+      outcome_of_choices(discrimination_protocol("performance"), {.number = 3}, [&](int person) {
+        PsychometricFunction function = kPerformer;
+        function.alpha = kAlphas_m.at(static_cast<std::size_t>(person));
+        return trials_of(MadeUpObserver(function, 3)
+                             .choices({51e-6, 52e-6, 54e-6, 58e-6, 66e-6, 82e-6}, 60, true));
+      });
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   const FoundNumbers found(means);
@@ -97,14 +90,14 @@ TEST(Discrimination, HasGeometricMeansWithoutNegativeLimits) {
   EXPECT_NEAR(*found.value("geomean.weber", "all"), *geometric->value / kStandard_m, 1e-12);
   EXPECT_EQ(found.find("geomean.pse", "all"), nullptr);
   EXPECT_THAT(answer_to(outcome, "threshold"), Not(HasSubstr("[−")));
-  const NamedTable& table = discrimination_table(outcome, "mean_thresholds");
+  const NamedTable& table = table_of(outcome, "mean_thresholds");
   for (const char* const column : {"mean", "geometric_mean", "geometric_mean_low"}) {
     EXPECT_TRUE(column_of(table.table, column)) << column;
   }
 }
 
 TEST(Discrimination, ByPerformanceHasNoPointOfSubjectiveEquality) {
-  const AnalysisOutcome outcome = outcome_of_observers(kPerformer, 4, kAbove_m, true);
+  const AnalysisOutcome& outcome = outcome_of_performers();
   for (const Finding& finding : outcome.findings)
     EXPECT_EQ(finding.quantity.find("pse"), std::string::npos);
   EXPECT_EQ(answer_to(outcome, "point_of_subjective_equality"), "");
@@ -118,7 +111,7 @@ TEST(Discrimination, ByPerformanceHasNoPointOfSubjectiveEquality) {
 }
 
 TEST(Discrimination, ByComparisonRecoversThePointOfSubjectiveEquality) {
-  const AnalysisOutcome outcome = outcome_of_observers(kComparer, 12, kAround_m, false);
+  const AnalysisOutcome& outcome = outcome_of_comparers();
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   const FoundNumbers found(means);
   const Finding* const pse = found.find("mean.pse", "all");
@@ -137,34 +130,23 @@ TEST(Discrimination, ByComparisonRecoversThePointOfSubjectiveEquality) {
 }
 
 TEST(Discrimination, CountsChoicesOfTheStandardWhereTheComparisonIsChosenLessOften) {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("smoother", "discrimination", discrimination_protocol("comparison").dump());
-  made.add_person("p1", "");
-  MadeUpObserver observer(kComparer, 7);
-  std::vector<MadeUpChoice> choices = observer.choices(kAround_m, 40, false);
+  std::vector<MadeUpChoice> choices = MadeUpObserver(kComparer, 7).choices(kAround_m, 40, false);
   for (MadeUpChoice& choice : choices) choice.chose_comparison = !choice.chose_comparison;
-  made.add_session("p1", protocol, trials_of(choices));
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome = outcome_of_choices(
+      discrimination_protocol("comparison"), {.first = 1}, [&](int) { return trials_of(choices); });
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   EXPECT_NEAR(*FoundNumbers(thresholds).value("pse", "p1|all"), 54e-6, 2e-6);
-  EXPECT_THAT(discrimination_table(outcome, "psychometric").note.english(),
+  EXPECT_THAT(table_of(outcome, "psychometric").note.english(),
               HasSubstr("choices of the standard"));
 }
 
 TEST(Discrimination, OfAStandardOfZeroIsADetectionWithoutAWeberFraction) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol(
-      "detection", "discrimination", discrimination_protocol("performance", 0.0).dump());
-  for (int person = 0; person < 3; ++person) {
-    const std::string label = "p" + std::to_string(person);
-    made.add_person(label, "");
-    MadeUpObserver observer(kPerformer, static_cast<unsigned>(person));
-    observer.standard_m = 0.0;
-    made.add_session(label, protocol,
-                     trials_of(observer.choices({2.5e-6, 5e-6, 10e-6, 15e-6, 25e-6}, 40, true)));
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome = outcome_of_choices(
+      discrimination_protocol("performance", 0.0), {.number = 3}, [](int person) {
+        MadeUpObserver observer(kPerformer, static_cast<unsigned>(person));
+        observer.standard_m = 0.0;
+        return trials_of(observer.choices({2.5e-6, 5e-6, 10e-6, 15e-6, 25e-6}, 40, true));
+      });
   for (const Finding& finding : outcome.findings) {
     EXPECT_EQ(finding.quantity.find("weber"), std::string::npos) << finding.quantity;
   }
@@ -203,7 +185,7 @@ TEST(Discrimination, ReportsAThresholdOutsideTheLevelsAsAStatus) {
   }
   EXPECT_TRUE(part_of(outcome, "mean_thresholds").empty());
   EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("could not be estimated"));
-  const NamedTable& table = discrimination_table(outcome, "thresholds");
+  const NamedTable& table = table_of(outcome, "thresholds");
   const Table shown = reading_table(table);
   EXPECT_EQ(shown.rows[0].back(), Cell(std::string("jnd, jnd_dprime1, weber: below_levels")));
   EXPECT_EQ(words_of_cell("status", "jnd, jnd_dprime1: below_levels; weber: not_defined").english(),
@@ -220,7 +202,7 @@ TEST(Discrimination, ReportsAThresholdOutsideTheLevelsAsAStatus) {
 }
 
 TEST(Discrimination, OfOneParticipantHasThresholdsWithoutTests) {
-  const AnalysisOutcome outcome = outcome_of_observers(kPerformer, 1, kAbove_m, true);
+  const AnalysisOutcome& outcome = outcome_of_observers({.function = kPerformer});
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   const Finding* const mean = FoundNumbers(means).find("mean.jnd", "all");
   ASSERT_TRUE(mean != nullptr && mean->value);
@@ -231,37 +213,32 @@ TEST(Discrimination, OfOneParticipantHasThresholdsWithoutTests) {
 
 // A staircase presents each participant other levels, and few trials at each.
 TEST(Discrimination, TakesLevelsWithUnequalNumbersOfTrials) {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
-  for (int person = 0; person < 8; ++person) {
-    const std::string label = "p" + std::to_string(person);
-    made.add_person(label, "");
+  const auto trials_of_person = [](int person) {
     MadeUpObserver observer(kPerformer, static_cast<unsigned>(person));
-    std::vector<MadeUpChoice> choices{};
+    std::vector<MadeUpTrial> trials{};
     for (int step = 1; step <= 30; ++step) {
       for (const MadeUpChoice& one :
            observer.choices({kStandard_m + step * 0.8e-6}, 1 + (step + person) % 7, true)) {
-        choices.push_back(one);
+        trials.push_back(discriminated(one));
       }
     }
-    std::vector<MadeUpTrial> trials = trials_of(choices);
     MadeUpTrial unanswered = trials.front();  // at a level at which there is no response
     unanswered.factors_json = json{{"amplitude_m", 90e-6}}.dump();
     unanswered.answers.clear();
     unanswered.right.clear();
     unanswered.outcome = AttemptOutcome::timed_out;
     trials.push_back(unanswered);
-    made.add_session(label, protocol, trials);
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+    return trials;
+  };
+  const AnalysisOutcome outcome =
+      outcome_of_choices(discrimination_protocol("performance"), {.number = 8}, trials_of_person);
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   const Finding* const mean = FoundNumbers(means).find("mean.jnd", "all");
   ASSERT_TRUE(mean != nullptr && mean->low);
   EXPECT_EQ(mean->n, 8U);
   EXPECT_LE(*mean->low, kPerformer.inverse(0.75));
   EXPECT_GE(*mean->high, kPerformer.inverse(0.75));
-  const NamedTable& levels = discrimination_table(outcome, "psychometric");
+  const NamedTable& levels = table_of(outcome, "psychometric");
   EXPECT_EQ(levels.table.rows.size(), 8U * 30U) << "none at the level without a response";
 }
 
@@ -277,51 +254,32 @@ TEST(Discrimination, HasThresholdsInTheWideTable) {
   made.add_session("p1", compared,
                    trials_of(MadeUpObserver(kComparer, 1).choices(kAround_m, 40, false)));
   const auto outcomes = analyze_study(made.study(), std::nullopt, {});
-  ExportOptions options{};
-  options.formats = {ExportFormat::wide};
-  export_study(made.study(), built_in_models(), made.beside("out"), options);
-  std::istringstream file(read_file(made.beside("out") / "wide.csv"));
-  std::string header{};
-  std::string row{};
-  std::getline(file, header);
-  std::getline(file, row);
-  for (std::string* const line : {&header, &row}) {
-    if (line->ends_with('\r')) line->pop_back();
-  }
-  const std::vector<std::string> names = parts_of(header, ',');
-  const std::vector<std::string> cells = parts_of(row, ',');
-  const auto cell = [&](const std::string& name) {
-    const auto at = std::find(names.begin(), names.end(), name);
-    return at == names.end() ? std::string("no such column")
-                             : cells.at(static_cast<std::size_t>(at - names.begin()));
-  };
+  const std::map<std::string, std::string> row = wide_rows(made).at(0);
   for (const AnalysisOutcome& outcome : outcomes) {
     const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
     const FoundNumbers found(thresholds);
-    EXPECT_NEAR(std::stod(cell(outcome.protocol + "_which_jnd")), *found.value("jnd", "p1|all"),
+    EXPECT_NEAR(std::stod(row.at(outcome.protocol + "_which_jnd")), *found.value("jnd", "p1|all"),
                 1e-12);
-    EXPECT_NEAR(std::stod(cell(outcome.protocol + "_which_weber")), *found.value("weber", "p1|all"),
-                1e-9);
+    EXPECT_NEAR(std::stod(row.at(outcome.protocol + "_which_weber")),
+                *found.value("weber", "p1|all"), 1e-9);
     if (outcome.protocol == "compared") {
-      EXPECT_NEAR(std::stod(cell("compared_which_pse")), *found.value("pse", "p1|all"), 1e-12);
+      EXPECT_NEAR(std::stod(row.at("compared_which_pse")), *found.value("pse", "p1|all"), 1e-12);
     }
   }
-  EXPECT_EQ(cell("performed_which_n"), "200");
-  EXPECT_EQ(cell("performed_which_pse"), "no such column");
-  EXPECT_EQ(header.find("correct"), std::string::npos) << header;
+  EXPECT_EQ(row.at("performed_which_n"), "200");
+  EXPECT_FALSE(row.contains("performed_which_pse"));
+  for (const auto& [column, cell] : row) EXPECT_THAT(column, Not(HasSubstr("correct")));
 }
 
 TEST(Discrimination, RemarksThatTheDirectionOfTheChoicesIsUncertain) {
   PsychometricFunction guessing = kComparer;
   guessing.gamma = guessing.lambda = 0.5;
-  const auto has_remark = [](const AnalysisOutcome& outcome) {
-    return std::any_of(outcome.remarks.begin(), outcome.remarks.end(), [](const Phrase& remark) {
-      return remark.english().find("increase or decrease with the level") != std::string::npos;
-    });
-  };
-  EXPECT_TRUE(has_remark(outcome_of_observers(guessing, 2, kAround_m, false)));
-  EXPECT_FALSE(has_remark(outcome_of_observers(kComparer, 2, kAround_m, false)));
-  EXPECT_FALSE(has_remark(outcome_of_observers(kPerformer, 2, kAbove_m, true)));
+  const AnalysisOutcome& guesses =
+      outcome_of_observers({.function = guessing, .people = 2, .is_performance = false});
+  const auto is_uncertain = HasSubstr("increase or decrease with the level");
+  EXPECT_THAT(remarks_of(guesses), is_uncertain);
+  EXPECT_THAT(remarks_of(outcome_of_comparers()), Not(is_uncertain));
+  EXPECT_THAT(remarks_of(outcome_of_performers()), Not(is_uncertain));
 }
 
 TEST(Discrimination, TakesTheDirectionOfTheQuestionFromTheProtocolWhereItIsStated) {
@@ -336,7 +294,11 @@ TEST(Discrimination, TakesTheDirectionOfTheQuestionFromTheProtocolWhereItIsState
 }
 
 TEST(Discrimination, AlwaysEstimatesTheEffectOfTheOrder) {
-  const AnalysisOutcome biased = outcome_of_observers(kComparer, 8, kAround_m, false, 40, 0.2);
+  const auto outcome_with_bias = [](double bias) -> const AnalysisOutcome& {
+    return outcome_of_observers(
+        {.function = kComparer, .people = 8, .is_performance = false, .bias_to_first = bias});
+  };
+  const AnalysisOutcome& biased = outcome_with_bias(0.2);
   const std::vector<Finding> order = part_of(biased, "order");
   const Finding* const mean = FoundNumbers(order).find("order.difference");
   ASSERT_TRUE(mean != nullptr && mean->value);
@@ -345,22 +307,18 @@ TEST(Discrimination, AlwaysEstimatesTheEffectOfTheOrder) {
               HasSubstr("The comparison was chosen significantly more often as surface A than as "
                         "surface B: Wilcoxon signed-rank test"));
   EXPECT_THAT(answer_to(biased, "order"), HasSubstr("percentage points"));
-  const AnalysisOutcome other = outcome_of_observers(kComparer, 8, kAround_m, false, 40, -0.2);
-  EXPECT_THAT(sentence_about(other, "order"), HasSubstr("significantly less often"));
-  const AnalysisOutcome none = outcome_of_observers(kComparer, 8, kAround_m, false);
-  EXPECT_THAT(sentence_about(none, "order"), HasSubstr("not significantly different"));
+  EXPECT_THAT(sentence_about(outcome_with_bias(-0.2), "order"),
+              HasSubstr("significantly less often"));
+  EXPECT_THAT(sentence_about(outcome_of_comparers(), "order"),
+              HasSubstr("not significantly different"));
 }
 
 // Of three participants the first chooses the comparison equally often in both positions. The p of the other two is at
 // least 2/2² = .5; of six it is 2/2⁶ = .031.
 TEST(Discrimination, StatesWhoIsLeftOutOfASignedRankTestAndHowManyItNeeds) {
-  MadeUpStudy made;
   json undeclared = discrimination_protocol("performance");
   undeclared["analysis"]["family"] = {"order"};
-  const std::int64_t id = made.add_protocol("jnd", "discrimination", undeclared.dump());
-  for (int person = 0; person < 3; ++person) {
-    const std::string label = "p" + std::to_string(person);
-    made.add_person(label, "");
+  const AnalysisOutcome outcome = outcome_of_choices(undeclared, {.number = 3}, [](int person) {
     std::vector<MadeUpChoice> choices{};
     for (const double value_m : kAbove_m) {
       for (int i = 0; i < 8; ++i) {
@@ -371,9 +329,8 @@ TEST(Discrimination, StatesWhoIsLeftOutOfASignedRankTestAndHowManyItNeeds) {
              .comparison_first = first});
       }
     }
-    made.add_session(label, id, trials_of(choices));
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+    return trials_of(choices);
+  });
   EXPECT_THAT(answer_to(outcome, "order"),
               HasSubstr("the smallest attainable p is .500, so that no result could be significant "
                         "with 2 participants whose difference is not zero; at least 6 such "
@@ -381,20 +338,14 @@ TEST(Discrimination, StatesWhoIsLeftOutOfASignedRankTestAndHowManyItNeeds) {
   EXPECT_THAT(
       answer_to(outcome, "order"),
       HasSubstr("One of 3 participants has a difference of zero and is left out of the test."));
-  EXPECT_THAT(discrimination_table(outcome, "tests").note.english(),
+  EXPECT_THAT(table_of(outcome, "tests").note.english(),
               HasSubstr("whom n does not count: position of the comparison (1 of 3)."));
 }
 
 TEST(Discrimination, ByComparisonWithAStandardOfZeroIsNotADetection) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol(
-      "zero", "discrimination", discrimination_protocol("comparison", 0.0).dump());
-  for (const char* const label : {"p1", "p2", "p3"}) {
-    made.add_person(label, "");
-    made.add_session(label, protocol,
-                     trials_of(MadeUpObserver(kComparer, 4).choices(kAround_m, 40, false)));
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome = outcome_of_choices(
+      discrimination_protocol("comparison", 0.0), {.number = 3},
+      [](int) { return trials_of(MadeUpObserver(kComparer, 4).choices(kAround_m, 40, false)); });
   const std::string text = find_analysis("discrimination")->estimates(outcome).text;
   EXPECT_THAT(text, HasSubstr("JND "));
   EXPECT_THAT(text, Not(HasSubstr("detection")));
@@ -403,29 +354,23 @@ TEST(Discrimination, ByComparisonWithAStandardOfZeroIsNotADetection) {
 TEST(Discrimination, StatesWhyThereAreNoThresholds) {
   json protocol = discrimination_protocol("performance");
   protocol["blocks"]["only"].erase("vary");
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("old", "discrimination", protocol.dump());
-  made.add_person("p1", "");
-  made.add_session("p1", id, trials_of(MadeUpObserver(kPerformer, 5).choices(kAbove_m, 4, true)));
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome = outcome_of_choices(protocol, {}, [](int) {
+    return trials_of(MadeUpObserver(kPerformer, 5).choices(kAbove_m, 4, true));
+  });
   EXPECT_THAT(outcome.remarks.back().english(), HasSubstr("thresholds cannot be estimated"));
 }
 
 // The estimable participants are a selection: their mean is biased.
 TEST(Discrimination, StatesThatAMeanWithoutThresholdsOnOneSideIsBiased) {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", discrimination_protocol("performance").dump());
   PsychometricFunction always = kPerformer;
   always.gamma = 1.0;
   always.lambda = 0.0;
-  for (int person = 0; person < 4; ++person) {
-    const std::string label = "p" + std::to_string(person + 1);
-    MadeUpObserver observer(person == 0 ? always : kPerformer, static_cast<unsigned>(person + 1));
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials_of(observer.choices(kAbove_m, 60, true)));
-  }
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome =
+      outcome_of_choices(discrimination_protocol("performance"), {.number = 4}, [&](int person) {
+        MadeUpObserver observer(person == 0 ? always : kPerformer,
+                                static_cast<unsigned>(person + 1));
+        return trials_of(observer.choices(kAbove_m, 60, true));
+      });
   EXPECT_THAT(
       answer_to(outcome, "threshold"),
       HasSubstr("Left out of 4 thresholds: 1 below the presented levels; a mean without such "
@@ -433,14 +378,13 @@ TEST(Discrimination, StatesThatAMeanWithoutThresholdsOnOneSideIsBiased) {
   EXPECT_THAT(estimate_sentence(outcome).text,
               HasSubstr("Of the 4 JNDs, the mean does not include 1 below the presented levels; a "
                         "mean without such thresholds is too high."));
-  EXPECT_THAT(answer_to(outcome_of_observers(kPerformer, 3, kAbove_m, true), "threshold"),
-              Not(HasSubstr("Left out")));
+  EXPECT_THAT(answer_to(outcome_of_performers(), "threshold"), Not(HasSubstr("Left out")));
 }
 
 TEST(Discrimination, ShowsThresholdsWithTheirUnits) {
-  const AnalysisOutcome outcome = outcome_of_observers(kPerformer, 3, kAbove_m, true);
+  const AnalysisOutcome& outcome = outcome_of_performers();
   for (const char* const name : {"thresholds", "mean_thresholds", "psychometric"}) {
-    const Table shown = reading_table(discrimination_table(outcome, name));
+    const Table shown = reading_table(table_of(outcome, name));
     EXPECT_FALSE(column_of(shown, "unit")) << name;
     const bool has_unit =
         std::any_of(shown.rows.front().begin(), shown.rows.front().end(), [](const Cell& cell) {

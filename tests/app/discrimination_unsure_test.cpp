@@ -54,18 +54,10 @@ std::vector<MadeUpTrial> unforced_trials(double replaced, int per_level, std::ui
   return trials;
 }
 
-AnalysisOutcome outcome_of_unforced(std::vector<std::vector<MadeUpTrial>> people,
+AnalysisOutcome outcome_of_unforced(const std::vector<std::vector<MadeUpTrial>>& people,
                                     const std::string& judgement = "performance") {
-  MadeUpStudy made;
-  const std::int64_t protocol =
-      made.add_protocol("jnd", "discrimination", discrimination_protocol(judgement).dump());
-  int person = 0;
-  for (std::vector<MadeUpTrial>& trials : people) {
-    const std::string label = "p" + std::to_string(++person);
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials);
-  }
-  return outcome_of_discrimination(made);
+  return analysed("discrimination", discrimination_protocol(judgement).dump(), {.first = 1},
+                  people);
 }
 
 TEST(DiscriminationWithCannotTell, CountsHalfAHitPerResponseWithTwoAlternatives) {
@@ -79,7 +71,7 @@ TEST(DiscriminationWithCannotTell, CountsHalfAHitPerResponseWithTwoAlternatives)
   trials[0] = unsure_at(55e-6, true);   // was a choice of the comparison
   trials[14] = unsure_at(55e-6, true);  // was a choice of the standard
   const AnalysisOutcome outcome = outcome_of_unforced({trials});
-  const Table& levels = discrimination_table(outcome, "psychometric").table;
+  const Table& levels = table_of(outcome, "psychometric").table;
   const auto cell = [&levels](std::size_t row, const char* column) {
     return *number_of(levels.rows[row][*column_of(levels, column)]);
   };
@@ -88,7 +80,7 @@ TEST(DiscriminationWithCannotTell, CountsHalfAHitPerResponseWithTwoAlternatives)
   EXPECT_EQ(cell(0, "hits"), 4.0) << "3 hits and 2 halves";
   EXPECT_EQ(cell(0, "share"), 0.5);
   EXPECT_EQ(cell(1, "hits"), 7.0);
-  const Table& rates = discrimination_table(outcome, "cannot_tell").table;
+  const Table& rates = table_of(outcome, "cannot_tell").table;
   ASSERT_EQ(rates.rows.size(), 1U);
   EXPECT_EQ(rates.rows[0][*column_of(rates, "unsure")], Cell(std::int64_t{2}));
   EXPECT_EQ(rates.rows[0][*column_of(rates, "of")], Cell(std::int64_t{16}));
@@ -103,7 +95,7 @@ TEST(DiscriminationWithCannotTell, CountsHalfAHitPerResponseWithTwoAlternatives)
 TEST(DiscriminationWithCannotTell, ReportsARateOfZeroForAParticipantWithoutOne) {
   const AnalysisOutcome outcome =
       outcome_of_unforced({unforced_trials(1.0, 20, 1), unforced_trials(0.0, 20, 2)});
-  const Table& rates = discrimination_table(outcome, "cannot_tell").table;
+  const Table& rates = table_of(outcome, "cannot_tell").table;
   ASSERT_EQ(rates.rows.size(), 2U);
   EXPECT_GT(*number_of(rates.rows[0][*column_of(rates, "share")]), 0.2);
   EXPECT_EQ(rates.rows[1][*column_of(rates, "unsure")], Cell(std::int64_t{0}));
@@ -111,8 +103,8 @@ TEST(DiscriminationWithCannotTell, ReportsARateOfZeroForAParticipantWithoutOne) 
 
 TEST(DiscriminationWithCannotTell, HasNoSuchTableWhereEveryResponseIsAChoice) {
   const AnalysisOutcome outcome = outcome_of_unforced({unforced_trials(0.0, 20, 2)});
-  EXPECT_THROW(discrimination_table(outcome, "cannot_tell"), std::runtime_error);
-  const Table& levels = discrimination_table(outcome, "psychometric").table;
+  EXPECT_THROW(table_of(outcome, "cannot_tell"), std::runtime_error);
+  const Table& levels = table_of(outcome, "psychometric").table;
   EXPECT_FALSE(column_of(levels, "unsure"));
 }
 
@@ -147,7 +139,7 @@ TEST(DiscriminationWithCannotTell, SplitsResponsesInTheOrderEffect) {
                                                 .comparison_first = first}));
   }
   const AnalysisOutcome outcome = outcome_of_unforced({trials, trials});
-  const Table& order = discrimination_table(outcome, "order").table;
+  const Table& order = table_of(outcome, "order").table;
   EXPECT_DOUBLE_EQ(*number_of(order.rows[0][*column_of(order, "share_first")]), 6.0 / 8.0);
   EXPECT_DOUBLE_EQ(*number_of(order.rows[0][*column_of(order, "share_second")]), 2.0 / 8.0);
 }
@@ -204,8 +196,6 @@ TEST(DiscriminationWithCannotTell, EstimatesThresholdsOfTheUnforcedWeightedUpDow
   const json protocol = unforced_protocol(120);
   const StoredProtocol::Block block = stored_protocol(protocol.dump()).blocks.at("only");
   ASSERT_EQ(block.tracks.size(), 1U);
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
   const OutcomeOfObserver observer = [&](double level, Random& random) {
     const double x = block.vary->value_of(level) - kStandard_m;
     if (random.uniform() < 1.0 - std::exp(-std::pow(x / 10e-6, 2.0))) return LevelOutcome::correct;
@@ -229,9 +219,8 @@ TEST(DiscriminationWithCannotTell, EstimatesThresholdsOfTheUnforcedWeightedUpDow
     trials.push_back(std::move(trial));
   }
   ASSERT_EQ(trials.size(), 120U);
-  made.add_person("p1", "");
-  made.add_session("p1", id, trials);
-  const AnalysisOutcome outcome = outcome_of_discrimination(made);
+  const AnalysisOutcome outcome =
+      outcome_of_choices(protocol, {.first = 1}, [&](int) { return trials; });
   const std::vector<Finding> findings = part_of(outcome, "thresholds");
   const FoundNumbers found(findings);
   const Finding* const jnd = found.find("jnd", "p1|all");

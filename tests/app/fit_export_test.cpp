@@ -202,7 +202,7 @@ TEST(ExportedDetections, AreHitsAndFalseAlarmsAsTheAnalysisCountsThem) {
 TEST(ExportedDetections, HaveMeanRatingsOfTrialsWithAndWithoutASignal) {
   for (const DiscriminationDesign* const design : {&yes_no_task(), &same_different_task()}) {
     ExportedDiscrimination exported(protocol_in_words(*design), trials_in_words(*design));
-    const std::map<std::string, std::string> row = wide_row(exported.made, 0);
+    const std::map<std::string, std::string> row = wide_rows(exported.made).at(0);
     const bool is_pair = design->surfaces() > 1;
     const std::string signal = is_pair ? "different" : "signal";
     const std::string noise = is_pair ? "same" : "noise";

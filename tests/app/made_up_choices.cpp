@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +14,6 @@
 
 #include "analysis/psychometric_function.h"
 #include "app/exports/export_study.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/stored_protocol.h"
@@ -68,70 +65,54 @@ AnalysisOutcome outcome_of_discrimination(MadeUpStudy& made) {
   return std::move(outcomes.front());
 }
 
-AnalysisOutcome outcome_of_observers(const PsychometricFunction& function, int people,
-                                     const std::vector<double>& values_m, bool is_performance,
-                                     int per_level, double bias_to_first) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol(
-      "jnd", "discrimination",
-      discrimination_protocol(is_performance ? "performance" : "comparison").dump());
-  for (int person = 0; person < people; ++person) {
-    const std::string label = "p" + std::to_string(10 + person);
-    MadeUpObserver observer(function, static_cast<unsigned>(100 + person));
-    observer.bias_to_first = bias_to_first;
-    made.add_person(label, "");
-    made.add_session(label, protocol,
-                     trials_of(observer.choices(values_m, per_level, is_performance)));
-  }
-  return outcome_of_discrimination(made);
+AnalysisOutcome outcome_of_choices(const json& protocol, const MadeUpPeople& people,
+                                   const TrialsOfPerson& trials_of) {
+  return analysed("discrimination", protocol.dump(), people, trials_of);
 }
 
-std::vector<Finding> part_of(const AnalysisOutcome& outcome, const std::string& analysis) {
-  std::vector<Finding> part{};
-  std::copy_if(outcome.findings.begin(), outcome.findings.end(), std::back_inserter(part),
-               [&](const Finding& each) { return each.analysis == analysis; });
-  return part;
+const AnalysisOutcome& outcome_of_observers(const MadeUpObservers& observers) {
+  const PsychometricFunction& f = observers.function;
+  const std::string key = outcome_key("observers", static_cast<int>(f.shape), f.alpha, f.beta,
+                                      f.gamma, f.lambda, observers.people, observers.is_performance,
+                                      observers.per_level, observers.bias_to_first);
+  return outcome_once(key, [&] {
+    const bool is_performance = observers.is_performance;
+    const json protocol = discrimination_protocol(is_performance ? "performance" : "comparison");
+    return outcome_of_choices(protocol, {.number = observers.people}, [&](int person) {
+      MadeUpObserver observer(f, static_cast<unsigned>(100 + person));
+      observer.bias_to_first = observers.bias_to_first;
+      return trials_of(observer.choices(is_performance ? kAbove_m : kAround_m, observers.per_level,
+                                        is_performance));
+    });
+  });
 }
 
-const NamedTable& discrimination_table(const AnalysisOutcome& outcome, const std::string& name) {
-  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [&name](const NamedTable& each) { return each.name == name; });
-  if (found == outcome.tables.end()) throw std::runtime_error("there is no table " + name);
-  return *found;
+const AnalysisOutcome& outcome_of_performers() {
+  return outcome_of_observers({.function = kPerformer, .people = 12});
 }
 
-std::string answer_to(const AnalysisOutcome& outcome, const std::string& name) {
-  const auto found =
-      std::find_if(outcome.questions.begin(), outcome.questions.end(),
-                   [&name](const AnsweredQuestion& each) { return each.name == name; });
-  return found == outcome.questions.end() ? std::string() : found->answer.english();
+const AnalysisOutcome& outcome_of_comparers() {
+  return outcome_of_observers({.function = kComparer, .people = 12, .is_performance = false});
 }
 
-std::string sentence_about(const AnalysisOutcome& outcome, const std::string& test,
-                           const std::string& about) {
-  for (const TestSentence& each : outcome.test_sentences) {
-    if (each.test == test && (about.empty() || each.about == about)) return each.text;
-  }
-  return {};
-}
-
-std::map<std::string, std::string> wide_row(MadeUpStudy& made, std::size_t row) {
+std::vector<std::map<std::string, std::string>> wide_rows(MadeUpStudy& made) {
   ExportOptions options{};
   options.formats = {ExportFormat::wide};
   export_study(made.study(), built_in_models(), made.beside("wide"), options);
   std::istringstream file(read_file(made.beside("wide") / "wide.csv"));
-  std::string header{};
-  std::string line{};
-  std::getline(file, header);
-  for (std::size_t i = 0; i <= row; ++i) std::getline(file, line);
-  for (std::string* const each : {&header, &line}) {
-    if (each->ends_with('\r')) each->pop_back();
+  std::vector<std::string> names{};
+  std::vector<std::map<std::string, std::string>> rows{};
+  for (std::string line{}; std::getline(file, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    const std::vector<std::string> cells = parts_of(line, ',');
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    auto& row = rows.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = cells.at(i);
   }
-  const std::vector<std::string> names = parts_of(header, ',');
-  const std::vector<std::string> cells = parts_of(line, ',');
-  std::map<std::string, std::string> found{};
-  for (std::size_t i = 0; i < names.size(); ++i) found[names[i]] = cells.at(i);
-  return found;
+  return rows;
 }
 
 json staircase_protocol(int trials) {
@@ -172,17 +153,17 @@ std::vector<MadeUpTrial> staircase_trials(const PsychometricFunction& observer,
 }
 
 AnalysisOutcome outcome_of_staircases(const json& protocol, int people, std::size_t kept) {
-  MadeUpStudy made;
-  const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
-  for (int person = 0; person < people; ++person) {
-    const std::string label = "p" + std::to_string(10 + person);
-    made.add_person(label, "");
+  return outcome_of_choices(protocol, {.number = people}, [&](int person) {
     std::vector<MadeUpTrial> trials =
         staircase_trials(kPerformer, protocol, 200 + static_cast<std::uint64_t>(person));
     trials.resize(std::min(kept, trials.size()));
-    made.add_session(label, id, trials);
-  }
-  return outcome_of_discrimination(made);
+    return trials;
+  });
+}
+
+const AnalysisOutcome& outcome_of_twelve_staircases() {
+  return outcome_once("staircases",
+                      [] { return outcome_of_staircases(staircase_protocol(40), 12, 80); });
 }
 
 json psi_protocol(int trials) {

@@ -14,7 +14,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "analysis/psychometric_function.h"
-#include "app/findings/study/analyze_study.h"
+#include "tests/app/analysed_study.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -84,22 +84,28 @@ inline constexpr PsychometricFunction kComparer{.shape = PsychometricShape::norm
 /// Of the only analysis of the study.
 AnalysisOutcome outcome_of_discrimination(MadeUpStudy& made);
 
+/// Of one protocol.
+AnalysisOutcome outcome_of_choices(const nlohmann::json& protocol, const MadeUpPeople& people,
+                                   const TrialsOfPerson& trials_of);
+
 /// `people` observers with the same function.
-AnalysisOutcome outcome_of_observers(const PsychometricFunction& function, int people,
-                                     const std::vector<double>& values_m, bool is_performance,
-                                     int per_level = 40, double bias_to_first = 0.0);
+struct MadeUpObservers {
+  PsychometricFunction function{};
+  int people = 1;
+  bool is_performance = true;
+  int per_level = 40;
+  double bias_to_first = 0.0;
+};
 
-std::vector<Finding> part_of(const AnalysisOutcome& outcome, const std::string& analysis);
+/// Their outcome at the levels above or around the standard, computed once in this process.
+const AnalysisOutcome& outcome_of_observers(const MadeUpObservers& observers);
 
-const NamedTable& discrimination_table(const AnalysisOutcome& outcome, const std::string& name);
+/// Of twelve observers with kPerformer, and of twelve with kComparer.
+const AnalysisOutcome& outcome_of_performers();
+const AnalysisOutcome& outcome_of_comparers();
 
-std::string answer_to(const AnalysisOutcome& outcome, const std::string& name);
-
-std::string sentence_about(const AnalysisOutcome& outcome, const std::string& test,
-                           const std::string& about = {});
-
-/// The first line of the exported wide table by name of its column, and that of the given row.
-std::map<std::string, std::string> wide_row(MadeUpStudy& made, std::size_t row);
+/// The lines of the exported wide table by name of their columns.
+std::vector<std::map<std::string, std::string>> wide_rows(MadeUpStudy& made);
 
 /// A 3-down/1-up staircase from 2 to 100 % above the standard, as in the library's amplitude_jnd.
 nlohmann::json staircase_protocol(int trials);
@@ -108,7 +114,11 @@ nlohmann::json staircase_protocol(int trials);
 std::vector<MadeUpTrial> staircase_trials(const PsychometricFunction& observer,
                                           const nlohmann::json& protocol, std::uint64_t seed);
 
+/// Of the first `kept` trials of each performer.
 AnalysisOutcome outcome_of_staircases(const nlohmann::json& protocol, int people, std::size_t kept);
+
+/// Of twelve performers with all 80 trials of the staircase, computed once in this process.
+const AnalysisOutcome& outcome_of_twelve_staircases();
 
 /// The same levels with psi, in two tracks.
 nlohmann::json psi_protocol(int trials);

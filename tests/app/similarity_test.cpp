@@ -1,12 +1,8 @@
 // Rated dissimilarities, from the rows of a study to its configuration, its reliability and its tests.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -14,9 +10,8 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/study/estimate_sentences.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -73,14 +68,11 @@ struct RatedStudyOptions {
   bool one_cluster = false;
 };
 
-AnalysisOutcome outcome_of_ratings(const RatedStudyOptions& options) {
-  MadeUpStudy made{};
-  const std::int64_t protocol =
-      made.add_protocol("map", "similarity", protocol_that_rates(options.rates));
+AnalysisOutcome make_ratings(const RatedStudyOptions& options) {
   const auto stored = [&options](double dissimilarity) {
     return options.rates == "similarity" ? 100.0 - dissimilarity : dissimilarity;
   };
-  for (int person = 0; person < options.people; ++person) {
+  const auto trials_of_person = [&](int person) {
     std::vector<MadeUpTrial> trials{};
     int deviation = 0;
     for (std::size_t i = 0; i < options.items; ++i) {
@@ -115,38 +107,27 @@ AnalysisOutcome outcome_of_ratings(const RatedStudyOptions& options) {
               rated(second, first, stored(rating_of(first, second, person, ++deviation))));
       }
     }
-    const std::string label = "p" + std::to_string(person + 1);
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials);
-  }
-  std::vector<AnalysisOutcome> outcomes = analyze_study(made.study(), std::nullopt, {});
-  EXPECT_EQ(outcomes.size(), 1U);
-  return std::move(outcomes.front());
+    return trials;
+  };
+  return analysed("similarity", protocol_that_rates(options.rates),
+                  {.number = options.people, .first = 1}, trials_of_person);
 }
 
-const Table& ratings_table(const AnalysisOutcome& outcome, const std::string& name) {
-  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [&name](const NamedTable& each) { return each.name == name; });
-  if (found == outcome.tables.end()) throw std::runtime_error("there is no table " + name);
-  return found->table;
+/// Computed once in this process for these options.
+const AnalysisOutcome& outcome_of_ratings(const RatedStudyOptions& options) {
+  return outcome_once(outcome_key("ratings", options.people, options.items, options.rates,
+                                  options.both_orders, options.identical, options.only_first_pair,
+                                  options.two_clusters, options.one_cluster),
+                      [&options] { return make_ratings(options); });
 }
 
 std::string answer_about_configuration(const AnalysisOutcome& outcome) {
-  for (const AnsweredQuestion& question : outcome.questions) {
-    if (question.name == "configuration") return question.answer.english();
-  }
-  throw std::runtime_error("there is no such question");
-}
-
-std::string remarks_of(const AnalysisOutcome& outcome) {
-  std::string all{};
-  for (const Phrase& remark : outcome.remarks) all += remark.english() + '\n';
-  return all;
+  return question_of(outcome, "configuration").answer.english();
 }
 
 TEST(RatedDissimilarities, AreTheMeansOfBothOrdersFromTheEndForIdenticalSurfaces) {
   for (const char* const rates : {"dissimilarity", "similarity"}) {
-    const AnalysisOutcome outcome = outcome_of_ratings({.rates = rates});
+    const AnalysisOutcome& outcome = outcome_of_ratings({.rates = rates});
     const FoundNumbers found(outcome.findings);
     double sum = 0.0;
     for (int person = 0; person < 4; ++person) {
@@ -156,8 +137,8 @@ TEST(RatedDissimilarities, AreTheMeansOfBothOrdersFromTheEndForIdenticalSurfaces
     }
     EXPECT_NEAR(found.value("dissimilarity", "brick|slate").value(), sum / 4.0, 1e-9) << rates;
     EXPECT_NEAR(found.value("identical.mean").value(), 0.5, 1e-9) << rates;
-    EXPECT_EQ(ratings_table(outcome, "dissimilarities").rows.size(), 15U);
-    const Table& identical = ratings_table(outcome, "identical_pairs");
+    EXPECT_EQ(table_of(outcome, "dissimilarities").table.rows.size(), 15U);
+    const Table& identical = table_of(outcome, "identical_pairs").table;
     EXPECT_NEAR(*number_of(identical.rows.at(0).at(*column_of(identical, "mean"))), 0.5, 1e-9);
     const bool is_one = found.value("cv.chosen").value_or(2.0) < 2.0;
     EXPECT_EQ(answer_about_configuration(outcome).find("chose one dimension") != std::string::npos,
@@ -166,7 +147,7 @@ TEST(RatedDissimilarities, AreTheMeansOfBothOrdersFromTheEndForIdenticalSurfaces
 }
 
 TEST(RatedDissimilarities, HaveAConfigurationWithTheStructureOfThePlane) {
-  const AnalysisOutcome outcome = outcome_of_ratings({});
+  const AnalysisOutcome& outcome = outcome_of_ratings({});
   const FoundNumbers found(outcome.findings);
   // Order alone determines six items so little that the stress of some permuted ratings is as low.
   EXPECT_LE(found.value("stress.perm.p").value(), 0.05);
@@ -174,10 +155,10 @@ TEST(RatedDissimilarities, HaveAConfigurationWithTheStructureOfThePlane) {
   const std::string answer = answer_about_configuration(outcome);
   EXPECT_THAT(answer, HasSubstr("Yes: the configuration in 2 dimensions has a stress-1 of "));
   EXPECT_THAT(answer, HasSubstr("Permutation test: "));
-  const Table& configuration = ratings_table(outcome, "configuration");
+  const Table& configuration = table_of(outcome, "configuration").table;
   EXPECT_EQ(configuration.rows.size(), 6U);
   EXPECT_EQ(configuration.columns.size(), 1U + 2U + 3U);
-  EXPECT_EQ(ratings_table(outcome, "tree").rows.size(), 5U);
+  EXPECT_EQ(table_of(outcome, "tree").table.rows.size(), 5U);
 }
 
 TEST(RatedDissimilarities, WarnBelowFourItemsPerDimensionAndOne) {
@@ -186,9 +167,9 @@ TEST(RatedDissimilarities, WarnBelowFourItemsPerDimensionAndOne) {
 }
 
 TEST(RatedDissimilarities, HaveAReliabilityForEveryParticipant) {
-  const AnalysisOutcome outcome = outcome_of_ratings({});
+  const AnalysisOutcome& outcome = outcome_of_ratings({});
   const FoundNumbers found(outcome.findings);
-  const Table& raters = ratings_table(outcome, "weights");
+  const Table& raters = table_of(outcome, "weights").table;
   ASSERT_EQ(raters.rows.size(), 4U);
   for (int person = 1; person <= 4; ++person) {
     const std::string label = "p" + std::to_string(person);
@@ -196,22 +177,22 @@ TEST(RatedDissimilarities, HaveAReliabilityForEveryParticipant) {
     EXPECT_LT(found.value("orders.r", label).value(), 1.0);
     EXPECT_GT(found.value("retest.r", label).value(), 0.95);
   }
-  const AnalysisOutcome once = outcome_of_ratings({.both_orders = false});
+  const AnalysisOutcome& once = outcome_of_ratings({.both_orders = false});
   EXPECT_EQ(FoundNumbers(once.findings).find("retest.r", "p1"), nullptr) << "no pair was repeated";
 }
 
 TEST(RatedDissimilarities, AreTestedAgainstIdenticalPairsAndMeasuredProperties) {
-  const AnalysisOutcome outcome = outcome_of_ratings({});
+  const AnalysisOutcome& outcome = outcome_of_ratings({});
   const FoundNumbers found(outcome.findings);
   EXPECT_LT(found.value("t.p.two", "identical").value(), 0.001);
   // The texture force is a linear function of the first coordinate.
   EXPECT_GT(found.value("property.r2", "texture_force_N").value(), 0.97);
   EXPECT_LT(found.value("property.perm.p", "texture_force_N").value(), 0.05);
-  const Table& tests = ratings_table(outcome, "tests");
+  const Table& tests = table_of(outcome, "tests").table;
   EXPECT_EQ(tests.rows.size(), 3U) << "configuration, identical pairs, one property";
-  const AnalysisOutcome without = outcome_of_ratings({.identical = false});
+  const AnalysisOutcome& without = outcome_of_ratings({.identical = false});
   std::string reasons{};
-  for (const auto& row : ratings_table(without, "tests").rows) {
+  for (const auto& row : table_of(without, "tests").table.rows) {
     for (const Cell& cell : row) {
       if (const auto* const text = std::get_if<std::string>(&cell)) reasons += *text + ' ';
     }
@@ -221,13 +202,13 @@ TEST(RatedDissimilarities, AreTestedAgainstIdenticalPairsAndMeasuredProperties) 
 
 TEST(RatedDissimilarities, WarnOfADegenerateConfiguration) {
   EXPECT_THAT(remarks_of(outcome_of_ratings({})), Not(HasSubstr("degenerate")));
-  const AnalysisOutcome clusters = outcome_of_ratings({.items = 10, .two_clusters = true});
+  const AnalysisOutcome& clusters = outcome_of_ratings({.items = 10, .two_clusters = true});
   EXPECT_LT(FoundNumbers(clusters.findings).value("stress.ordinal", "2").value(), 0.001);
   EXPECT_THAT(remarks_of(clusters), HasSubstr("The configuration is degenerate"));
 }
 
 TEST(RatedDissimilarities, WarnWhereAPartOfTheItemsLiesOnOnePoint) {
-  const AnalysisOutcome cluster = outcome_of_ratings({.items = 10, .one_cluster = true});
+  const AnalysisOutcome& cluster = outcome_of_ratings({.items = 10, .one_cluster = true});
   EXPECT_THAT(remarks_of(cluster), Not(HasSubstr("The configuration is degenerate")));
   EXPECT_THAT(remarks_of(cluster),
               HasSubstr("The configuration is partly degenerate: 5 items lie on one point (brick, "
@@ -240,19 +221,16 @@ TEST(RatedDissimilarities, WarnWhereAPartOfTheItemsLiesOnOnePoint) {
 
 // The items are permuted, not responses.
 TEST(RatedDissimilarities, AreNotPooledInTheTestOfAProperty) {
-  const AnalysisOutcome outcome = outcome_of_ratings({});
-  const auto sentence =
-      std::find_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
-                   [](const TestSentence& each) { return each.test == "properties"; });
-  ASSERT_NE(sentence, outcome.test_sentences.end());
-  EXPECT_THAT(sentence->text, HasSubstr("n = 6 items"));
-  EXPECT_THAT(sentence->text, Not(HasSubstr("pooled")));
+  const AnalysisOutcome& outcome = outcome_of_ratings({});
+  const std::string sentence = sentence_about(outcome, "properties");
+  EXPECT_THAT(sentence, HasSubstr("n = 6 items"));
+  EXPECT_THAT(sentence, Not(HasSubstr("pooled")));
 }
 
 TEST(RatedDissimilarities, StateWhyThereIsNoConfiguration) {
-  const AnalysisOutcome few = outcome_of_ratings({.items = 3});
+  const AnalysisOutcome& few = outcome_of_ratings({.items = 3});
   EXPECT_EQ(answer_about_configuration(few), "Not tested: too few items or participants.");
-  const AnalysisOutcome unrelated = outcome_of_ratings({.only_first_pair = true});
+  const AnalysisOutcome& unrelated = outcome_of_ratings({.only_first_pair = true});
   EXPECT_EQ(answer_about_configuration(unrelated),
             "Not tested: the rated pairs do not connect all items.");
 }
