@@ -17,7 +17,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/analyze_study.h"
 #include "results_schema/atomic_file.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -99,13 +99,6 @@ MadeUpTrial recognition(const std::string& felt, const std::string& answer) {
   return trial;
 }
 
-const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == name) return table;
-  }
-  throw std::runtime_error("no table " + name);
-}
-
 /// The cells of a row, found by its first cells.
 const std::vector<Cell>& row_of(const Table& table, const std::vector<std::string>& keys) {
   for (const std::vector<Cell>& row : table.rows) {
@@ -117,7 +110,7 @@ const std::vector<Cell>& row_of(const Table& table, const std::vector<std::strin
 }
 
 const Cell& cell_named(const Table& table, const std::vector<std::string>& keys,
-                    const std::string& column) {
+                       const std::string& column) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), column);
   if (found == table.columns.end()) throw std::runtime_error("no column " + column);
   return row_of(table, keys)[static_cast<std::size_t>(found - table.columns.begin())];
@@ -467,9 +460,8 @@ TEST(AnalyzeStudy, NeitherWaitsForNorRefusesABrokenFileOnceItWasAskedToStop) {
 TEST(AnalysisOutput, PutsIntervalsInBracketsForReaders) {
   const std::string text = reading_text_of(selections_of_the_chapter());
   EXPECT_THAT(text, testing::StartsWith("selection 1 (selection, chapter): people\n"));
-  EXPECT_THAT(text,
-              testing::ContainsRegex("1 +height_map +12  20 +20  \\.60 +\\[\\.39, \\.78\\] +"
-                                     "\\[\\.36, \\.81\\] +\\.333 +\\.016\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("1 +height_map +12  20 +20  \\.60 +\\[\\.39, \\.78\\] +"
+                                           "\\[\\.36, \\.81\\] +\\.333 +\\.016\n"));
 }
 
 TEST(AnalysisOutput, KeepsAllDigitsForPrograms) {
@@ -493,23 +485,6 @@ TEST(AnalyzeStudy, HasAFindingForEveryNumberOfATable) {
   EXPECT_EQ(found->value, 1.0);
   EXPECT_NEAR(found->low.value(), 0.025, 1e-12);  // (0.05/2)^(1/1)
   EXPECT_EQ(found->n, 1u);
-}
-
-const AnsweredQuestion& question_of(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const AnsweredQuestion& question : outcome.questions) {
-    if (question.name == name) return question;
-  }
-  throw std::runtime_error("no question " + name);
-}
-
-const Finding& finding_of(const AnalysisOutcome& outcome, const std::string& analysis,
-                          const std::string& quantity, const std::string& key = {}) {
-  for (const Finding& finding : outcome.findings) {
-    if (finding.analysis == analysis && finding.quantity == quantity && finding.key == key) {
-      return finding;
-    }
-  }
-  throw std::runtime_error("no finding " + quantity + ' ' + key);
 }
 
 // Every person has the same choice in a column, so that the table of all is the chapter's.

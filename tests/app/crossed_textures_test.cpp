@@ -10,7 +10,7 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -55,19 +55,16 @@ using TrialOf = MadeUpTrial (*)(int texture, bool is_hit);
 
 AnalysisOutcome outcome_of(const std::string& kind, TrialOf trial_of, int people, int textures,
                            const HitsOf& hits_of) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol(kind, kind, R"({"analysis": {"target": "a"}})");
-  for (int i = 0; i < people; ++i) {
-    const std::string label = "p" + std::to_string(10 + i);
-    made.add_person(label, "");
+  const auto trials_of = [&](int person) {
     std::vector<MadeUpTrial> trials{};
     for (int texture = 0; texture < textures; ++texture) {
-      for (int k = 0; k < kTrials; ++k)
-        trials.push_back(trial_of(texture, k < hits_of(i, texture)));
+      for (int k = 0; k < kTrials; ++k) {
+        trials.push_back(trial_of(texture, k < hits_of(person, texture)));
+      }
     }
-    made.add_session(label, protocol, trials);
-  }
-  return analyze_study(made.study()).at(0);
+    return trials;
+  };
+  return analysed(kind, R"({"analysis": {"target": "a"}})", {.number = people}, trials_of);
 }
 
 std::vector<Finding> of_family(const std::string& options, const HitsOf& hits_of) {
@@ -93,10 +90,7 @@ const Finding& found_in(const std::vector<Finding>& findings, const std::string&
 }
 
 const AnsweredQuestion* asked_of_textures(const AnalysisOutcome& outcome) {
-  for (const AnsweredQuestion& one : outcome.questions) {
-    if (one.name == "glmm") return &one;
-  }
-  return nullptr;
+  return find_question(outcome, "glmm");
 }
 
 TEST(OtherTextures, HaveTheMixedModelOfTheCounts) {

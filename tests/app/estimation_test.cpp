@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,12 +11,11 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {
@@ -58,49 +55,27 @@ MadeUpTrial estimate_of(const Planted& stimulus, double number, bool with_standa
 /// Estimates c·P^n, with the exponents n and the scales c of three participants.
 AnalysisOutcome outcome_of(const std::string& source, const std::array<double, 3>& scales,
                            bool with_standard = false) {
-  MadeUpStudy made{};
-  const std::int64_t protocol = made.add_protocol("estimated", "magnitude", source);
-  for (std::size_t person = 0; person < kExponents.size(); ++person) {
+  const auto trials_of = [&](int person) {
+    const auto place = static_cast<std::size_t>(person);
     std::vector<MadeUpTrial> trials{};
     for (int repetition = 1; repetition <= 2; ++repetition) {
       for (const Planted& stimulus : kPlanted) {
         trials.push_back(estimate_of(
-            stimulus, scales[person] * std::pow(stimulus.predictor / 2.0, kExponents[person]),
+            stimulus, scales[place] * std::pow(stimulus.predictor / 2.0, kExponents[place]),
             with_standard));
         trials.back().repetition = repetition;
       }
     }
-    const std::string label = "p" + std::to_string(person);
-    made.add_person(label, "F");
-    made.add_session(label, protocol, trials);
-  }
-  return analyze_study(made.study()).front();
+    return trials;
+  };
+  return analysed("magnitude", source, {.number = 3, .first = 0, .sex = "F"}, trials_of);
 }
 
 constexpr std::array kFreeScales{3.0, 40.0, 500.0};
 constexpr std::array kSameScale{10.0, 10.0, 10.0};
 
-const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == name) return table;
-  }
-  throw std::runtime_error("no table " + name);
-}
-
-bool has_table(const AnalysisOutcome& outcome, const std::string& name) {
-  return std::any_of(outcome.tables.begin(), outcome.tables.end(),
-                     [&name](const NamedTable& table) { return table.name == name; });
-}
-
 double exponent_of(const AnalysisOutcome& outcome) {
   return FoundNumbers(outcome.findings).value("exponent.mean", "all").value();
-}
-
-const AnsweredQuestion& question_of(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const AnsweredQuestion& question : outcome.questions) {
-    if (question.name == name) return question;
-  }
-  throw std::runtime_error("no question " + name);
 }
 
 const char* const kByValues = R"({"factor": "surface", "predictor": "values",
@@ -157,7 +132,7 @@ TEST(StimulusEstimates, NameThePredictorInASentenceByWords) {
 TEST(StimulusEstimates, StateThatAPropertyWasNotMeasured) {
   const AnalysisOutcome outcome = outcome_of(
       protocol_with(R"({"factor": "surface", "predictor": "speed_m_per_s"})"), kFreeScales);
-  EXPECT_FALSE(has_table(outcome, "exponents"));
+  EXPECT_EQ(find_table(outcome, "exponents"), nullptr);
   std::string remarks{};
   for (const Phrase& remark : outcome.remarks) remarks += remark.english();
   EXPECT_THAT(remarks,
@@ -167,7 +142,7 @@ TEST(StimulusEstimates, StateThatAPropertyWasNotMeasured) {
 TEST(StimulusEstimates, StateThatThePredictorRequiresRecordings) {
   const AnalysisOutcome outcome = outcome_of(
       protocol_with(R"({"factor": "surface", "predictor": "waves_1.25_to_2.5_mm"})"), kFreeScales);
-  EXPECT_FALSE(has_table(outcome, "exponents"));
+  EXPECT_EQ(find_table(outcome, "exponents"), nullptr);
   std::string remarks{};
   for (const Phrase& remark : outcome.remarks) remarks += remark.english();
   EXPECT_THAT(remarks, HasSubstr("is computed from recordings, and none can be read"));
@@ -178,7 +153,7 @@ TEST(StimulusEstimates, StateThatThePredictorRequiresRecordings) {
 TEST(StimulusEstimates, HaveMeansByStimulusWithoutAPredictor) {
   const AnalysisOutcome outcome =
       outcome_of(protocol_with(R"({"factor": "surface"})"), kFreeScales);
-  EXPECT_FALSE(has_table(outcome, "exponents"));
+  EXPECT_EQ(find_table(outcome, "exponents"), nullptr);
   const NamedTable& means = table_of(outcome, kStimulusEstimates);
   ASSERT_EQ(means.table.rows.size(), 4U);
   EXPECT_EQ(means.table.rows.front().at(1), Cell{std::string("oak")});  // the protocol's order
@@ -290,22 +265,8 @@ std::string amplitudes(const std::string& estimation, const std::string& present
     "flow": [{"run": "main"}]})";
 }
 
-class EstimationSession : public SessionTest {
+class EstimationSession : public ResumableSession {
  protected:
-  SessionEnd run_trials(int trials) {
-    int made = 0;
-    conductor_ = std::make_unique<Conductor>(
-        *study_, protocol_, *builder_, *rig_, person_,
-        ConductorSettings{.record = true,
-                          .done =
-                              [this, &made, trials](const AttemptDone&) {
-                                if (++made == trials)
-                                  conductor_->requests().stop_after(StopAfter::trial);
-                              },
-                          .links = links_});
-    return conductor_->run(session_);
-  }
-
   static double amplitude_of(const Trial& trial) {
     return std::get<double>(trial.factors.at("amplitude"));
   }
@@ -318,11 +279,9 @@ TEST_F(EstimationSession, PresentsTheStandardInEveryTrialAlsoAfterAnInterruption
   person_.at_question = [](int, const Trial& trial) {
     return Reply{.what = only_answer(GivenNumber{10.0 * std::sqrt(amplitude_of(trial) / 0.0002)})};
   };
-  EXPECT_EQ(run_trials(1).state, SessionState::stopped);
+  EXPECT_EQ(run_attempts(1).state, SessionState::stopped);
   const std::vector<std::string> plan = stored_plan();
-  make_rig({});
-  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
-  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  ASSERT_EQ(resume().state, SessionState::completed);
   EXPECT_EQ(stored_plan(), plan);
   ASSERT_EQ(attempts().size(), 3U);
   for (const AttemptRow& attempt : attempts()) {
@@ -330,8 +289,8 @@ TEST_F(EstimationSession, PresentsTheStandardInEveryTrialAlsoAfterAnInterruption
     EXPECT_EQ(attempt.presentations[0].role, "standard");
     EXPECT_EQ(attempt.presentations[0].item, "standard");
   }
-  start("p2", 8);
-  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  SessionTest::start("p2", 8);
+  ASSERT_EQ(run_attempts().state, SessionState::completed);
   const AnalysisOutcome outcome = analyze_study(*study_).front();
   EXPECT_NEAR(exponent_of(outcome), 0.5, 1e-9);
   EXPECT_NEAR(FoundNumbers(outcome.findings).value("geomean", "all|2e-04").value(), 10.0, 1e-9);
@@ -346,15 +305,15 @@ TEST_F(EstimationSession, StoresTheLengthsOfLines) {
     };
   };
   person_.at_question = draws(1e6);
-  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  ASSERT_EQ(run_attempts().state, SessionState::completed);
   std::vector<double> lengths{};
   for (const AttemptRow& attempt : attempts()) {
     lengths.push_back(attempt.responses.front().answer_number.value());
   }
   EXPECT_THAT(lengths, ElementsAre(0.08, 0.16, 0.32));
-  start("p2", 8);
+  SessionTest::start("p2", 8);
   person_.at_question = draws(2e6);
-  ASSERT_EQ(run_trials(100).state, SessionState::completed);
+  ASSERT_EQ(run_attempts().state, SessionState::completed);
   EXPECT_NEAR(exponent_of(analyze_study(*study_).front()), 1.0, 1e-9);
 }
 

@@ -17,7 +17,7 @@
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/exploration_model.h"
 #include "app/findings/study/study_tests.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -69,21 +69,7 @@ MadeUpTrial explored_trial(const std::string& texture, const MadeUpExploration& 
 }
 
 AnalysisOutcome analyze_explored(const std::vector<std::vector<MadeUpTrial>>& by_participant) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
-  for (std::size_t i = 0; i < by_participant.size(); ++i) {
-    const std::string label = "p" + std::to_string(i);
-    made.add_person(label, "F");
-    made.add_session(label, protocol, by_participant[i]);
-  }
-  return analyze_study(made.study()).front();
-}
-
-const NamedTable* exploration_table(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == name) return &table;
-  }
-  return nullptr;
+  return analysed("recognition", "{}", {.first = 0, .sex = "F"}, by_participant);
 }
 
 /// The cells of a row by column.
@@ -92,9 +78,7 @@ class ExploredCells final {
   ExploredCells(const AnalysisOutcome& outcome, const std::string& table,
                 const std::string& measure, const std::string& factor,
                 const std::string& level = {}) {
-    const NamedTable* const named = exploration_table(outcome, table);
-    if (named == nullptr) throw std::runtime_error("no table " + table);
-    table_ = named->table;
+    table_ = table_of(outcome, table).table;
     const Cell third = level.empty() ? Cell{} : Cell{level};
     const auto found =
         std::find_if(table_.rows.begin(), table_.rows.end(), [&](const std::vector<Cell>& row) {
@@ -118,7 +102,7 @@ class ExploredCells final {
 
 bool has_row(const AnalysisOutcome& outcome, const std::string& table, const std::string& measure,
              const std::string& factor) {
-  const NamedTable* const named = exploration_table(outcome, table);
+  const NamedTable* const named = find_table(outcome, table);
   return named != nullptr &&
          std::any_of(named->table.rows.begin(), named->table.rows.end(), [&](const auto& row) {
            return row[0] == Cell{measure} && row[1] == Cell{factor};
@@ -178,11 +162,10 @@ TEST(Exploration, HasARowWithoutNumbersWhereNothingIsStored) {
   EXPECT_EQ(force.at("measurements"), Cell{std::int64_t{0}});
   EXPECT_EQ(force.at("mean"), Cell{});
   EXPECT_FALSE(has_row(outcome, kExplorationForces, "force_N", "texture"));
-  EXPECT_THAT(exploration_table(outcome, kExplorationForces)->note.english(),
+  EXPECT_THAT(table_of(outcome, kExplorationForces).note.english(),
               HasSubstr("Not stored by these sessions: mean normal force, N, "));
   const AnalysisOutcome complete = analyze_explored(kTwoParticipants);
-  EXPECT_THAT(exploration_table(complete, kExplorationForces)->note.english(),
-              Not(HasSubstr("Not stored")));
+  EXPECT_THAT(table_of(complete, kExplorationForces).note.english(), Not(HasSubstr("Not stored")));
 }
 
 // Two surfaces in a trial, the first visited twice. Attempts that were made up without visits have contact times.
@@ -230,7 +213,7 @@ TEST(Exploration, HasVisitsAndPathWhereTheyAreStored) {
     EXPECT_EQ(missing.at("measurements"), Cell{std::int64_t{0}});
     EXPECT_EQ(missing.at("mean"), Cell{});
   }
-  EXPECT_THAT(exploration_table(earlier, kExploration)->note.english(),
+  EXPECT_THAT(table_of(earlier, kExploration).note.english(),
               HasSubstr("Not stored by these sessions: visits, path in contact, m."));
 }
 
@@ -238,24 +221,24 @@ TEST(Exploration, IsAbsentWhereNoneIsStored) {
   MadeUpTrial trial = explored_trial("wood", {1.0, 0.5, 0.04});
   trial.compliance.clear();
   const AnalysisOutcome outcome = analyze_explored({{trial, trial}, {trial, trial}});
-  EXPECT_EQ(exploration_table(outcome, kExploration), nullptr);
-  EXPECT_EQ(exploration_table(outcome, kExplorationModel), nullptr);
+  EXPECT_EQ(find_table(outcome, kExploration), nullptr);
+  EXPECT_EQ(find_table(outcome, kExplorationModel), nullptr);
 }
 
 TEST(Exploration, IsDisplayedWithARowPerCondition) {
   const AnalysisOutcome outcome = analyze_explored(kTwoParticipants);
-  const Table times = reading_table(*exploration_table(outcome, kExploration));
+  const Table times = reading_table(table_of(outcome, kExploration));
   EXPECT_THAT(times.columns,
               ElementsAre("factor", "level", "persons", "measurements", "contact_s", "visits",
                           "path_m", "strokes", "stroke_length_m", "response_s"));
   ASSERT_EQ(times.rows.size(), 3U);
   EXPECT_EQ(times.rows[2][1], Cell{"wood"});
   EXPECT_EQ(times.rows[2][4], Cell{"2.50 [2.25, 2.75]"});
-  const Table forces = reading_table(*exploration_table(outcome, kExplorationForces));
+  const Table forces = reading_table(table_of(outcome, kExplorationForces));
   // Means 1.05 and 1.75, SD 0.7/√2.
   EXPECT_EQ(forces.rows[0][4], Cell{"1.400 (0.495)"});
   EXPECT_EQ(forces.rows[0][6], Cell{"0.0500 (0.0000)"});
-  const Table models = reading_table(*exploration_table(outcome, kExplorationModel));
+  const Table models = reading_table(table_of(outcome, kExplorationModel));
   EXPECT_FALSE(column_of(models, "df1").has_value());
   EXPECT_TRUE(column_of(models, "statistic").has_value());
 }
@@ -299,7 +282,7 @@ TEST(ExplorationModel, FindsAPlantedTrendAndCondition) {
   const ExploredCells response(outcome, kExplorationModel, "response_s", "trial_place");
   EXPECT_LT(response.number("ratio_low"), 1.0);
   EXPECT_GT(response.number("ratio_high"), 1.0);
-  EXPECT_THAT(exploration_table(outcome, kExplorationModel)->note.english(),
+  EXPECT_THAT(table_of(outcome, kExplorationModel).note.english(),
               HasSubstr("Contact time changes by a factor of 0.597 "));
 }
 
@@ -345,7 +328,7 @@ TEST(ExplorationModel, LeavesOutSurfacesThatWereNotTouched) {
   EXPECT_EQ(ExploredCells(outcome, kExploration, "contact_s", "all").at("measurements"),
             Cell{std::int64_t{72}});
   EXPECT_THAT(
-      exploration_table(outcome, kExplorationModel)->note.english(),
+      table_of(outcome, kExplorationModel).note.english(),
       HasSubstr("Contact time: measurements without a time above 0, which are left out: 1."));
 }
 

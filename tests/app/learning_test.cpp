@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/study/analyze_study.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -36,27 +36,16 @@ MadeUpTrial trial_with(const MadeUpResponse& response) {
 }
 
 AnalysisOutcome analyze_responses(const std::vector<std::vector<MadeUpResponse>>& by_participant) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
-  for (std::size_t i = 0; i < by_participant.size(); ++i) {
-    const std::string label = "p" + std::to_string(i);
-    made.add_person(label, "F");
-    std::vector<MadeUpTrial> trials{};
-    for (const MadeUpResponse& response : by_participant[i]) trials.push_back(trial_with(response));
-    made.add_session(label, protocol, trials);
+  std::vector<std::vector<MadeUpTrial>> trials{};
+  for (const std::vector<MadeUpResponse>& responses : by_participant) {
+    trials.emplace_back();
+    for (const MadeUpResponse& each : responses) trials.back().push_back(trial_with(each));
   }
-  return analyze_study(made.study()).front();
-}
-
-const NamedTable* table_called(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == name) return &table;
-  }
-  return nullptr;
+  return analysed("recognition", "{}", {.first = 0, .sex = "F"}, trials);
 }
 
 const std::vector<Cell>& change_of(const AnalysisOutcome& outcome, const std::string& measure) {
-  for (const std::vector<Cell>& row : table_called(outcome, kLearning)->table.rows) {
+  for (const std::vector<Cell>& row : table_of(outcome, kLearning).table.rows) {
     if (row[0] == Cell{measure}) return row;
   }
   throw std::runtime_error("no row of " + measure);
@@ -92,7 +81,7 @@ TEST(Learning, HasARatioPerTenTrialsOfAsMany) {
   EXPECT_NEAR(of(change_of(analyze_responses({halved, alike}), "time_per_10_trials")[4]),
               1.0 / 32.0, 1e-12);
   halved.pop_back();
-  EXPECT_EQ(table_called(analyze_responses({halved}), kLearning)->table.rows.size(), 2U);
+  EXPECT_EQ(table_of(analyze_responses({halved}), kLearning).table.rows.size(), 2U);
 }
 
 TEST(Learning, OfProportionsCorrectIsADifference) {
@@ -106,7 +95,7 @@ TEST(Learning, OfProportionsCorrectIsADifference) {
 
 TEST(Learning, IsShownInBlocksOfTrials) {
   const AnalysisOutcome outcome = analyze_responses(kHalvedOrConstant);
-  const Table& course = table_called(outcome, kTrialCourse)->table;
+  const Table& course = table_of(outcome, kTrialCourse).table;
   EXPECT_THAT(course.columns, ElementsAre("trials", "persons", "time_s", "time_s_low",
                                           "time_s_high", "share", "share_low", "share_high"));
   ASSERT_EQ(course.rows.size(), 5U);
@@ -118,7 +107,7 @@ TEST(Learning, IsShownInBlocksOfTrials) {
 TEST(Learning, PutsManyTrialsIntoTwelveBlocksAtMost) {
   const AnalysisOutcome outcome =
       analyze_responses({std::vector<MadeUpResponse>(25), std::vector<MadeUpResponse>(13)});
-  const Table& course = table_called(outcome, kTrialCourse)->table;
+  const Table& course = table_of(outcome, kTrialCourse).table;
   ASSERT_EQ(course.rows.size(), 9U);  // of three trials, 25 being too many for two
   EXPECT_EQ(course.rows[0][0], Cell{std::string("1–3")});
   EXPECT_EQ(course.rows[8][0], Cell{std::string("25")});
@@ -127,7 +116,7 @@ TEST(Learning, PutsManyTrialsIntoTwelveBlocksAtMost) {
 }
 
 TEST(Learning, NeedsTwoTrialsOfAParticipant) {
-  EXPECT_EQ(table_called(analyze_responses({{{1.0, true}}, {{2.0, true}}}), kLearning), nullptr);
+  EXPECT_EQ(find_table(analyze_responses({{{1.0, true}}, {{2.0, true}}}), kLearning), nullptr);
 }
 
 // Choices among models are neither correct nor incorrect.
@@ -141,8 +130,8 @@ TEST(Learning, OfChoicesIsThatOfTheirTimesAlone) {
   trial.answers = {"new"};
   made.add_session("p0", protocol, {trial, trial});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
-  EXPECT_EQ(table_called(outcome, kLearning)->table.rows.size(), 1U);
-  EXPECT_THAT(table_called(outcome, kTrialCourse)->table.columns,
+  EXPECT_EQ(table_of(outcome, kLearning).table.rows.size(), 1U);
+  EXPECT_THAT(table_of(outcome, kTrialCourse).table.columns,
               ElementsAre("trials", "persons", "time_s"));
 }
 

@@ -12,7 +12,7 @@
 #include "analysis/pooled_share.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -46,23 +46,6 @@ AnalysisOutcome outcome_of_pairs(MadeUpStudy& made) {
   return std::move(outcomes.front());
 }
 
-const NamedTable& paired_table(const AnalysisOutcome& outcome, const std::string& name) {
-  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [&name](const NamedTable& each) { return each.name == name; });
-  if (found == outcome.tables.end()) throw std::runtime_error("there is no table " + name);
-  return *found;
-}
-
-bool has_paired_table(const AnalysisOutcome& outcome, const std::string& name) {
-  return std::any_of(outcome.tables.begin(), outcome.tables.end(),
-                     [&name](const NamedTable& each) { return each.name == name; });
-}
-
-const AnsweredQuestion& paired_question(const AnalysisOutcome& outcome, const std::string& name) {
-  return *std::find_if(outcome.questions.begin(), outcome.questions.end(),
-                       [&name](const AnsweredQuestion& each) { return each.name == name; });
-}
-
 /// Six participants: five order a > b > c, the last is circular (a > b > c > a).
 class Pairs : public testing::Test {
  protected:
@@ -84,7 +67,7 @@ TEST_F(Pairs, HaveTheProportionOfComparisonsThatEachItemWins) {
   EXPECT_NEAR(found.value("mean.score", "a").value(), 11.0 / 12.0, 1e-12);
   EXPECT_NEAR(found.value("mean.score", "b").value(), 0.5, 1e-12);
   EXPECT_NEAR(found.value("mean.score", "c").value(), 1.0 / 12.0, 1e-12);
-  const AnsweredQuestion& asked = paired_question(outcome, "preference");
+  const AnsweredQuestion& asked = question_of(outcome, "preference");
   EXPECT_THAT(asked.answer.english(), HasSubstr("a was chosen most often, in 92 %"));
   EXPECT_THAT(asked.answer.english(), HasSubstr("c least often, in 8 %"));
 }
@@ -95,9 +78,8 @@ TEST_F(Pairs, AreTestedByTheParticipants) {
   // All six prefer a to b: 2 of 2⁶ patterns of signs are as extreme; a to c five of six: 14 of 64.
   EXPECT_DOUBLE_EQ(found.value("signflip.p.two", "a|b").value(), 2.0 / 64.0);
   EXPECT_DOUBLE_EQ(found.value("signflip.p.two", "a|c").value(), 14.0 / 64.0);
-  EXPECT_EQ(paired_table(outcome, "tests").table.rows.size(), 5U)
-      << "three pairs, items, positions";
-  EXPECT_THAT(paired_question(outcome, "pairs").answer.english(), HasSubstr("a / b"));
+  EXPECT_EQ(table_of(outcome, "tests").table.rows.size(), 5U) << "three pairs, items, positions";
+  EXPECT_THAT(question_of(outcome, "pairs").answer.english(), HasSubstr("a / b"));
 }
 
 // a wins 11 of its 12 comparisons, and all of those with b.
@@ -111,7 +93,7 @@ TEST_F(Pairs, AreStatedWithTheMeansOfTheirOwnComparisons) {
 
 TEST_F(Pairs, HaveCircularTriadsAndZetaForEveryParticipant) {
   const AnalysisOutcome outcome = outcome_of_pairs(made_);
-  const Table& table = paired_table(outcome, "consistency").table;
+  const Table& table = table_of(outcome, "consistency").table;
   ASSERT_EQ(table.rows.size(), 6U);
   EXPECT_EQ(table.rows[0][0], Cell(std::string("p1")));
   EXPECT_EQ(table.rows[0][1], Cell(std::int64_t{1}));
@@ -120,7 +102,7 @@ TEST_F(Pairs, HaveCircularTriadsAndZetaForEveryParticipant) {
   EXPECT_EQ(table.rows[5][2], Cell(1.0));
   EXPECT_EQ(table.rows[5][3], Cell(0.0));
   EXPECT_EQ(table.rows[5][4], Cell(1.0));
-  EXPECT_THAT(paired_question(outcome, "consistency").answer.english(), HasSubstr("ζ = .83"));
+  EXPECT_THAT(question_of(outcome, "consistency").answer.english(), HasSubstr("ζ = .83"));
 }
 
 // The choices of the sixth participant lead from c back to a; without them a never loses, and its log-worth is infinite.
@@ -130,13 +112,13 @@ TEST_F(Pairs, HaveAScaleOnlyWhereEveryItemAlsoLoses) {
   made_.add_session("p7", 1,
                     {compared("b", "a", "a"), compared("b", "c", "b"), compared("c", "a", "a")});
   const AnalysisOutcome outcome = outcome_of_pairs(made_);
-  const Table& scale = paired_table(outcome, "scale").table;
+  const Table& scale = table_of(outcome, "scale").table;
   ASSERT_EQ(scale.rows.size(), 3U);
   EXPECT_GT(std::get<double>(scale.rows[0][1]), std::get<double>(scale.rows[1][1]));
   EXPECT_GT(std::get<double>(scale.rows[1][1]), std::get<double>(scale.rows[2][1]));
   // Each part of the model has the row of its own number.
   const FoundNumbers found(outcome.findings);
-  const Table& model = paired_table(outcome, "paired_model").table;
+  const Table& model = table_of(outcome, "paired_model").table;
   ASSERT_EQ(model.rows.size(), 3U) << "without ties";
   EXPECT_EQ(model.rows[0][0], Cell(std::string("order_effect")));
   EXPECT_EQ(model.rows[0][1], cell_of(found.value("model.order")));
@@ -156,8 +138,8 @@ TEST_F(Pairs, HaveAScaleOnlyWhereEveryItemAlsoLoses) {
     alike.add_session(label, protocol, round_of({"a", "b", "c"}, false));
   }
   const AnalysisOutcome unbounded = outcome_of_pairs(alike);
-  EXPECT_FALSE(has_paired_table(unbounded, "scale"));
-  EXPECT_FALSE(has_paired_table(unbounded, "paired_model"));
+  EXPECT_EQ(find_table(unbounded, "scale"), nullptr);
+  EXPECT_EQ(find_table(unbounded, "paired_model"), nullptr);
   EXPECT_TRUE(
       std::any_of(unbounded.remarks.begin(), unbounded.remarks.end(), [](const Phrase& one) {
         return one.english().find("cannot be placed on a scale") != std::string::npos;
@@ -171,9 +153,9 @@ TEST_F(Pairs, CountATieHalfAndLeaveItsRoundOutOfTheTriads) {
   const AnalysisOutcome outcome = outcome_of_pairs(made_);
   const FoundNumbers found(outcome.findings);
   EXPECT_NEAR(found.value("mean.score", "a").value(), (11.0 / 2.0 + 0.75) / 7.0, 1e-12);
-  EXPECT_EQ(paired_table(outcome, "consistency").table.rows[6][1], Cell(std::int64_t{0}));
-  EXPECT_EQ(paired_table(outcome, "consistency").table.rows[6][3], Cell{});
-  const Table& ties = paired_table(outcome, "ties").table;
+  EXPECT_EQ(table_of(outcome, "consistency").table.rows[6][1], Cell(std::int64_t{0}));
+  EXPECT_EQ(table_of(outcome, "consistency").table.rows[6][3], Cell{});
+  const Table& ties = table_of(outcome, "ties").table;
   EXPECT_EQ(ties.rows[0], (std::vector<Cell>{std::string("a"), std::string("b"), std::int64_t{7},
                                              std::int64_t{1}}));
 }
@@ -190,7 +172,7 @@ TEST_F(Pairs, LeaveAParticipantWithoutOneOfThePairsOutOfTheScores) {
 
 // Three pairs, Holm-corrected: 3·2^(1 − n) is below .05 from n = 7 on.
 TEST_F(Pairs, StateHowManyParticipantsAreRequiredWhereNoResultCouldBeSignificant) {
-  const std::string six = paired_question(outcome_of_pairs(made_), "pairs").answer.english();
+  const std::string six = question_of(outcome_of_pairs(made_), "pairs").answer.english();
   EXPECT_THAT(six, HasSubstr("No pair could differ significantly in these data: "));
   EXPECT_THAT(six,
               HasSubstr("the smallest attainable p is .094, so that no result could be "
@@ -198,7 +180,7 @@ TEST_F(Pairs, StateHowManyParticipantsAreRequiredWhereNoResultCouldBeSignificant
                         "such participants are required"));
   made_.add_person("p7", "");
   made_.add_session("p7", 1, round_of({"a", "b", "c"}, true));
-  const std::string seven = paired_question(outcome_of_pairs(made_), "pairs").answer.english();
+  const std::string seven = question_of(outcome_of_pairs(made_), "pairs").answer.english();
   EXPECT_THAT(seven, HasSubstr("a over b"));
   EXPECT_THAT(seven, Not(HasSubstr("attainable")));
 }
@@ -223,16 +205,16 @@ TEST(FitOfPairs, IsTestedOnlyWithSufficientExpectedCounts) {
   MadeUpStudy few{};
   study_of(few, 6);
   const AnalysisOutcome unreliable = outcome_of_pairs(few);
-  const AnsweredQuestion& untested = paired_question(unreliable, "fit");
+  const AnsweredQuestion& untested = question_of(unreliable, "fit");
   EXPECT_THAT(
       untested.answer.english(),
       HasSubstr("This cannot be tested with so few comparisons: 100 % of the expected counts "
                 "are below 5, and the smallest is "));
   EXPECT_FALSE(untested.finding.value);
-  const Table& model = paired_table(unreliable, "paired_model").table;
+  const Table& model = table_of(unreliable, "paired_model").table;
   EXPECT_EQ(model.rows.back()[0], Cell(std::string("goodness_of_fit")));
   EXPECT_EQ(model.rows.back()[6], Cell{});
-  EXPECT_THAT(paired_table(unreliable, "paired_model").note.english(),
+  EXPECT_THAT(table_of(unreliable, "paired_model").note.english(),
               HasSubstr("Goodness of fit has no p: 100 %"));
   const FoundNumbers found(unreliable.findings);
   const Finding* const p = found.find("model.fit.p");
@@ -244,9 +226,9 @@ TEST(FitOfPairs, IsTestedOnlyWithSufficientExpectedCounts) {
   MadeUpStudy many{};
   study_of(many, 36);
   const AnalysisOutcome reliable = outcome_of_pairs(many);
-  EXPECT_THAT(paired_question(reliable, "fit").answer.english(), HasSubstr("G²("));
+  EXPECT_THAT(question_of(reliable, "fit").answer.english(), HasSubstr("G²("));
   EXPECT_TRUE(FoundNumbers(reliable.findings).value("model.fit.p"));
-  EXPECT_NE(paired_table(reliable, "paired_model").table.rows.back()[6], Cell{});
+  EXPECT_NE(table_of(reliable, "paired_model").table.rows.back()[6], Cell{});
 }
 
 // Each of three participants chose a in both of its comparisons, as in a selection the participants' 2 of 2 choices.
@@ -265,7 +247,7 @@ TEST(ScoresOfPairs, HaveTheIntervalOfProportionsWhereAllParticipantsAgree) {
   const auto expected = mean_share_interval(own);
   EXPECT_NEAR(*a->low, expected->low, 1e-12);
   EXPECT_EQ(*a->high, 1.0);
-  EXPECT_THAT(paired_question(outcome, "preference").answer.english(), Not(HasSubstr("no CI")));
+  EXPECT_THAT(question_of(outcome, "preference").answer.english(), Not(HasSubstr("no CI")));
 }
 
 // A round is the k-th comparison of every pair, whatever the order of the trials.
@@ -278,7 +260,7 @@ TEST(RoundsOfPairs, AreTakenInTheOrderOfTheComparisonsOfEveryPair) {
                     compared("a", "c", "a"), compared("c", "a", "c"), compared("c", "b", "b")});
   // First a > b, b > c, a > c; then b > a, b > c, c > a: both without a circular triad.
   const AnalysisOutcome outcome = outcome_of_pairs(made);
-  const Table& table = paired_table(outcome, "consistency").table;
+  const Table& table = table_of(outcome, "consistency").table;
   ASSERT_EQ(table.rows.size(), 1U);
   EXPECT_EQ(table.rows[0][1], Cell(std::int64_t{2}));
   EXPECT_EQ(table.rows[0][3], Cell(1.0));
@@ -299,7 +281,7 @@ TEST(RoundsOfPairs, AreOfOneLevelOfEveryOtherFactor) {
   }
   made.add_session("p1", protocol, trials);
   const AnalysisOutcome outcome = outcome_of_pairs(made);
-  const Table& table = paired_table(outcome, "consistency").table;
+  const Table& table = table_of(outcome, "consistency").table;
   EXPECT_EQ(table.rows[0][1], Cell(std::int64_t{2}));
   EXPECT_EQ(table.rows[0][2], Cell(0.0));
 }
@@ -312,7 +294,7 @@ TEST_F(Pairs, StateWhyAPairOrTheItemsAreNotTested) {
     tied.add_session(label, protocol, {compared("a", "b", "tie"), compared("b", "c", "b")});
   }
   const AnalysisOutcome outcome = outcome_of_pairs(tied);
-  const Table& tests = paired_table(outcome, "tests").table;
+  const Table& tests = table_of(outcome, "tests").table;
   std::string reasons{};
   for (const std::vector<Cell>& row : tests.rows) {
     for (const Cell& cell : row) {
@@ -321,9 +303,9 @@ TEST_F(Pairs, StateWhyAPairOrTheItemsAreNotTested) {
   }
   EXPECT_THAT(reasons, HasSubstr("only_ties"));
   EXPECT_THAT(reasons, HasSubstr("pairs_incomplete"));
-  EXPECT_THAT(paired_question(outcome, "preference").answer.english(),
+  EXPECT_THAT(question_of(outcome, "preference").answer.english(),
               HasSubstr("fewer than two participants compared every pair"));
-  EXPECT_FALSE(has_paired_table(outcome, "consistency"));
+  EXPECT_EQ(find_table(outcome, "consistency"), nullptr);
 }
 
 // A participant whose only comparison of b and c was a tie contributes nothing to the test of b and c.
@@ -332,7 +314,7 @@ TEST_F(Pairs, CountWhoIsLeftOutOfATest) {
   made_.add_session("p7", 1,
                     {compared("a", "b", "a"), compared("b", "c", "tie"), compared("c", "a", "a"),
                      compared("b", "a", "a")});
-  const std::string note = paired_table(outcome_of_pairs(made_), "tests").note.english();
+  const std::string note = table_of(outcome_of_pairs(made_), "tests").note.english();
   EXPECT_THAT(note, HasSubstr("Participants who tied b and c in every comparison are left out of "
                               "the test of this pair: 1 of 7."));
   EXPECT_THAT(note,
@@ -358,7 +340,7 @@ TEST(PairedScores, LieBetweenZeroAndOne) {
                            [](const AnsweredQuestion& each) { return each.name == "fit"; }))
       << "two items always lie on one scale";
   for (const AnsweredQuestion& each : outcome.questions) {
-    EXPECT_TRUE(each.table.empty() || has_paired_table(outcome, each.table)) << each.name;
+    EXPECT_TRUE(each.table.empty() || find_table(outcome, each.table) != nullptr) << each.name;
   }
 }
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,8 +13,8 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/study_tests.h"
+#include "tests/app/analysed_study.h"
 #include "tests/app/coverage_counts.h"
-#include "tests/app/made_up_study.h"
 
 namespace asperity {
 namespace {
@@ -50,33 +48,25 @@ class SimulatedSize {
 
 /// Four participants rate two items on this scale.
 AnalysisOutcome ratings_on(const std::string& scale) {
-  MadeUpStudy made{};
-  const std::int64_t protocol =
-      made.add_protocol("made", "rating",
-                        R"({"kind": "rating", "blocks": {"only": {"question":
-          {"name": "rough", "prompt": "How rough?", "scale": )" +
-                            scale + "}}}}");
-  int person = 0;
+  std::vector<std::vector<MadeUpTrial>> people{};
   for (const auto& [wood, stone] : {std::pair{1, 3}, {3, 2}, {2, 4}, {4, 7}}) {
-    std::vector<MadeUpTrial> trials{};
+    std::vector<MadeUpTrial>& trials = people.emplace_back();
     for (const auto& [item, rating] : {std::pair{"wood", wood}, {"stone", stone}}) {
       MadeUpTrial& trial = trials.emplace_back();
       trial.surfaces = {surface_of(item, "height_map", item)};
       trial.questions = {"rough"};
       trial.answers = {std::to_string(rating)};
     }
-    const std::string label = "p" + std::to_string(++person);
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials);
   }
-  return analyze_study(made.study(), std::nullopt, {}).at(0);
+  return analysed("rating",
+                  R"({"kind": "rating", "blocks": {"only": {"question":
+          {"name": "rough", "prompt": "How rough?", "scale": )" +
+                      scale + "}}}}",
+                  {.first = 1}, people);
 }
 
-std::string note_below(const AnalysisOutcome& outcome, std::string_view name) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == name) return table.note.english();
-  }
-  throw std::runtime_error("no table " + std::string(name));
+std::string note_below(const AnalysisOutcome& outcome, const std::string& name) {
+  return table_of(outcome, name).note.english();
 }
 
 constexpr const char* kLinearTest = "The F test of the linear mixed model";

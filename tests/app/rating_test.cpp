@@ -10,7 +10,7 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -312,11 +312,7 @@ MadeUpTrial recognised_with(const std::string& felt, const std::string& chosen, 
 AnalysisOutcome ratings_with_confidence(std::string source, const std::string& family) {
   source.replace(source.find("FAMILY"), std::string("FAMILY").size(), family);
   const bool has_attributes = source.find("attributes") != std::string::npos;
-  MadeUpStudy made{};
-  const std::int64_t protocol = made.add_protocol("sure", "recognition", source);
-  for (int person = 0; person < 4; ++person) {
-    const std::string label = "p" + std::to_string(person + 1);
-    made.add_person(label, "");
+  const auto trials_of = [&](int person) {
     std::vector<MadeUpTrial> trials{recognised_with("a", "a", 70), recognised_with("b", "b", 90)};
     trials.push_back(person == 3 ? recognised_with("b", "b", 80)
                                  : recognised_with("b", "a", 60 - 10 * person));
@@ -325,16 +321,12 @@ AnalysisOutcome ratings_with_confidence(std::string source, const std::string& f
       attributes.block = "attributes";
       if (has_attributes) trials.push_back(attributes);
     }
-    made.add_session(label, protocol, trials);
-  }
-  const auto outcomes = analyze_study(made.study(), std::nullopt, {});
-  return outcome_of_kind(outcomes, "rating");
-}
-
-const NamedTable* table_named(const AnalysisOutcome& outcome, const std::string& name) {
-  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [&name](const NamedTable& each) { return each.name == name; });
-  return found == outcome.tables.end() ? nullptr : &*found;
+    return trials;
+  };
+  MadeUpStudy made{};
+  add_people(made, made.add_protocol("sure", "recognition", source), {.number = 4, .first = 1},
+             trials_of);
+  return outcome_of_kind(analyze_study(made.study()), "rating");
 }
 
 TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
@@ -351,10 +343,10 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
   EXPECT_DOUBLE_EQ(found.value("diff", "sure|which").value(), 30.0);
   EXPECT_NEAR(found.find("diff", "sure|which")->low.value(),
               30.0 - 4.302653 * 10.0 / std::sqrt(3.0), 1e-5);
-  const NamedTable* const table = table_named(ratings, "accompanying");
+  const NamedTable* const table = find_table(ratings, "accompanying");
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->table.rows.size(), 6U);  // all, correct, incorrect, difference, a, b
-  const NamedTable* const tests = table_named(ratings, "tests");
+  const NamedTable* const tests = find_table(ratings, "tests");
   ASSERT_NE(tests, nullptr);
   ASSERT_EQ(tests->table.rows.size(), 1U);
   ASSERT_EQ(ratings.test_sentences.size(), 1U);
@@ -373,10 +365,10 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
 TEST(AccompanyingScale, IsNotAnalysedAsAnAttributeOfItems) {
   const AnalysisOutcome ratings =
       ratings_with_confidence(kWithConfidence, R"({"family": ["ratings", "right"]})");
-  const NamedTable* const means = table_named(ratings, "ratings");
+  const NamedTable* const means = find_table(ratings, "ratings");
   ASSERT_NE(means, nullptr);
   for (const char* const name : {"ratings", "agreement", "components", "tests"}) {
-    const NamedTable* const table = table_named(ratings, name);
+    const NamedTable* const table = find_table(ratings, name);
     ASSERT_NE(table, nullptr) << name;
     for (const auto& row : table->table.rows) {
       for (const Cell& cell : row) EXPECT_NE(cell, Cell(std::string("sure"))) << name;
@@ -386,22 +378,22 @@ TEST(AccompanyingScale, IsNotAnalysedAsAnAttributeOfItems) {
   EXPECT_EQ(std::count_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
                           [](const auto& each) { return each.role == TestRole::confirmatory; }),
             2);
-  EXPECT_NE(table_named(ratings, "accompanying"), nullptr);
+  EXPECT_NE(find_table(ratings, "accompanying"), nullptr);
   // The scales as shown, including that of the confidence.
-  EXPECT_EQ(table_named(ratings, "scales")->table.rows.size(), 3U);
+  EXPECT_EQ(find_table(ratings, "scales")->table.rows.size(), 3U);
 }
 
 TEST(AccompanyingScale, IsAnalysedAsRatingsWhereTheFamilyNamesTheirTest) {
   const AnalysisOutcome ratings =
       ratings_with_confidence(kOnlyConfidence, R"({"family": ["ratings"]})");
-  EXPECT_NE(table_named(ratings, "ratings"), nullptr);
-  EXPECT_NE(table_named(ratings, "agreement"), nullptr);
+  EXPECT_NE(find_table(ratings, "ratings"), nullptr);
+  EXPECT_NE(find_table(ratings, "agreement"), nullptr);
 }
 
 TEST(AccompanyingScale, IsTestedInTheFamilyThatNamesItsTest) {
   const AnalysisOutcome ratings =
       ratings_with_confidence(kOnlyConfidence, R"({"family": ["right", "accompanying_scales"]})");
-  EXPECT_EQ(table_named(ratings, "ratings"), nullptr);
+  EXPECT_EQ(find_table(ratings, "ratings"), nullptr);
   ASSERT_EQ(ratings.test_sentences.size(), 1U);
   EXPECT_EQ(ratings.test_sentences[0].role, TestRole::confirmatory);
   EXPECT_THAT(ratings.test_sentences[0].text,
@@ -433,8 +425,8 @@ TEST(AccompanyingScale, IsReportedByTheChosenItemWhereNoResponseIsCorrect) {
   const FoundNumbers found(ratings.findings);
   EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|best|chosen|x").value(), 80.0);
   EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|best|chosen|y").value(), 40.0);
-  EXPECT_EQ(table_named(ratings, "tests"), nullptr);
-  EXPECT_EQ(table_named(ratings, "ratings"), nullptr);
+  EXPECT_EQ(find_table(ratings, "tests"), nullptr);
+  EXPECT_EQ(find_table(ratings, "ratings"), nullptr);
 }
 
 /// A participant's rating of an item on the scale `rough`, and on `smooth` where it is given.
@@ -452,16 +444,9 @@ MadeUpTrial rated_on(const std::string& item, const std::string& rough,
   return trial;
 }
 
-AnalysisOutcome analysed(const std::string& source,
-                         const std::vector<std::vector<MadeUpTrial>>& participants) {
-  MadeUpStudy made{};
-  const std::int64_t protocol = made.add_protocol("made", "rating", source);
-  for (std::size_t i = 0; i < participants.size(); ++i) {
-    const std::string label = "p" + std::to_string(i + 1);
-    made.add_person(label, "");
-    made.add_session(label, protocol, participants[i]);
-  }
-  return analyze_study(made.study(), std::nullopt, {}).at(0);
+AnalysisOutcome analysed_ratings(const std::string& source,
+                                 const std::vector<std::vector<MadeUpTrial>>& participants) {
+  return analysed("rating", source, {.first = 1}, participants);
 }
 
 std::string two_scales_with(const std::string& analysis) {
@@ -478,13 +463,13 @@ TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
   const std::vector<std::vector<MadeUpTrial>> people{
       {rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
       {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}};
-  const AnalysisOutcome outcome =
-      analysed(two_scales_with(R"({"constructs": {"roughness": {"scales": ["rough", "smooth"],
+  const AnalysisOutcome outcome = analysed_ratings(
+      two_scales_with(R"({"constructs": {"roughness": {"scales": ["rough", "smooth"],
                                                        "reverse_keyed": ["smooth"]}}})"),
-               people);
+      people);
   const FoundNumbers found(outcome.findings);
   EXPECT_NEAR(found.value("cronbach.alpha", "roughness").value(), 16.0 / 17.0, 1e-12);
-  const NamedTable* const table = table_named(outcome, "constructs");
+  const NamedTable* const table = find_table(outcome, "constructs");
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->table.rows.at(0).at(2), Cell(std::string("smooth")));
   EXPECT_EQ(table->table.rows.at(0).at(4), Cell(std::int64_t{4}));
@@ -500,9 +485,9 @@ TEST(Construct, IsNotMadeOfParticipants) {
   const std::vector<std::vector<MadeUpTrial>> people{
       {rated_on("wood", "1", "6"), rated_on("stone", "5", "2"), rated_on("cork", "2", "3")},
       {rated_on("wood", "3", "6"), rated_on("stone", "7", "2"), rated_on("cork", "2", "4")}};
-  const AnalysisOutcome outcome = analysed(two_scales_with("{}"), people);
+  const AnalysisOutcome outcome = analysed_ratings(two_scales_with("{}"), people);
   EXPECT_EQ(FoundNumbers(outcome.findings).all("cronbach.alpha").size(), 0U);
-  EXPECT_EQ(table_named(outcome, "constructs"), nullptr);
+  EXPECT_EQ(find_table(outcome, "constructs"), nullptr);
   EXPECT_NE(FoundNumbers(outcome.findings).find("icc", "rough|ICC2k"), nullptr);
 }
 
@@ -510,13 +495,13 @@ TEST(Agreement, HasAStatusWithTwoItems) {
   const std::vector<std::vector<MadeUpTrial>> people{
       {rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
       {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}};
-  const AnalysisOutcome outcome = analysed(two_scales_with("{}"), people);
+  const AnalysisOutcome outcome = analysed_ratings(two_scales_with("{}"), people);
   const FoundNumbers found(outcome.findings);
   EXPECT_EQ(found.find("icc", "rough|ICC3"), nullptr);
   const Finding* const none = found.find("icc", "rough");
   ASSERT_NE(none, nullptr);
   EXPECT_THAT(none->status, HasSubstr("at least 3 items that all participants rated"));
-  const NamedTable* const table = table_named(outcome, "agreement");
+  const NamedTable* const table = find_table(outcome, "agreement");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->table.columns.back(), "status");
   EXPECT_EQ(table->table.rows.front().back(), Cell(std::string("too_few")));
@@ -540,9 +525,9 @@ std::vector<std::vector<MadeUpTrial>> four_on_a_line() {
 
 TEST(RatingModel, IsLinearOnAContinuousScale) {
   const AnalysisOutcome outcome =
-      analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), four_on_a_line());
-  EXPECT_EQ(table_named(outcome, "ordinal"), nullptr);
-  const NamedTable* const table = table_named(outcome, "mixed_model");
+      analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 100})"), four_on_a_line());
+  EXPECT_EQ(find_table(outcome, "ordinal"), nullptr);
+  const NamedTable* const table = find_table(outcome, "mixed_model");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->table.rows.size(), 1U);  // the reference is the first item, stone
   const FoundNumbers found(outcome.findings);
@@ -563,8 +548,8 @@ TEST(RatingModel, IsOrdinalUpToElevenPoints) {
       people.push_back(
           {rated_on("wood", std::to_string(wood)), rated_on("stone", std::to_string(stone))});
     }
-    return analysed(one_scale(R"({"minimum": 0, "maximum": 11, "points": )" + points + "}"),
-                    people);
+    return analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 11, "points": )" + points + "}"),
+                            people);
   };
   EXPECT_NE(FoundNumbers(tables("11").findings).find("n.categories", "rough"), nullptr);
   EXPECT_EQ(FoundNumbers(tables("11").findings).find("lmm.status", "rough"), nullptr);
@@ -582,15 +567,15 @@ AnalysisOutcome profiles_of_items(int items) {
                    std::to_string(1 + (item * 3 + person) % 7)));
     }
   }
-  return analysed(two_scales_with("{}"), people);
+  return analysed_ratings(two_scales_with("{}"), people);
 }
 
 TEST(RatingComponents, HaveLoadingsForOneComponentPerFiveItems) {
   const AnalysisOutcome four = profiles_of_items(4);
-  EXPECT_EQ(table_named(four, "loadings"), nullptr);
+  EXPECT_EQ(find_table(four, "loadings"), nullptr);
   EXPECT_TRUE(FoundNumbers(four.findings).all("loading").empty());
-  ASSERT_NE(table_named(four, "components"), nullptr);
-  EXPECT_THAT(table_named(four, "components")->note.english(),
+  ASSERT_NE(find_table(four, "components"), nullptr);
+  EXPECT_THAT(find_table(four, "components")->note.english(),
               HasSubstr("at least five items per component, and 4 items"));
   const AnalysisOutcome nine = profiles_of_items(9);
   for (const Finding* const loading : FoundNumbers(nine.findings).all("loading")) {
@@ -627,8 +612,8 @@ TEST(RatingComponents, AreThoseOfAllItemsWhereTheItemsAreLevels) {
       }
     }
   }
-  const AnalysisOutcome outcome = analysed(source, people);
-  ASSERT_NE(table_named(outcome, "loadings"), nullptr);
+  const AnalysisOutcome outcome = analysed_ratings(source, people);
+  ASSERT_NE(find_table(outcome, "loadings"), nullptr);
   EXPECT_EQ(FoundNumbers(outcome.findings).all("score").size(), 6U);
 }
 
@@ -638,7 +623,8 @@ TEST(RatingReliability, IsThatOfTheRepetitionsThatAllRepeatedItemsHave) {
       {rated_on("a", "10"), rated_on("b", "30"), rated_on("c", "20"), rated_on("d", "30"),
        rated_on("a", "20", {}, 2), rated_on("b", "60", {}, 2), rated_on("c", "40", {}, 2),
        rated_on("a", "99", {}, 3)}};
-  const AnalysisOutcome outcome = analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
+  const AnalysisOutcome outcome =
+      analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
   // Items 15, 45, 30 around 30: MSB = 2·(225 + 225 + 0)/2 = 450; residuals ±5, ∓5, ±0: MSE = 2·50/2 = 50.
   EXPECT_NEAR(FoundNumbers(outcome.findings).value("icc.mean", "rough|ICC3").value(), 0.8, 1e-12);
   const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
@@ -655,7 +641,8 @@ TEST(RatingReliability, IsThatOfEachParticipantsRepetitions) {
        rated_on("b", "20", {}, 2), rated_on("c", "50", {}, 2)},
       {rated_on("a", "40"), rated_on("b", "50"), rated_on("c", "90"), rated_on("a", "40", {}, 2),
        rated_on("b", "50", {}, 2), rated_on("c", "90", {}, 2)}};
-  const AnalysisOutcome outcome = analysed(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
+  const AnalysisOutcome outcome =
+      analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
   // The first: items 15, 20, 40 and repetitions 20, 30 around the mean 25: MSB = 2·(100 + 25 + 225)/2 =
   // 350; residuals ±0, ±5, ∓5: MSE = 2·(0 + 25 + 25)/2 = 50; ICC3 = 300/400. The second: 1.
   EXPECT_NEAR(FoundNumbers(outcome.findings).value("icc.mean", "rough|ICC3").value(), 0.875, 1e-12);

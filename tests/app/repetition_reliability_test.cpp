@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/study/analyze_study.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -19,33 +18,13 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-using TrialsOf = std::function<std::vector<MadeUpTrial>(int participant)>;
-
-AnalysisOutcome analysed_study(const std::string& kind, const std::string& source, int people,
-                               const TrialsOf& trials_of) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol(kind, kind, source);
-  for (int i = 0; i < people; ++i) {
-    const std::string label = "p" + std::to_string(10 + i);
-    made.add_person(label, "");
-    made.add_session(label, protocol, trials_of(i));
-  }
-  return analyze_study(made.study()).at(0);
-}
-
 const AnsweredQuestion* asked(const AnalysisOutcome& outcome) {
-  for (const AnsweredQuestion& one : outcome.questions) {
-    if (one.name == "reliability") return &one;
-  }
-  return nullptr;
+  return find_question(outcome, "reliability");
 }
 
 const Finding& reliability_in(const AnalysisOutcome& outcome, const std::string& quantity,
                               const std::string& key) {
-  for (const Finding& one : outcome.findings) {
-    if (one.analysis == "reliability" && one.quantity == quantity && one.key == key) return one;
-  }
-  throw std::runtime_error("no finding " + quantity);
+  return finding_of(outcome, "reliability", quantity, key);
 }
 
 /// One response of a recognition that the plan numbers, without a factor for it.
@@ -61,7 +40,7 @@ MadeUpTrial recognised(int repetition, bool is_right) {
 
 // Proportions 0, ¼; ¼, ½; ½, ¾; ¾, 1: consistent, each repetition a quarter better.
 TEST(ReliabilityOfPlannedRepetitions, IsAskedWithoutAFactorForThem) {
-  const AnalysisOutcome outcome = analysed_study("recognition", "{}", 4, [](int i) {
+  const AnalysisOutcome outcome = analysed("recognition", "{}", {.number = 4}, [](int i) {
     std::vector<MadeUpTrial> trials{};
     for (const int repetition : {1, 2}) {
       for (int k = 0; k < 4; ++k) {
@@ -78,7 +57,7 @@ TEST(ReliabilityOfPlannedRepetitions, IsAskedWithoutAFactorForThem) {
 
 // The second repetition has twice as many trials, and the same proportions.
 TEST(ReliabilityOfPlannedRepetitions, IsOfProportionsWhereNumbersOfTrialsDiffer) {
-  const AnalysisOutcome outcome = analysed_study("recognition", "{}", 4, [](int i) {
+  const AnalysisOutcome outcome = analysed("recognition", "{}", {.number = 4}, [](int i) {
     std::vector<MadeUpTrial> trials{};
     for (const int repetition : {1, 2}) {
       for (int k = 0; k < 4 * repetition; ++k) {
@@ -92,7 +71,7 @@ TEST(ReliabilityOfPlannedRepetitions, IsOfProportionsWhereNumbersOfTrialsDiffer)
 
 // Trials of no column are not its repetitions.
 TEST(ReliabilityOfPlannedRepetitions, IsNotAskedWhereOnlySomeTrialsHaveAColumn) {
-  const AnalysisOutcome outcome = analysed_study("recognition", "{}", 4, [](int i) {
+  const AnalysisOutcome outcome = analysed("recognition", "{}", {.number = 4}, [](int i) {
     std::vector<MadeUpTrial> trials{};
     for (const int repetition : {1, 2}) {
       for (int k = 0; k < 4; ++k) {
@@ -128,7 +107,7 @@ std::vector<MadeUpTrial> steady_choices(int i) {
 
 TEST(ReliabilityOfSelections, IsThatOfTheChoicesOfTheTarget) {
   const AnalysisOutcome outcome =
-      analysed_study("selection", R"({"analysis": {"target": "a"}})", 4, steady_choices);
+      analysed("selection", R"({"analysis": {"target": "a"}})", {.number = 4}, steady_choices);
   ASSERT_NE(asked(outcome), nullptr);
   EXPECT_NEAR(*reliability_in(outcome, "icc", "ICC2").value, 1.0, 1e-12);
   EXPECT_THAT(asked(outcome)->method.english(),
@@ -136,7 +115,7 @@ TEST(ReliabilityOfSelections, IsThatOfTheChoicesOfTheTarget) {
 }
 
 TEST(ReliabilityOfSelections, HasAStatusWithoutATarget) {
-  const AnalysisOutcome outcome = analysed_study("selection", "{}", 4, steady_choices);
+  const AnalysisOutcome outcome = analysed("selection", "{}", {.number = 4}, steady_choices);
   EXPECT_EQ(asked(outcome), nullptr);
   const Finding& none = reliability_in(outcome, "icc", "");
   EXPECT_FALSE(none.value);
@@ -152,12 +131,12 @@ AnalysisOutcome estimated(int people, int repetitions,
     "factors": {"texture": {"levels": ["fine", "coarse", "coarser"]}},
     "textures": {"fine": {"spacing_m": 0.001}, "coarse": {"spacing_m": 0.002},
                  "coarser": {"spacing_m": 0.003}}})";
-  return analysed_study("magnitude", kSource, people, [&](int i) {
+  return analysed("magnitude", kSource, {.number = people}, [&](int i) {
     std::vector<MadeUpTrial> trials{};
     for (int repetition = 1; repetition <= repetitions; ++repetition) {
       for (int surface = 0; surface < surfaces; ++surface) {
         constexpr std::array kThreeTextures{R"({"texture": "fine"})", R"({"texture": "coarse"})",
-                                       R"({"texture": "coarser"})"};
+                                            R"({"texture": "coarser"})"};
         MadeUpTrial trial{};
         trial.repetition = repetition;
         trial.surfaces = {surface_of("s", "pd_gradient", "s")};
@@ -234,7 +213,7 @@ TEST(ReliabilityOfMagnitudes, HasAStatusWithTwoSurfaces) {
 
 TEST(ReliabilityOfSelections, HasAStatusWithTwoParticipants) {
   const AnalysisOutcome outcome =
-      analysed_study("selection", R"({"analysis": {"target": "a"}})", 2, steady_choices);
+      analysed("selection", R"({"analysis": {"target": "a"}})", {.number = 2}, steady_choices);
   EXPECT_EQ(asked(outcome), nullptr);
   EXPECT_THAT(reliability_in(outcome, "icc", "").status,
               HasSubstr("at least 3 participants with all repetitions"));

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/study/analyze_study.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -37,21 +37,11 @@ MadeUpTrial timed_trial(int repetition, const std::string& texture,
 
 AnalysisOutcome analyze_recognition_of(
     const std::vector<std::vector<MadeUpTrial>>& by_participant) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
-  for (std::size_t i = 0; i < by_participant.size(); ++i) {
-    const std::string label = "p" + std::to_string(i);
-    made.add_person(label, "F");
-    made.add_session(label, protocol, by_participant[i]);
-  }
-  return analyze_study(made.study()).front();
+  return analysed("recognition", "{}", {.first = 0, .sex = "F"}, by_participant);
 }
 
 const NamedTable& times_in(const AnalysisOutcome& outcome) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == kResponseTimes) return table;
-  }
-  throw std::runtime_error("no table of response times");
+  return table_of(outcome, kResponseTimes);
 }
 
 const std::vector<Cell>& times_row(const AnalysisOutcome& outcome, const std::string& factor,

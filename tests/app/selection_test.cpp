@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,9 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/reading_table.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/study/cell_words.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -23,25 +21,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == name) return table;
-  }
-  throw std::runtime_error("no table " + name);
-}
-
-bool has_table(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == name) return true;
-  }
-  return false;
-}
-
 std::string answer_of(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const AnsweredQuestion& question : outcome.questions) {
-    if (question.name == name) return question.answer.english();
-  }
-  throw std::runtime_error("no question " + name);
+  return question_of(outcome, name).answer.english();
 }
 
 /// Everything that is said: questions with their answers, remarks, notes.
@@ -50,7 +31,7 @@ std::string words_of(const AnalysisOutcome& outcome) {
   for (const AnsweredQuestion& question : outcome.questions) {
     words += question.question.english() + ' ' + question.answer.english() + '\n';
   }
-  for (const Phrase& remark : outcome.remarks) words += remark.english() + '\n';
+  words += remarks_of(outcome);
   for (const NamedTable& table : outcome.tables) words += table.note.english() + '\n';
   return words;
 }
@@ -65,18 +46,9 @@ MadeUpTrial trial_of(const std::vector<std::string>& offered, const std::string&
   return trial;
 }
 
-std::string label_of(int number) { return "p" + std::to_string(100 + number); }
-
-/// A study of so many people with the same protocol; `trials_of`: of one of them.
-template <class TrialsOf>
-AnalysisOutcome analysed(int people, const std::string& source, const TrialsOf& trials_of) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol("pairs", "selection", source);
-  for (int i = 0; i < people; ++i) {
-    made.add_person(label_of(i), "F");
-    made.add_session(label_of(i), protocol, trials_of(i));
-  }
-  return analyze_study(made.study()).at(0);
+AnalysisOutcome analysed_selection(int people, const std::string& source,
+                                   const TrialsOfPerson& trials_of) {
+  return analysed("selection", source, {.number = people, .first = 100, .sex = "F"}, trials_of);
 }
 
 const std::vector<std::string> kFour{"a", "b", "c", "d"};
@@ -96,7 +68,7 @@ std::vector<MadeUpTrial> all_pairs_of(int person) {
 }
 
 const AnalysisOutcome& all_pairs() {
-  static const AnalysisOutcome kOutcome = analysed(10, "{}", all_pairs_of);
+  static const AnalysisOutcome kOutcome = analysed_selection(10, "{}", all_pairs_of);
   return kOutcome;
 }
 
@@ -126,7 +98,7 @@ TEST(PairedSelection, TestsEachPairOnTheTrialsThatPresentedBoth) {
 // Five models in a fixed order of preference: ten pairs, all of them significant.
 TEST(PairedSelection, CountsTheSignificantPairsWhereTheyAreMany) {
   const std::vector<std::string> models{"a", "b", "c", "d", "e"};
-  const AnalysisOutcome outcome = analysed(12, "{}", [&models](int person) {
+  const AnalysisOutcome outcome = analysed_selection(12, "{}", [&models](int person) {
     std::vector<MadeUpTrial> trials{};
     for (std::size_t i = 0; i < models.size(); ++i) {
       for (std::size_t j = i + 1; j < models.size(); ++j) {
@@ -167,7 +139,7 @@ TEST(PairedSelection, StatesNothingThatOnlyACompleteDesignCouldLack) {
   EXPECT_THAT(words, Not(HasSubstr("compare nothing")));
   EXPECT_THAT(words, Not(HasSubstr("1/2 of the choices for each model")));
   EXPECT_THAT(words, Not(HasSubstr("single test")));
-  EXPECT_FALSE(has_table(all_pairs(), "persons"));
+  EXPECT_EQ(find_table(all_pairs(), "persons"), nullptr);
   const Table& persons = table_of(all_pairs(), "persons_by_pair").table;
   ASSERT_EQ(persons.rows.size(), 6U);
   EXPECT_EQ(persons.rows[0][0], Cell{"a|b"});
@@ -178,7 +150,7 @@ TEST(PairedSelection, StatesNothingThatOnlyACompleteDesignCouldLack) {
 // A declared test that needs every model in every trial keeps its place in the family, with the reason.
 TEST(PairedSelection, ExplainsADeclaredTestThatItCannotMake) {
   const AnalysisOutcome outcome =
-      analysed(2, R"({"analysis": {"family": ["pairs", "preference"]}})", all_pairs_of);
+      analysed_selection(2, R"({"analysis": {"family": ["pairs", "preference"]}})", all_pairs_of);
   const NamedTable& tests = table_of(outcome, "tests");
   EXPECT_THAT(tests.note.english(), HasSubstr("over the 7 confirmatory tests"));
   const auto row = std::find_if(tests.table.rows.begin(), tests.table.rows.end(),
@@ -189,7 +161,7 @@ TEST(PairedSelection, ExplainsADeclaredTestThatItCannotMake) {
 
 // Of three the third does not matter to the pair: it was chosen, and neither of the two.
 TEST(PairedSelection, LeavesOutTheChoiceOfAThirdModel) {
-  const AnalysisOutcome outcome = analysed(6, "{}", [](int) {
+  const AnalysisOutcome outcome = analysed_selection(6, "{}", [](int) {
     return std::vector<MadeUpTrial>{trial_of({"a", "b", "c"}, "a"), trial_of({"a", "b", "d"}, "d"),
                                     trial_of({"b", "c", "d"}, "c")};
   });
@@ -205,12 +177,12 @@ TEST(PairedSelection, LeavesOutTheChoiceOfAThirdModel) {
 
 TEST(ComparedLevels, ArePreferredAndNotRealistic) {
   const AnalysisOutcome outcome =
-      analysed(3, R"({"kind": "selection",
+      analysed_selection(3, R"({"kind": "selection",
       "stimuli": {"a": {"model": "m", "parameters": {"friction": 0.2}}, "b": {"model": "m"}},
       "blocks": {"main": {"presented": [{"stimulus": "a"}, {"stimulus": "b"}]}}})",
-               [](int) {
-                 return std::vector<MadeUpTrial>{trial_of({"weak", "strong"}, "strong")};
-               });
+                         [](int) {
+                           return std::vector<MadeUpTrial>{trial_of({"weak", "strong"}, "strong")};
+                         });
   const std::string words = words_of(outcome);
   EXPECT_THAT(words, HasSubstr("Which level of friction is preferred?"));
   EXPECT_THAT(words, HasSubstr("do not show whether the levels can be discriminated"));
@@ -220,7 +192,7 @@ TEST(ComparedLevels, ArePreferredAndNotRealistic) {
 
 TEST(SelectionTies, NameAllModelsThatWereChosenMostOften) {
   const std::vector<std::string> three{"a", "b", "c"};
-  const AnalysisOutcome outcome = analysed(2, "{}", [&](int person) {
+  const AnalysisOutcome outcome = analysed_selection(2, "{}", [&](int person) {
     return std::vector<MadeUpTrial>{trial_of(three, person == 0 ? "c" : "b"),
                                     trial_of(three, person == 0 ? "b" : "c")};
   });
@@ -230,7 +202,7 @@ TEST(SelectionTies, NameAllModelsThatWereChosenMostOften) {
 
 // Each person chooses once at every position: nothing was chosen most often.
 TEST(SelectionTies, NameNoPositionWhereAllAreChosenEquallyOften) {
-  const AnalysisOutcome outcome = analysed(3, "{}", [](int) {
+  const AnalysisOutcome outcome = analysed_selection(3, "{}", [](int) {
     return std::vector<MadeUpTrial>{trial_of({"a", "b", "c"}, "a"), trial_of({"b", "a", "c"}, "a"),
                                     trial_of({"b", "c", "a"}, "a")};
   });
@@ -241,17 +213,18 @@ TEST(SelectionTies, NameNoPositionWhereAllAreChosenEquallyOften) {
 
 // Two people choose what is first in two of three trials. The test decides, and the family holds it.
 TEST(SelectionTies, AnswerWhetherThePositionMattersByTheTest) {
-  const AnalysisOutcome outcome = analysed(2, R"({"analysis": {"family": ["position"]}})", [](int) {
-    return std::vector<MadeUpTrial>{trial_of({"a", "b"}, "a"), trial_of({"a", "b"}, "b"),
-                                    trial_of({"b", "a"}, "b")};
-  });
+  const AnalysisOutcome outcome =
+      analysed_selection(2, R"({"analysis": {"family": ["position"]}})", [](int) {
+        return std::vector<MadeUpTrial>{trial_of({"a", "b"}, "a"), trial_of({"a", "b"}, "b"),
+                                        trial_of({"b", "a"}, "b")};
+      });
   EXPECT_THAT(answer_of(outcome, "position"),
               AllOf(StartsWith("The position has no significant effect (p "),
                     HasSubstr("the first position was chosen in 67 % of")));
 }
 
 TEST(SelectionTies, NameAllPairsWithTheSmallestP) {
-  const AnalysisOutcome outcome = analysed(2, "{}", [](int) { return all_pairs_of(0); });
+  const AnalysisOutcome outcome = analysed_selection(2, "{}", [](int) { return all_pairs_of(0); });
   EXPECT_THAT(
       answer_of(outcome, "pairs"),
       StartsWith(
@@ -261,7 +234,7 @@ TEST(SelectionTies, NameAllPairsWithTheSmallestP) {
 
 // Of 12 participants 8 choose each model once. The p of the other four is at least 2/2⁴ = .125; of six it is 2/2⁶ = .031.
 TEST(SelectionTies, StateTheParticipantsWhoseDifferenceIsNotZero) {
-  const AnalysisOutcome outcome = analysed(12, "{}", [](int person) {
+  const AnalysisOutcome outcome = analysed_selection(12, "{}", [](int person) {
     return std::vector<MadeUpTrial>{trial_of({"a", "b"}, "a"),
                                     trial_of({"b", "a"}, person < 4 ? "a" : "b")};
   });
@@ -285,7 +258,7 @@ TEST(SelectionTies, StateTheParticipantsWhoseDifferenceIsNotZero) {
 }
 
 TEST(SelectionTies, AnswerOfTwoModelsAndOfTheirOnlyPairInTheSingular) {
-  const AnalysisOutcome outcome = analysed(2, "{}", [](int person) {
+  const AnalysisOutcome outcome = analysed_selection(2, "{}", [](int person) {
     return std::vector<MadeUpTrial>{trial_of({"a", "b"}, person == 0 ? "a" : "b")};
   });
   EXPECT_THAT(answer_of(outcome, "preference"),
@@ -312,13 +285,14 @@ std::vector<MadeUpTrial> two_textures(const std::string& chosen) {
 }
 
 TEST(SelectionTextures, AreNotTestedWhereNobodyEverChoseTheTarget) {
-  const AnalysisOutcome outcome = analysed(2, kTargetA, [](int) { return two_textures("b"); });
+  const AnalysisOutcome outcome =
+      analysed_selection(2, kTargetA, [](int) { return two_textures("b"); });
   EXPECT_EQ(answer_of(outcome, "textures"), "This cannot be tested: no participant ever chose a.");
 }
 
 TEST(SelectionTextures, CountTheParticipantsWhoNeverChoseTheTarget) {
-  const AnalysisOutcome outcome =
-      analysed(3, kTargetA, [](int person) { return two_textures(person == 0 ? "b" : "a"); });
+  const AnalysisOutcome outcome = analysed_selection(
+      3, kTargetA, [](int person) { return two_textures(person == 0 ? "b" : "a"); });
   EXPECT_THAT(answer_of(outcome, "textures"),
               HasSubstr("Participants who never chose a do not contribute: 1 of 3."));
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,7 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/group_equivalence.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -36,36 +35,23 @@ MadeUpTrial repeated_trial(int repetition, bool is_right) {
 /// Correct answers of each participant in both repetitions, of four each; women first, then men.
 AnalysisOutcome analyze_repetitions(const std::vector<std::array<int, 2>>& correct,
                                     const std::string& protocol_json) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol("recognition", "recognition", protocol_json);
-  for (std::size_t i = 0; i < correct.size(); ++i) {
-    const std::string label = "p" + std::to_string(i);
-    made.add_person(label, i < correct.size() / 2 ? "F" : "M");
+  const auto trials_of = [&](int person) {
     std::vector<MadeUpTrial> trials{};
     for (int repetition = 1; repetition <= 2; ++repetition) {
-      const int right = correct[i][static_cast<std::size_t>(repetition - 1)];
+      const int right =
+          correct[static_cast<std::size_t>(person)][static_cast<std::size_t>(repetition - 1)];
       for (int k = 0; k < 4; ++k) trials.push_back(repeated_trial(repetition, k < right));
     }
-    made.add_session(label, protocol, trials);
-  }
-  return analyze_study(made.study()).front();
-}
-
-std::string answer_of(const AnalysisOutcome& outcome, const std::string& question) {
-  for (const AnsweredQuestion& one : outcome.questions) {
-    if (one.name == question) return one.answer.english();
-  }
-  return "(not asked)";
+    return trials;
+  };
+  const int people = static_cast<int>(correct.size());
+  return analysed("recognition", protocol_json, {.number = people, .first = 0, .of_both = true},
+                  trials_of);
 }
 
 double value_in(const AnalysisOutcome& outcome, const std::string& analysis,
                 const std::string& quantity, const std::string& key = "") {
-  for (const Finding& one : outcome.findings) {
-    if (one.analysis == analysis && one.quantity == quantity && one.key == key) {
-      return one.value.value_or(std::nan(""));
-    }
-  }
-  throw std::runtime_error("no finding " + quantity);
+  return finding_of(outcome, analysis, quantity, key).value.value_or(std::nan(""));
 }
 
 const std::vector<std::array<int, 2>> kSimilarGroups{{4, 3}, {2, 2}, {3, 3}, {1, 2},
@@ -76,12 +62,12 @@ TEST(Equivalence, IsTestedWithTheMarginThatTheProtocolDeclares) {
   const AnalysisOutcome wide =
       analyze_repetitions(kSimilarGroups, R"({"analysis": {"equivalence_margin": 0.5}})");
   EXPECT_THAT(
-      answer_of(wide, kSexesEquivalence),
+      answer_to(wide, kSexesEquivalence),
       StartsWith("The 90 % CI lies within ±50.0 percentage points: difference (women − men) = 0.0 "
                  "percentage points, 90 % CI [−"));
   const AnalysisOutcome narrow =
       analyze_repetitions(kSimilarGroups, R"({"analysis": {"equivalence_margin": 0.05}})");
-  EXPECT_THAT(answer_of(narrow, kSexesEquivalence),
+  EXPECT_THAT(answer_to(narrow, kSexesEquivalence),
               StartsWith("The 90 % CI does not lie within ±5.0 percentage points: "));
   // SE² = 2·s²/4 with s² = (0.25² + 0.125² + 0.125² + 0.25²)/3: t₆(.95)·SE.
   const double se = std::sqrt(2.0 * (2.0 * 0.0625 + 2.0 * 0.015625) / 3.0 / 4.0);
@@ -91,7 +77,7 @@ TEST(Equivalence, IsTestedWithTheMarginThatTheProtocolDeclares) {
 
 TEST(Equivalence, HasNoVerdictWithoutADeclaredMargin) {
   const AnalysisOutcome outcome = analyze_repetitions(kSimilarGroups, "{}");
-  const std::string answer = answer_of(outcome, kSexesEquivalence);
+  const std::string answer = answer_to(outcome, kSexesEquivalence);
   EXPECT_THAT(
       answer,
       StartsWith("The protocol declares no equivalence margin, so equivalence is not assessed: "));
@@ -103,7 +89,7 @@ TEST(Equivalence, HasNoVerdictWithoutADeclaredMargin) {
 // Women and men with all and none correct: SE² = ½/2 + ½/2, and t₂(.95)·SE is more than 2.
 TEST(Equivalence, HasNoMarginBeyondTheLargestDifference) {
   const AnalysisOutcome outcome = analyze_repetitions({{4, 4}, {0, 0}, {4, 4}, {0, 0}}, "{}");
-  const std::string answer = answer_of(outcome, kSexesEquivalence);
+  const std::string answer = answer_to(outcome, kSexesEquivalence);
   EXPECT_GT(value_in(outcome, kSexesEquivalence, "equivalence.margin"), 2.0);
   EXPECT_THAT(answer, HasSubstr("The data would not support equivalence within any margin: the CI "
                                 "reaches ±100 percentage points"));
@@ -111,8 +97,8 @@ TEST(Equivalence, HasNoMarginBeyondTheLargestDifference) {
 
 TEST(Equivalence, CannotBeAssessedWhereNobodyDiffers) {
   const AnalysisOutcome outcome = analyze_repetitions({{2, 2}, {2, 2}, {2, 2}, {2, 2}}, "{}");
-  EXPECT_THAT(answer_of(outcome, kSexesEquivalence), StartsWith("This cannot be assessed: "));
-  EXPECT_THAT(answer_of(outcome, "reliability"), StartsWith("Not defined: "));
+  EXPECT_THAT(answer_to(outcome, kSexesEquivalence), StartsWith("This cannot be assessed: "));
+  EXPECT_THAT(answer_to(outcome, "reliability"), StartsWith("Not defined: "));
 }
 
 // Of proportions ¼ apart in the second repetition: consistency is whole, agreement is not.
@@ -123,7 +109,7 @@ TEST(ReliabilityOverRepetitions, TellsConsistencyFromAgreement) {
   EXPECT_NEAR(value_in(outcome, "reliability", "icc", "ICC2"), (10.0 / 3.0) / (10.0 / 3.0 + 1.0),
               1e-12);
   EXPECT_THAT(
-      answer_of(outcome, "reliability"),
+      answer_to(outcome, "reliability"),
       StartsWith(
           "Reliability of a single repetition: ICC(3,1) = 1.00 (consistency) and ICC(2,1) = .77 "
           "(agreement); of the mean of the 2 repetitions: ICC(3,k) = 1.00; N = 4 participants."));
@@ -138,7 +124,7 @@ TEST(ReliabilityOverRepetitions, IsNotAskedWithoutRepetitions) {
     trial.factors_json = "{}";
     made.add_session(label, protocol, {trial, trial});
   }
-  EXPECT_EQ(answer_of(analyze_study(made.study()).front(), "reliability"), "(not asked)");
+  EXPECT_EQ(find_question(analyze_study(made.study()).front(), "reliability"), nullptr);
 }
 
 }  // namespace

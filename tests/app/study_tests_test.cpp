@@ -14,11 +14,10 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/reading_table.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/test_methods.h"
 #include "app/report/text/report_sexes.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/analysed_study.h"
 
 namespace asperity {
 namespace {
@@ -26,10 +25,7 @@ namespace {
 using testing::HasSubstr;
 
 const NamedTable& tests_of(const AnalysisOutcome& outcome) {
-  for (const NamedTable& table : outcome.tables) {
-    if (table.name == StudyTests::kTable) return table;
-  }
-  throw std::runtime_error("no table of tests");
+  return table_of(outcome, StudyTests::kTable);
 }
 
 /// A row by its test and what it is about.
@@ -99,24 +95,16 @@ MadeUpTrial estimate_of(const std::string& texture, const std::string& tip, doub
   return trial;
 }
 
-/// `trials_of`: of each participant in turn, women first.
-template <class TrialsOf>
-AnalysisOutcome analysed(const std::string& kind, const std::string& source, int people,
-                         const TrialsOf& trials_of) {
-  MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol("tested", kind, source);
-  for (int i = 0; i < people; ++i) {
-    const std::string label = "p" + std::to_string(i);
-    made.add_person(label, i < people / 2 ? "F" : "M");
-    made.add_session(label, protocol, trials_of(i));
-  }
-  return analyze_study(made.study()).front();
+/// Women first.
+AnalysisOutcome tested(const std::string& kind, const std::string& source, int people,
+                       const TrialsOfPerson& trials_of) {
+  return analysed(kind, source, {.number = people, .first = 0, .of_both = true}, trials_of);
 }
 
 /// Six people choose between two models, four times each: 4, 4, 3, 3, 2 and 4 times the first.
 AnalysisOutcome selection_of_six() {
   constexpr std::array kFirsts{4, 4, 3, 3, 2, 4};
-  return analysed(
+  return tested(
       "selection", R"({"analysis": {"target": "new", "family": ["target_pairs"]}})", 6, [&](int i) {
         std::vector<MadeUpTrial> trials{};
         for (int trial = 0; trial < 4; ++trial) {
@@ -130,7 +118,7 @@ AnalysisOutcome selection_of_six() {
 
 /// Each pair of three models in both orders; participants with even numbers prefer the first of each.
 AnalysisOutcome paired_selection_of_four() {
-  return analysed("selection", "{}", 4, [](int i) {
+  return tested("selection", "{}", 4, [](int i) {
     std::vector<MadeUpTrial> trials{};
     for (const auto& [a, b] : {std::pair{"a", "b"}, std::pair{"a", "c"}, std::pair{"b", "c"}}) {
       const std::string chosen = i % 2 == 0 ? a : b;
@@ -143,7 +131,7 @@ AnalysisOutcome paired_selection_of_four() {
 
 /// Three people recognise 4, 3 and 3 of four textures.
 AnalysisOutcome recognition_of_three() {
-  return analysed("recognition", "{}", 3, [](int i) {
+  return tested("recognition", "{}", 3, [](int i) {
     return std::vector{recognition_of("brick", "brick"), recognition_of("metal", "metal"),
                        recognition_of("stone", "stone"),
                        recognition_of("wood", i == 0 ? "wood" : "stone")};
@@ -152,7 +140,7 @@ AnalysisOutcome recognition_of_three() {
 
 /// Four people match four textures twice: all right, then two.
 AnalysisOutcome matching_of_four() {
-  return analysed("matching", "{}", 4, [](int i) {
+  return tested("matching", "{}", 4, [](int i) {
     std::vector<MadeUpTrial> trials{matching_of({"brick", "metal", "stone", "wood"})};
     if (i > 0) trials.push_back(matching_of({"metal", "brick", "stone", "wood"}));
     return trials;
@@ -166,7 +154,7 @@ AnalysisOutcome magnitude_of_five() {
     "textures": {"a": {"spacing_m": 0.001}, "b": {"spacing_m": 0.002}, "c": {"spacing_m": 0.004},
                  "d": {"spacing_m": 0.008}},
     "analysis": {"family": ["spacing", "peaks"]}})";
-  return analysed("magnitude", kSource, 5, [](int i) {
+  return tested("magnitude", kSource, 5, [](int i) {
     std::vector<MadeUpTrial> trials{};
     const std::vector<std::string> textures{"a", "b", "c", "d"};
     for (const std::string tip : {"small", "large"}) {
@@ -294,7 +282,7 @@ TEST(TestsOfAStudy, AreReadWithStatisticAndEffectInOneCellEach) {
 
 // Two tests of .0625 at least are .125 in a family of two: neither can show anything.
 TEST(TestsOfAStudy, CorrectTheSmallestAttainablePAsP) {
-  const AnalysisOutcome outcome = analysed(
+  const AnalysisOutcome outcome = tested(
       "selection", R"({"analysis": {"target": "a", "family": ["target_pairs"]}})", 5, [](int) {
         return std::vector{choice({"a", "b", "c"}, "a", "wood"),
                            choice({"a", "b", "c"}, "a", "wood")};
@@ -313,7 +301,7 @@ TEST(TestsOfAStudy, StateWhichEffectSizesTakeTrialsAsIndependent) {
   EXPECT_TRUE(std::holds_alternative<double>(row_of(tests_of(four).table, "items")["effect_low"]));
   EXPECT_THAT(tests_of(four).note.english(),
               HasSubstr("Estimated from trials as if they were independent: θ"));
-  const AnalysisOutcome one = analysed("matching", "{}", 1, [](int) {
+  const AnalysisOutcome one = tested("matching", "{}", 1, [](int) {
     return std::vector(3, matching_of({"brick", "metal", "wood", "stone"}));
   });
   const TestedRow items = row_of(tests_of(one).table, "items");
@@ -350,7 +338,7 @@ TEST(ReportedSexes, AreLeftOutUnlessTheProtocolDeclaresThem) {
 
 TEST(ReportedSexes, ComeLastWhereTheProtocolDeclaresThem) {
   const AnalysisOutcome outcome =
-      analysed("recognition", R"({"analysis": {"family": ["sexes", "right"]}})", 4, [](int i) {
+      tested("recognition", R"({"analysis": {"family": ["sexes", "right"]}})", 4, [](int i) {
         return std::vector{recognition_of("brick", "brick"),
                            recognition_of("wood", i % 2 == 0 ? "wood" : "stone")};
       });
@@ -364,7 +352,7 @@ TEST(ReportedSexes, ComeLastWhereTheProtocolDeclaresThem) {
 // Of three people one never chose the target, so that nothing of theirs can be exchanged.
 TEST(TestsOfAStudy, CountWhoContributesAndWhoIsLeftOut) {
   const AnalysisOutcome outcome =
-      analysed("selection", R"({"analysis": {"target": "new"}})", 3, [](int i) {
+      tested("selection", R"({"analysis": {"target": "new"}})", 3, [](int i) {
         return std::vector{choice({"new", "old"}, i < 2 ? "new" : "old", "wood"),
                            choice({"new", "old"}, i < 1 ? "new" : "old", "metal")};
       });
@@ -376,7 +364,7 @@ TEST(TestsOfAStudy, CountWhoContributesAndWhoIsLeftOut) {
 
 // One participant: the p of a permutation test could only be 1. No number is left of it.
 TEST(TestsOfAStudy, HaveNoNumbersOfOneParticipant) {
-  const AnalysisOutcome outcome = analysed("selection", "{}", 1, [](int) {
+  const AnalysisOutcome outcome = tested("selection", "{}", 1, [](int) {
     return std::vector{choice({"new", "old"}, "new", "wood"),
                        choice({"new", "old"}, "old", "metal")};
   });
@@ -391,8 +379,8 @@ TEST(TestsOfAStudy, HaveNoNumbersOfOneParticipant) {
 }
 
 TEST(TestsOfAStudy, StateThatNobodyChoseTheTarget) {
-  const AnalysisOutcome outcome = analysed(
-      "selection", R"({"analysis": {"target": "new", "family": ["textures"]}})", 3, [](int) {
+  const AnalysisOutcome outcome =
+      tested("selection", R"({"analysis": {"target": "new", "family": ["textures"]}})", 3, [](int) {
         return std::vector{choice({"new", "old"}, "old", "wood"),
                            choice({"new", "old"}, "old", "metal")};
       });
