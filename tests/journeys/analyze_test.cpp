@@ -1,6 +1,5 @@
 // analyze: one table of a study's responses, by its name.
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,10 +18,10 @@ using testing::Not;
 
 class AnalyzeOnly : public testing::Test {
  protected:
-  AnalyzeOnly() {
-    if (asperity(simulate_arguments(small_, small_.study(), 2, 3)).status != 0) {
-      throw std::runtime_error("nothing was simulated");
-    }
+  /// Simulated once; each test has a copy.
+  static const SmallStudy& simulated() {
+    static const SmallStudy made = simulated_study(2, 3);
+    return made;
   }
   Outcome analyze(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments{"analyze", small_.study()};
@@ -30,7 +29,7 @@ class AnalyzeOnly : public testing::Test {
     return asperity(arguments);
   }
 
-  SmallStudy small_{1};
+  SmallStudy small_{simulated()};
 };
 
 TEST_F(AnalyzeOnly, PrintsOneTableWithItsHeadingAndItsRemarks) {

@@ -10,10 +10,10 @@ namespace {
 
 class Report : public testing::Test {
  protected:
-  Report() {
-    if (asperity(simulate_arguments(small_, small_.study(), 2, 3)).status != 0) {
-      throw std::runtime_error("nothing was simulated");
-    }
+  /// Simulated once; each test has a copy.
+  static const SmallStudy& simulated() {
+    static const SmallStudy made = simulated_study(2, 3);
+    return made;
   }
   Outcome report(const fs::path& out, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"report", small_.study(), "--out", out};
@@ -22,7 +22,7 @@ class Report : public testing::Test {
   }
   fs::path file(const std::string& name) const { return small_.place() / name; }
 
-  SmallStudy small_{1};
+  SmallStudy small_{simulated()};
 };
 
 TEST_F(Report, IsAFileThatSaysWhatIsInTheStudy) {

@@ -94,25 +94,49 @@ OrderedJson small_recognition(int repetitions) {
   return protocol;
 }
 
-void make_small_stimuli(const fs::path& folder) {
-  must(asperity({"synth", "sinusoid", "--out", folder / "walnut.png", "--pixels", "128",
-                 "--width-m", "0.02", "--photo", "bright_height", folder / "walnut_photo.png"}));
-  must(asperity({"synth", "noise", "--out", folder / "slate.png", "--pixels", "128", "--width-m",
-                 "0.02", "--photo", "bright_height", folder / "slate_photo.png"}));
+namespace {
+
+/// A study with the textures and without protocols.
+const fs::path& pattern() {
+  static const TemporaryFolder folder{};
+  static const fs::path study = [] {
+    fs::path made = folder / "study";
+    const fs::path stimuli = made / "stimuli";
+    must(asperity({"new", made}));
+    must(asperity({"synth", "sinusoid", "--out", stimuli / "walnut.png", "--pixels", "128",
+                   "--width-m", "0.02", "--photo", "bright_height", stimuli / "walnut_photo.png"}));
+    must(asperity({"synth", "noise", "--out", stimuli / "slate.png", "--pixels", "128", "--width-m",
+                   "0.02", "--photo", "bright_height", stimuli / "slate_photo.png"}));
+    return made;
+  }();
+  return study;
 }
 
+}  // namespace
+
+void make_small_stimuli(const fs::path& folder) { fs::copy(pattern() / "stimuli", folder); }
+
 SmallStudy::SmallStudy(int repetitions) {
-  must(asperity({"new", study()}));
-  make_small_stimuli(study() / "stimuli");
+  fs::copy(pattern(), study(), fs::copy_options::recursive);
   write_text(selection(), small_selection(repetitions).dump(2));
   write_text(recognition(), small_recognition(repetitions).dump(2));
 }
 
+SmallStudy::SmallStudy(const SmallStudy& other) {
+  fs::copy(other.place(), place(), fs::copy_options::recursive);
+}
+
+SmallStudy simulated_study(int participants, int seed, const std::vector<std::string>& more) {
+  SmallStudy small(1);
+  std::vector<std::string> arguments = simulate_arguments(small, small.study(), participants, seed);
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  must(asperity(arguments));
+  return small;
+}
+
 void copy_stimuli(const SmallStudy& small, const fs::path& study) {
   must(asperity({"new", study}));
-  for (const fs::directory_entry& file : fs::directory_iterator(small.study() / "stimuli")) {
-    fs::copy_file(file.path(), study / "stimuli" / file.path().filename());
-  }
+  fs::copy(small.study() / "stimuli", study / "stimuli");
 }
 
 std::vector<std::string> simulate_arguments(const SmallStudy& small, const fs::path& study,

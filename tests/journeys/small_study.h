@@ -23,11 +23,14 @@ nlohmann::ordered_json small_recognition(int repetitions);
 /// A discrimination of two surfaces with the model of the plug-ins in tests/plugins.
 nlohmann::ordered_json faulty_discrimination();
 
-/// A folder "study" made by the program, with the textures in stimuli/ and the protocols in
-/// protocols/.
+/// A folder "study" with the textures in stimuli/ and the protocols in protocols/: a copy of one that the
+/// program makes once in a process.
 class SmallStudy final {
  public:
   explicit SmallStudy(int repetitions = 4);
+  /// A new folder with a copy of all that is in the other one.
+  SmallStudy(const SmallStudy& other);
+  SmallStudy& operator=(const SmallStudy&) = delete;
 
   const fs::path& place() const noexcept { return folder_.path(); }
   fs::path study() const { return folder_ / "study"; }
@@ -44,6 +47,9 @@ void make_small_stimuli(const fs::path& folder);
 /// simulate of the small selection and recognition into `study`.
 std::vector<std::string> simulate_arguments(const SmallStudy& small, const fs::path& study,
                                             int participants, int seed);
+
+/// A small study with one repetition in which virtual participants took part; `more` are options of simulate.
+SmallStudy simulated_study(int participants, int seed, const std::vector<std::string>& more = {});
 
 /// A new study with the stimuli of `small`.
 void copy_stimuli(const SmallStudy& small, const fs::path& study);
