@@ -28,48 +28,69 @@ void cmake(const std::vector<std::string>& arguments) {
   succeed(run({.program = ASPERITY_CMAKE, .arguments = arguments}));
 }
 
-/// The example, configured and built in a folder against what the interface installs. Made once.
+/// The example, configured and built in a folder against what the interface installs, and built anew after a change.
 class Example final {
  public:
   Example() {
     cmake({"--install", ASPERITY_BUILD_FOLDER, "--component", "plugin_interface", "--prefix",
            folder_ / "prefix"});
-    fs::copy(ASPERITY_SOURCE_DIR "/renderers/plugin/example", source());
-    build();
+    fs::copy(ASPERITY_SOURCE_DIR "/renderers/plugin/example", source_);
+    cmake({"-S", source_, "-B", folder_ / "build", "-DCMAKE_BUILD_TYPE=Release",
+           "-DCMAKE_PREFIX_PATH=" + prefix().string()});
+    build_into(plugin());
+    const std::string text = text_of(source_ / "ridges.cpp");
+    write_text(source_ / "ridges.cpp",
+               std::regex_replace(text, std::regex("version = \"1\""), "version = \"2\""));
+    build_into(changed_plugin());
   }
 
   fs::path prefix() const { return folder_ / "prefix"; }
-  fs::path source() const { return folder_ / "ridges"; }
-  fs::path plugin() const { return folder_ / "build" / "ridges.so"; }
-  fs::path protocol() const { return source() / "ridges.json"; }
-  void build() const {
-    cmake({"-S", source(), "-B", folder_ / "build", "-DCMAKE_BUILD_TYPE=Release",
-           "-DCMAKE_PREFIX_PATH=" + prefix().string()});
-    cmake({"--build", folder_ / "build"});
-  }
+  fs::path plugin() const { return folder_ / "ridges.so"; }
+  /// Of another version.
+  fs::path changed_plugin() const { return folder_ / "changed_ridges.so"; }
+  fs::path protocol() const { return source_ / "ridges.json"; }
 
  private:
+  void build_into(const fs::path& file) const {
+    cmake({"--build", folder_ / "build"});
+    fs::copy_file(folder_ / "build" / "ridges.so", file);
+  }
+
   TemporaryFolder folder_{};
+  fs::path source_ = folder_ / "ridges";
 };
 
 class Plugin : public testing::Test {
  protected:
-  static void SetUpTestSuite() { example_ = std::make_unique<Example>(); }
-  static void TearDownTestSuite() { example_.reset(); }
+  static void SetUpTestSuite() {
+    example_ = std::make_unique<Example>();
+    simulated_ = std::make_unique<TemporaryFolder>();
+    simulate(*simulated_ / "study");
+  }
+  static void TearDownTestSuite() {
+    example_.reset();
+    simulated_.reset();
+  }
 
   static std::unique_ptr<Example> example_;
+  static std::unique_ptr<TemporaryFolder> simulated_;
 
-  fs::path study() const { return folder_ / "study"; }
   /// A study of two virtual participants who felt the example.
-  void simulate() const {
-    succeed(asperity({"simulate", example_->protocol(), "--study", study(), "--participants", "2",
+  static void simulate(const fs::path& study) {
+    succeed(asperity({"simulate", example_->protocol(), "--study", study, "--participants", "2",
                       "--seed", "3", "--plugin", example_->plugin()}));
   }
+  /// A copy of that study.
+  void copy_simulated() const {
+    fs::copy(*simulated_ / "study", study(), fs::copy_options::recursive);
+  }
+  fs::path study() const { return folder_ / "study"; }
 
   TemporaryFolder folder_{};
 };
 
 std::unique_ptr<Example> Plugin::example_{};
+std::unique_ptr<TemporaryFolder> Plugin::simulated_{};
 
 TEST_F(Plugin, NeedsOnlyTwoHeadersAndATarget) {
   std::vector<std::string> installed{};
@@ -128,7 +149,7 @@ TEST_F(Plugin, IsNeverLoadedBecauseAProtocolNamesItsModel) {
 }
 
 TEST_F(Plugin, IsStoredWithItsNameVersionAndHash) {
-  simulate();
+  copy_simulated();
   const std::string hash = sha256_of_file(example_->plugin());
   const auto tables = exported(study(), folder_ / "out");  // without the plug-in
   const Tsv presentations = tsv(tables.at("presentations.tsv"));
@@ -140,7 +161,7 @@ TEST_F(Plugin, IsStoredWithItsNameVersionAndHash) {
 }
 
 TEST_F(Plugin, RepeatsItsForcesInAVerification) {
-  simulate();
+  copy_simulated();
   const Outcome verified =
       asperity({"verify", study(), "--replay", "--plugin", example_->plugin()});
   EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
@@ -148,7 +169,7 @@ TEST_F(Plugin, RepeatsItsForcesInAVerification) {
 }
 
 TEST_F(Plugin, IsReportedMissingWhileTheRestOfTheStudyIsVerifiedAndRead) {
-  simulate();
+  copy_simulated();
   const Outcome verified = asperity({"verify", study()});
   EXPECT_EQ(verified.status, 1);
   EXPECT_THAT(verified.err, AllOf(HasSubstr("the plug-in model ridges, version 1 (SHA-256 "),
@@ -163,16 +184,12 @@ TEST_F(Plugin, IsReportedMissingWhileTheRestOfTheStudyIsVerifiedAndRead) {
 }
 
 TEST_F(Plugin, IsReportedChangedAfterItIsBuiltAnew) {
-  simulate();
-  const Example changed{};
-  std::string text = text_of(changed.source() / "ridges.cpp");
-  text = std::regex_replace(text, std::regex("version = \"1\""), "version = \"2\"");
-  write_text(changed.source() / "ridges.cpp", text);
-  changed.build();
-  const Outcome verified = asperity({"verify", study(), "--replay", "--plugin", changed.plugin()});
+  copy_simulated();
+  const fs::path changed = example_->changed_plugin();
+  const Outcome verified = asperity({"verify", study(), "--replay", "--plugin", changed});
   EXPECT_EQ(verified.status, 1);
   EXPECT_THAT(verified.err,
-              AllOf(HasSubstr("differs: version 2 (SHA-256 " + sha256_of_file(changed.plugin())),
+              AllOf(HasSubstr("differs: version 2 (SHA-256 " + sha256_of_file(changed)),
                     HasSubstr("load the one that rendered the attempts")));
   EXPECT_THAT(verified.out,
               AllOf(HasSubstr("1 problem found"), Not(HasSubstr("Restore")),
@@ -253,7 +270,7 @@ TEST_F(Plugin, IsSweptWithItsHashInTheDescriptionOfTheTable) {
 }
 
 TEST_F(Plugin, IsLoadedToRecordTheTextureOfAnAttempt) {
-  simulate();
+  copy_simulated();
   const std::vector<std::string> record{
       "texture-recording",    "--study", study(), "--attempt", "virtual0001/1/1/1", "--out",
       folder_ / "texture.tsv"};
@@ -267,10 +284,10 @@ TEST_F(Plugin, IsLoadedToRecordTheTextureOfAnAttempt) {
 }
 
 TEST_F(Plugin, GivesTheSameStudyWithTheSameSeed) {
-  simulate();
+  copy_simulated();
   const auto once = exported(study(), folder_ / "once");
   fs::remove_all(study());
-  simulate();
+  simulate(study());
   EXPECT_TRUE(once == exported(study(), folder_ / "again"));
 }
 
