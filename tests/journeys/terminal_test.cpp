@@ -10,9 +10,10 @@
 namespace asperity::test {
 namespace {
 
-std::vector<std::string> terminal_run_arguments(const SmallStudy& small, const fs::path& protocol) {
-  return {"run",  protocol, "--study", small.study(), "--participant",
-          "anna", "--mode", "pilot",   "--seed",      "4"};
+Invocation run_at_terminal(const SmallStudy& small, const fs::path& protocol) {
+  return {.arguments = {"run", protocol, "--study", small.study(), "--participant", "anna",
+                        "--mode", "pilot", "--seed", "4"},
+          .on_terminal = true};
 }
 
 std::size_t count_of(const std::string& text, const std::string& word) {
@@ -40,28 +41,36 @@ void answer_everything(Program& program, const std::string& choice, std::size_t 
   }
 }
 
+/// A session of two trials in which everything is answered with the first option.
+struct WatchedSession {
+  explicit WatchedSession(fs::path (SmallStudy::*protocol)() const) {
+    Program program(run_at_terminal(small, (small.*protocol)()));
+    answer_everything(program, "1", 1000);
+    outcome = program.finish();
+    EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  }
+  SmallStudy small{1};
+  Outcome outcome{};
+};
+
+const WatchedSession& watched_selection() {
+  static const WatchedSession session(&SmallStudy::selection);
+  return session;
+}
+
+const WatchedSession& watched_recognition() {
+  static const WatchedSession session(&SmallStudy::recognition);
+  return session;
+}
+
 // The terminal is the participant's screen and the experimenter's at the same time.
 TEST(Terminal, ShowsNotWhetherAResponseIsCorrectWhereTheProtocolHasNoFeedback) {
-  const SmallStudy small(1);
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.recognition());
-  invocation.on_terminal = true;
-  Program program(invocation);
-  answer_everything(program, "1", 1000);
-  const Outcome outcome = program.finish();
-  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Outcome& outcome = watched_recognition().outcome;
   EXPECT_EQ((outcome.out + outcome.err).find("correct"), std::string::npos) << outcome.out;
 }
 
 TEST(Terminal, TakesAPersonThroughASession) {
-  const SmallStudy small(1);  // two trials
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.selection());
-  invocation.on_terminal = true;
-  Program program(invocation);
-  answer_everything(program, "1", 1000);
-  const Outcome outcome = program.finish();
-  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const auto& [small, outcome] = watched_selection();
   EXPECT_EQ(done_lines(outcome.err),
             (std::vector<std::string>{"done anna 1 1 1", "done anna 1 2 1"}));
 
@@ -84,11 +93,9 @@ TEST(Terminal, TakesAPersonThroughASession) {
 // A virtual hand holds the simulated device: no answer given meanwhile is study data.
 TEST(Terminal, RefusesStudyDataOnTheSimulatedDevice) {
   const SmallStudy small(1);
-  Invocation invocation{};
-  invocation.arguments = {"run",         small.selection(), "--study",
-                          small.study(), "--participant",   "anna"};
-  invocation.on_terminal = true;
-  const Outcome outcome = run(invocation);
+  const Outcome outcome = run(
+      {.arguments = {"run", small.selection(), "--study", small.study(), "--participant", "anna"},
+       .on_terminal = true});
   EXPECT_EQ(outcome.status, 1) << outcome.err << outcome.out;
   for (const char* words :
        {"a virtual hand holds the device", "--mode pilot", "device.input_only"}) {
@@ -98,31 +105,16 @@ TEST(Terminal, RefusesStudyDataOnTheSimulatedDevice) {
   EXPECT_TRUE(tsv(tables.at("sessions.tsv")).rows.empty());
 }
 
-TEST(Terminal, StatesBeforehandThatItPlaysNoMaskingNoise) {
+TEST(Terminal, KeepsNothingUnderTheLabelOfAParticipantWhoDeclined) {
   const SmallStudy small(1);
   nlohmann::ordered_json protocol = small_selection(1);
   protocol["environment"]["masking_noise"] = {{"kind", "pink"}, {"level_dBA", 65}};
   write_text(small.selection(), protocol.dump(2));
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.selection());
-  invocation.on_terminal = true;
-  Program program(invocation);
+  Program program(run_at_terminal(small, small.selection()));
   ASSERT_TRUE(program.read_until(
       [](const std::string& out, const std::string&) { return out.ends_with("Your answer: "); }));
   EXPECT_NE(program.err().find("which is not played at a terminal"), std::string::npos)
-      << program.err();
-  program.type("2\n");  // no consent
-  EXPECT_EQ(program.finish().status, 1);
-}
-
-TEST(Terminal, KeepsNothingUnderTheLabelOfAParticipantWhoDeclined) {
-  const SmallStudy small(1);
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.selection());
-  invocation.on_terminal = true;
-  Program program(invocation);
-  ASSERT_TRUE(program.read_until(
-      [](const std::string& out, const std::string&) { return out.ends_with("Your answer: "); }));
+      << "stated beforehand: " << program.err();
   program.type("2\n");
   EXPECT_EQ(program.finish().status, 1);
   for (const auto& [name, content] : contents_of(small.study())) {
@@ -132,16 +124,8 @@ TEST(Terminal, KeepsNothingUnderTheLabelOfAParticipantWhoDeclined) {
 }
 
 TEST(Terminal, NeverShowsANameOfATextureOrModel) {
-  const SmallStudy small(1);
-  for (const fs::path& protocol : {small.selection(), small.recognition()}) {
-    Invocation invocation{};
-    invocation.arguments = terminal_run_arguments(small, protocol);
-    invocation.on_terminal = true;
-    Program program(invocation);
-    answer_everything(program, "1", 1000);
-    const Outcome outcome = program.finish();
-    ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
-    const std::string shown = outcome.out + outcome.err;
+  for (const WatchedSession* const session : {&watched_selection(), &watched_recognition()}) {
+    const std::string shown = session->outcome.out + session->outcome.err;
     EXPECT_NE(shown.find("Feel surface A now."), std::string::npos);
     for (const char* name : {"walnut", "slate", "height_map", "sinusoid", "rendered", "T1", "T2"}) {
       EXPECT_EQ(shown.find(name), std::string::npos) << name << " in:\n" << shown;
@@ -157,10 +141,7 @@ TEST(Terminal, StatesWhyATrialIsRepeatedAndThatItsFirstAttemptDoesNotCount) {
   exploration["on_failure"] = "repeat_now";
   exploration["maximum_repeats"] = 1;
   write_text(small.recognition(), strict.dump(2));
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.recognition());
-  invocation.on_terminal = true;
-  Program program(invocation);
+  Program program(run_at_terminal(small, small.recognition()));
   answer_everything(program, "1", 1);
   EXPECT_NE(program.err().find("stored anna 1 1 1 not_compliant\n"), std::string::npos)
       << program.err();
@@ -173,10 +154,7 @@ TEST(Terminal, StatesWhyATrialIsRepeatedAndThatItsFirstAttemptDoesNotCount) {
 
 TEST(Terminal, AsksAgainForWhatIsNoOption) {
   const SmallStudy small(1);
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.selection());
-  invocation.on_terminal = true;
-  Program program(invocation);
+  Program program(run_at_terminal(small, small.selection()));
   const auto shows = [&program](const std::string& text) {
     return program.read_until([&text](const std::string& out, const std::string&) {
       return out.find(text) != std::string::npos;
@@ -201,9 +179,7 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
   guided["explorations"]["short"]["guidance"] = "bars";
   guided["explorations"]["short"]["normal_force_N"] = {{"minimum", 0.2}, {"maximum", 3}};
   write_text(small.recognition(), guided.dump(2));
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.recognition());
-  invocation.on_terminal = true;
+  Invocation invocation = run_at_terminal(small, small.recognition());
   {
     Program program(invocation);
     EXPECT_TRUE(program.read_until_told("a terminal cannot present them")) << program.err();
@@ -218,9 +194,7 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
 
 TEST(Terminal, StopsAfterTheTrialAndContinuesLater) {
   const SmallStudy small(2);  // four trials
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.recognition());
-  invocation.on_terminal = true;
+  Invocation invocation = run_at_terminal(small, small.recognition());
   {
     Program program(invocation);
     answer_everything(program, "1", 1);
@@ -244,9 +218,7 @@ TEST(Terminal, StopsAfterTheTrialAndContinuesLater) {
 
 TEST(Terminal, ThatIsClosedLeavesASessionToGoOnWith) {
   const SmallStudy small(1);
-  Invocation invocation{};
-  invocation.arguments = terminal_run_arguments(small, small.recognition());
-  invocation.on_terminal = true;
+  Invocation invocation = run_at_terminal(small, small.recognition());
   {
     Program program(invocation);
     answer_everything(program, "1", 1);
@@ -272,7 +244,7 @@ TEST(Terminal, ThatIsClosedLeavesASessionToGoOnWith) {
 TEST(Terminal, IsNeededWithoutAVirtualParticipant) {
   const SmallStudy small(1);
   const auto before = contents_of(small.place());
-  const Outcome outcome = asperity(terminal_run_arguments(small, small.recognition()));
+  const Outcome outcome = asperity(run_at_terminal(small, small.recognition()).arguments);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("--virtual"), std::string::npos) << outcome.err;
   EXPECT_TRUE(contents_of(small.place()) == before);
