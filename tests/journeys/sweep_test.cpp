@@ -479,7 +479,7 @@ std::vector<std::vector<double>> printed_numbers(const std::string& out) {
 TEST(Sweep, OfSpeedHasPeaksThatMoveToLargerSpacings) {
   const TemporaryFolder place{};
   const std::vector<std::string> speeds{"--model",           "pd_gradient", "--vary",
-                                        "exploratory_speed", "--values",    "0.05,0.1,0.2"};
+                                        "exploratory_speed", "--values",    "0.05,0.2"};
   const auto rows_of = [&](const std::string& name, const std::vector<std::string>& more) {
     std::vector<std::string> order = speeds;
     order.insert(order.end(), more.begin(), more.end());
@@ -488,16 +488,14 @@ TEST(Sweep, OfSpeedHasPeaksThatMoveToLargerSpacings) {
     const Tsv rows = tsv(text_of(place / name));
     return std::pair(printed_numbers(outcome.out), rows.column("drag").front());
   };
-  const auto [peaks, drag] = rows_of("speed.tsv", {});
+  const auto [peaks, drag] = rows_of("speed.tsv", {"--spacings", "0.0005:0.008:19"});
   EXPECT_EQ(drag, "constant_force");
-  ASSERT_EQ(peaks.size(), 3U);
+  ASSERT_EQ(peaks.size(), 2U);
   constexpr std::size_t kPeak = 6;
   constexpr std::size_t kLow = 7;
   constexpr std::size_t kHigh = 8;
-  for (std::size_t faster = 1; faster < peaks.size(); ++faster) {
-    EXPECT_GT(peaks[faster][kPeak], 1.2 * peaks[faster - 1][kPeak]);
-    EXPECT_GT(peaks[faster][kLow], peaks[faster - 1][kHigh]) << "the 95 % CIs are disjoint";
-  }
+  EXPECT_GT(peaks[1][kPeak], 1.2 * peaks[0][kPeak]);
+  EXPECT_GT(peaks[1][kLow], peaks[0][kHigh]) << "the 95 % CIs are disjoint";
   const auto [held, constant] =
       rows_of("height.tsv", {"--drag", "constant_height", "--spacings", "0.0005:0.008:13"});
   EXPECT_EQ(constant, "constant_height");
