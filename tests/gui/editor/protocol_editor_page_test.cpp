@@ -42,14 +42,7 @@ std::string library_text(std::string_view name) {
 class ProtocolEditor : public QuietHome {
  protected:
   ProtocolEditor() {
-    // Made once and copied: making it waits for the disk file by file.
-    static const QTemporaryDir made{};
-    const std::filesystem::path pattern = made.path().toStdString() + "/demo";
-    if (!std::filesystem::exists(pattern)) {
-      std::filesystem::copy(small_demo_study(), pattern, std::filesystem::copy_options::recursive);
-    }
-    folder_ = home() / "study";
-    std::filesystem::copy(pattern, folder_, std::filesystem::copy_options::recursive);
+    folder_ = small_demo_study();
     file_ = folder_ / "protocols" / "improved_recognition.json";
     write_file(file_, library_text("improved_recognition"), Overwrite::refuse);
   }

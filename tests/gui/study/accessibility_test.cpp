@@ -31,7 +31,6 @@
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
 #include "tests/gui/session/filled_monitor.h"
-#include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/accessible.h"
 
@@ -83,8 +82,7 @@ void fill_page(StudyWindow& window, const std::string& key) {
 }
 
 TEST_P(Accessibility, EveryPageHasNamesAndTheOrderOfReading) {
-  const std::filesystem::path folder = small_demo_study();
-  fill_with_people(folder);
+  const std::filesystem::path folder = lively_study();
   StudyWindow window{};
   const SessionDesk desk(window, nullptr);
   window.resize(1280, 720);

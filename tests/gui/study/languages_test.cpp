@@ -18,7 +18,6 @@
 #include "app/gui/start/start_page.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
-#include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
 
@@ -103,8 +102,7 @@ TEST_F(Languages, OfARegionAreThatLanguage) {
 }
 
 TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
-  const std::filesystem::path folder = small_demo_study();
-  fill_with_people(folder);
+  const std::filesystem::path folder = lively_study();
   StudyWindow window{};
   const SessionDesk desk(window, nullptr);
   window.show();

@@ -9,6 +9,8 @@
 #include "protocols/file/library_protocols.h"
 #include "results_schema/study.h"
 #include "stimuli/photographs/preview.h"
+#include "tests/gui/study/lively_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 
@@ -26,19 +28,7 @@ HeightField waves_across(double count) {
   return HeightField({kPixels, kPixels, 0.1 / kPixels}, std::move(heights_m));
 }
 
-}  // namespace
-
-QuietHome::QuietHome() : former_home_(qgetenv("HOME")) {
-  qputenv("HOME", folder_.path().toUtf8());
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path() + "/settings");
-  QSettings{}.clear();
-}
-
-QuietHome::~QuietHome() { qputenv("HOME", former_home_); }
-
-std::filesystem::path QuietHome::small_demo_study() const {
-  const std::filesystem::path folder = home() / "studies" / "demo";
-  std::filesystem::create_directories(folder.parent_path());
+void fill_with_the_chapter(const std::filesystem::path& folder) {
   Study::create(folder, "demo");
   for (const LibraryProtocol& protocol : library_protocols()) {
     if (!protocol.name.starts_with("chapter_")) continue;
@@ -54,7 +44,44 @@ std::filesystem::path QuietHome::small_demo_study() const {
     if (name == "sandpaper" || name == "pebbles") continue;
     save_height_field(file.string() + ".png", field, {.kind = "photograph"}, Overwrite::refuse);
   }
+}
+
+/// A study that is made once and copied.
+struct Pattern {
+  template <class... Fill>
+  explicit Pattern(Fill... fill) {
+    (fill(study), ...);
+  }
+
+  TemporaryFolder folder{};
+  std::filesystem::path study = folder / "demo";
+};
+
+}  // namespace
+
+QuietHome::QuietHome() : former_home_(qgetenv("HOME")) {
+  qputenv("HOME", folder_.path().toUtf8());
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path() + "/settings");
+  QSettings{}.clear();
+}
+
+QuietHome::~QuietHome() { qputenv("HOME", former_home_); }
+
+std::filesystem::path QuietHome::copied(const std::filesystem::path& pattern) const {
+  const std::filesystem::path folder = home() / "studies" / "demo";
+  std::filesystem::create_directories(folder.parent_path());
+  copy(pattern, folder, std::filesystem::copy_options::recursive);
   return folder;
+}
+
+std::filesystem::path QuietHome::small_demo_study() const {
+  static const Pattern pattern(fill_with_the_chapter);
+  return copied(pattern.study);
+}
+
+std::filesystem::path QuietHome::lively_study() const {
+  static const Pattern pattern(fill_with_the_chapter, fill_with_people);
+  return copied(pattern.study);
 }
 
 }  // namespace asperity

@@ -21,8 +21,12 @@ class QuietHome : public testing::Test {
 
   /// The files of the demo study, but with stimuli of 64 × 64 pixels, which are quick.
   std::filesystem::path small_demo_study() const;
+  /// The same with people (`fill_with_people`).
+  std::filesystem::path lively_study() const;
 
  private:
+  std::filesystem::path copied(const std::filesystem::path& pattern) const;
+
   QTemporaryDir folder_{};
   QByteArray former_home_{};
 };

@@ -15,7 +15,6 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/window/study_window.h"
-#include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
 
@@ -27,8 +26,7 @@ class Withdrawing : public QuietHome {
   void SetUp() override {
     window_.resize(1280, 720);
     window_.show();
-    folder_ = small_demo_study();
-    fill_with_people(folder_);
+    folder_ = lively_study();
     Study::open(folder_, Access::read_write)
         .add_output({.kind = OutputKind::public_export, .path = "/data/rough-surfaces-public"});
     ASSERT_TRUE(window_.open_study(folder_));
