@@ -1,6 +1,7 @@
 // The pages of a study: what they list, how it sorts, what can be done from there.
 
 #include <fstream>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -32,26 +33,21 @@
 #include "app/gui/window/study_window.h"
 #include "protocols/file/library_protocols.h"
 #include "results_schema/atomic_file.h"
-#include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
 
-class StudyPages : public QuietHome {
+class PagesOfAWindow : public QuietHome {
  protected:
-  StudyPages() {
+  PagesOfAWindow() {
     window_.resize(1366, 768);
     window_.show();
   }
+  static void close_window() { made_.reset(); }
 
-  void open_demo() { ASSERT_TRUE(window_.open_study(small_demo_study())); }
-  void open_lively() {
-    const std::filesystem::path folder = small_demo_study();
-    fill_with_people(folder);
-    ASSERT_TRUE(window_.open_study(folder));
-  }
   /// The page is shown and its table filled.
   StudyTable& table_of(const char* page, const char* name, int rows) {
     window_.show_page(page);
@@ -64,6 +60,11 @@ class StudyPages : public QuietHome {
   }
   void click(const char* button) {
     QTest::mouseClick(&child<QPushButton>(window_, button), Qt::LeftButton);
+  }
+  void choose_theme(const QString& name) {
+    for (QAction* action : window_.findChildren<QAction*>()) {
+      if (action->text() == name) action->trigger();
+    }
   }
   static void press(QWidget& in, const QString& text) {
     for (auto* button : in.findChildren<QPushButton*>()) {
@@ -97,17 +98,57 @@ class StudyPages : public QuietHome {
     return texts;
   }
 
-  StudyWindow window_{};
+  void select_protocol(const char* name) {
+    table_of("protocols", "protocols_table", 4)
+        .select(QString::fromStdString((window_.study()->folder() / "protocols" / name).string()));
+  }
+
+  StudyWindow& window_ = made_ ? *made_ : *(made_ = std::make_unique<StudyWindow>());
+
+ private:
+  static inline std::unique_ptr<StudyWindow> made_{};
 };
 
-TEST_F(StudyPages, ListTheProtocolsOfTheDemoStudyAsValid) {
-  open_demo();
-  const StudyTable& table = table_of("protocols", "protocols_table", 3);
-  for (int row = 0; row < 3; ++row) EXPECT_EQ(table.text_at(row, 5), "● valid");
+/// Each test has its own window and study.
+class StudyPages : public PagesOfAWindow {
+ protected:
+  ~StudyPages() override { close_window(); }
+
+  void open_demo() { ASSERT_TRUE(window_.open_study(small_demo_study())); }
+  void open_lively() { ASSERT_TRUE(window_.open_study(lively_study())); }
+};
+
+/// Tests that change nothing of the study, and of the window only what the constructor restores, have one of both.
+class PagesToRead : public PagesOfAWindow {
+ protected:
+  PagesToRead() {
+    if (!study_) {
+      study_ = std::make_unique<TemporaryFolder>();
+      copy(lively_study(), study_->path(), std::filesystem::copy_options::recursive);
+      EXPECT_TRUE(window_.open_study(study_->path()));
+    }
+    window_.show_page("protocols");
+    child<QPushButton>(window_, "participants_people").click();
+    child<QLineEdit>(window_, "sessions_filter").clear();
+    child<StudyTable>(window_, "sessions_table").sortByColumn(5, Qt::DescendingOrder);
+  }
+  static void TearDownTestSuite() {
+    close_window();
+    study_.reset();
+  }
+
+ private:
+  static inline std::unique_ptr<TemporaryFolder> study_{};
+};
+
+TEST_F(PagesToRead, ListTheProtocolsOfTheDemoStudyAsValid) {
+  const StudyTable& table = table_of("protocols", "protocols_table", 4);
+  EXPECT_EQ(column(table, 5).count("● valid"), 3);
   const int recognition = static_cast<int>(column(table, 1).indexOf("chapter_recognition"));
   ASSERT_GE(recognition, 0);
   EXPECT_EQ(table.text_at(recognition, 2), "absolute identification");
   EXPECT_EQ(table.text_at(recognition, 3), "1.1.0");
+  select_protocol("chapter_recognition.json");
   EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
   EXPECT_TRUE(child<QLabel>(window_, "protocol_facts").text().contains("trial"));
 }
@@ -140,11 +181,8 @@ TEST_F(StudyPages, EndTheListOfProtocolsBelowAWholeRow) {
   EXPECT_NEAR(table.height(), 170, 8);
 }
 
-TEST_F(StudyPages, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {
-  open_lively();
-  StudyTable& table = table_of("protocols", "protocols_table", 4);
-  table.select(
-      QString::fromStdString((window_.study()->folder() / "protocols" / "broken.json").string()));
+TEST_F(PagesToRead, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {
+  select_protocol("broken.json");
   const auto& problems = child<StudyTable>(window_, "protocol_problems");
   ASSERT_EQ(problems.shown_rows(), 2);
   EXPECT_TRUE(problems.isVisible());
@@ -166,8 +204,7 @@ TEST_F(StudyPages, FollowProtocolFilesThatOthersChange) {
   EXPECT_TRUE(eventually([&] { return table.shown_rows() == 2; }));
 }
 
-TEST_F(StudyPages, CountParticipantsDoneOfPlanned) {
-  open_lively();
+TEST_F(PagesToRead, CountParticipantsDoneOfPlanned) {
   const StudyTable& table = table_of("protocols", "protocols_table", 4);
   EXPECT_TRUE(column(table, 4).contains("10 of 20")) << column(table, 4).join(", ").toStdString();
 }
@@ -220,12 +257,8 @@ TEST_F(StudyPages, DuplicateRenameAndDeleteAProtocolThatWasNeverRun) {
   EXPECT_TRUE(eventually([&] { return table.shown_rows() == 3; }));
 }
 
-TEST_F(StudyPages, SayWhyAProtocolThatWasRunIsNeitherRenamedNorDeleted) {
-  open_lively();
-  StudyTable& table = table_of("protocols", "protocols_table", 4);
-  const std::filesystem::path file =
-      window_.study()->folder() / "protocols" / "chapter_recognition.json";
-  table.select(QString::fromStdString(file.string()));
+TEST_F(PagesToRead, SayWhyAProtocolThatWasRunIsNeitherRenamedNorDeleted) {
+  select_protocol("chapter_recognition.json");
   for (const char* const action : {"protocol_rename", "protocol_delete"}) {
     child<QPushButton>(window_, "protocol_more").menu()->findChild<QAction*>(action)->trigger();
     EXPECT_TRUE(eventually([&] {
@@ -234,7 +267,8 @@ TEST_F(StudyPages, SayWhyAProtocolThatWasRunIsNeitherRenamedNorDeleted) {
     }));
     EXPECT_FALSE(child<QPushButton>(window_, "protocol_file_act").isVisible());
   }
-  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_TRUE(std::filesystem::exists(window_.study()->folder() / "protocols" /
+                                      "chapter_recognition.json"));
 }
 
 TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
@@ -302,8 +336,7 @@ TEST_F(StudyPages, ReportAnInterruptedSessionOnTheWelcomePage) {
 }
 
 TEST_F(StudyPages, ShowAnInterruptedSessionThatCannotBeResumed) {
-  const std::filesystem::path folder = small_demo_study();
-  fill_with_people(folder);
+  const std::filesystem::path folder = lively_study();
   std::ofstream(folder / "protocols" / "chapter_recognition.json", std::ios::app) << "\n";
   ASSERT_TRUE(window_.open_study(folder));
   auto& banner = child<Banner>(window_, "protocols_interrupted");
@@ -315,8 +348,7 @@ TEST_F(StudyPages, ShowAnInterruptedSessionThatCannotBeResumed) {
 }
 
 // A simulated clock begins in 2026 whatever the calendar says.
-TEST_F(StudyPages, ShowNoDateOfASimulatedClock) {
-  open_lively();
+TEST_F(PagesToRead, ShowNoDateOfASimulatedClock) {
   StudyTable& sessions = table_of("sessions", "sessions_table", 15);
   EXPECT_EQ(column(sessions, 5).filter("simulated clock").size(), 2);
   EXPECT_TRUE(column(sessions, 5).filter("2026-03-03").isEmpty());
@@ -333,16 +365,13 @@ TEST_F(StudyPages, ShowNoDateOfASimulatedClock) {
   click("participants_virtual");
   const StudyTable& people = table_of("participants", "participants_table", 2);
   EXPECT_EQ(people.text_at(0, 6), "simulated clock");
-  StudyTable& protocols = table_of("protocols", "protocols_table", 4);
-  protocols.select(QString::fromStdString(
-      (window_.study()->folder() / "protocols" / "chapter_selection.json").string()));
+  select_protocol("chapter_selection.json");
   EXPECT_TRUE(child<QLabel>(window_, "protocol_last_run").text().contains("P002"))
       << "a made-up date counts as later than the pilot's";
 }
 
-TEST_F(StudyPages, SayWhichProtocolAPersonWantsToRun) {
-  open_demo();
-  table_of("protocols", "protocols_table", 3);
+TEST_F(PagesToRead, SayWhichProtocolAPersonWantsToRun) {
+  select_protocol("chapter_recognition.json");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
   click("protocol_start");
   ASSERT_EQ(wanted.count(), 1);
@@ -352,9 +381,8 @@ TEST_F(StudyPages, SayWhichProtocolAPersonWantsToRun) {
   EXPECT_FALSE(wish.session);
 }
 
-TEST_F(StudyPages, PreviewThePlanStepByStep) {
-  open_demo();
-  table_of("protocols", "protocols_table", 3);
+TEST_F(PagesToRead, PreviewThePlanStepByStep) {
+  select_protocol("chapter_recognition.json");
   click("protocol_preview");
   auto* page = window_.findChild<ProtocolsPage*>();  // the editor shows a plan as well
   const auto& plan = child<StudyTable>(*page, "plan_table");
@@ -394,9 +422,7 @@ TEST_F(StudyPages, EditAProtocolInTheWindowAndLoseNothingOfIt) {
   EXPECT_TRUE(window_.isVisible());
   EXPECT_EQ(window_.shown_page(), "editor");
   click("editor_leave_stay");
-  for (QAction* action : window_.findChildren<QAction*>()) {
-    if (action->text() == "&Dark") action->trigger();
-  }
+  choose_theme("&Dark");
   EXPECT_FALSE(theme().dark);
   EXPECT_EQ(window_.findChild<ProtocolEditorPage*>(), editor);
   click("editor_leave_save");
@@ -416,9 +442,8 @@ TEST_F(StudyPages, EditAProtocolInTheWindowAndLoseNothingOfIt) {
   EXPECT_TRUE(eventually([&] { return !window_.isVisible(); }));
 }
 
-TEST_F(StudyPages, SayWhichProtocolIsToBeSimulated) {
-  open_demo();
-  table_of("protocols", "protocols_table", 3);
+TEST_F(PagesToRead, SayWhichProtocolIsToBeSimulated) {
+  select_protocol("chapter_recognition.json");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
   click("protocol_simulate");
   ASSERT_EQ(wanted.count(), 1);
@@ -426,8 +451,7 @@ TEST_F(StudyPages, SayWhichProtocolIsToBeSimulated) {
 }
 
 TEST_F(StudyPages, TellNothingOfTheTrialsOfABlindSessionThatRuns) {
-  const std::filesystem::path folder = small_demo_study();
-  fill_with_people(folder);
+  const std::filesystem::path folder = lively_study();
   const StudyLock running(folder, Study::session_lock_name("P012"));
   {
     Study study = Study::open(folder, Access::read_write);
@@ -446,8 +470,7 @@ TEST_F(StudyPages, TellNothingOfTheTrialsOfABlindSessionThatRuns) {
   EXPECT_EQ(window_.shown_page(), "sessions");
 }
 
-TEST_F(StudyPages, LeaveRoomForTheProtocolOfASession) {
-  open_lively();
+TEST_F(PagesToRead, LeaveRoomForTheProtocolOfASession) {
   const StudyTable& table = table_of("sessions", "sessions_table", 15);
   const int wanted = QFontMetrics(table.font()).horizontalAdvance("chapter_recognition 1.1.0");
   for (const int width : {1180, 1264, 1366, 1920}) {
@@ -459,8 +482,7 @@ TEST_F(StudyPages, LeaveRoomForTheProtocolOfASession) {
   }
 }
 
-TEST_F(StudyPages, KeepVirtualParticipantsApart) {
-  open_lively();
+TEST_F(PagesToRead, KeepVirtualParticipantsApart) {
   StudyTable& table = table_of("participants", "participants_table", 12);
   EXPECT_EQ(child<QPushButton>(window_, "participants_people").text(), "Human 12");
   click("participants_virtual");
@@ -470,8 +492,7 @@ TEST_F(StudyPages, KeepVirtualParticipantsApart) {
             "Next suggested participant label: P013.");
 }
 
-TEST_F(StudyPages, SortNumbersByTheirValue) {
-  open_lively();
+TEST_F(PagesToRead, SortNumbersByTheirValue) {
   StudyTable& table = table_of("sessions", "sessions_table", 15);
   table.sortByColumn(7, Qt::AscendingOrder);  // as texts, "12 of 12" is before "3 of 12"
   EXPECT_EQ(table.text_at(0, 7), "3 of 12");
@@ -479,16 +500,14 @@ TEST_F(StudyPages, SortNumbersByTheirValue) {
   EXPECT_EQ(table.text_at(14, 7), "12 of 12");
 }
 
-TEST_F(StudyPages, FilterSessionsByEveryWord) {
-  open_lively();
+TEST_F(PagesToRead, FilterSessionsByEveryWord) {
   const StudyTable& table = table_of("sessions", "sessions_table", 15);
   QTest::keyClicks(&child<QLineEdit>(window_, "sessions_filter"), "p002 pilot");
   ASSERT_EQ(table.shown_rows(), 1);
   EXPECT_EQ(table.text_at(0, 3), "Pilot");
 }
 
-TEST_F(StudyPages, GoOnWithAnUnfinishedSessionOnly) {
-  open_lively();
+TEST_F(PagesToRead, GoOnWithAnUnfinishedSessionOnly) {
   StudyTable& table = table_of("sessions", "sessions_table", 15);
   auto& resume = child<QPushButton>(window_, "sessions_resume");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
@@ -508,8 +527,7 @@ TEST_F(StudyPages, GoOnWithAnUnfinishedSessionOnly) {
   EXPECT_EQ(wish.protocol.filename(), "chapter_recognition.json");
 }
 
-TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
-  open_lively();
+TEST_F(PagesToRead, OpenTheTrialsOfASessionWithItsNotes) {
   StudyTable& table = table_of("sessions", "sessions_table", 15);
   child<QLineEdit>(window_, "sessions_filter").setText("P004");
   table.setFocus();
@@ -517,7 +535,9 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
   QTest::keyClick(&table, Qt::Key_Return);
   EXPECT_EQ(window_.shown_page(), "trials");
   const auto& trials = child<StudyTable>(window_, "trials_table");
-  ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 12; }));
+  ASSERT_TRUE(eventually(
+      [&] { return child<QLabel>(window_, "trials_summary").text().contains("7 of 12"); }));
+  ASSERT_EQ(trials.shown_rows(), 12);
   EXPECT_EQ(trials.model()->headerData(3, Qt::Horizontal).toString(), "Condition");
   EXPECT_EQ(trials.text_at(0, 3), "column 1, texture stone");
   EXPECT_EQ(trials.text_at(7, 3), "column 1, texture metal") << "of what is to come too";
@@ -652,8 +672,7 @@ TEST_F(StudyPages, ShowTheBodiesOfProtocolsWithAPicture) {
   take_screenshot(window_, "study-stimuli-bodies");
 }
 
-TEST_F(StudyPages, CountInTheNavigation) {
-  open_lively();
+TEST_F(PagesToRead, CountInTheNavigation) {
   auto& navigation = child<QListWidget>(window_, "navigation");
   const auto texts = [&] {
     QStringList all{};
@@ -681,25 +700,7 @@ TEST_F(StudyPages, SayWhatToDoWhereThereIsNothing) {
   }
 }
 
-TEST_F(StudyPages, StayWithTheStudyWhenTheThemeChanges) {
-  open_lively();
-  table_of("sessions", "sessions_table", 15);
-  const QPointer<QWidget> before = window_.page("sessions");
-  for (QAction* action : window_.findChildren<QAction*>()) {
-    if (action->text() == "&Dark") action->trigger();
-  }
-  ASSERT_TRUE(theme().dark);
-  ASSERT_TRUE(eventually([&before] { return before.isNull(); })) << "its pages are made anew";
-  ASSERT_TRUE(eventually([&] {
-    auto* table = window_.findChild<StudyTable*>("sessions_table");
-    return table != nullptr && table->shown_rows() == 15;
-  }));
-  EXPECT_EQ(window_.shown_page(), "sessions");
-  take_screenshot(window_, "study-sessions-dark");
-  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
-}
-
-TEST_F(StudyPages, KeepTheAttemptThroughAChangeOfTheme) {
+TEST_F(StudyPages, StayWithTheStudyAndTheAttemptWhenTheThemeChanges) {
   open_lively();
   const Study& study = window_.study()->study();
   const SessionRow session = study.sessions().at(0);
@@ -711,18 +712,25 @@ TEST_F(StudyPages, KeepTheAttemptThroughAChangeOfTheme) {
     return child<QLabel>(*window_.page("attempt"), "attempt_summary").text();
   };
   ASSERT_TRUE(eventually([&] { return !summary().isEmpty(); }));
-  const QString before = summary();
-  const QPointer<QWidget> old = window_.page("attempt");
-  for (QAction* action : window_.findChildren<QAction*>()) {
-    if (action->text() == "&Dark") action->trigger();
-  }
-  ASSERT_TRUE(eventually([&old] { return old.isNull(); })) << "its pages are made anew";
-  EXPECT_TRUE(eventually([&] { return summary() == before; }));
+  const QString shown = summary();
+  QPointer<QWidget> before = window_.page("attempt");
+  choose_theme("&Dark");
+  ASSERT_TRUE(eventually([&before] { return before.isNull(); })) << "its pages are made anew";
+  ASSERT_TRUE(theme().dark);
+  EXPECT_TRUE(eventually([&] { return summary() == shown; }));
   EXPECT_EQ(window_.shown_page(), "attempt");
   EXPECT_EQ(qobject_cast<TrialsPage*>(window_.page("trials"))->session(), session.id);
   EXPECT_EQ(child<QLabel>(*window_.page("attempt"), "attempt_names").isVisible(),
             session.state != SessionState::completed);
-  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
+
+  table_of("sessions", "sessions_table", 15);
+  take_screenshot(window_, "study-sessions-dark");
+  before = window_.page("sessions");
+  choose_theme("&Light");
+  ASSERT_TRUE(eventually([&before] { return before.isNull(); }));
+  ASSERT_FALSE(theme().dark);
+  EXPECT_EQ(window_.shown_page(), "sessions");
+  table_of("sessions", "sessions_table", 15);
 }
 
 /// A survey of two drivers: one of a device that is not set up yet, one without its maker's library.
@@ -735,8 +743,7 @@ std::vector<SurveyedDriver> found_devices(bool has_firmware) {
            .survey = {.hindrance = "OpenHaptics is not installed. Name it with --library FILE."}}};
 }
 
-TEST_F(StudyPages, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
-  open_lively();
+TEST_F(PagesToRead, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
   bool has_firmware = false;
   DevicesPage page(
       *window_.study(),
@@ -792,11 +799,11 @@ TEST_F(StudyPages, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
 }
 
 TEST_F(StudyPages, Pictures) {
+  if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "no folder for pictures";
   open_lively();
-  StudyTable& protocols = table_of("protocols", "protocols_table", 4);
+  table_of("protocols", "protocols_table", 4);
   take_screenshot(window_, "study-protocols");
-  protocols.select(
-      QString::fromStdString((window_.study()->folder() / "protocols" / "broken.json").string()));
+  select_protocol("broken.json");
   take_screenshot(window_, "study-protocol-problems");
   table_of("participants", "participants_table", 12);
   take_screenshot(window_, "study-participants");

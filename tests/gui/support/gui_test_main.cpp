@@ -22,7 +22,10 @@ class FreshApplication final : public testing::EmptyTestEventListener {
     // Some tests put their settings elsewhere.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
     QSettings{}.clear();
-    asperity::apply_theme(application_, asperity::ThemeChoice::light);
+    // It styles every window anew, those that tests share too.
+    if (asperity::theme().dark || application_.styleSheet().isEmpty()) {
+      asperity::apply_theme(application_, asperity::ThemeChoice::light);
+    }
     asperity::apply_language("en");
   }
 
