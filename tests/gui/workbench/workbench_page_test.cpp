@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <map>
 #include <sys/stat.h>
+#include <tuple>
 
 #include <QtCore/QMimeData>
-#include <QtCore/QTemporaryDir>
 #include <QtCore/QThread>
 #include <QtGui/QDragEnterEvent>
 #include <QtGui/QDropEvent>
@@ -40,6 +41,7 @@
 #include "tests/gui/sound/fake_card.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -87,28 +89,38 @@ void write_turned(const std::filesystem::path& file, const std::string& jpeg) {
   write_file(file, jpeg.substr(0, 2) + segment + exif + jpeg.substr(2), Overwrite::refuse);
 }
 
-class Workbench : public testing::Test {
+class PageOfTheWorkbench : public testing::Test {
  protected:
-  void SetUp() override {
-    ASSERT_TRUE(folder_.isValid());
+  static void open() {
+    folder_ = std::make_unique<TemporaryFolder>();
     new_study(study_folder());
     study_ = std::make_unique<OpenStudy>(study_folder());
     page_ = std::make_unique<WorkbenchPage>(*study_);
     page_->resize(1366, 768);
     page_->show();
   }
+  static void close() {
+    page_.reset();
+    study_.reset();
+    folder_.reset();
+  }
 
-  std::filesystem::path folder() const { return folder_.path().toStdString(); }
-  std::filesystem::path study_folder() const { return folder() / "study"; }
+  static std::filesystem::path folder() { return folder_->path(); }
+  static std::filesystem::path study_folder() { return folder() / "study"; }
 
-  std::filesystem::path photograph(const std::string& kind, std::size_t pixels,
-                                   PhotographCase photograph_case = PhotographCase::bright_height) {
-    const HeightField surface =
-        make_surface(kind, {}, {.width_m = 0.10, .pixels = pixels, .seed = 2});
-    PhotographSettings settings{};
-    settings.photograph_case = photograph_case;
+  static std::filesystem::path photograph(
+      const std::string& kind, std::size_t pixels,
+      PhotographCase photograph_case = PhotographCase::bright_height) {
+    static std::map<std::tuple<std::string, std::size_t, PhotographCase>, GreyImage> made{};
+    GreyImage& picture = made[{kind, pixels, photograph_case}];
+    if (picture.values.empty()) {
+      PhotographSettings settings{};
+      settings.photograph_case = photograph_case;
+      picture = synthetic_photograph(
+          make_surface(kind, {}, {.width_m = 0.10, .pixels = pixels, .seed = 2}), settings);
+    }
     const std::filesystem::path file = folder() / (kind + ".png");
-    save_picture(file, synthetic_photograph(surface, settings), Overwrite::allow);
+    save_picture(file, picture, Overwrite::allow);
     return file;
   }
 
@@ -154,10 +166,40 @@ class Workbench : public testing::Test {
 
   void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
 
+  static inline std::unique_ptr<TemporaryFolder> folder_{};
+  static inline std::unique_ptr<OpenStudy> study_{};
+  static inline std::unique_ptr<WorkbenchPage> page_{};
+};
+
+class Workbench : public PageOfTheWorkbench {
+ protected:
+  void SetUp() override { open(); }
+  void TearDown() override { close(); }
+
   FakeCard card_{};  // outlives the page, whose sound thread takes from it
-  QTemporaryDir folder_{};
-  std::unique_ptr<OpenStudy> study_{};
-  std::unique_ptr<WorkbenchPage> page_{};
+};
+
+/// Tests that save nothing and hear nothing have one page. Each begins with a brick of 256 pixels under the default recipe.
+class BrickOnTheWorkbench : public PageOfTheWorkbench {
+ protected:
+  void SetUp() override {
+    if (page_) {
+      page_->resume(brick_);
+      click("mode_making");
+      settle();
+    } else {
+      open();
+      drop(photograph("brick", 256));
+      brick_ = page_->work();
+    }
+  }
+  static void TearDownTestSuite() {
+    brick_ = {};
+    close();
+  }
+
+ private:
+  static inline WorkbenchPage::Work brick_{};
 };
 
 TEST_F(Workbench, ShowsEveryStepOfADroppedPhotograph) {
@@ -177,7 +219,7 @@ TEST_F(Workbench, ShowsEveryStepOfADroppedPhotograph) {
   EXPECT_TRUE(find<QLabel>("step_picture").isVisible());
 }
 
-TEST_F(Workbench, ComputesTheHeightsThatTheRecipeSays) {
+TEST_F(BrickOnTheWorkbench, ComputesTheHeightsThatTheRecipeSays) {
   const std::filesystem::path file = photograph("brick", 256);
   drop(file);
   const GreyImage grey = load_photograph(file).photograph.grey;
@@ -197,7 +239,7 @@ TEST_F(Workbench, ComputesTheHeightsThatTheRecipeSays) {
 }
 
 // The direction of the light determines the sign, whatever was chosen before.
-TEST_F(Workbench, RecoversTheReliefFromItsShadingInLightFromOneSide) {
+TEST_F(BrickOnTheWorkbench, RecoversTheReliefFromItsShadingInLightFromOneSide) {
   const std::filesystem::path file = photograph("stone", 256, PhotographCase::lambert);
   drop(file);
   find<QComboBox>("kind").setCurrentIndex(1);
@@ -237,7 +279,7 @@ TEST_F(Workbench, IsProvisionalUntilItIsChosenWhatThePhotographShows) {
   EXPECT_TRUE(find<QPushButton>("save").isEnabled());
 }
 
-TEST_F(Workbench, ShowsTheRecommendedMethodWithItsReason) {
+TEST_F(BrickOnTheWorkbench, ShowsTheRecommendedMethodWithItsReason) {
   drop_all({photograph("stone", 256)});
   const QString even = find<QLabel>("recommendation").text();
   EXPECT_TRUE(even.contains("Brightness with a spectral tilt of 0.5, because"))
@@ -248,8 +290,7 @@ TEST_F(Workbench, ShowsTheRecommendedMethodWithItsReason) {
   EXPECT_TRUE(lit.contains("anisotropy"));
 }
 
-TEST_F(Workbench, HasAControlForEveryParameterOfTheRecipe) {
-  drop(photograph("brick", 128));
+TEST_F(BrickOnTheWorkbench, HasAControlForEveryParameterOfTheRecipe) {
   for (const Parameter& parameter : texture_recipe_parameters()) {
     auto* control = page_->findChild<QWidget*>(QString::fromStdString(parameter.name));
     ASSERT_NE(control, nullptr) << parameter.name;
@@ -263,7 +304,7 @@ TEST_F(Workbench, HasAControlForEveryParameterOfTheRecipe) {
   settle();
 }
 
-TEST_F(Workbench, IsCoarserWhileASliderIsHeldAndFineAgainAfterwards) {
+TEST_F(BrickOnTheWorkbench, IsCoarserWhileASliderIsHeldAndFineAgainAfterwards) {
   drop(photograph("brick", 512));
   auto& slider = find<QSlider>("slider_rms_m");
   slider.setSliderDown(true);
@@ -276,15 +317,13 @@ TEST_F(Workbench, IsCoarserWhileASliderIsHeldAndFineAgainAfterwards) {
   EXPECT_NEAR(page_->field()->rms_m(), page_->recipe().rms_m, 1e-3 * page_->recipe().rms_m);
 }
 
-TEST_F(Workbench, EndsWithTheNewestOfManyChanges) {
-  const std::filesystem::path file = photograph("brick", 256);
-  drop(file);
+TEST_F(BrickOnTheWorkbench, EndsWithTheNewestOfManyChanges) {
   for (const char* height : {"10", "20", "30", "40", "50", "60", "70"}) type("rms_m", height);
   settle();
   EXPECT_NEAR(page_->field()->rms_m(), 70e-6, 1e-9);
 }
 
-TEST_F(Workbench, SaysWhatAPhotographInSideLightIsWorth) {
+TEST_F(BrickOnTheWorkbench, SaysWhatAPhotographInSideLightIsWorth) {
   drop(photograph("stone", 256, PhotographCase::lambert));
   EXPECT_TRUE(find<QLabel>("hint").isVisible());
   EXPECT_TRUE(find<QLabel>("hint").text().contains("light from one side"));
@@ -305,7 +344,7 @@ TEST_F(Workbench, SaysWhatTheSignDependsOnNextToItsChoiceWhateverElseThePhotogra
   EXPECT_LT(hint.indexOf("light mortar"), hint.indexOf("light from one side"));
 }
 
-TEST_F(Workbench, ShowsALongNameFromItsBeginning) {
+TEST_F(BrickOnTheWorkbench, ShowsALongNameFromItsBeginning) {
   const std::filesystem::path plain = photograph("brick", 256);
   const std::filesystem::path file =
       plain.parent_path() / "a_wall_of_bricks_in_the_sun_as_it_was_in_the_morning_of_may.png";
@@ -405,8 +444,7 @@ TEST_F(Workbench, ReplacesAStimulusOnlyWhenToldTo) {
   EXPECT_NEAR(load_height_field(png).field->rms_m(), 300e-6, 1e-6);
 }
 
-TEST_F(Workbench, SaysWhyANameCannotBeSaved) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, SaysWhyANameCannotBeSaved) {
   auto& name = find<QLineEdit>("name");
   for (const char* bad : {"", "a/b", "x y", "wall_photo", "../wall"}) {
     name.setText(bad);
@@ -473,8 +511,7 @@ TEST_F(Workbench, ForgetsAFileWhoseReadingIsCancelled) {
   EXPECT_FALSE(find<Banner>("banner").isVisible());
 }
 
-TEST_F(Workbench, SaysOfEverythingThatIsNoPictureWhatItIs) {
-  drop(photograph("brick", 128));
+TEST_F(BrickOnTheWorkbench, SaysOfEverythingThatIsNoPictureWhatItIs) {
   const auto before = page_->field();
   const std::filesystem::path wide = folder() / "wide.png";
   ASSERT_TRUE(QImage(30000, 16, QImage::Format_Grayscale8).save(wide.c_str()));
@@ -540,7 +577,7 @@ TEST_F(Workbench, ReadsSixteenBitsOfATiff) {
             texture_from_photograph(deep, {}, "deep").field.heights_m());
 }
 
-TEST_F(Workbench, SaysThatTransparencyIsLeftOut) {
+TEST_F(BrickOnTheWorkbench, SaysThatTransparencyIsLeftOut) {
   const QImage brick(QString::fromStdString(photograph("brick", 128).string()));
   QImage clear = brick.convertToFormat(QImage::Format_ARGB32);
   for (int x = 0; x < 64; ++x) clear.setPixel(x, 5, clear.pixel(x, 5) & 0x00FFFFFFU);
@@ -555,7 +592,7 @@ TEST_F(Workbench, SaysThatTransparencyIsLeftOut) {
   EXPECT_FALSE(find<Banner>("banner").isVisible());
 }
 
-TEST_F(Workbench, SaysThatAPictureLiesAsItIsStored) {
+TEST_F(BrickOnTheWorkbench, SaysThatAPictureLiesAsItIsStored) {
   const QImage brick(QString::fromStdString(photograph("brick", 128).string()));
   const QImage upright = brick.copy(0, 0, 128, 64);
   const std::filesystem::path plain = folder() / "plain.jpg";
@@ -571,8 +608,7 @@ TEST_F(Workbench, SaysThatAPictureLiesAsItIsStored) {
   EXPECT_FALSE(find<Banner>("banner").isVisible());
 }
 
-TEST_F(Workbench, KeepsWhatItHasWhenAFileCannotBeUsed) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, KeepsWhatItHasWhenAFileCannotBeUsed) {
   const auto before = page_->field();
   const std::filesystem::path broken = folder() / "broken.png";
   std::ofstream(broken) << "this is no picture";
@@ -590,8 +626,7 @@ TEST_F(Workbench, KeepsWhatItHasWhenAFileCannotBeUsed) {
   EXPECT_TRUE(find<ReliefView>("relief").isVisible());
 }
 
-TEST_F(Workbench, KeepsTheLastReliefUnderARecipeThatCannotBe) {
-  drop(photograph("brick", 256));  // 0.39 mm a pixel
+TEST_F(BrickOnTheWorkbench, KeepsTheLastReliefUnderARecipeThatCannotBe) {
   const auto before = page_->field();
   type("gaussian_wavelength_m", "0.5");
   settle();
@@ -645,8 +680,7 @@ TEST_F(Workbench, OpensAMeasuredSurfaceAsAFinishedRelief) {
   EXPECT_EQ(page_->field(), before);
 }
 
-TEST_F(Workbench, TurnsUnderTheMouseAndMovesTheLightWithTheRightButton) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, TurnsUnderTheMouseAndMovesTheLightWithTheRightButton) {
   auto& relief = find<ReliefView>("relief");
   const ReliefLook before = relief.look();
   const QImage picture = relief.picture();
@@ -670,8 +704,7 @@ TEST_F(Workbench, TurnsUnderTheMouseAndMovesTheLightWithTheRightButton) {
   EXPECT_EQ(relief.look().turn_rad, before.turn_rad);
 }
 
-TEST_F(Workbench, ShowsTheProfileUnderTheMouse) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, ShowsTheProfileUnderTheMouse) {
   auto& relief = find<ReliefView>("relief");
   const double y_m = 0.02;
   QTest::mouseMove(&relief, relief.position_of({0.01, y_m}).toPoint());
@@ -693,8 +726,7 @@ TEST_F(Workbench, ShowsTheProfileUnderTheMouse) {
   EXPECT_TRUE(found);
 }
 
-TEST_F(Workbench, StrokesTheReliefAndShowsTheForceOfEachChosenModel) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, StrokesTheReliefAndShowsTheForceOfEachChosenModel) {
   click("mode_comparing");
   find<QCheckBox>("model_lateral_gradient").setChecked(true);
   settle();
@@ -736,8 +768,7 @@ TEST_F(Workbench, StrokesTheReliefAndShowsTheForceOfEachChosenModel) {
   EXPECT_FALSE(find<SignalPlots>("forces").spectrum_series().front().y.empty());
 }
 
-TEST_F(Workbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
   click("mode_comparing");
   find<QCheckBox>("model_stochastic").setChecked(true);
   settle();
@@ -756,8 +787,7 @@ TEST_F(Workbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
   }
 }
 
-TEST_F(Workbench, StrokesAcrossOnTheSamePathHoweverTheFramesCome) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, StrokesAcrossOnTheSamePathHoweverTheFramesCome) {
   click("mode_comparing");
   settle();
   auto& comparison = find<ForceComparison>("comparison");
@@ -777,8 +807,7 @@ TEST_F(Workbench, StrokesAcrossOnTheSamePathHoweverTheFramesCome) {
   }
 }
 
-TEST_F(Workbench, ShowsTheDentInASoftSurfaceDuringAStroke) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, ShowsTheDentInASoftSurfaceDuringAStroke) {
   click("mode_comparing");
   settle();
   auto& relief = find<ReliefView>("relief");
@@ -803,8 +832,7 @@ TEST_F(Workbench, ShowsTheDentInASoftSurfaceDuringAStroke) {
   EXPECT_FALSE(caption.text().contains("dent"));
 }
 
-TEST_F(Workbench, TellsHowRoughTheStrokeIsThroughEveryModel) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, TellsHowRoughTheStrokeIsThroughEveryModel) {
   click("mode_comparing");
   find<QCheckBox>("model_lateral_gradient").setChecked(true);
   settle();
@@ -935,8 +963,7 @@ TEST_F(Workbench, SaysThatASoundCardDoesNotPlay) {
   EXPECT_TRUE(said.text().contains("There is no sound output"));
 }
 
-TEST_F(Workbench, SaysThatThereIsNothingToHearAForceWith) {
-  drop(photograph("brick", 256));
+TEST_F(BrickOnTheWorkbench, SaysThatThereIsNothingToHearAForceWith) {
   click("mode_comparing");
   find<ForceComparison>("comparison").set_sound(null_output());
   EXPECT_FALSE(find<QComboBox>("heard").isEnabled());
