@@ -31,13 +31,14 @@ struct Seat {
   ResponseKeys keys{view};
   std::vector<ParticipantInput> inputs{};
 
-  explicit Seat(QSize size = {1366, 768}) {
+  Seat() {
     QObject::connect(&view, &ParticipantView::acted, [this](const ParticipantInput& input) {
       if (input.kind != Kind::released) inputs.push_back(input);
     });
-    view.resize(size);
+    view.resize(1366, 768);
     view.show();
   }
+  explicit Seat(const ParticipantScene& scene) : Seat() { show(scene); }
   void show(const ParticipantScene& scene) {
     monitor.show(scene);
     const std::shared_ptr<const ParticipantScene> shown = monitor.snapshot().scene;
@@ -60,8 +61,7 @@ struct Seat {
 };
 
 TEST(ParticipantView, TellsChoicesByMouseAndByKeyAlike) {
-  Seat seat{};
-  seat.show(scenes::recognition(6));
+  Seat seat(scenes::recognition(6));
   seat.click(Item::Kind::picture, "4");
   ASSERT_EQ(seat.inputs.size(), 1U);
   EXPECT_EQ(seat.last().kind, Kind::option);
@@ -86,8 +86,7 @@ TEST(ParticipantView, TellsChoicesByMouseAndByKeyAlike) {
 }
 
 TEST(ParticipantView, TakesKeysOfTwoDigits) {
-  Seat seat{};
-  seat.show(scenes::recognition(12));
+  Seat seat(scenes::recognition(12));
   seat.key(Qt::Key_1);
   EXPECT_EQ(seat.last().number, 1);
   seat.key(Qt::Key_2);
@@ -95,8 +94,7 @@ TEST(ParticipantView, TakesKeysOfTwoDigits) {
 }
 
 TEST(ParticipantView, TakesTheDigitsOfAFrenchKeyboard) {
-  Seat seat{};
-  seat.show(scenes::recognition(6));
+  Seat seat(scenes::recognition(6));
   // The key with the 2 on it types "é" without shift.
   QKeyEvent event(QEvent::KeyPress, Qt::Key_Eacute, Qt::NoModifier, 11, 0, 0, QString(QChar(0xE9)));
   QApplication::sendEvent(&seat.view, &event);
@@ -105,8 +103,7 @@ TEST(ParticipantView, TakesTheDigitsOfAFrenchKeyboard) {
 }
 
 TEST(ParticipantView, AnswersASelectionByLetter) {
-  Seat seat{};
-  seat.show(scenes::selection(3));
+  Seat seat(scenes::selection(3));
   seat.key(Qt::Key_B);
   EXPECT_EQ(seat.last().kind, Kind::option);
   EXPECT_EQ(seat.last().number, 2);
@@ -117,8 +114,7 @@ TEST(ParticipantView, AnswersASelectionByLetter) {
 }
 
 TEST(ParticipantView, MarksAScaleWhereItIsPressedAndWhileItIsDragged) {
-  Seat seat{};
-  seat.show(scenes::scales(5));
+  Seat seat(scenes::scales(5));
   const std::vector<Item> items = seat.view.items();
   const auto scale = std::find_if(items.begin(), items.end(), [](const Item& item) {
     return item.kind == Item::Kind::scale && item.action->number == 4;
@@ -140,8 +136,7 @@ TEST(ParticipantView, MarksAScaleWhereItIsPressedAndWhileItIsDragged) {
 }
 
 TEST(ParticipantView, MovesTheMarkOfAScaleByArrows) {
-  Seat seat{};
-  seat.show(scenes::scales(5));
+  Seat seat(scenes::scales(5));
   seat.key(Qt::Key_Right);
   EXPECT_EQ(seat.last().kind, Kind::step);
   EXPECT_EQ(seat.last().number, 1);
@@ -156,8 +151,7 @@ TEST(ParticipantView, MovesTheMarkOfAScaleByArrows) {
 }
 
 TEST(ParticipantView, DrawsALineThatIsAProportionOfTheScreen) {
-  Seat seat{};
-  seat.show(scenes::drawn_line());
+  Seat seat(scenes::drawn_line());
   const std::vector<Item> items = seat.view.items();
   const auto line = std::find_if(items.begin(), items.end(),
                                  [](const Item& item) { return item.kind == Item::Kind::line; });
@@ -179,8 +173,7 @@ TEST(ParticipantView, DrawsALineThatIsAProportionOfTheScreen) {
 }
 
 TEST(ParticipantView, ExtendsALineByArrowsAndConfirmsItByReturn) {
-  Seat seat{};
-  seat.show(scenes::drawn_line());
+  Seat seat(scenes::drawn_line());
   seat.key(Qt::Key_Right);
   EXPECT_EQ(seat.last().kind, Kind::step);
   EXPECT_EQ(seat.last().number, 1);
@@ -191,16 +184,14 @@ TEST(ParticipantView, ExtendsALineByArrowsAndConfirmsItByReturn) {
 }
 
 TEST(ParticipantView, ListsTheLabelledPointsOfAScale) {
-  Seat seat{};
-  seat.show(scenes::scale_with_labels());
+  Seat seat(scenes::scale_with_labels());
   seat.click(Item::Kind::option, "agree");
   EXPECT_EQ(seat.last().kind, Kind::option);
   EXPECT_EQ(seat.last().number, 4);
 }
 
 TEST(ParticipantView, AssignsByClickOnASurfaceAndThenAPicture) {
-  Seat seat{};
-  seat.show(scenes::matching(4));
+  Seat seat(scenes::matching(4));
   seat.click(Item::Kind::chip, "C");
   EXPECT_TRUE(seat.inputs.empty());
   seat.click(Item::Kind::picture, "2");
@@ -211,8 +202,7 @@ TEST(ParticipantView, AssignsByClickOnASurfaceAndThenAPicture) {
 }
 
 TEST(ParticipantView, AssignsByDraggingASurfaceOntoAPicture) {
-  Seat seat{};
-  seat.show(scenes::matching(4));
+  Seat seat(scenes::matching(4));
   const QPoint from = seat.place_of(Item::Kind::chip, "D");
   const QPoint onto = seat.place_of(Item::Kind::picture, "1");
   QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
@@ -226,8 +216,7 @@ TEST(ParticipantView, AssignsByDraggingASurfaceOntoAPicture) {
 }
 
 TEST(ParticipantView, DropsASurfaceBesideThePicturesWithoutEffect) {
-  Seat seat{};
-  seat.show(scenes::matching(4));
+  Seat seat(scenes::matching(4));
   const QPoint from = seat.place_of(Item::Kind::chip, "D");
   QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
   QTest::mouseMove(&seat.view, from + QPoint(60, 0));
@@ -239,10 +228,9 @@ TEST(ParticipantView, DropsASurfaceBesideThePicturesWithoutEffect) {
 }
 
 TEST(ParticipantView, TakesASurfaceBackThatIsDraggedOffItsPicture) {
-  Seat seat{};
   ParticipantScene scene = scenes::matching(4);
   scene.choices[1].assigned_to = "C";
-  seat.show(scene);
+  Seat seat(scene);
   const QPoint from = seat.place_of(Item::Kind::picture, "2");
   const auto drag_to = [&](QPoint to) {
     QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
@@ -291,10 +279,9 @@ TEST(ParticipantView, KeepsWhatIsUnderTheHandWhenACueComesOrGoes) {
 }
 
 TEST(ParticipantView, AssignsByKeysAlone) {
-  Seat seat{};
   ParticipantScene scene = scenes::matching(3);
   scene.can_switch = true;
-  seat.show(scene);
+  Seat seat(scene);
   seat.key(Qt::Key_2);  // for the surface that is next
   EXPECT_EQ(seat.last().kind, Kind::option);
   EXPECT_EQ(seat.last().number, 2);
@@ -311,9 +298,8 @@ TEST(ParticipantView, AssignsByKeysAlone) {
 }
 
 TEST(ParticipantView, ForgetsThePickedSurfaceOnceItHasItsPicture) {
-  Seat seat{};
   ParticipantScene scene = scenes::matching(3);
-  seat.show(scene);
+  Seat seat(scene);
   seat.key(Qt::Key_C);
   seat.key(Qt::Key_1);
   scene.choices[0].assigned_to = "C";
@@ -323,10 +309,9 @@ TEST(ParticipantView, ForgetsThePickedSurfaceOnceItHasItsPicture) {
 }
 
 TEST(ParticipantView, AsksForMoreOrLessOfASurfaceWhileItIsFelt) {
-  Seat seat{};
   ParticipantScene scene = scenes::feel(3);
   scene.surfaces[0].can_go = true;
-  seat.show(scene);
+  Seat seat(scene);
   seat.key(Qt::Key_Space);
   EXPECT_EQ(seat.last().kind, Kind::next);
   seat.key(Qt::Key_A);
@@ -359,8 +344,7 @@ TEST(ParticipantView, ContinuesByReturnOrClick) {
 }
 
 TEST(ParticipantView, TakesANumberByDigitsOrPad) {
-  Seat seat{};
-  seat.show(scenes::form_number());
+  Seat seat(scenes::form_number());
   seat.key(Qt::Key_4);
   seat.key(Qt::Key_7);
   seat.key(Qt::Key_Backspace);
@@ -373,8 +357,7 @@ TEST(ParticipantView, TakesANumberByDigitsOrPad) {
 }
 
 TEST(ParticipantView, TakesSeveralOptionsOfAMultipleChoice) {
-  Seat seat{};
-  seat.show(scenes::form_choices());
+  Seat seat(scenes::form_choices());
   seat.key(Qt::Key_3);
   seat.key(Qt::Key_1);
   seat.key(Qt::Key_4);
@@ -387,8 +370,7 @@ TEST(ParticipantView, TakesSeveralOptionsOfAMultipleChoice) {
 }
 
 TEST(ParticipantView, LeavesOutAMultipleChoiceOfWhichNothingIsChosenAnyMore) {
-  Seat seat{};
-  seat.show(scenes::form_choices());
+  Seat seat(scenes::form_choices());
   seat.key(Qt::Key_2);
   seat.key(Qt::Key_2);
   seat.click(Item::Kind::control, "Skip");
@@ -396,8 +378,7 @@ TEST(ParticipantView, LeavesOutAMultipleChoiceOfWhichNothingIsChosenAnyMore) {
 }
 
 TEST(ParticipantView, TakesAPointOfAScaleOfTheQuestionnaireByArrowsOrPointer) {
-  Seat seat{};
-  seat.show(scenes::form_scale(11));
+  Seat seat(scenes::form_scale(11));
   seat.key(Qt::Key_Right);  // shows the mark in the middle, which is not an answer yet
   seat.click(Item::Kind::control, "Skip");
   EXPECT_EQ(seat.last().text, "");
@@ -411,8 +392,7 @@ TEST(ParticipantView, TakesAPointOfAScaleOfTheQuestionnaireByArrowsOrPointer) {
 }
 
 TEST(ParticipantView, ShowsTheUnitOfANumberAndTellsOnlyTheNumber) {
-  Seat seat{};
-  seat.show(scenes::form_unit());
+  Seat seat(scenes::form_unit());
   seat.key(Qt::Key_2);
   seat.key(Qt::Key_0);
   bool shows_unit = false;
@@ -425,10 +405,9 @@ TEST(ParticipantView, ShowsTheUnitOfANumberAndTellsOnlyTheNumber) {
 }
 
 TEST(ParticipantView, WritesNumbersWithAPointWhateverKeyWasPressed) {
-  Seat seat{};
   ParticipantScene scene = scenes::form_number();
   scene.question->minimum.reset();
-  seat.show(scene);
+  Seat seat(scene);
   seat.key(Qt::Key_1);
   seat.key(Qt::Key_Comma);
   seat.key(Qt::Key_5);
@@ -438,8 +417,7 @@ TEST(ParticipantView, WritesNumbersWithAPointWhateverKeyWasPressed) {
 }
 
 TEST(ParticipantView, WritesTheNumberOfATrialByKeyAndByPad) {
-  Seat seat{};
-  seat.show(scenes::magnitude());
+  Seat seat(scenes::magnitude());
   seat.key(Qt::Key_1);
   seat.click(Item::Kind::pad, "2");
   seat.key(Qt::Key_Comma);
@@ -488,8 +466,7 @@ TEST(ParticipantView, TellsAtOnceOfWhatIsNoNumberAndTakesNothingUntilItIsCorrect
 }
 
 TEST(ParticipantView, UnderstandsPowersOfTen) {
-  Seat seat{};
-  seat.show(scenes::magnitude());
+  Seat seat(scenes::magnitude());
   QTest::keyClicks(&seat.view, "1e-3");
   seat.key(Qt::Key_Return);
   EXPECT_EQ(seat.last().text, "1e-3");
@@ -497,8 +474,7 @@ TEST(ParticipantView, UnderstandsPowersOfTen) {
 
 // On the row of digits "/" is Shift and 7: no 7, and without Shift a French "è" is one.
 TEST(ParticipantView, TakesNoSignOfTheRowOfDigitsForADigitOfANumber) {
-  Seat seat{};
-  seat.show(scenes::magnitude());
+  Seat seat(scenes::magnitude());
   const auto press = [&seat](Qt::KeyboardModifiers held, const QString& text) {
     constexpr quint32 kScanCodeOf7 = 16;
     QKeyEvent event(QEvent::KeyPress, Qt::Key_unknown, held, kScanCodeOf7, 0, 0, text);
@@ -514,8 +490,7 @@ TEST(ParticipantView, TakesNoSignOfTheRowOfDigitsForADigitOfANumber) {
 
 // What is to be checked stays in its field: a confirmation gives it once more.
 TEST(ParticipantView, KeepsANumberThatIsToBeChecked) {
-  Seat seat{};
-  seat.show(scenes::magnitude());
+  Seat seat(scenes::magnitude());
   for (const Qt::Key key : {Qt::Key_5, Qt::Key_0, Qt::Key_0}) seat.key(key);
   ParticipantScene doubted = scenes::magnitude();
   doubted.text_saying = {.what = Saying::What::check_estimate, .code = "500"};
@@ -526,8 +501,7 @@ TEST(ParticipantView, KeepsANumberThatIsToBeChecked) {
 }
 
 TEST(ParticipantView, TakesAChoiceOfAFormAfterConfirmation) {
-  Seat seat{};
-  seat.show(scenes::form_choice());
+  Seat seat(scenes::form_choice());
   seat.key(Qt::Key_3);
   seat.click(Item::Kind::option, "yes");
   EXPECT_TRUE(seat.inputs.empty());
@@ -537,21 +511,19 @@ TEST(ParticipantView, TakesAChoiceOfAFormAfterConfirmation) {
 }
 
 TEST(ParticipantView, ShowsTheTextOfAnOptionAndGivesItsValue) {
-  Seat seat{};
   ParticipantScene scene = scenes::form_choice();
   scene.question->options = {"right", "left"};
   scene.question->option_texts = {"rechts", "links"};
-  seat.show(scene);
+  Seat seat(scene);
   seat.click(Item::Kind::option, "links");
   seat.key(Qt::Key_Return);
   EXPECT_EQ(seat.last().text, "left");
 }
 
 TEST(ParticipantView, LeavesOutWhatMayBeLeftOut) {
-  Seat seat{};
   ParticipantScene scene = scenes::form_choice();
   scene.question->optional = true;
-  seat.show(scene);
+  Seat seat(scene);
   seat.key(Qt::Key_1);
   seat.key(Qt::Key_1);  // taken back
   seat.click(Item::Kind::control, "Skip");
@@ -560,8 +532,7 @@ TEST(ParticipantView, LeavesOutWhatMayBeLeftOut) {
 }
 
 TEST(ParticipantView, TakesATextAndItsReturn) {
-  Seat seat{};
-  seat.show(scenes::form_text());
+  Seat seat(scenes::form_text());
   auto* field = seat.view.findChild<QPlainTextEdit*>("participant_text");
   ASSERT_TRUE(field->isVisible());
   QTest::keyClicks(field, "by 2 feels");
@@ -575,9 +546,8 @@ TEST(ParticipantView, TakesATextAndItsReturn) {
 }
 
 TEST(ParticipantView, KeepsWhatWasBegunThroughARefusalAndForgetsItAfter) {
-  Seat seat{};
   ParticipantScene scene = scenes::form_number();
-  seat.show(scene);
+  Seat seat(scene);
   seat.key(Qt::Key_9);
   scene.cue = "Please enter a number from 18 to 120.";
   scene.cue_number = 1;
@@ -612,8 +582,7 @@ TEST(ParticipantView, TellsHowLongTheMouseWasHeldAndNothingOfWhatIsTypedIntoAFor
 }
 
 TEST(ParticipantView, IgnoresAutoRepeat) {
-  Seat seat{};
-  seat.show(scenes::recognition(6));
+  Seat seat(scenes::recognition(6));
   for (const bool repeat : {false, true, true, true}) {
     QKeyEvent press(QEvent::KeyPress, Qt::Key_1, Qt::NoModifier, "1", repeat);
     QApplication::sendEvent(&seat.view, &press);
@@ -643,11 +612,10 @@ TEST(ParticipantView, StampsWithTheTimeOfTheEventOnTheSessionsClock) {
 }
 
 TEST(ParticipantView, ShowsACueForAWhile) {
-  Seat seat{};
   ParticipantScene scene = scenes::recognition(6);
   scene.cue = "Please choose first.";
   scene.cue_number = 4;
-  seat.show(scene);
+  Seat seat(scene);
   seat.view.grab();
   EXPECT_TRUE(seat.view.drawn_texts().contains("Please choose first."));
   // The same cue in the next scene is not a new one, and its time goes on.
@@ -658,10 +626,9 @@ TEST(ParticipantView, ShowsACueForAWhile) {
 }
 
 TEST(ParticipantView, DrawsTheAssignedLetterOnItsPicture) {
-  Seat seat{};
   ParticipantScene scene = scenes::matching(3);
   scene.choices[1].assigned_to = "C";
-  seat.show(scene);
+  Seat seat(scene);
   seat.view.grab();
   // Once on its chip, once on the picture.
   EXPECT_EQ(seat.view.drawn_texts().count("C"), 2);
@@ -669,9 +636,8 @@ TEST(ParticipantView, DrawsTheAssignedLetterOnItsPicture) {
 }
 
 TEST(ParticipantView, ShowsPicturesTogetherOnceAllAreThere) {
-  Seat seat{};
   ParticipantScene scene = scenes::recognition(3);
-  seat.show(scene);
+  Seat seat(scene);
   ASSERT_TRUE(eventually([&] {
     seat.view.grab();
     return seat.view.pictures_are_there();
@@ -735,8 +701,7 @@ TEST(ParticipantView, ShowsNoFileNames) {
 
 // Their places are the same for all, so nothing tells a photograph by its shape.
 TEST(ParticipantView, FillsTheSquaresOfVeryWideAndVeryTallPictures) {
-  Seat seat{};
-  seat.show(scenes::recognition(3));
+  Seat seat(scenes::recognition(3));
   ASSERT_TRUE(eventually([&] {
     seat.view.grab();
     return seat.view.pictures_are_there();
@@ -763,10 +728,9 @@ TEST(ParticipantView, TakesItsSmallestLettersFromTheScreenThatItIsOn) {
 }
 
 TEST(ParticipantView, TurnsThePagesOfALongTextAndContinuesFromTheLast) {
-  Seat seat{};
   ParticipantScene scene = scenes::to_read();
   scene.text = scenes::sentences(25);
-  seat.show(scene);
+  Seat seat(scene);
   const auto page = [&] {
     seat.view.grab();
     const QStringList pages = seat.view.drawn_texts().filter(QRegularExpression("^Page . of .$"));
@@ -800,10 +764,9 @@ TEST(ParticipantView, TurnsThePagesOfALongTextAndContinuesFromTheLast) {
 }
 
 TEST(ParticipantView, TakesAnAnswerThatIsPressedWhileTheQuestionIsStillBeingRead) {
-  Seat seat{};
   ParticipantScene scene = scenes::recognition(6);
   scene.text = scenes::sentences(6);
-  seat.show(scene);
+  Seat seat(scene);
   const auto pictures = [&] {
     const std::vector<Item> items = seat.view.items();
     return std::count_if(items.begin(), items.end(),
@@ -852,7 +815,7 @@ TEST(ParticipantView, MirrorsThePageThatIsRead) {
 }
 
 TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
-  Seat seat({1366, 768});
+  Seat seat{};
   ParticipantView mirror(seat.monitor, seat.pictures.path(), ParticipantView::Role::mirror);
   std::vector<ParticipantInput> mirrored{};
   QObject::connect(&mirror, &ParticipantView::acted,
@@ -936,8 +899,7 @@ int pixels_of(const QImage& image, const QColor& color, const QRect& where) {
 }
 
 TEST(ParticipantView, MarksTheHandInsideAndOutsideOfItsBands) {
-  Seat seat{};
-  seat.show(scenes::guided(Exploration::Guidance::bars));
+  Seat seat(scenes::guided(Exploration::Guidance::bars));
   const auto* guide = seat.view.findChild<LiveGuide*>();
   ASSERT_TRUE(guide->isVisible());
   EXPECT_TRUE(seat.view.rect().contains(guide->geometry()));
@@ -1019,8 +981,7 @@ TEST(ParticipantView, PutsRoundNumbersUnderItsBars) {
   EXPECT_EQ(guide_ticks(162.5), (std::vector<double>{0.0, 50.0, 100.0, 150.0}));
   EXPECT_EQ(guide_ticks(0.5).size(), 6U);
   EXPECT_TRUE(guide_ticks(0.0).empty());
-  Seat seat{};
-  seat.show(scenes::guided(Exploration::Guidance::bars));
+  Seat seat(scenes::guided(Exploration::Guidance::bars));
   const auto names = [&seat] {
     QStringList texts{};
     for (const Item& item : seat.view.items()) texts.push_back(item.text);
@@ -1033,12 +994,11 @@ TEST(ParticipantView, PutsRoundNumbersUnderItsBars) {
 /// The guide of a scene in this language, in windows of that one.
 QImage guide_in(const std::string& language, const char* of_windows) {
   QLocale::setDefault(QLocale(of_windows));
-  Seat seat{};
   ParticipantScene scene = scenes::guided(Exploration::Guidance::bars);
   scene.language = language;
   scene.guide->normal_force_N = {.minimum = 0.3, .target = 0.4, .maximum = 0.5};
   scene.guide_scale = {};
-  seat.show(scene);
+  Seat seat(scene);
   const QImage guide = guide_with(seat, 0.4, {});
   QLocale::setDefault(QLocale("en"));
   return guide;
@@ -1053,9 +1013,8 @@ TEST(ParticipantView, WritesTheNumbersUnderItsBarsInTheLanguageOfTheProtocol) {
 }
 
 TEST(ParticipantView, AsksAHandThatIsToLiftForNothing) {
-  Seat seat{};
   ParticipantScene scene = scenes::guided(Exploration::Guidance::bars);
-  seat.show(scene);
+  Seat seat(scene);
   const QColor outside("#D55E00");
   const QImage pressed_little = guide_with(seat, 0.3, 0.01);
   EXPECT_GT(pixels_of(pressed_little, outside, pressed_little.rect()), 200);
@@ -1075,10 +1034,9 @@ TEST(ParticipantView, LeadsTheHandByATargetUntilItIsToLift) {
   EXPECT_NEAR(target_along_m(2.0, 0.06, 0.04), 0.01, 1e-12);
   EXPECT_NEAR(target_along_m(3.75, 0.06, 0.04), 0.0, 1e-12);
 
-  Seat seat{};
   ParticipantScene scene = scenes::guided(Exploration::Guidance::moving_target);
   scene.shown_ns = monotonic_now_ns();
-  seat.show(scene);
+  Seat seat(scene);
   const auto* guide = seat.view.findChild<LiveGuide*>();
   ASSERT_TRUE(guide->isVisible());
   const std::optional<double> before = guide->shown().target_along_m;

@@ -55,6 +55,7 @@ struct Desk {
     experimenter.show();
     focus(note);
   }
+  explicit Desk(const ParticipantScene& scene) : Desk() { show(scene); }
   void show(const ParticipantScene& scene) {
     monitor.show(scene);
     const std::shared_ptr<const ParticipantScene> shown = monitor.snapshot().scene;
@@ -102,8 +103,7 @@ TEST(ResponseKeys, LetsNothingElseBeTypedWhileAResponseIsOpen) {
 }
 
 TEST(ResponseKeys, PressesNoButtonOfTheExperimenterWhileAResponseIsOpen) {
-  Desk desk{};
-  desk.show(scenes::recognition(6));
+  Desk desk(scenes::recognition(6));
   desk.focus(desk.button);
   desk.key(Qt::Key_Space);
   EXPECT_EQ(desk.pressed, 0);
@@ -124,8 +124,7 @@ TEST(ResponseKeys, LeavesTheNoteItsKeysOutsideResponses) {
 }
 
 TEST(ResponseKeys, ContinuesFromTheExperimentersWindowWhenNoTextFieldHasTheFocus) {
-  Desk desk{};
-  desk.show(scenes::to_read());
+  Desk desk(scenes::to_read());
   desk.focus(desk.button);
   desk.key(Qt::Key_Return);
   ASSERT_EQ(desk.inputs.size(), 1U);
@@ -139,8 +138,7 @@ TEST(ResponseKeys, ContinuesFromTheExperimentersWindowWhenNoTextFieldHasTheFocus
 }
 
 TEST(ResponseKeys, FollowsTheKeyboardToTheWindowThatAsksForAText) {
-  Desk desk{};
-  desk.show(scenes::form_text());
+  Desk desk(scenes::form_text());
   ASSERT_TRUE(eventually([&] { return QApplication::activeWindow() == &desk.window; }));
   QTest::keyClicks(QApplication::focusWidget(), "smooth");
   desk.key(Qt::Key_Return);
@@ -150,8 +148,7 @@ TEST(ResponseKeys, FollowsTheKeyboardToTheWindowThatAsksForAText) {
 }
 
 TEST(ResponseKeys, LeavesEverythingToTheExperimenterBetweenScenesThatWait) {
-  Desk desk{};
-  desk.show(ParticipantScene{});
+  Desk desk(ParticipantScene{});
   desk.focus(desk.button);
   desk.key(Qt::Key_Space);
   EXPECT_EQ(desk.pressed, 1);
@@ -207,8 +204,7 @@ struct OpenQuestion {
 
 // The clock of a trial runs; a question to the experimenter can wait.
 TEST(ResponseKeys, AnswersATrialThroughAModalQuestionThatTheMouseStillAnswers) {
-  Desk desk{};
-  desk.show(scenes::recognition(6));
+  Desk desk(scenes::recognition(6));
   OpenQuestion question(desk);
   ASSERT_EQ(QApplication::activeModalWidget(), &question.dialog);
   desk.key(Qt::Key_3);
@@ -228,8 +224,7 @@ TEST(ResponseKeys, AnswersATrialThroughAModalQuestionThatTheMouseStillAnswers) {
 }
 
 TEST(ResponseKeys, LeavesAQuestionToTheExperimenterItsKeysWhileNoResponseIsOpen) {
-  Desk desk{};
-  desk.show(scenes::to_read());
+  Desk desk(scenes::to_read());
   OpenQuestion question(desk);
   QTest::keyClicks(question.field, "12 min late");
   EXPECT_EQ(question.field->text(), "12 min late");
@@ -240,8 +235,7 @@ TEST(ResponseKeys, LeavesAQuestionToTheExperimenterItsKeysWhileNoResponseIsOpen)
 }
 
 TEST(ResponseKeys, AnswersATrialThroughAnOpenMenu) {
-  Desk desk{};
-  desk.show(scenes::recognition(6));
+  Desk desk(scenes::recognition(6));
   QMenu menu(&desk.experimenter);
   int chosen = 0;
   menu.addAction("&3 of them", [&] { ++chosen; });
@@ -318,8 +312,7 @@ TEST(ResponseKeys, LeavesTheListOfAChoiceItsKeysWhileNoResponseIsOpen) {
 }
 
 TEST(ResponseKeys, LeavesADialogThatHoldsUpNothingItsKeysWhileNoResponseIsOpen) {
-  Desk desk{};
-  desk.show(scenes::to_read());
+  Desk desk(scenes::to_read());
   QDialog dialog(&desk.experimenter);
   QPushButton give("Give", &dialog);
   int given = 0;
@@ -408,8 +401,7 @@ TEST(ResponseKeys, HaveKeysAndClicksRefusedBetweenTwoSurfaces) {
 }
 
 TEST(ResponseKeys, AnswersATrialWhileAMouseButtonIsHeld) {
-  Desk desk{};
-  desk.show(scenes::recognition(6));
+  Desk desk(scenes::recognition(6));
   QTest::mousePress(desk.button, Qt::LeftButton);
   desk.key(Qt::Key_3);
   desk.key(Qt::Key_Space);
@@ -480,8 +472,7 @@ TEST(ResponseKeys, TakesOnlyTheParticipantsWindowWithAKeyboardOfTheirOwn) {
 }
 
 TEST(ResponseKeys, TakesWhatAnInputMethodWouldWriteForAKey) {
-  Desk desk{};
-  desk.show(scenes::recognition(6));
+  Desk desk(scenes::recognition(6));
   QInputMethodEvent written{};
   written.setCommitString("4");
   QApplication::sendEvent(desk.note, &written);
@@ -491,8 +482,7 @@ TEST(ResponseKeys, TakesWhatAnInputMethodWouldWriteForAKey) {
 }
 
 TEST(ResponseKeys, TellsHowLongAKeyWasHeld) {
-  Desk desk{};
-  desk.show(scenes::recognition(6));
+  Desk desk(scenes::recognition(6));
   desk.window.view().event_clock() = EventClock(EventClock::Stamps::of_window_system);
   const auto send = [&desk](QEvent::Type type, std::uint64_t stamp_ms, bool repeat) {
     QKeyEvent event(type, Qt::Key_2, Qt::NoModifier, "2", repeat);
