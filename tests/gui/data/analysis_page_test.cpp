@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <memory>
 
@@ -57,14 +58,42 @@ void add_hits(MadeUpStudy& made, int hits) {
   }
 }
 
-TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
-  MadeUpStudy made;
-  add_hits(made, 15);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+/// The page of a study that `fill` makes, after its first reading.
+struct OpenAnalysisPage {
+  explicit OpenAnalysisPage(const std::function<void(MadeUpStudy&)>& fill)
+      : study((fill(made), made.folder())) {
+    page.show();
+    EXPECT_TRUE(refreshed.wait(kPatience_ms));
+  }
+
+  MadeUpStudy made{};
+  OpenStudy study;
+  AnalysisPage page{study};
+  QSignalSpy refreshed{&page, &AnalysisPage::refreshed};
+};
+
+std::function<void(MadeUpStudy&)> with_hits(int hits) {
+  return [hits](MadeUpStudy& made) { add_hits(made, hits); };
+}
+
+/// Tests that change nothing of what is shown of 15 hits have one page.
+class AnalysisOfHits : public testing::Test {
+ protected:
+  static void TearDownTestSuite() { opened_.reset(); }
+
+  static OpenAnalysisPage& opened() {
+    if (!opened_) opened_ = std::make_unique<OpenAnalysisPage>(with_hits(15));
+    return *opened_;
+  }
+
+  MadeUpStudy& made = opened().made;
+  AnalysisPage& page = opened().page;
+
+ private:
+  static inline std::unique_ptr<OpenAnalysisPage> opened_{};
+};
+
+TEST_F(AnalysisOfHits, SaysTheAnswerInASentenceAboveItsTables) {
   ASSERT_EQ(page.outcomes().size(), 1U);
   const auto* answer = page.findChild<QLabel*>("answer");
   ASSERT_NE(answer, nullptr);
@@ -78,14 +107,7 @@ TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
   take_screenshot(page, "data-analysis");
 }
 
-TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
-  MadeUpStudy made;
-  add_hits(made, 15);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+TEST_F(AnalysisOfHits, DrawsEveryShareWithItsOwnInterval) {
   const auto* view = page.findChild<FigureView*>("figure_shares_forest");
   ASSERT_NE(view, nullptr);
   const FigureSeries& all = view->figure().series.front();
@@ -118,8 +140,9 @@ void add_ratings_of_items(MadeUpStudy& made) {
         {"name": "hard", "prompt": "How hard?",
          "scale": {"minimum": 1, "maximum": 7, "points": 7, "labels": ["soft", "hard"]}}]}}})");
   const std::vector<std::pair<std::string, std::pair<int, int>>> items{
-      {"brick", {5, 5}}, {"cork", {3, 3}},    {"felt", {2, 2}},  {"foil", {3, 6}}, {"glass", {2, 7}},
-      {"metal", {2, 6}}, {"leather", {4, 4}}, {"paper", {3, 4}}, {"sand", {6, 5}}, {"wood", {4, 3}}};
+      {"brick", {5, 5}}, {"cork", {3, 3}},  {"felt", {2, 2}},    {"foil", {3, 6}},
+      {"glass", {2, 7}}, {"metal", {2, 6}}, {"leather", {4, 4}}, {"paper", {3, 4}},
+      {"sand", {6, 5}},  {"wood", {4, 3}}};
   for (int person = 0; person < 6; ++person) {
     const std::string label = "p" + std::to_string(10 + person);
     made.add_person(label, "");
@@ -137,13 +160,8 @@ void add_ratings_of_items(MadeUpStudy& made) {
 }
 
 TEST(AnalysisPage, ShowsTheProfileAndTheBiplotOfRatingsAboveTheirTables) {
-  MadeUpStudy made;
-  add_ratings_of_items(made);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened(add_ratings_of_items);
+  AnalysisPage& page = opened.page;
   page.resize(1366, 768);
   for (const auto& [name, of] : {std::pair{"figure_profile", "table_ratings"},
                                  std::pair{"figure_biplot", "table_loadings"}}) {
@@ -216,14 +234,7 @@ TEST(AnalysisPage, ShowsEachQuestionWithItsAnswerAndFoldsTheMethodAway) {
   EXPECT_LT(shown.indexOf("Shares"), shown.indexOf("Counts"));
 }
 
-TEST(AnalysisPage, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
-  MadeUpStudy made;
-  add_hits(made, 15);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+TEST_F(AnalysisOfHits, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
   auto* view = page.findChild<FigureView*>("figure_shares_forest");
   ASSERT_NE(view, nullptr);
   auto* banner = page.findChild<Banner*>();
@@ -255,14 +266,7 @@ TEST(AnalysisPage, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
   EXPECT_NE(read_file(made.beside("shares.svg")), "another");
 }
 
-TEST(AnalysisPage, CopiesAFigureAsAPictureAndAsSvg) {
-  MadeUpStudy made;
-  add_hits(made, 15);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+TEST_F(AnalysisOfHits, CopiesAFigureAsAPictureAndAsSvg) {
   QGuiApplication::clipboard()->clear();
   auto* copy =
       page.findChild<FigureView*>("figure_shares_forest")->findChild<QPushButton*>("copy_figure");
@@ -278,13 +282,8 @@ TEST(AnalysisPage, CopiesAFigureAsAPictureAndAsSvg) {
 TEST(AnalysisPage, LooksTheSameInTheDark) {
   apply_theme(*qApp, ThemeChoice::dark);
   {
-    MadeUpStudy made;
-    add_hits(made, 15);
-    OpenStudy study(made.folder());
-    AnalysisPage page(study);
-    QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-    page.show();
-    EXPECT_TRUE(refreshed.wait(kPatience_ms));
+    OpenAnalysisPage opened(with_hits(15));
+    AnalysisPage& page = opened.page;
     auto* view = page.findChild<FigureView*>("figure_shares_forest");
     ASSERT_NE(view, nullptr);
     // Light letters on the dark card.
@@ -315,13 +314,8 @@ class Brackets final : public QTranslator {
 TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   Brackets brackets;
   QCoreApplication::installTranslator(&brackets);
-  MadeUpStudy made;
-  add_hits(made, 15);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  EXPECT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened(with_hits(15));
+  AnalysisPage& page = opened.page;
   QStringList words{};
   for (const QLabel* label : page.findChildren<QLabel*>()) words << label->text();
   EXPECT_TRUE(words.contains("<Choices of the most realistic rendering (counts)>"));
@@ -348,13 +342,8 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
 TEST(AnalysisPage, NamesTheColumnsOfRatingsInTheLanguageOfTheWindows) {
   Brackets brackets;
   QCoreApplication::installTranslator(&brackets);
-  MadeUpStudy made;
-  add_ratings_of_items(made);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  EXPECT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened(add_ratings_of_items);
+  AnalysisPage& page = opened.page;
   for (const char* name : {"ratings", "scales", "agreement", "components", "loadings"}) {
     const auto* table = page.findChild<QTableView*>(QString("table_") + name);
     ASSERT_NE(table, nullptr) << name;
@@ -371,25 +360,16 @@ TEST(AnalysisPage, NamesTheColumnsOfRatingsInTheLanguageOfTheWindows) {
 }
 
 TEST(AnalysisPage, SaysWhatToDoWhileThereIsNothing) {
-  MadeUpStudy made;
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened([](MadeUpStudy&) {});
+  AnalysisPage& page = opened.page;
   EXPECT_FALSE(page.findChild<QPushButton*>("export_tables")->isEnabled());
   EXPECT_TRUE(page.findChild<EmptyState*>()->isVisible());
   take_screenshot(page, "data-analysis-empty", {1366, 768});
 }
 
 TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
-  MadeUpStudy made;
-  add_hits(made, 10);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened(with_hits(10));
+  auto& [made, study, page, refreshed] = opened;
   page.findChild<QPushButton*>("export_tables")->click();
   auto* dialog = page.findChild<QFileDialog*>("export_dialog");
   ASSERT_NE(dialog, nullptr);
@@ -407,25 +387,22 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
 }
 
 TEST(AnalysisPage, NamesAHeightFieldThatTheExportLacks) {
-  MadeUpStudy made;
-  add_hits(made, 10);
-  std::vector<StimulusFileRow> files{};
-  MadeUpTrial trial{};
-  trial.options = {"height_map", "sinusoid"};
-  trial.answers = {"height_map"};
-  for (const std::string& model : trial.options) {
-    const std::string sha256(64, model == "sinusoid" ? '1' : '0');
-    trial.surfaces.push_back(surface_of(model, model, "brick"));
-    trial.surfaces.back().assets = {{"height_field", sha256}};
-    files.push_back({"stimuli/" + model + ".png.json", sha256, 1});
-  }
-  made.set_files(files);
-  made.add_session("p10", made.study().sessions().front().protocol_id, {trial});
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened([](MadeUpStudy& made) {
+    add_hits(made, 10);
+    std::vector<StimulusFileRow> files{};
+    MadeUpTrial trial{};
+    trial.options = {"height_map", "sinusoid"};
+    trial.answers = {"height_map"};
+    for (const std::string& model : trial.options) {
+      const std::string sha256(64, model == "sinusoid" ? '1' : '0');
+      trial.surfaces.push_back(surface_of(model, model, "brick"));
+      trial.surfaces.back().assets = {{"height_field", sha256}};
+      files.push_back({"stimuli/" + model + ".png.json", sha256, 1});
+    }
+    made.set_files(files);
+    made.add_session("p10", made.study().sessions().front().protocol_id, {trial});
+  });
+  auto& [made, study, page, refreshed] = opened;
   page.findChild<QPushButton*>("export_tables")->click();
   emit page.findChild<QFileDialog*>("export_dialog")
       ->fileSelected(QString::fromStdString(made.beside("tables").string()));
@@ -441,13 +418,8 @@ TEST(AnalysisPage, NamesAHeightFieldThatTheExportLacks) {
 }
 
 TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
-  MadeUpStudy made;
-  add_hits(made, 10);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened(with_hits(10));
+  auto& [made, study, page, refreshed] = opened;
   page.findChild<QPushButton*>("export_tables")->click();
   auto* dialog = page.findChild<QFileDialog*>("export_dialog");
   ASSERT_NE(dialog, nullptr);
@@ -464,13 +436,8 @@ TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
 }
 
 TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
-  MadeUpStudy made;
-  add_hits(made, 10);
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened(with_hits(10));
+  auto& [made, study, page, refreshed] = opened;
   auto* export_tables = page.findChild<QPushButton*>("export_tables");
   export_tables->click();
   emit page.findChild<QFileDialog*>("export_dialog")
@@ -488,34 +455,26 @@ TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
 }
 
 TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {
-  MadeUpStudy made;
-  add_hits(made, 15);
-  const std::int64_t protocol = made.study().sessions().front().protocol_id;
-  made.study().add_participant({.label = "p99"});
-  SessionRow session = made.study().sessions().front();
-  session.participant = "p99";
-  session.protocol_id = protocol;
-  session.session = 0;
-  session.state = SessionState::open;
-  session.ended_utc.reset();
-  made.study().add_session(session, {});
-  const auto lock = std::make_unique<StudyLock>(made.folder(), Study::session_lock_name("p99"));
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  std::unique_ptr<StudyLock> lock{};
+  OpenAnalysisPage opened([&lock](MadeUpStudy& made) {
+    add_hits(made, 15);
+    made.study().add_participant({.label = "p99"});
+    SessionRow session = made.study().sessions().front();
+    session.participant = "p99";
+    session.session = 0;
+    session.state = SessionState::open;
+    session.ended_utc.reset();
+    made.study().add_session(session, {});
+    lock = std::make_unique<StudyLock>(made.folder(), Study::session_lock_name("p99"));
+  });
+  AnalysisPage& page = opened.page;
   EXPECT_EQ(page.findChild<QLabel*>("answer"), nullptr);
   EXPECT_TRUE(page.findChildren<QTableView*>().isEmpty());
 }
 
 TEST(AnalysisPage, ReadsAgainWhenTheStudyChanges) {
-  MadeUpStudy made;
-  OpenStudy study(made.folder());
-  AnalysisPage page(study);
-  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
-  page.show();
-  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  OpenAnalysisPage opened([](MadeUpStudy&) {});
+  auto& [made, study, page, refreshed] = opened;
   add_hits(made, 15);
   study.announce_change();
   ASSERT_TRUE(refreshed.wait(kPatience_ms));
