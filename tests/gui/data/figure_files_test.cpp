@@ -123,7 +123,7 @@ TEST(FigureFiles, PutPowersOfTenAtEqualDistancesOnALogarithmicAxis) {
 // quick task lie between 1.3 and 1.7 s, where no 1, 2 or 5 times a power of ten lies.
 TEST(FigureFiles, LabelAtLeastTwoTicksOfEveryAxis) {
   for (const AxisScale scale : {AxisScale::log10, AxisScale::linear}) {
-    for (int power = -7; power <= 6; ++power) {
+    for (const int power : {-7, -2, 0, 1, 6}) {
       for (double low = 1.0; low < 10.0; low *= 1.037) {
         for (double ratio = 1.01; ratio < 2000.0; ratio *= 1.17) {
           const double scaled = low * std::pow(10.0, power);
