@@ -13,7 +13,6 @@
 #include "app/records/session_conditions.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
-#include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation.h"
 #include "app/tasks/study_overview.h"
@@ -25,6 +24,7 @@
 #include "results_schema/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/meshes/solid_body.h"
+#include "tests/app/demo_study.h"
 #include "tests/app/protocol_in_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
@@ -461,10 +461,7 @@ TEST_F(FeltBodies, AreColumnsOfAnExport) {
 }
 
 // The library protocol on the demonstration's files, with one short trial of its main block.
-TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
-  const TemporaryFolder folder{};
-  const std::filesystem::path study = folder.path() / "study";
-  new_demo_study(study, [](double) {});
+TEST_F(DemoStudy, HasToolsThatAreCheckedPlannedFeltAndAnswered) {
   const std::filesystem::path file = study / "protocols" / "tools_matching.json";
   const ModelRegistry models = built_in_models();
   const ProtocolCheck check = check_protocol(file, models, study, "simulated");

@@ -9,11 +9,10 @@
 
 #include "analysis/random.h"
 #include "app/study_files/height_field_files.h"
-#include "app/tasks/new_study.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/app/demo_study.h"
 
 namespace asperity {
 namespace {
@@ -58,10 +57,7 @@ double share_without_cones(const HeightField& field, double length_m, double dir
   return static_cast<double>(without) / kLines;
 }
 
-TEST(ConesOfTheRoughnessProtocols, AreMetByNearlyEveryStroke) {
-  const TemporaryFolder folder{};
-  const std::filesystem::path study = folder / "study";
-  new_demo_study(study, [](double) {});
+TEST_F(DemoStudy, HasConesThatNearlyEveryStrokeMeets) {
   const ModelRegistry models = built_in_models();
   int protocols = 0;
   for (const LibraryProtocol& library : library_protocols()) {

@@ -15,11 +15,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study_files/height_field_files.h"
-#include "app/tasks/new_study.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/surface_contact.h"
+#include "tests/app/demo_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 
@@ -82,14 +82,15 @@ std::string grating_protocol(const std::string& device = "") {
       R"("amplitude_m": 0.0005, "wavelength_m": 0.002, "force_direction": "local_normal")", device);
 }
 
-/// A block with a relief on its lower side on a plate with one: gratings along x, of these amplitudes and lengths. The
-/// block's stands out far enough for its rim, which has none, to touch nothing.
+/// A block with a relief on its lower side on a plate with one: gratings along x of 0.05 mm and 0.2 mm. The block's
+/// stands out far enough for its rim, which has none, to touch nothing.
 struct TwoGratings {
-  double of_plate_m = 0.0;
-  double plate_wave_m = 2e-3;
-  double of_block_m = 0.0;
-  double block_wave_m = 2e-3;
+  double block_wave_m = 2e-3;  ///< that of the plate is 2 mm
   const char* parameters = R"("coupling": "none")";
+
+  std::string block_file() const {
+    return "block_" + std::to_string(std::lround(1e6 * block_wave_m)) + ".png";
+  }
 };
 
 /// 1 N, 40 mm/s at most, strokes of 8 mm; 500 N/m, force limit 5 N.
@@ -101,7 +102,8 @@ std::string bodies_protocol(const TwoGratings& gratings) {
   "realism_standard": "memory",
   "surface": {"extent_m": [0.02, 0.02]},
   "textures": {"plates": {"height_field": "stimuli/plate.png"},
-               "blocks": {"height_field": "stimuli/block.png"}},
+               "blocks": {"height_field": "stimuli/)") +
+         gratings.block_file() + R"("}},
   "factors": {"held": {"levels": ["block", "same"]}},
   "bodies": {
     "plate": {"shape": "plate", "size_m": [0.026, 0.02, 0.006]},
@@ -109,7 +111,7 @@ std::string bodies_protocol(const TwoGratings& gratings) {
     "same": {"shape": "box", "size_m": [0.012, 0.012, 0.006], "texture": "blocks"}
   },
   "stimuli": {"felt": {"model": "pd_gradient", "texture": "plates", "surface": "plate",
-    "tool": {"factor": "held"}, "parameters": {"cell_m": 0.00005, "step_m": 0.00005, )") +
+    "tool": {"factor": "held"}, "parameters": {"cell_m": 0.00005, "step_m": 0.00005, )" +
          gratings.parameters + R"(}}},
   "explorations": {"short": {"stroke_length_m": {"target": 0.008}, "normal_force_N": {"target": 1.0},
     "speed_m_per_s": {"target": 0.034, "maximum": 0.04}, "minimum_contact_s": 0.3, "maximum_contact_s": 2}},
@@ -122,14 +124,43 @@ std::string bodies_protocol(const TwoGratings& gratings) {
 })";
 }
 
+/// The same force at every depth: it jumps at contact and has no stiffness anywhere.
+class RehearsedBlow final : public ForceRenderer {
+ public:
+  void reset(const ProbeState&) noexcept override {}
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    if (!(probe.position_m.z < 0.0)) return {};
+    return {.wrench = {.force_N = {0.0, 0.0, 7.0}}, .penetration_m = -probe.position_m.z};
+  }
+};
+
+/// One study for all tests, whose files stay as they are made, and what has been built from it.
+struct RehearsedStudy {
+  RehearsedStudy() {
+    make_small_study(study);
+    ForceModel blow{};
+    blow.declaration = {.id = "blow", .version = "1", .parameters = {friction_speed_parameter()}};
+    blow.make = [](const RendererInputs&) { return std::make_unique<RehearsedBlow>(); };
+    models.add(std::move(blow));
+  }
+
+  TemporaryFolder folder{};
+  std::filesystem::path study = folder / "study";
+  ModelRegistry models = built_in_models();
+  StimulusBuilder builder{models, study};
+};
+
 class DeviceRehearsalTest : public testing::Test {
  protected:
-  DeviceRehearsalTest() { make_small_study(folder_.path() / "study"); }
+  static void SetUpTestSuite() { made_ = std::make_unique<RehearsedStudy>(); }
+  static void TearDownTestSuite() { made_.reset(); }
 
+  static Protocol read(const std::string& protocol) {
+    return read_small_protocol(made_->models, protocol);
+  }
   std::vector<RehearsalWarning> warnings(const std::string& protocol,
                                          const DeviceProfile& profile) {
-    StimulusBuilder builder(models_, folder_.path() / "study");
-    return rehearse_on_device(read_small_protocol(models_, protocol), profile, builder);
+    return rehearse_on_device(read(protocol), profile, made_->builder);
   }
   /// The only one of its kind, first seen.
   std::optional<RehearsalWarning> one(const std::string& protocol, const DeviceProfile& profile,
@@ -143,7 +174,10 @@ class DeviceRehearsalTest : public testing::Test {
 
   /// Puts them into the study.
   std::string bodies(const TwoGratings& gratings) {
-    const auto save = [this](const char* name, double amplitude_m, double wave_m, double raised_m) {
+    const auto save = [](const std::string& name, double amplitude_m, double wave_m,
+                         double raised_m) {
+      const std::filesystem::path file = made_->study / "stimuli" / name;
+      if (std::filesystem::exists(file)) return;
       constexpr std::size_t kSamples = 200;
       constexpr double kPitch_m = 1e-4;
       std::vector<float> heights_m(kSamples * kSamples);
@@ -152,17 +186,15 @@ class DeviceRehearsalTest : public testing::Test {
         heights_m[i] = static_cast<float>(
             raised_m + amplitude_m * std::cos(2.0 * std::numbers::pi * x_m / wave_m));
       }
-      save_height_field(folder_.path() / "study" / "stimuli" / name,
-                        HeightField({kSamples, kSamples, kPitch_m}, std::move(heights_m)),
-                        {.kind = "sinusoid"}, Overwrite::allow);
+      save_height_field(file, HeightField({kSamples, kSamples, kPitch_m}, std::move(heights_m)),
+                        {.kind = "sinusoid"}, Overwrite::refuse);
     };
-    save("plate.png", gratings.of_plate_m, gratings.plate_wave_m, 0.0);
-    save("block.png", gratings.of_block_m, gratings.block_wave_m, 2.0 * gratings.of_block_m);
+    save("plate.png", 2e-4, 2e-3, 0.0);
+    save(gratings.block_file(), 5e-5, gratings.block_wave_m, 1e-4);
     return bodies_protocol(gratings);
   }
 
-  TemporaryFolder folder_{};
-  ModelRegistry models_ = built_in_models();
+  static inline std::unique_ptr<RehearsedStudy> made_{};
 };
 
 TEST_F(DeviceRehearsalTest, SaysNothingOfADeviceThatCanDoAll) {
@@ -349,21 +381,7 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffestSpringThatWasTriedForALimitOfASlower
   EXPECT_NEAR(found->device, 4000.0, 1e-6);
 }
 
-/// The same force at every depth: it jumps at contact and has no stiffness anywhere.
-class RehearsedBlow final : public ForceRenderer {
- public:
-  void reset(const ProbeState&) noexcept override {}
-  RenderedTick tick(const ProbeState& probe, double) noexcept override {
-    if (!(probe.position_m.z < 0.0)) return {};
-    return {.wrench = {.force_N = {0.0, 0.0, 7.0}}, .penetration_m = -probe.position_m.z};
-  }
-};
-
 TEST_F(DeviceRehearsalTest, SaysSoWhereItCannotFindHowStiffAStimulusIs) {
-  ForceModel blow{};
-  blow.declaration = {.id = "blow", .version = "1", .parameters = {friction_speed_parameter()}};
-  blow.make = [](const RendererInputs&) { return std::make_unique<RehearsedBlow>(); };
-  models_.add(std::move(blow));
   DeviceProfile device = ideal();
   device.items = {numbered("damping_N_s_per_m", 5.0)};
   const auto found = one(one_stimulus("blow", ""), device, "not_rehearsed");
@@ -373,10 +391,7 @@ TEST_F(DeviceRehearsalTest, SaysSoWhereItCannotFindHowStiffAStimulusIs) {
 }
 
 // What device-test finds of the simulated device: friction and steps of nothing, the damping of the virtual hand.
-TEST(LibraryProtocols, OfTheChapterAreNotTooMuchForTheSimulatedDevice) {
-  const TemporaryFolder folder{};
-  const std::filesystem::path study = folder.path() / "study";
-  new_demo_study(study, [](double) {});
+TEST_F(DemoStudy, AsksNoMoreThanTheSimulatedDeviceCanDo) {
   const ModelRegistry models = built_in_models();
   StimulusBuilder builder(models, study);
   DeviceProfile device = with_item(ideal(), "damping_N_s_per_m", 5.17);
@@ -410,7 +425,7 @@ TEST_F(DeviceRehearsalTest, WarnsOfASurfaceBeyondTheWorkspaceAndBelievesWhatWasR
 
 // Gratings of a and b, both 2π/κ long: H = √(a² + b² + 2ab·cos κx), whose troughs are κ²·ab/(a − b) round. With
 // a = 0.2 mm and b = 0.05 mm that is 658/m, at 5 N 3290 N/m. Either alone would be 2467 or 9870 N/m.
-constexpr TwoGratings kMeeting{.of_plate_m = 2e-4, .of_block_m = 5e-5};
+constexpr TwoGratings kMeeting{};
 constexpr double kMeetingPerMetre = 2.0 * std::numbers::pi / 2e-3;
 double meeting_m(double x_m) {
   return std::sqrt(2e-4 * 2e-4 + 5e-5 * 5e-5 +
@@ -432,10 +447,8 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfTwoTexturesFromHowTheyMeet) {
 TEST_F(DeviceRehearsalTest, AgreesWithTheForceOfTwoBodiesThemselves) {
   const std::string protocol = replaced(bodies(kMeeting), R"("realism_standard")",
                                         R"("device": {"force_limit_N": 1}, "realism_standard")");
-  const Protocol read = read_small_protocol(models_, protocol);
-  StimulusBuilder builder(models_, folder_.path() / "study");
   const PreparedStimulus felt =
-      builder.unmatched(possible_trials(read).at(0).presentations.at(0).stimulus);
+      made_->builder.unmatched(possible_trials(read(protocol)).at(0).presentations.at(0).stimulus);
   const auto renderer = make_renderer(*felt.model, felt.inputs);
   constexpr double kTrough_m = 1e-3;
   constexpr double kBeside_m = 3e-4;
