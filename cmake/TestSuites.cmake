@@ -33,7 +33,7 @@ if("${program}" IS_NEWER_THAN "${list_file}")
 endif()
 
 # Tests make many short-lived studies, whose files wait for the disk at every commit. In memory, where there is room and a module can
-# be loaded from there, they do not; who sets TMPDIR decides.
+# be loaded from there, they do not.
 if(NOT DEFINED ENV{TMPDIR} AND NOT DEFINED folder_in_memory)
   set(folder_in_memory "")
   execute_process(COMMAND findmnt --noheadings --bytes --output AVAIL,OPTIONS --mountpoint /dev/shm

@@ -112,7 +112,10 @@ const AnalysisOutcome& outcome_of_detections(const Detecting& detecting) {
   return outcome_once(key, [&] {
     DetectionJson protocol = detection_protocol(design);
     if (detecting.declares_order) protocol["analysis"]["family"] = {"order"};
-    return outcome_of_choices(protocol, {.number = detecting.people}, trials_of_person);
+    MadeUpStudy made;
+    add_people(made, made.add_protocol("jnd", "discrimination", protocol.dump()),
+               {.number = detecting.people}, trials_of_person);
+    return outcome_of_discrimination(made);  // the only one
   });
 }
 

@@ -188,8 +188,15 @@ TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
   EXPECT_THAT(table.note.english(), HasSubstr("running the procedure again"));
   EXPECT_THAT(table.note.english(), Not(HasSubstr("delta"))) << "no interval is of this method";
   const AnalysisOutcome alone = outcome_of_staircases(staircase_protocol(40), 1, 80);
-  EXPECT_EQ(finding_of(alone, "thresholds", "jnd", "p10|all"), *found.find("jnd", "p10|all"))
-      << "the same for the same responses";
+  int compared = 0;
+  for (const Finding& each : part_of(alone, "thresholds")) {
+    if (each.key != "p10|all") continue;
+    const Finding* const same = found.find(each.quantity, each.key);
+    ASSERT_NE(same, nullptr) << each.quantity;
+    EXPECT_EQ(each, *same) << each.quantity << ": the same for the same responses";
+    ++compared;
+  }
+  EXPECT_GE(compared, 2);
 }
 
 // A track that ended before its rule did is repeated with as many trials as it has.

@@ -10,7 +10,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/records/recorded_attempt.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/verify_study.h"
 #include "tests/app/scripted_session.h"

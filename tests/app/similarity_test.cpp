@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -109,8 +110,12 @@ AnalysisOutcome make_ratings(const RatedStudyOptions& options) {
     }
     return trials;
   };
-  return analysed("similarity", protocol_that_rates(options.rates),
-                  {.number = options.people, .first = 1}, trials_of_person);
+  MadeUpStudy made;
+  add_people(made, made.add_protocol("map", "similarity", protocol_that_rates(options.rates)),
+             {.number = options.people, .first = 1}, trials_of_person);
+  std::vector<AnalysisOutcome> outcomes = analyze_study(made.study());
+  EXPECT_EQ(outcomes.size(), 1U) << "its scale is not analysed as ratings as well";
+  return std::move(outcomes.front());
 }
 
 /// Computed once in this process for these options.

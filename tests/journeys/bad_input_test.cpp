@@ -1,7 +1,6 @@
 // Bad input: a sentence that names the file, the place and what would be right; exit 1; nothing
 // written.
 
-#include <functional>
 #include <sys/stat.h>
 
 #include <gmock/gmock.h>

@@ -299,7 +299,7 @@ TEST(Course, HasOneCatchTrialAtARandomPlaceOfEachStretch) {
         EXPECT_TRUE(trial.is_of_procedure());
         EXPECT_TRUE(trial.catch_trial->is_above_standard);
         EXPECT_DOUBLE_EQ(gain_of(trial), 3.0);
-        EXPECT_THAT(json_of(trial), HasSubstr(R"("catch":true)"));
+        EXPECT_THAT(json_of(trial), HasSubstr(R"("catch":"easy")"));
         EXPECT_THAT(trial.questions.front().correct, ElementsAre("comparison"));
       }
       ++trials;

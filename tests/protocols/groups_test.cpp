@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "tests/protocols/example.h"
 #include "tests/protocols/protocol_files.h"

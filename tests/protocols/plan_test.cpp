@@ -417,7 +417,7 @@ TEST(Plan, GivesASurfaceTheTextureOfItsStimulusAndAToolItsOwn) {
 }
 
 // Stored plans are compared by their bytes; one that a script has read and written again is still the same plan.
-TEST(Plan, IsWrittenAsALibraryWritesIt) {
+TEST(Plan, IsWrittenAsNlohmannWritesIt) {
   const auto rewritten = [](const std::string& json) {
     return nlohmann::ordered_json::parse(json).dump();
   };
@@ -445,7 +445,7 @@ TEST(Plan, IsWrittenAsALibraryWritesIt) {
     ASSERT_EQ(json_of(trial), rewritten(json_of(trial)));
   }
   const auto read_again = nlohmann::ordered_json::parse(json_of(trial));
-  EXPECT_EQ(read_again.at("question").at("correct").get<std::vector<std::string>>(),
+  EXPECT_EQ(read_again.at("questions").at(0).at("correct").get<std::vector<std::string>>(),
             trial.questions.front().correct);
   for (const auto& [name, level] : trial.factors) {
     const nlohmann::ordered_json& written = read_again.at("factors").at(name);

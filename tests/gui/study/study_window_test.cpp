@@ -44,7 +44,7 @@ class StudyWindowTest : public QuietHome {
   }
 };
 
-TEST_F(StudyWindowTest, MakesTheDemoStudyByOneClickBesideOtherFoldersAndThenOpensIt) {
+TEST_F(StudyWindowTest, MakesTheDemoStudyByOneClickNextToOtherFoldersAndThenOpensIt) {
   const QString place = child<QLabel>(StudyWindow(), "welcome_demo_place").text();
   EXPECT_TRUE(place.contains("created in ~/Asperity/demo (about")) << place.toStdString();
   std::filesystem::create_directories(home() / "Asperity" / "demo" / "of something else");
