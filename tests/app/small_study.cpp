@@ -1,8 +1,5 @@
 #include "tests/app/small_study.h"
 
-#include <cstddef>
-#include <stdexcept>
-
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
 #include "results_schema/study.h"
@@ -17,12 +14,6 @@ void make_small_study(const std::filesystem::path& folder) {
   save_height_field(folder / "stimuli" / "grain.png", field, {.kind = "noise"}, Overwrite::refuse);
   save_picture(folder / "stimuli" / "grain_photo.png", {2, 2, {0.0F, 1.0F, 1.0F, 0.0F}},
                Overwrite::refuse);
-}
-
-std::string exchanged(std::string text, const std::string& part, const std::string& by) {
-  const std::size_t at = text.find(part);
-  if (at == std::string::npos) throw std::runtime_error("the text has no " + part);
-  return text.replace(at, part.size(), by);
 }
 
 std::string small_protocol(const std::string& block, const std::string& exploration) {

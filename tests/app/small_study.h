@@ -18,9 +18,6 @@ void make_small_study(const std::filesystem::path& folder);
 /// with a comma before it; empty for none.
 std::string small_protocol(const std::string& block = "", const std::string& exploration = "");
 
-/// A text with the first of these parts exchanged; throws std::runtime_error where it has none.
-std::string exchanged(std::string text, const std::string& part, const std::string& by);
-
 Protocol read_small_protocol(const ModelRegistry& models, const std::string& text);
 
 }  // namespace asperity

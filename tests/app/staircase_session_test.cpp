@@ -11,6 +11,7 @@
 #include "tests/app/exported_study.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
@@ -77,7 +78,7 @@ TEST_F(StaircaseSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) 
 class PsiSession : public StaircaseSession {
  protected:
   void SetUp() override {
-    begin(exchanged(kStaircases, kProcedure,
+    begin(replaced(kStaircases, kProcedure,
                     R"("method": "psi", "stop": {"trials": 4}, "tracks": [{}, {}])"));
   }
 };
@@ -91,9 +92,9 @@ class UnforcedSession : public StaircaseSession {
  protected:
   void SetUp() override {
     const std::string text =
-        exchanged(kStaircases, R"("judgement": "performance"}})",
+        replaced(kStaircases, R"("judgement": "performance"}})",
                   R"("judgement": "performance", "allow_cannot_tell": true}})");
-    begin(exchanged(text,
+    begin(replaced(text,
                     R"("method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10, 5],)",
                     R"("method": "weighted_up_down", "steps": [10, 5],)"));
   }
@@ -144,7 +145,7 @@ TEST_F(StaircaseSession, IsResumedWhereTheNextTrialWasNotYetStored) {
 /// The outcome of the last trial of the tracks determines a whole block.
 TEST_F(StaircaseSession, IsResumedWhereTheFollowingBlockWasNotYetStored) {
   protocol_ = read_small_protocol(
-      models_, exchanged(kStaircases, R"("levels_ratio": [2])", R"("levels_ratio": [2, 3, 4])"));
+      models_, replaced(kStaircases, R"("levels_ratio": [2])", R"("levels_ratio": [2, 3, 4])"));
   const std::vector<std::string> expected = uninterrupted(2);
   ASSERT_EQ(expected.size(), 19U);
   start(2);
@@ -158,10 +159,10 @@ TEST_F(StaircaseSession, IsResumedWhereTheFollowingBlockWasNotYetStored) {
 
 /// A procedure for each level of an iterated factor, in the group of the participant.
 TEST_F(StaircaseSession, ContinuesInEveryRunOfItsBlockAndInItsGroup) {
-  const std::string grouped = exchanged(kStaircases, R"("factors": {)",
+  const std::string grouped = replaced(kStaircases, R"("factors": {)",
                                         R"("counterbalance": "latin", "groups": {"factor": "hand"},
              "factors": {"ground": {"levels": ["soft", "hard"]}, "hand": {"levels": ["bare", "gloved"]}, )");
-  protocol_ = read_small_protocol(models_, exchanged(grouped, R"({"run": "tracks"})",
+  protocol_ = read_small_protocol(models_, replaced(grouped, R"({"run": "tracks"})",
                                                      R"({"run": "tracks", "for_each": "ground"})"));
   const std::vector<std::string> expected = uninterrupted(2);
   ASSERT_EQ(expected.size(), 33U);
@@ -177,7 +178,7 @@ TEST_F(StaircaseSession, ContinuesInEveryRunOfItsBlockAndInItsGroup) {
 /// The tracks with an easy trial after every three.
 std::string staircases_with_catch_trials() {
   const std::string method = R"("method": "transformed_up_down",)";
-  return exchanged(kStaircases, method, method + R"( "catch_trials": {"level": 100, "every": 4},)");
+  return replaced(kStaircases, method, method + R"( "catch_trials": {"level": 100, "every": 4},)");
 }
 
 TEST_F(StaircaseSession, ContinuesWithTheSameCatchTrials) {

@@ -15,7 +15,6 @@
 namespace asperity {
 namespace {
 
-using test::replaced;
 using testing::ElementsAre;
 using testing::HasSubstr;
 

@@ -15,7 +15,6 @@
 namespace asperity {
 namespace {
 
-using test::replaced;
 
 Protocol read(const std::string& text) {
   return read_protocol(text, "p.json", test::example_models());

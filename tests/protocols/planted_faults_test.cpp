@@ -722,7 +722,7 @@ TEST(Problems, NameTypesInPlainEnglish) {
 
 /// What is doubted of the library's protocol of three forces with one text in place of another.
 std::vector<Diagnostic> warnings_with(const std::string& from, const std::string& to) {
-  const std::string text = test::replaced(test::library_text("roughness_force"), from, to);
+  const std::string text = replaced(test::library_text("roughness_force"), from, to);
   return warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json");
 }
 

@@ -17,6 +17,7 @@
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "tests/protocols/example.h"
+#include "tests/support/replaced.h"
 
 namespace asperity::test {
 
@@ -41,13 +42,6 @@ inline nlohmann::json without_practice(nlohmann::json file) {
                             }),
              flow.end());
   return file;
-}
-
-/// The text with `to` in the place of the first `from`.
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::invalid_argument("the text lacks " + from);
-  return text.replace(at, from.size(), to);
 }
 
 inline std::vector<ModelDeclaration> models_of_library() {

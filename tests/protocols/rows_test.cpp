@@ -20,7 +20,6 @@
 namespace asperity {
 namespace {
 
-using test::replaced;
 using testing::HasSubstr;
 
 /// A rating of waves: two wavelengths times three speeds, and the keys given in its block.

@@ -20,16 +20,13 @@
 #include "renderers/vibrations/vibration_map.h"
 #include "tests/renderers/vibrations.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-std::string with_replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
 
 TEST(VibrationModels, AreReadAsTheyWereWritten) {
   const VibrationModels written = resonant_models();
@@ -49,7 +46,7 @@ TEST(VibrationModels, RefuseATableWithItsLineAndTheCorrection) {
   };
   const std::string head = "speed_m_per_s\tnormal_force_N\tvariance_m2_per_s4\tline_1_rad\n";
   EXPECT_THAT(refusal(""), StartsWith("wood.tsv:1: the column speed_m_per_s is missing"));
-  EXPECT_THAT(refusal(with_replaced(head, "line_1_rad", "line_2_rad")),
+  EXPECT_THAT(refusal(replaced(head, "line_1_rad", "line_2_rad")),
               StartsWith("wood.tsv:1: the column line_1_rad is missing"));
   EXPECT_THAT(refusal(head), StartsWith("wood.tsv: there is no model"));
   EXPECT_THAT(refusal(head + "0.1\t1\n"), StartsWith("wood.tsv:2: the row has 2 cells"));
@@ -338,15 +335,15 @@ TEST(ToolkitTexture, RefusesAFileWithItsLineAndTheCorrection) {
   EXPECT_THAT(refusal("time_s\tx_m\n"), StartsWith("abs.xml:1: the file is not XML"));
   EXPECT_THAT(refusal("<svg/>"), StartsWith("abs.xml:1: the root element is svg"));
   EXPECT_THAT(refusal(good.substr(0, good.size() / 2)), HasSubstr("copy the file again"));
-  EXPECT_THAT(refusal(with_replaced(good, "mm/s", "m/s")),
+  EXPECT_THAT(refusal(replaced(good, "mm/s", "m/s")),
               StartsWith("abs.xml:5: SpeedUnits is \"m/s\", and only \"mm/s\" is supported"));
-  EXPECT_THAT(refusal(with_replaced(good, "1000", "10000")), StartsWith("abs.xml:7: SampleRate"));
-  EXPECT_THAT(refusal(with_replaced(good, "<var>0.04</var>", "")),
+  EXPECT_THAT(refusal(replaced(good, "1000", "10000")), StartsWith("abs.xml:7: SampleRate"));
+  EXPECT_THAT(refusal(replaced(good, "<var>0.04</var>", "")),
               StartsWith("abs.xml:15: the element model has no var"));
-  EXPECT_THAT(refusal(with_replaced(good, "0.04", "loud")), HasSubstr("has \"loud\""));
-  EXPECT_THAT(refusal(with_replaced(good, "<value>0.8", "<value>0.4")),
+  EXPECT_THAT(refusal(replaced(good, "0.04", "loud")), HasSubstr("has \"loud\""));
+  EXPECT_THAT(refusal(replaced(good, "<value>0.8", "<value>0.4")),
               StartsWith("abs.xml:12: the frequencies of ARlsf must increase"));
-  EXPECT_THAT(refusal(with_replaced(good, "</mu>", "</nu>")),
+  EXPECT_THAT(refusal(replaced(good, "</mu>", "</nu>")),
               StartsWith("abs.xml:8: the element mu of line 8 is closed as nu"));
   EXPECT_THAT(refusal(good + "more"), HasSubstr("text after the root element"));
 }

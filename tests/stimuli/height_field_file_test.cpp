@@ -11,6 +11,7 @@
 #include "stimuli/pictures/grey_image.h"
 #include "stimuli/pictures/photograph.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
@@ -35,12 +36,6 @@ const HeightFieldProvenance kProvenance{.kind = "photograph",
 
 std::string field_refusal(std::span<const std::byte> png, const std::string& sidecar) {
   return refusal_of<std::invalid_argument>([&] { decode_height_field(png, sidecar, "wall.png"); });
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 TEST(HeightFieldFile, MovesNoHeightByMoreThanHalfALevel) {

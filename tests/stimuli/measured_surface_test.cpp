@@ -12,6 +12,7 @@
 #include "stimuli/measured/surface_decoding.h"
 #include "tests/stimuli/surface_file.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 
 namespace asperity::test {
 namespace {
@@ -56,12 +57,6 @@ void expect_small_surface(const MeasuredSurface& found, double tolerance_m,
     if (i == 7) continue;
     EXPECT_NEAR(found.heights_m[i], expected.heights_m[i], tolerance_m) << i;
   }
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("no " + from);
-  return text.replace(at, from.size(), to);
 }
 
 /// An X3P file with another main.xml.
