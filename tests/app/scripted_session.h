@@ -145,12 +145,19 @@ class SessionTest : public testing::Test {
     rig_ = std::make_unique<WatchedRig>(settings, 0);
   }
 
-  SessionEnd run() {
-    conductor_ = std::make_unique<Conductor>(
-        *study_, protocol_, *builder_, *rig_, person_,
-        ConductorSettings{.record = true,
-                          .done = [this](const AttemptDone& done) { done_.push_back(done); },
-                          .links = links_});
+  static constexpr int kToItsEnd = 1000;
+
+  SessionEnd run() { return conduct({.record = true}); }
+
+  /// Runs the session with these settings, and stops it after this number of attempts in this run.
+  SessionEnd conduct(ConductorSettings settings, int most = kToItsEnd) {
+    settings.links = links_;
+    settings.done = [this, made = 0, most](const AttemptDone& done) mutable {
+      done_.push_back(done);
+      if (++made == most) conductor_->requests().stop_after(StopAfter::trial);
+    };
+    conductor_ =
+        std::make_unique<Conductor>(*study_, protocol_, *builder_, *rig_, person_, settings);
     return conductor_->run(session_);
   }
 
@@ -200,8 +207,6 @@ class SessionTest : public testing::Test {
 /// Sessions that a test stops after a number of attempts and resumes, each of a new participant.
 class ResumableSession : public SessionTest {
  protected:
-  static constexpr int kToItsEnd = 1000;
-
   /// A new session, in which the participant replies as `reply_to` determines.
   void start(std::uint64_t seed) {
     SessionTest::start("p" + std::to_string(++participants_), seed);
@@ -216,19 +221,7 @@ class ResumableSession : public SessionTest {
 
   virtual ConductorSettings settings() const { return {.record = false}; }
 
-  /// Runs the session, and stops it after this number of attempts in this run.
-  SessionEnd run_attempts(int most = kToItsEnd) {
-    int made = 0;
-    ConductorSettings settings = this->settings();
-    settings.links = links_;
-    settings.done = [this, &made, most](const AttemptDone& done) {
-      done_.push_back(done);
-      if (++made == most) conductor_->requests().stop_after(StopAfter::trial);
-    };
-    conductor_ =
-        std::make_unique<Conductor>(*study_, protocol_, *builder_, *rig_, person_, settings);
-    return conductor_->run(session_);
-  }
+  SessionEnd run_attempts(int most = kToItsEnd) { return conduct(settings(), most); }
 
   SessionEnd resume(int most = kToItsEnd) {
     reopen_session();
