@@ -32,17 +32,6 @@ if("${program}" IS_NEWER_THAN "${list_file}")
   file(RENAME "${list_file}.${unique}" "${list_file}")
 endif()
 
-# Tests make many short-lived studies, whose files wait for the disk at every commit. In memory, where there is room and a module can
-# be loaded from there, they do not.
-if(NOT DEFINED ENV{TMPDIR} AND NOT DEFINED folder_in_memory)
-  set(folder_in_memory "")
-  execute_process(COMMAND findmnt --noheadings --bytes --output AVAIL,OPTIONS --mountpoint /dev/shm
-    OUTPUT_VARIABLE memory ERROR_QUIET)
-  if(memory MATCHES "^ *([0-9]+) " AND CMAKE_MATCH_1 GREATER 2000000000 AND NOT memory MATCHES "noexec")
-    set(folder_in_memory /dev/shm)
-  endif()
-endif()
-
 # asperity_register(<name> <filter> <tests in it>): a test that hangs ends its suite, and what GoogleTest has reported by then
 # is in the output; so a suite has the time of one test and a little for each other.
 function(asperity_register name filter count)
@@ -54,9 +43,6 @@ function(asperity_register name filter count)
   math(EXPR longest_s "${timeout_s} + 3 * (${count} - 1)")
   set_tests_properties("${name}" PROPERTIES
     LABELS "${labels}" TIMEOUT ${longest_s} COST ${begins_early} WORKING_DIRECTORY "${working_directory}")
-  if(folder_in_memory)
-    set_tests_properties("${name}" PROPERTIES ENVIRONMENT "TMPDIR=${folder_in_memory}")
-  endif()
 endfunction()
 
 foreach(kind IN ITEMS alone first)

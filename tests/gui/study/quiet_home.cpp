@@ -10,7 +10,6 @@
 #include "results_schema/study.h"
 #include "stimuli/photographs/preview.h"
 #include "tests/gui/study/lively_study.h"
-#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 
@@ -60,8 +59,9 @@ struct Pattern {
 }  // namespace
 
 QuietHome::QuietHome() : former_home_(qgetenv("HOME")) {
-  qputenv("HOME", folder_.path().toUtf8());
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path() + "/settings");
+  qputenv("HOME", home().c_str());
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                     QString::fromStdString((home() / "settings").string()));
   QSettings{}.clear();
 }
 

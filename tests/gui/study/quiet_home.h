@@ -4,10 +4,11 @@
 
 #include <filesystem>
 
-#include <QtCore/QTemporaryDir>
+#include <QtCore/QByteArray>
 #include <gtest/gtest.h>
 
 #include "tests/gui/support/widgets.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 
@@ -17,7 +18,7 @@ class QuietHome : public testing::Test {
   ~QuietHome() override;
 
   /// Removed after the test.
-  std::filesystem::path home() const { return folder_.path().toStdString(); }
+  std::filesystem::path home() const { return folder_.path(); }
 
   /// The files of the demo study, but with stimuli of 64 × 64 pixels, which are quick.
   std::filesystem::path small_demo_study() const;
@@ -27,7 +28,7 @@ class QuietHome : public testing::Test {
  private:
   std::filesystem::path copied(const std::filesystem::path& pattern) const;
 
-  QTemporaryDir folder_{};
+  TemporaryFolder folder_{};
   QByteArray former_home_{};
 };
 
