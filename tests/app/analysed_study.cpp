@@ -20,8 +20,8 @@ const Part* find_named(const std::vector<Part>& parts, const std::string& name) 
 
 }  // namespace
 
-void add_people(MadeUpStudy& made, std::int64_t protocol, const MadeUpPeople& people,
-                const TrialsOfPerson& trials_of) {
+void add_participants(MadeUpStudy& made, std::int64_t protocol, const MadeUpParticipants& people,
+                const TrialsOfParticipant& trials_of) {
   for (int i = 0; i < people.number; ++i) {
     const std::string label = "p" + std::to_string(people.first + i);
     made.add_person(label, !people.of_both ? people.sex : i < people.number / 2 ? "F" : "M");
@@ -30,16 +30,16 @@ void add_people(MadeUpStudy& made, std::int64_t protocol, const MadeUpPeople& pe
 }
 
 AnalysisOutcome analysed(const std::string& kind, const std::string& source,
-                         const MadeUpPeople& people, const TrialsOfPerson& trials_of) {
+                         const MadeUpParticipants& people, const TrialsOfParticipant& trials_of) {
   MadeUpStudy made;
-  add_people(made, made.add_protocol("made_up", kind, source), people, trials_of);
+  add_participants(made, made.add_protocol("made_up", kind, source), people, trials_of);
   for (AnalysisOutcome& outcome : analyze_study(made.study())) {
     if (outcome.kind == kind) return std::move(outcome);
   }
   throw std::runtime_error("there is no analysis of the kind " + kind);
 }
 
-AnalysisOutcome analysed(const std::string& kind, const std::string& source, MadeUpPeople people,
+AnalysisOutcome analysed(const std::string& kind, const std::string& source, MadeUpParticipants people,
                          const std::vector<std::vector<MadeUpTrial>>& by_person) {
   people.number = static_cast<int>(by_person.size());
   return analysed(kind, source, people, [&by_person](int person) {

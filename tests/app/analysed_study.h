@@ -14,25 +14,25 @@
 namespace asperity {
 
 /// The trials of the participants, in turn from 0.
-using TrialsOfPerson = std::function<std::vector<MadeUpTrial>(int)>;
+using TrialsOfParticipant = std::function<std::vector<MadeUpTrial>(int)>;
 
 /// Participants with a session each. Their labels are p and a number.
-struct MadeUpPeople {
+struct MadeUpParticipants {
   int number = 1;
   int first = 10;        ///< of the numbers; of two digits, so that the labels are in their order
   std::string sex{};     ///< of all; empty: not stated
   bool of_both = false;  ///< the first half are women, the others men
 };
 
-void add_people(MadeUpStudy& made, std::int64_t protocol, const MadeUpPeople& people,
-                const TrialsOfPerson& trials_of);
+void add_participants(MadeUpStudy& made, std::int64_t protocol, const MadeUpParticipants& people,
+                const TrialsOfParticipant& trials_of);
 
 /// The outcome of this kind of a study with one protocol.
 AnalysisOutcome analysed(const std::string& kind, const std::string& source,
-                         const MadeUpPeople& people, const TrialsOfPerson& trials_of);
+                         const MadeUpParticipants& people, const TrialsOfParticipant& trials_of);
 
 /// The same with the trials of each participant; `people.number` is not read.
-AnalysisOutcome analysed(const std::string& kind, const std::string& source, MadeUpPeople people,
+AnalysisOutcome analysed(const std::string& kind, const std::string& source, MadeUpParticipants people,
                          const std::vector<std::vector<MadeUpTrial>>& by_person);
 
 /// The outcome that `make` returned for this key for the first time in this process. Two outcomes that a test compares are
@@ -67,7 +67,7 @@ std::vector<Finding> part_of(const AnalysisOutcome& outcome, const std::string& 
 std::string sentence_about(const AnalysisOutcome& outcome, const std::string& test,
                            const std::string& about = {});
 
-/// All, a line each.
+/// All remarks in English, one per line.
 std::string remarks_of(const AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -50,7 +50,7 @@ void add_participants_with_errors(const std::vector<int>& errors, const json& ru
   if (!rule.is_null()) protocol["analysis"]["exclude"] = rule;
   const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
   const int people = static_cast<int>(errors.size());
-  add_people(made, id, {.number = people, .first = 1}, [&](int person) {
+  add_participants(made, id, {.number = people, .first = 1}, [&](int person) {
     PsychometricFunction function = kPerformer;
     if (person + 1 == people) function.alpha = 20e-6;
     MadeUpObserver observer(function, static_cast<unsigned>(person + 1));

@@ -113,7 +113,7 @@ const AnalysisOutcome& outcome_of_detections(const Detecting& detecting) {
     DetectionJson protocol = detection_protocol(design);
     if (detecting.declares_order) protocol["analysis"]["family"] = {"order"};
     MadeUpStudy made;
-    add_people(made, made.add_protocol("jnd", "discrimination", protocol.dump()),
+    add_participants(made, made.add_protocol("jnd", "discrimination", protocol.dump()),
                {.number = detecting.people}, trials_of_person);
     return outcome_of_discrimination(made);  // the only one
   });

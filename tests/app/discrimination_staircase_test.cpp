@@ -35,7 +35,7 @@ using ::testing::Not;
 
 TEST(Discrimination, CountsErrorsInCatchTrialsAndEstimatesNothingFromThem) {
   const auto outcome_with = [](bool with_catch_trials) {
-    const MadeUpPeople two{.number = 2, .first = 1};
+    const MadeUpParticipants two{.number = 2, .first = 1};
     return outcome_of_choices(discrimination_protocol("performance"), two, [&](int person) {
       MadeUpObserver observer(kPerformer, static_cast<unsigned>(person + 1));
       std::vector<MadeUpTrial> trials = trials_of(observer.choices(kAbove_m, 40, true));
@@ -226,7 +226,7 @@ TEST(Discrimination, MarksParticipantsWithAnUnfinishedTrack) {
   const json protocol = staircase_protocol(40);
   const auto study_of = [&](MadeUpStudy& made, SessionState last) {
     const std::int64_t id = made.add_protocol("jnd", "discrimination", protocol.dump());
-    add_people(made, id, {.number = 2}, [&](int person) {
+    add_participants(made, id, {.number = 2}, [&](int person) {
       std::vector<MadeUpTrial> trials =
           staircase_trials(kPerformer, protocol, 200 + static_cast<std::uint64_t>(person));
       if (person == 1) {

@@ -65,8 +65,8 @@ AnalysisOutcome outcome_of_discrimination(MadeUpStudy& made) {
   return std::move(outcomes.front());
 }
 
-AnalysisOutcome outcome_of_choices(const json& protocol, const MadeUpPeople& people,
-                                   const TrialsOfPerson& trials_of) {
+AnalysisOutcome outcome_of_choices(const json& protocol, const MadeUpParticipants& people,
+                                   const TrialsOfParticipant& trials_of) {
   return analysed("discrimination", protocol.dump(), people, trials_of);
 }
 

@@ -85,8 +85,8 @@ inline constexpr PsychometricFunction kComparer{.shape = PsychometricShape::norm
 AnalysisOutcome outcome_of_discrimination(MadeUpStudy& made);
 
 /// Of one protocol.
-AnalysisOutcome outcome_of_choices(const nlohmann::json& protocol, const MadeUpPeople& people,
-                                   const TrialsOfPerson& trials_of);
+AnalysisOutcome outcome_of_choices(const nlohmann::json& protocol, const MadeUpParticipants& people,
+                                   const TrialsOfParticipant& trials_of);
 
 /// `people` observers with the same function.
 struct MadeUpObservers {

@@ -324,7 +324,7 @@ AnalysisOutcome ratings_with_confidence(std::string source, const std::string& f
     return trials;
   };
   MadeUpStudy made{};
-  add_people(made, made.add_protocol("sure", "recognition", source), {.number = 4, .first = 1},
+  add_participants(made, made.add_protocol("sure", "recognition", source), {.number = 4, .first = 1},
              trials_of);
   return outcome_of_kind(analyze_study(made.study()), "rating");
 }

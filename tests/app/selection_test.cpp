@@ -47,7 +47,7 @@ MadeUpTrial trial_of(const std::vector<std::string>& offered, const std::string&
 }
 
 AnalysisOutcome analysed_selection(int people, const std::string& source,
-                                   const TrialsOfPerson& trials_of) {
+                                   const TrialsOfParticipant& trials_of) {
   return analysed("selection", source, {.number = people, .first = 100, .sex = "F"}, trials_of);
 }
 

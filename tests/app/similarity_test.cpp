@@ -111,7 +111,7 @@ AnalysisOutcome make_ratings(const RatedStudyOptions& options) {
     return trials;
   };
   MadeUpStudy made;
-  add_people(made, made.add_protocol("map", "similarity", protocol_that_rates(options.rates)),
+  add_participants(made, made.add_protocol("map", "similarity", protocol_that_rates(options.rates)),
              {.number = options.people, .first = 1}, trials_of_person);
   std::vector<AnalysisOutcome> outcomes = analyze_study(made.study());
   EXPECT_EQ(outcomes.size(), 1U) << "its scale is not analysed as ratings as well";

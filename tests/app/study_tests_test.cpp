@@ -97,7 +97,7 @@ MadeUpTrial estimate_of(const std::string& texture, const std::string& tip, doub
 
 /// Women first.
 AnalysisOutcome tested(const std::string& kind, const std::string& source, int people,
-                       const TrialsOfPerson& trials_of) {
+                       const TrialsOfParticipant& trials_of) {
   return analysed(kind, source, {.number = people, .first = 0, .of_both = true}, trials_of);
 }
 
