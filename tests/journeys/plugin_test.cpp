@@ -35,7 +35,7 @@ class Example final {
     cmake({"--install", ASPERITY_BUILD_FOLDER, "--component", "plugin_interface", "--prefix",
            folder_ / "prefix"});
     fs::copy(ASPERITY_SOURCE_DIR "/renderers/plugin/example", source_);
-    cmake({"-S", source_, "-B", folder_ / "build", "-DCMAKE_BUILD_TYPE=Release",
+    cmake({"-G", "Ninja", "-S", source_, "-B", folder_ / "build", "-DCMAKE_BUILD_TYPE=Release",
            "-DCMAKE_PREFIX_PATH=" + prefix().string()});
     build_into(plugin());
     const std::string text = text_of(source_ / "ridges.cpp");

@@ -50,7 +50,7 @@ def stored(study):
 
 
 def from_tables(out):
-    rows = subprocess.run([sys.executable, "-c", "import json, sys; sys.path.insert(0, sys.argv[1]); "
+    rows = subprocess.run([sys.executable, "-B", "-c", "import json, sys; sys.path.insert(0, sys.argv[1]); "
                            "print(json.dumps(__import__('import').read_rows('events.tsv')))", out],
                           text=True, capture_output=True, check=True).stdout
     texts = collections.defaultdict(list)

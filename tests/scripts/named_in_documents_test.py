@@ -13,10 +13,7 @@ OF_A_STUDY = re.compile(r"^(stimuli|protocols|recordings|locks|device)/")
 
 
 def documents():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "*.md"], text=True, capture_output=True, check=False)
-    names = listed.stdout.split() if listed.returncode == 0 else [str(p.relative_to(ROOT)) for p in ROOT.rglob("*.md")]
-    return [ROOT / name for name in names
-            if not name.startswith("build/") and name != "CHANGELOG.md" and "/fixtures/" not in name]
+    return [ROOT / "README.md", *(path for folder in sorted(FOLDERS) for path in sorted((ROOT / folder).rglob("*.md")))]
 
 
 def slug(heading):
