@@ -30,10 +30,6 @@ std::string library_refusal(const std::vector<std::filesystem::path>& names) {
       [&] { const VendorLibrary library("Tester's SDK", names); });
 }
 
-std::filesystem::path file_in_temporary_folder(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / name;
-}
-
 TEST(VendorLibrary, LoadsTheFirstThatIsThere) {
   const VendorLibrary library("Tester's SDK", {"libnobody-has-this.so", "libm.so.6"});
   EXPECT_THAT(library.file().string(), HasSubstr("libm.so.6"));
@@ -70,7 +66,7 @@ void write_catalogue(const std::filesystem::path& file, const std::string& messa
 
 // As in a German window: the loader's words are translated, and the second name is tried all the same.
 TEST(VendorLibrary, TriesTheNextNameInAnyLanguage) {
-  const std::filesystem::path folder = file_in_temporary_folder("languages");
+  const TemporaryFolder folder;
   const std::string message = "cannot open shared object file";
   write_catalogue(folder / "de" / "LC_MESSAGES" / "libc.mo", message,
                   "Gemeinsame Objektdatei nicht da");
@@ -78,7 +74,7 @@ TEST(VendorLibrary, TriesTheNextNameInAnyLanguage) {
   const std::string folder_before = bindtextdomain("libc", nullptr);
   ASSERT_NE(setlocale(LC_MESSAGES, "C.UTF-8"), nullptr);
   setenv("LANGUAGE", "de", 1);
-  bindtextdomain("libc", folder.c_str());
+  bindtextdomain("libc", folder.path().c_str());
   ASSERT_EQ(dlopen("libnobody-has-this.so", RTLD_NOW), nullptr);
   const std::string words = dlerror();
   std::string file;
@@ -126,7 +122,8 @@ TEST(VendorLibrary, NamesTheArchitectureOfAFileForAnotherOne) {
   header.e_machine = EM_S390;
   header.e_version = EV_CURRENT;
   header.e_ehsize = sizeof(header);
-  const std::filesystem::path file = file_in_temporary_folder("libforeign.so");
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "libforeign.so";
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(&header), sizeof(header));
   EXPECT_THAT(library_refusal({file}),
@@ -135,7 +132,8 @@ TEST(VendorLibrary, NamesTheArchitectureOfAFileForAnotherOne) {
 }
 
 TEST(VendorLibrary, SaysThatAFileIsNoLibrary) {
-  const std::filesystem::path file = file_in_temporary_folder("libtext.so");
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "libtext.so";
   std::ofstream(file) << "INPUT(libc.so.6)";
   EXPECT_THAT(library_refusal({file}),
               AllOf(HasSubstr(file.string()), HasSubstr("not a shared library")));

@@ -414,10 +414,12 @@ TEST(Trigger, IsEachNeeded) {
     tool.run("BEGIN");
     EXPECT_EQ(tool.run("DROP TRIGGER " + trigger), "");
     for (const Forbidden& forbidden : forbidden_statements()) {
-      tool.run("SAVEPOINT before");
-      passed = passed || tool.run(forbidden.sql).empty();
-      tool.run("ROLLBACK TO before");
+      // A single statement that is refused changes nothing.
+      const bool several = forbidden.sql.find(';') != std::string::npos;
+      if (several) tool.run("SAVEPOINT before");
+      passed = tool.run(forbidden.sql).empty();
       if (passed) break;
+      if (several) tool.run("ROLLBACK TO before");
     }
     tool.run("ROLLBACK");
     EXPECT_TRUE(passed) << trigger;
