@@ -517,7 +517,7 @@ TEST_F(ProtocolEditor, DoesNotLeaveUnsavedChangesWithoutAsking) {
 }
 
 TEST_F(ProtocolEditor, AsksForANewVersionOnceSessionsWereRunWithTheOldOne) {
-  fill_with_people(folder_);
+  fill_with_participants(folder_);
   file_ = folder_ / "protocols" / "chapter_recognition.json";
   open();
   go_behind("\"title\": \"");

@@ -170,7 +170,7 @@ TEST(ParticipantLayout, FitsEverySceneIntoEverySizeInLettersOf24PointsWithoutOve
   apply_language("en");
 }
 
-TEST(ParticipantLayout, FitsEverySceneIntoEverySizeForLeftHandedPeople) {
+TEST(ParticipantLayout, FitsEverySceneIntoEverySizeForLeftHandedParticipants) {
   for (const auto& [name, scene] : every_scene()) {
     for (const Pane& pane : kPanes) {
       ParticipantLayoutInputs inputs = inputs_for(pane);
@@ -356,7 +356,7 @@ TEST(ParticipantLayout, PutsSixPicturesIntoTwoFullRows) {
   EXPECT_EQ(pictures[3].rect.left(), pictures[0].rect.left());
 }
 
-TEST(ParticipantLayout, MirrorsSurfacesAndControlsForLeftHandedPeople) {
+TEST(ParticipantLayout, MirrorsSurfacesAndControlsForLeftHandedParticipants) {
   const auto right = lay_out(scenes::matching(4), {});
   const auto left = lay_out(scenes::matching(4), {.mirrored = true});
   const double middle = 1366.0 / 2.0;

@@ -131,7 +131,7 @@ std::string read_broken(const std::filesystem::path& study) {
 
 }  // namespace
 
-void fill_with_people(const std::filesystem::path& folder) {
+void fill_with_participants(const std::filesystem::path& folder) {
   write_file(folder / "protocols" / "broken.json", read_broken(folder), Overwrite::refuse);
   Study study = Study::open(folder, Access::read_write);
   const auto add_protocol = [&](const std::string& name, const std::string& kind) {

@@ -9,6 +9,6 @@ namespace asperity {
 /// Adds to the study: P001 to P012 with sessions of chapter_recognition (complete but for P004, who
 /// was stopped, and P012, who was interrupted), a pilot session of P002, two simulated ones, and the
 /// protocol file "broken.json" with two problems.
-void fill_with_people(const std::filesystem::path& study);
+void fill_with_participants(const std::filesystem::path& study);
 
 }  // namespace asperity

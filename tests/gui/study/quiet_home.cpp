@@ -80,7 +80,7 @@ std::filesystem::path QuietHome::small_demo_study() const {
 }
 
 std::filesystem::path QuietHome::lively_study() const {
-  static const Pattern pattern(fill_with_the_chapter, fill_with_people);
+  static const Pattern pattern(fill_with_the_chapter, fill_with_participants);
   return copied(pattern.study);
 }
 

@@ -22,7 +22,7 @@ class QuietHome : public testing::Test {
 
   /// The files of the demo study, but with stimuli of 64 × 64 pixels, which are quick.
   std::filesystem::path small_demo_study() const;
-  /// The same with people (`fill_with_people`).
+  /// The same with participants (`fill_with_participants`).
   std::filesystem::path lively_study() const;
 
  private:
