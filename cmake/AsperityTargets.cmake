@@ -19,6 +19,12 @@ endif()
 
 add_custom_target(asperity_modules)
 
+# asperity_current_folder(VARIABLE): the folder that is being configured, relative to the source tree.
+function(asperity_current_folder variable)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+  set(${variable} "${folder}" PARENT_SCOPE)
+endfunction()
+
 # Language, warnings, floating-point rules and linking.
 function(asperity_configure target)
   set_target_properties(${target} PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
@@ -27,7 +33,7 @@ function(asperity_configure target)
     # A formula has to mean the same arithmetic on every target.
     -ffp-contract=off)
   # What runs in a tick lies in these folders.
-  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+  asperity_current_folder(folder)
   if(NOT folder MATCHES "^(analysis|stimuli|device|renderers|bench)(/|$)")
     asperity_optimise_lightly(${target})
   endif()
@@ -61,7 +67,7 @@ endfunction()
 # that two sources keep to themselves is an error. Sources before the first group are compiled alone.
 function(asperity_add_sources target)
   set(largest 12)
-  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+  asperity_current_folder(folder)
   if(folder MATCHES "^tests")
     set(largest 24)  # not optimised, so that more of them fit into the memory and the time of a step
   endif()
@@ -186,8 +192,8 @@ function(asperity_add_tests folder)
   asperity_compile_as_test(${program})
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   # What scripts/test builds: everyday, slow, and of each the programs of a folder of tests/ and below it.
-  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}/tests" OUTPUT_VARIABLE top)
-  string(REGEX REPLACE "/.*" "" top "${top}")
+  asperity_current_folder(top)
+  string(REGEX REPLACE "^tests/([^/]+).*" "\\1" top "${top}")
   set(kind everyday)
   foreach(label IN ITEMS slow long)
     if(label IN_LIST ARG_LABELS)
