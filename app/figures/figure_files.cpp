@@ -10,6 +10,7 @@
 
 #include <QtCore/QBuffer>
 #include <QtCore/QByteArray>
+#include <QtCore/QUuid>
 #include <QtCore/qlogging.h>
 #include <QtGui/QFontDatabase>
 #include <QtGui/QGuiApplication>
@@ -67,14 +68,18 @@ void name_any_sans(QByteArray& svg, const FigureLayout& layout) {
   svg.replace("font-family=\"" + family + '"', "font-family=\"" + family + ", sans-serif\"");
 }
 
-/// Replaces the time stamp by one of equal length: the offsets of a PDF's objects are counted in
-/// bytes.
-void take_out_the_date(QByteArray& pdf) {
-  const QByteArray key = "/CreationDate (";
-  const auto begin = pdf.indexOf(key);
-  if (begin < 0) return;
-  const auto end = pdf.indexOf(')', begin);
-  for (auto i = begin; i <= end; ++i) pdf[i] = ' ';
+/// Replaces the time stamps, in the document's entries and in its metadata (XMP), by as many blanks: the offsets of a PDF's
+/// objects are counted in bytes.
+void take_out_the_dates(QByteArray& pdf) {
+  const std::pair<QByteArray, char> stamps[]{{"/CreationDate (", ')'},   {"/ModDate (", ')'},
+                                             {"xmp:CreateDate=\"", '"'}, {"xmp:ModifyDate=\"", '"'},
+                                             {"xmp:MetadataDate=\"", '"'}};
+  for (const auto& [key, closing] : stamps) {
+    const auto begin = pdf.indexOf(key);
+    if (begin < 0) continue;
+    const auto end = pdf.indexOf(closing, begin + key.size());
+    for (auto i = begin; i <= end; ++i) pdf[i] = ' ';
+  }
 }
 
 }  // namespace
@@ -131,10 +136,14 @@ std::string pdf_of(const Figure& figure, const FigurePrint& print) {
                             QPageSize::ExactMatch));
   pdf.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
   pdf.setTitle(words_of(figure.title, print));
+#if QT_VERSION >= QT_VERSION_CHECK(6, 8, 0)
+  // Otherwise it is drawn at random. That of the figure's contents is the same whenever it is written.
+  pdf.setDocumentId(QUuid::createUuidV5(QUuid(), QByteArray::fromStdString(svg_of(figure, print))));
+#endif
   QPainter painter(&pdf);
   draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
   painter.end();
-  take_out_the_date(bytes);
+  take_out_the_dates(bytes);
   return text_of_bytes(bytes);
 }
 

@@ -100,7 +100,7 @@ struct WebSocket::Connection {
       const int wait = patience.count() > 0 ? 0 : -1;  // −1: what is there, and no waiting
       if (lws_service(context, wait) < 0 || wait < 0) break;
     }
-    lws_sul_schedule(context, 0, &timer.entry, nullptr, LWS_SET_TIMER_USEC_CANCEL);
+    lws_sul_cancel(&timer.entry);
   }
 };
 

@@ -72,8 +72,8 @@ TEST(VendorLibrary, TriesTheNextNameInAnyLanguage) {
                   "Gemeinsame Objektdatei nicht da");
   const std::string language_before = setlocale(LC_MESSAGES, nullptr);
   const std::string folder_before = bindtextdomain("libc", nullptr);
-  ASSERT_NE(setlocale(LC_MESSAGES, "C.UTF-8"), nullptr);
-  setenv("LANGUAGE", "de", 1);
+  setenv("LOCPATH", ASPERITY_LOCALE_FOLDER, 1);
+  ASSERT_NE(setlocale(LC_MESSAGES, "de_DE.UTF-8"), nullptr);
   bindtextdomain("libc", folder.path().c_str());
   ASSERT_EQ(dlopen("libnobody-has-this.so", RTLD_NOW), nullptr);
   const std::string words = dlerror();
@@ -82,8 +82,8 @@ TEST(VendorLibrary, TriesTheNextNameInAnyLanguage) {
     file = VendorLibrary("Tester's SDK", {"libnobody-has-this.so", "libm.so.6"}).file();
   });
   bindtextdomain("libc", folder_before.c_str());
-  unsetenv("LANGUAGE");
   setlocale(LC_MESSAGES, language_before.c_str());
+  unsetenv("LOCPATH");
   EXPECT_THAT(words, HasSubstr("Gemeinsame Objektdatei"));  // or this test tests nothing
   EXPECT_EQ(refusal, "");
   EXPECT_THAT(file, HasSubstr("libm.so.6"));

@@ -354,7 +354,7 @@ TEST_F(StudyWindowTest, ShowsNoPageOnTheWayWhenItIsClosed) {
   window.show();
   ASSERT_EQ(last.shown, 1);
   window.close_study();
-  EXPECT_EQ(last.hidden, 1) << "it heard of its end";
+  EXPECT_GE(last.hidden, 1) << "it heard of its end";
   EXPECT_EQ(other.shown, 0);
 }
 
