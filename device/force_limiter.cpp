@@ -36,52 +36,97 @@ void add(LimitReason reason, LimitedWrench& limited) noexcept {
   limited.reasons = static_cast<std::uint8_t>(limited.reasons | static_cast<std::uint8_t>(reason));
 }
 
-// What one of the two vectors of a wrench may be, and why it is shortened where it is longer.
-struct VectorLimit {
-  double length;
-  double change;
-  LimitReason too_long;
-};
-
-// `wanted`, shortened to the limit, and to its change from `last`.
-glm::dvec3 limited_to(const VectorLimit& limit, const glm::dvec3& wanted, const glm::dvec3& last,
-                      LimitedWrench& limited) noexcept {
-  const glm::dvec3 aim = no_longer_than(limit.length, wanted);
-  if (aim != wanted) add(limit.too_long, limited);
-  const glm::dvec3 wanted_change = aim - last;
-  const glm::dvec3 change = no_longer_than(limit.change, wanted_change);
-  if (change == wanted_change) return aim;
-  add(LimitReason::slew, limited);
-  // Both ends of the line lie inside the limit, so its points do; their rounded sum may not.
-  return no_longer_than(limit.length, last + change);
+// The point nearest to `w` on the line from 0 to `g`.
+glm::dvec3 nearest_on_fall(const glm::dvec3& g, const glm::dvec3& w) noexcept {
+  const double squared = glm::dot(g, g);
+  if (!(squared > 0.0)) return glm::dvec3(0.0);
+  return std::clamp(glm::dot(g, w) / squared, 0.0, 1.0) * g;
 }
+
+double growth(const glm::dvec3& from, const glm::dvec3& to) noexcept {
+  return glm::length(to - nearest_on_fall(from, to));
+}
+
+// Of the way from c to the wanted force, to the precision of its numbers.
+constexpr int kHalvings = 53;
+
+// Of a sum of periods that is a window.
+constexpr double kRounding_s = 1e-9;
 
 }  // namespace
 
 ForceLimiter::ForceLimiter(const ForceLimits& limits) : limits_(limits) {
   require_positive("force_N of the force limits", limits.force_N);
   require_positive("torque_N_m of the force limits", limits.torque_N_m);
-  require_positive("slew_N_per_s of the force limits", limits.slew_N_per_s);
-  require_positive("slew_N_m_per_s of the force limits", limits.slew_N_m_per_s);
+  require_positive("slew_N of the force limits", limits.slew_N);
+  require_positive("slew_N_m of the force limits", limits.slew_N_m);
 }
 
-LimitedWrench ForceLimiter::limit(const Wrench& wanted, double dt_s) noexcept {
+void ForceLimiter::reset() noexcept {
+  held_.front() = Held{};
+  held_count_ = 1;
+}
+
+void ForceLimiter::let_pass(double elapsed_s) noexcept {
+  // Written so that a time that is not a number does not pass.
+  const double passed_s = elapsed_s > 0.0 ? elapsed_s : 0.0;
+  for (std::size_t i = 1; i < held_count_; ++i) held_[i].ended_s += passed_s;
+  while (held_count_ > 1 && held_[held_count_ - 1].ended_s > kWindow_s - kRounding_s) {
+    --held_count_;
+  }
+}
+
+// The force before ends now. In a full window it only fell, and is replaced: what may follow the rest of a fall is less than
+// what may follow its beginning.
+void ForceLimiter::hold(const Wrench& wrench) noexcept {
+  if (held_count_ == kMostHeld) {
+    held_.front().wrench = wrench;
+    return;
+  }
+  std::copy_backward(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(held_count_),
+                     held_.begin() + static_cast<std::ptrdiff_t>(held_count_) + 1);
+  held_.front() = {.wrench = wrench};
+  ++held_count_;
+}
+
+glm::dvec3 ForceLimiter::limited_to(const VectorLimit& limit, const glm::dvec3& wanted,
+                                    LimitedWrench& limited) const noexcept {
+  const glm::dvec3 aim = no_longer_than(limit.length, wanted);
+  if (aim != wanted) add(limit.too_long, limited);
+  const auto may_follow = [&](const glm::dvec3& vector) {
+    for (std::size_t i = 0; i < held_count_; ++i) {
+      if (growth(held_[i].wrench.*limit.part, vector) > limit.slew) return false;
+    }
+    return true;
+  };
+  const glm::dvec3 fallen = nearest_on_fall(held_.front().wrench.*limit.part, aim);
+  const bool may_grow = held_count_ < kMostHeld;
+  if (aim == fallen || (may_grow && may_follow(aim))) return aim;
+  add(LimitReason::slew, limited);
+  double allowed = 0.0;
+  double step = may_grow ? 0.5 : 0.0;
+  for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5) {
+    if (may_follow(fallen + (allowed + step) * (aim - fallen))) allowed += step;
+  }
+  // Both ends of the line lie inside the limit, so its points do; their rounded sum may not.
+  return no_longer_than(limit.length, fallen + allowed * (aim - fallen));
+}
+
+LimitedWrench ForceLimiter::limit(const Wrench& wanted, double elapsed_s) noexcept {
   LimitedWrench limited{};
   if (!is_finite(wanted.force_N) || !is_finite(wanted.torque_N_m)) {
     add(LimitReason::not_finite, limited);
-    last_ = limited.wrench;
+    reset();
     return limited;
   }
-
-  // Written so that a dt that is not a number allows no change.
-  const double elapsed_s = dt_s > 0.0 ? dt_s : 0.0;
+  let_pass(elapsed_s);
   limited.wrench.force_N =
-      limited_to({limits_.force_N, limits_.slew_N_per_s * elapsed_s, LimitReason::force},
-                 wanted.force_N, last_.force_N, limited);
+      limited_to({limits_.force_N, limits_.slew_N, &Wrench::force_N, LimitReason::force},
+                 wanted.force_N, limited);
   limited.wrench.torque_N_m =
-      limited_to({limits_.torque_N_m, limits_.slew_N_m_per_s * elapsed_s, LimitReason::torque},
-                 wanted.torque_N_m, last_.torque_N_m, limited);
-  last_ = limited.wrench;
+      limited_to({limits_.torque_N_m, limits_.slew_N_m, &Wrench::torque_N_m, LimitReason::torque},
+                 wanted.torque_N_m, limited);
+  hold(limited.wrench);
   return limited;
 }
 

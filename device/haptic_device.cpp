@@ -68,12 +68,12 @@ void HapticDevice::forget_silence(std::int64_t now_ns) noexcept {
   }
 }
 
-std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_s) noexcept {
+std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double elapsed_s) noexcept {
   if (pose_.is_frozen()) {
     zero_force();
     return std::nullopt;
   }
-  LimitedWrench limited = limiter_.limit(as_actuated(capability_, wanted), dt_s);
+  LimitedWrench limited = limiter_.limit(as_actuated(capability_, wanted), elapsed_s);
   given_.reset();
   gave_less_ = false;
   if (!do_send(limited.wrench)) {

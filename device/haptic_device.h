@@ -57,10 +57,11 @@ class HapticDevice {
   /// The hand at `now_ns`; nothing when the device does not answer (it is lost).
   std::optional<ProbeState> read(std::int64_t now_ns) noexcept;
 
-  /// Limits `wanted` and sends it; returns what was really sent. A device with fewer than six actuated
+  /// Limits `wanted` and sends it; returns what was really sent. `elapsed_s` is the time since the last push, at most a
+  /// nominal period (ForceLimiter::limit). A device with fewer than six actuated
   /// degrees of freedom gets the force alone, one without motors nothing: zero is what it was sent. No
   /// answer when the device is lost; when it comes back, its force rises from zero.
-  std::optional<LimitedWrench> push(const Wrench& wanted, double dt_s) noexcept;
+  std::optional<LimitedWrench> push(const Wrench& wanted, double elapsed_s) noexcept;
 
   /// Zero force at once, past the slew limit.
   void zero_force() noexcept;

@@ -8,6 +8,7 @@
 #include "analysis/random.h"
 #include "app/session/trial_outcome.h"
 #include "app/words/phrase.h"
+#include "device/force_limiter.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
 #include "results_schema/sha256.h"
@@ -104,7 +105,9 @@ std::string capability_json(const DeviceCapability& device) {
                               {"continuous_force_N", device.continuous_force_N},
                               {"position_resolution_m", device.position_resolution_m},
                               {"maximum_rate_Hz", device.maximum_rate_Hz},
-                              {"buttons", device.buttons}};
+                              {"buttons", device.buttons},
+                              {"slew_limit_N_per_ms", ForceLimits{}.slew_N},
+                              {"slew_limit_N_m_per_ms", ForceLimits{}.slew_N_m}};
   if (!device.remarks.empty()) json["remarks"] = device.remarks;
   return json.dump();
 }

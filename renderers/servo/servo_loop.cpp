@@ -294,7 +294,7 @@ void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
   }
 }
 
-void ServoLoop::send(double dt_s, TickRecord& record) noexcept {
+void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
   Servo& servo = *servo_;
   if (fault_.load(std::memory_order_acquire) == Fault::none) {
     const bool presenting = record.has(TickFlag::presenting);
@@ -304,7 +304,7 @@ void ServoLoop::send(double dt_s, TickRecord& record) noexcept {
       wanted.force_N = servo.gain * record.rendered.force_N;
       wanted.torque_N_m = servo.gain * record.rendered.torque_N_m;
     }
-    if (const std::optional<LimitedWrench> sent = device_.push(wanted, dt_s)) {
+    if (const std::optional<LimitedWrench> sent = device_.push(wanted, elapsed_s)) {
       record.sent = sent->wrench;
       record.flags |= sent->reasons;
       return;
@@ -320,8 +320,13 @@ void ServoLoop::send(double dt_s, TickRecord& record) noexcept {
 
 void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading clock) noexcept {
   Servo& servo = *servo_;
+  const double period_s = 1.0 / settings_.rate_Hz;
   const double dt_s = servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz)
-                                       : 1.0 / settings_.rate_Hz;
+                                       : period_s;
+  const double elapsed_s =
+      servo.has_ticked
+          ? std::min(period_s, static_cast<double>(now_ns - servo.last_tick_ns) * 1e-9)
+          : period_s;
   // Checked before a waiting presentation is accepted: that one has not produced a force yet.
   if (servo.felt && is_standstill(servo.last_tick_ns, now_ns)) raise(Fault::standstill);
   TickRecord record{};
@@ -337,7 +342,7 @@ void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading
     render(silent, dt_s, record);
     if (clock != nullptr && is_standstill(now_ns, clock())) raise(Fault::standstill);
   }
-  send(dt_s, record);
+  send(elapsed_s, record);
 
   ++servo.ticks;
   publish_status();

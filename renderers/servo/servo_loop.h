@@ -137,7 +137,7 @@ class ServoLoop final {
   void count_deadline(std::int64_t now_ns, std::int64_t deadline_ns, TickRecord& record) noexcept;
   void read_probe(std::int64_t now_ns, TickRecord& record) noexcept;
   void render(bool silent, double dt_s, TickRecord& record) noexcept;
-  void send(double dt_s, TickRecord& record) noexcept;
+  void send(double elapsed_s, TickRecord& record) noexcept;
   bool is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept;
   void publish_status() noexcept;
   void raise(Fault fault) noexcept;

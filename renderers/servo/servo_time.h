@@ -10,7 +10,7 @@ namespace asperity {
 std::int64_t period_ns_of(double rate_Hz) noexcept;
 
 /// The time between two samples, clamped to [½, 4] periods, so that neither two samples with the same time stamp nor a
-/// stall passes an absurd interval to a renderer or a slew limit. The servo loop and all offline code use this
+/// stall passes an absurd interval to a renderer. The servo loop and all offline code use this
 /// function, which makes recordings replay exactly.
 double clamped_dt_s(std::int64_t previous_ns, std::int64_t now_ns, double rate_Hz) noexcept;
 

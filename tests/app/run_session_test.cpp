@@ -57,6 +57,8 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
   EXPECT_EQ(session.device, "simulated in place of Novint Falcon");
   EXPECT_THAT(session.device_json, testing::HasSubstr("\"position_resolution_m\":3.8e-05"));
   EXPECT_THAT(session.device_json,
+              testing::HasSubstr("\"slew_limit_N_per_ms\":1.0,\"slew_limit_N_m_per_ms\":0.02"));
+  EXPECT_THAT(session.device_json,
               testing::HasSubstr("Properties of the real device that are unknown to this program: "
                                  "continuous force, position noise, friction"));
   inputs_.device = "simulated:gamma.3";

@@ -408,7 +408,7 @@ TEST_F(Falcon, SaysWhatTheMotorsCouldGive) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
   const double peak_N = device->capability().peak_force_N;
-  device->set_limits({.force_N = peak_N, .slew_N_per_s = 1e6});
+  device->set_limits({.force_N = peak_N, .slew_N = 1e6});
   // At a corner of its workspace the motors have less along x than anywhere in the middle.
   const double half_m = device->capability().workspace_maximum_m.x;
   const glm::dvec3 corner_m(half_m, half_m, 0.115 + half_m);

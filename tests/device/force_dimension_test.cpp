@@ -579,7 +579,7 @@ TEST_F(ForceDimension, IsBelievedWhileItsReadingsRepeatThoughTheLastOneMoved) {
 TEST_F(ForceDimension, SendsForceAndTorqueInTheDevicesFrame) {
   attach(104, 1);
   const auto device = open();
-  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+  device->set_limits({.slew_N = 1e6, .slew_N_m = 1e6});
   ASSERT_TRUE(device->push({.force_N = {1.0, 2.0, 3.0}, .torque_N_m = {0.01, 0.02, 0.03}}, 1e-3));
   EXPECT_THAT(bench->units[0].sent, ElementsAre(-2.0, 1.0, 3.0, -0.02, 0.01, 0.03, 0.0));
 }
@@ -587,7 +587,7 @@ TEST_F(ForceDimension, SendsForceAndTorqueInTheDevicesFrame) {
 TEST_F(ForceDimension, NeverSendsMoreThanTheModelGives) {
   attach(33, 1);
   const auto device = open();
-  device->set_limits({.force_N = 100.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->set_limits({.force_N = 100.0, .torque_N_m = 0.1, .slew_N = 1e6});
   device->push({.force_N = {0.0, 0.0, 80.0}}, 1e-3);
   EXPECT_NEAR(bench->units[0].sent[2], 12.0, 1e-12);
 }
@@ -637,7 +637,7 @@ class UnpluggedForceDimension : public ForceDimension {
     attach(33, 101);
     device = std::make_unique<ForceDimensionDevice>(
         std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 1);
-    device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+    device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
     EXPECT_TRUE(answers());
     EXPECT_TRUE(pushes());
   }

@@ -2,11 +2,14 @@
 
 #include "device/force_limiter.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -19,9 +22,9 @@
 namespace asperity {
 namespace {
 
-// A slew so fast that only the magnitude limits act.
+// Only the limits of the magnitude act.
 constexpr ForceLimits kMagnitudeOnly{
-    .force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9, .slew_N_m_per_s = 1e9};
+    .force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6, .slew_N_m = 1e6};
 
 Wrench force(double x, double y, double z) { return {.force_N = glm::dvec3(x, y, z)}; }
 
@@ -84,7 +87,7 @@ TEST(ForceLimiter, IsNeverAboveTheLimitByOneUnitInTheLastPlace) {
   // 5 N, and limits that binary fractions cannot hold.
   for (const double limit_N : {5.0, 3.3, 0.1, 7.123456789}) {
     ForceLimiter limiter(
-        {.force_N = limit_N, .torque_N_m = 0.013, .slew_N_per_s = 2000.0, .slew_N_m_per_s = 20.0});
+        {.force_N = limit_N, .torque_N_m = 0.013, .slew_N = 2.0, .slew_N_m = 0.02});
     int limited_count = 0;
     for (int i = 0; i < 50'000; ++i) {
       const Wrench wanted{.force_N = any_vector(random), .torque_N_m = any_vector(random)};
@@ -112,113 +115,192 @@ TEST(ForceLimiter, KeepsTheDirectionOfAnyForceAndTorque) {
   }
 }
 
-TEST(ForceLimiter, ChangesTheForceByNoMoreThanTheSlewAllows) {
-  // 2000 N/s for 1 ms is 2 N per call: 0 → 5 N takes 2, 4, 5.
-  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 2000.0});
-  LimitedWrench limited = limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
-  EXPECT_NEAR(limited.wrench.force_N.z, 2.0, 1e-13);
-  EXPECT_TRUE(limited.has(LimitReason::slew));
-  limited = limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
-  EXPECT_NEAR(limited.wrench.force_N.z, 4.0, 1e-13);
-  limited = limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
-  EXPECT_EQ(limited.wrench.force_N.z, 5.0);
-  EXPECT_EQ(limited.reasons, 0);
-}
-
-TEST(ForceLimiter, ChangesTheTorqueByNoMoreThanItsSlewAllowsAndLeavesTheForceAlone) {
-  // 40 N·m/s for 1 ms is 0.04 N·m per call: −0.1 → 0.1 N·m takes five.
-  ForceLimiter limiter(
-      {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9, .slew_N_m_per_s = 40.0});
-  const auto torque = [&](double x) {
-    return limiter.limit({.force_N = {5.0, 0.0, 0.0}, .torque_N_m = {x, 0.0, 0.0}}, kDt_s);
-  };
-  for (int i = 0; i < 3; ++i) torque(-0.1);
-  for (const double expected_N_m : {-0.06, -0.02, 0.02, 0.06}) {
-    const LimitedWrench limited = torque(0.1);
-    EXPECT_NEAR(limited.wrench.torque_N_m.x, expected_N_m, 1e-15);
-    EXPECT_TRUE(limited.has(LimitReason::slew));
-    EXPECT_EQ(limited.wrench.force_N.x, 5.0);
+// The distance of a point from the line from 0 to another one, by its definition: searched, not solved.
+double growth_from(const glm::dvec3& held, const glm::dvec3& next) {
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double third = (high - low) / 3.0;
+    const double nearer = glm::distance(next, (low + third) * held);
+    const double farther = glm::distance(next, (high - third) * held);
+    (nearer < farther ? high : low) = nearer < farther ? high - third : low + third;
   }
-  EXPECT_NEAR(torque(0.1).wrench.torque_N_m.x, 0.1, 1e-15);
-  EXPECT_EQ(torque(0.1).reasons, 0);
-  limiter.reset();
-  EXPECT_NEAR(torque(0.1).wrench.torque_N_m.x, 0.04, 1e-15);
+  return glm::distance(next, 0.5 * (low + high) * held);
 }
 
-TEST(ForceLimiter, ReachesTheLargestWrenchFromZeroWithinAMillisecondByDefault) {
+// What the motors held, with the time at which it ended: the windows before any moment.
+class HeldForces final {
+ public:
+  // The most that `next`, sent `elapsed_s` after the last one, grows from what was held within the window before it.
+  double growth_to(const glm::dvec3& next, double elapsed_s) {
+    time_s_ += elapsed_s;
+    double most = growth_from(last_, next);
+    for (const auto& [vector, ended_s] : ended_) {
+      if (time_s_ - ended_s < ForceLimiter::kWindow_s - 1e-9) {
+        most = std::max(most, growth_from(vector, next));
+      }
+    }
+    ended_.emplace_back(last_, time_s_);
+    last_ = next;
+    if (ended_.size() > 64) ended_.erase(ended_.begin());
+    return most;
+  }
+
+ private:
+  double time_s_ = 0.0;
+  glm::dvec3 last_{0.0};
+  std::vector<std::pair<glm::dvec3, double>> ended_{};
+};
+
+TEST(ForceLimiter, GrowsByNoMoreThanOneNewtonInAMillisecondAtEveryRate) {
+  // Of 0.25 ms, four steps together grow by 1 N: 1, 1, 1, 1, 2; of 2 ms, each one does.
+  const std::vector<std::pair<double, std::vector<double>>> rises{
+      {2e-3, {1, 2, 3, 4}},
+      {1e-3, {1, 2, 3, 4}},
+      {0.5e-3, {1, 1, 2, 2, 3, 3}},
+      {0.25e-3, {1, 1, 1, 1, 2, 2, 2, 2, 3}}};
+  for (const auto& [period_s, expected_N] : rises) {
+    ForceLimiter limiter(ForceLimits{});
+    for (const double force_N : expected_N) {
+      const LimitedWrench limited = limiter.limit(force(0.0, 0.0, 5.0), period_s);
+      EXPECT_NEAR(limited.wrench.force_N.z, force_N, 1e-13) << period_s;
+      EXPECT_TRUE(limited.has(LimitReason::slew));
+    }
+  }
+}
+
+TEST(ForceLimiter, SpreadsASteadyRiseOverTheWindow) {
   ForceLimiter limiter(ForceLimits{});
-  const Wrench wanted{.force_N = {0.0, 3.0, 4.0}, .torque_N_m = {0.06, 0.0, 0.08}};
-  EXPECT_EQ(limiter.limit(wanted, kDt_s).reasons, 0);
+  for (int i = 1; i <= 20; ++i) {
+    EXPECT_EQ(limiter.limit(force(0.0, 0.0, 0.25 * i), 0.25e-3).reasons, 0);
+  }
 }
 
-TEST(ForceLimiter, StaysOnTheLineFromTheLastForceToTheNewOne) {
+TEST(ForceLimiter, NeverDelaysAFall) {
+  ForceLimiter limiter(ForceLimits{});
+  for (int i = 0; i < 5; ++i) limiter.limit(force(0.0, 3.0, 4.0), kDt_s);
+  LimitedWrench limited = limiter.limit(force(0.0, 0.6, 0.8), kDt_s);
+  EXPECT_EQ(limited.wrench.force_N, glm::dvec3(0.0, 0.6, 0.8));
+  EXPECT_EQ(limited.reasons, 0);
+  limited = limiter.limit(force(0.0, 0.0, 0.0), kDt_s);
+  EXPECT_EQ(limited.wrench.force_N, glm::dvec3(0.0));
+  EXPECT_EQ(limited.reasons, 0);
+  // The part along the last force falls at once, the rest grows.
+  for (int i = 0; i < 5; ++i) limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
+  limited = limiter.limit(force(3.0, 0.0, 2.0), kDt_s);
+  EXPECT_NEAR(glm::distance(limited.wrench.force_N, glm::dvec3(1.0, 0.0, 2.0)), 0.0, 1e-13);
+  EXPECT_TRUE(limited.has(LimitReason::slew));
+}
+
+TEST(ForceLimiter, GrowsAnewAfterAFallWithinTheWindow) {
+  ForceLimiter limiter(ForceLimits{});
+  for (int i = 0; i < 20; ++i) limiter.limit(force(0.0, 0.0, 5.0), 0.25e-3);
+  EXPECT_EQ(limiter.limit(force(0.0, 0.0, 0.0), 0.25e-3).wrench.force_N.z, 0.0);
+  EXPECT_NEAR(limiter.limit(force(0.0, 0.0, 5.0), 0.25e-3).wrench.force_N.z, 1.0, 1e-13);
+}
+
+TEST(ForceLimiter, TurnsAroundThroughZero) {
+  ForceLimiter limiter(ForceLimits{});
+  for (int i = 0; i < 5; ++i) limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
+  EXPECT_NEAR(limiter.limit(force(0.0, 0.0, -5.0), kDt_s).wrench.force_N.z, -1.0, 1e-13);
+}
+
+TEST(ForceLimiter, GrowsTheTorqueByAFifthOfItsLimitAndLeavesTheForceAlone) {
+  ForceLimiter limiter(ForceLimits{});
+  const auto torque = [&](double x) {
+    return limiter.limit({.force_N = {0.5, 0.0, 0.0}, .torque_N_m = {x, 0.0, 0.0}}, kDt_s);
+  };
+  for (const double expected_N_m : {-0.02, -0.04, -0.06, -0.08}) {
+    EXPECT_NEAR(torque(-0.1).wrench.torque_N_m.x, expected_N_m, 1e-15);
+  }
+  const LimitedWrench limited = torque(0.1);
+  EXPECT_NEAR(limited.wrench.torque_N_m.x, 0.02, 1e-15);
+  EXPECT_TRUE(limited.has(LimitReason::slew));
+  EXPECT_EQ(limited.wrench.force_N.x, 0.5);
+  limiter.reset();
+  EXPECT_NEAR(torque(-0.1).wrench.torque_N_m.x, -0.02, 1e-15);
+}
+
+// What the header says, for forces of any size and direction and at any rate; the window is followed separately.
+TEST(ForceLimiter, GrowsInNoWindowByMoreThanTheLimitAndFallsAsWanted) {
   Random random(73);
-  const ForceLimits limits{.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1500.0};
-  ForceLimiter limiter(limits);
+  const ForceLimits limits{};
+  ForceLimiter unslewed(kMagnitudeOnly);
+  for (const double rate_Hz : {500.0, 1000.0, 1700.0, 4000.0, 10'000.0}) {
+    ForceLimiter limiter(limits);
+    HeldForces held{};
+    glm::dvec3 last_N{0.0};
+    int slewed_count = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const double elapsed_s = (0.5 + 0.5 * random.uniform()) / rate_Hz;
+      const Wrench wanted{.force_N = random.uniform() < 0.5
+                                         ? any_vector(random)
+                                         : last_N + 0.3 * any_vector(random)};
+      const glm::dvec3 aim_N = unslewed.limit(wanted, elapsed_s).wrench.force_N;
+      const LimitedWrench limited = limiter.limit(wanted, elapsed_s);
+      const glm::dvec3 force_N = limited.wrench.force_N;
+      ASSERT_LE(held.growth_to(force_N, elapsed_s), limits.slew_N + 1e-7) << rate_Hz;
+      if (limited.has(LimitReason::slew)) {
+        ++slewed_count;
+      } else {
+        ASSERT_EQ(force_N, aim_N);
+      }
+      if (glm::length(last_N) > 1e-3) {
+        const glm::dvec3 along = glm::normalize(last_N);
+        const double wanted_N = glm::dot(aim_N, along);
+        if (wanted_N >= 0.0 && wanted_N <= glm::length(last_N)) {
+          ASSERT_NEAR(glm::dot(force_N, along), wanted_N, 1e-12);
+        }
+      }
+      last_N = force_N;
+    }
+    EXPECT_GT(slewed_count, 200) << rate_Hz;
+  }
+}
+
+TEST(ForceLimiter, OfOneStepInTheWindowIsAsNearToTheWantedForceAsItMayBe) {
+  Random random(77);
+  ForceLimiter limiter(ForceLimits{});
   ForceLimiter unslewed(kMagnitudeOnly);
   glm::dvec3 last_N{0.0};
-  int slewed_count = 0;
-  for (int i = 0; i < 50'000; ++i) {
-    const Wrench wanted{.force_N = any_vector(random)};
-    const double dt_s = kDt_s * (0.5 + random.uniform());
+  for (int i = 0; i < 2000; ++i) {
+    const Wrench wanted{.force_N = last_N + any_vector(random)};
     const glm::dvec3 aim_N = unslewed.limit(wanted, kDt_s).wrench.force_N;
-    const LimitedWrench limited = limiter.limit(wanted, dt_s);
-    const glm::dvec3 force_N = limited.wrench.force_N;
-    const double change_N = glm::length(force_N - last_N);
-    ASSERT_LE(change_N, limits.slew_N_per_s * dt_s + 1e-12);
-    ASSERT_LE(glm::length(force_N),
-              std::max(glm::length(last_N), glm::length(aim_N)) * (1.0 + 1e-15));
-    if (limited.has(LimitReason::slew)) {
-      ++slewed_count;
-      ASSERT_NEAR(change_N, limits.slew_N_per_s * dt_s, 1e-12);  // no slower than it has to be
-      // On the line: the way done and the way left add up to the whole.
-      ASSERT_NEAR(change_N + glm::length(aim_N - force_N), glm::length(aim_N - last_N), 1e-12);
-    } else {
-      ASSERT_EQ(force_N, aim_N);
+    const glm::dvec3 force_N = limiter.limit(wanted, kDt_s).wrench.force_N;
+    const double distance_N = glm::distance(force_N, aim_N);
+    for (int other = 0; other < 50; ++other) {
+      const glm::dvec3 near_N = force_N + 0.01 * any_vector(random);
+      if (glm::length(near_N) > 5.0 || growth_from(last_N, near_N) > 1.0) continue;
+      ASSERT_GE(glm::distance(near_N, aim_N), distance_N - 1e-6);
     }
     last_N = force_N;
   }
-  EXPECT_GT(slewed_count, 1000);
 }
 
-// Where last and new force both have exactly the length of the limit, the rounded point between
-// them may lie above it.
-TEST(ForceLimiter, IsNotRoundedAboveTheLimitByTheSlew) {
+// More calls in a window than are remembered.
+TEST(ForceLimiter, GrowsNotAtAllWithMoreCallsThanItRemembers) {
+  ForceLimiter limiter(ForceLimits{});
+  limiter.limit(force(0.0, 0.0, 0.5), 1e-6);
+  for (int i = 0; i < 100; ++i) limiter.limit(force(0.0, 0.0, 0.5), 1e-6);
+  EXPECT_EQ(limiter.limit(force(0.0, 0.0, 0.6), 1e-6).wrench.force_N.z, 0.5);
+  EXPECT_EQ(limiter.limit(force(0.0, 0.0, 0.1), 1e-6).wrench.force_N.z, 0.1);
+  EXPECT_NEAR(limiter.limit(force(0.0, 0.0, 5.0), 1e-6).wrench.force_N.z, 0.1, 1e-13);
+  EXPECT_NEAR(limiter.limit(force(0.0, 0.0, 5.0), kDt_s).wrench.force_N.z, 1.1, 1e-13);
+}
+
+// Where the ends of a line have exactly the length of the limit, the rounded point between them may lie above it.
+TEST(ForceLimiter, IsNotRoundedAboveTheLimitWhileItTurns) {
   Random random(74);
-  constexpr double kLimit_N = 5.0;
+  const ForceLimits limits{};
+  ForceLimiter limiter(limits);
   int slewed_count = 0;
   for (int i = 0; i < 200'000; ++i) {
-    const glm::dvec3 from_N = kLimit_N * glm::normalize(any_vector(random));
-    const glm::dvec3 to_N = kLimit_N * glm::normalize(from_N + 1e-14 * any_vector(random));
-    if (glm::length(from_N) != kLimit_N || glm::length(to_N) != kLimit_N || from_N == to_N) {
-      continue;
-    }
-    ForceLimiter limiter({.force_N = kLimit_N, .torque_N_m = 0.1, .slew_N_per_s = 1.0});
-    limiter.limit({.force_N = from_N}, 10.0);
     const LimitedWrench limited =
-        limiter.limit({.force_N = to_N}, 0.5 * glm::distance(from_N, to_N));
-    ASSERT_LE(glm::length(limited.wrench.force_N), kLimit_N);
-    slewed_count += limited.has(LimitReason::slew) ? 1 : 0;
-  }
-  EXPECT_GT(slewed_count, 1000);
-}
-
-TEST(ForceLimiter, IsNotRoundedAboveTheLimitOfTorqueByItsSlew) {
-  Random random(75);
-  constexpr double kLimit_N_m = 0.1;
-  int slewed_count = 0;
-  for (int i = 0; i < 200'000; ++i) {
-    const glm::dvec3 from_N_m = kLimit_N_m * glm::normalize(any_vector(random));
-    const glm::dvec3 to_N_m = kLimit_N_m * glm::normalize(from_N_m + 1e-16 * any_vector(random));
-    if (glm::length(from_N_m) > kLimit_N_m || glm::length(to_N_m) > kLimit_N_m ||
-        from_N_m == to_N_m) {
-      continue;
-    }
-    ForceLimiter limiter({.torque_N_m = kLimit_N_m, .slew_N_m_per_s = 1.0});
-    limiter.limit({.torque_N_m = from_N_m}, 10.0);
-    const LimitedWrench limited =
-        limiter.limit({.torque_N_m = to_N_m}, 0.5 * glm::distance(from_N_m, to_N_m));
-    ASSERT_LE(glm::length(limited.wrench.torque_N_m), kLimit_N_m);
+        limiter.limit({.force_N = limits.force_N * glm::normalize(any_vector(random)),
+                       .torque_N_m = limits.torque_N_m * glm::normalize(any_vector(random))},
+                      kDt_s);
+    ASSERT_LE(glm::length(limited.wrench.force_N), limits.force_N);
+    ASSERT_LE(glm::length(limited.wrench.torque_N_m), limits.torque_N_m);
     slewed_count += limited.has(LimitReason::slew) ? 1 : 0;
   }
   EXPECT_GT(slewed_count, 1000);
@@ -241,17 +323,16 @@ TEST(ForceLimiter, HoldsEveryLimitForWrenchesOfRandomBits) {
   };
   Wrench last{};
   int slewed_count = 0;
-  for (int i = 0; i < 200'000; ++i) {
+  for (int i = 0; i < 50'000; ++i) {
     const glm::dvec3 force_N = vector();
-    const double dt_s = kDt_s * (0.5 + 3.5 * random.uniform());
-    const LimitedWrench limited = limiter.limit({.force_N = force_N, .torque_N_m = vector()}, dt_s);
+    const LimitedWrench limited =
+        limiter.limit({.force_N = force_N, .torque_N_m = vector()}, kDt_s);
     const Wrench& sent = limited.wrench;
     ASSERT_LE(glm::length(sent.force_N), limits.force_N);
     ASSERT_LE(glm::length(sent.torque_N_m), limits.torque_N_m);
     if (!limited.has(LimitReason::not_finite)) {
-      ASSERT_LE(glm::distance(sent.force_N, last.force_N), limits.slew_N_per_s * dt_s + 1e-12);
-      ASSERT_LE(glm::distance(sent.torque_N_m, last.torque_N_m),
-                limits.slew_N_m_per_s * dt_s + 1e-14);
+      ASSERT_LE(growth_from(last.force_N, sent.force_N), limits.slew_N + 1e-7);
+      ASSERT_LE(growth_from(last.torque_N_m, sent.torque_N_m), limits.slew_N_m + 1e-9);
     }
     slewed_count += limited.has(LimitReason::slew) ? 1 : 0;
     last = sent;
@@ -276,7 +357,7 @@ TEST(ForceLimiter, SendsZeroForAnyComponentThatIsNotFinite) {
 }
 
 TEST(ForceLimiter, FallsToZeroAtOnceAndRisesAgainFromZeroAfterANan) {
-  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
   for (int i = 0; i < 4; ++i) {
     limiter.limit(force(0.0, 0.0, 4.0), kDt_s);
   }
@@ -286,7 +367,7 @@ TEST(ForceLimiter, FallsToZeroAtOnceAndRisesAgainFromZeroAfterANan) {
 }
 
 TEST(ForceLimiter, CountsTheNextChangeFromZeroAfterAReset) {
-  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
   for (int i = 0; i < 4; ++i) {
     limiter.limit(force(4.0, 0.0, 0.0), kDt_s);
   }
@@ -294,16 +375,12 @@ TEST(ForceLimiter, CountsTheNextChangeFromZeroAfterAReset) {
   EXPECT_NEAR(limiter.limit(force(4.0, 0.0, 0.0), kDt_s).wrench.force_N.x, 1.0, 1e-13);
 }
 
-TEST(ForceLimiter, AllowsNoChangeInATimeThatIsNotPositive) {
-  ForceLimiter limiter(kMagnitudeOnly);
-  const auto wrench = [](double size) {
-    return Wrench{.force_N = {size, 0.0, 0.0}, .torque_N_m = {0.0, 0.01 * size, 0.0}};
-  };
-  limiter.limit(wrench(1.0), kDt_s);
-  for (const double dt_s : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    const LimitedWrench limited = limiter.limit(wrench(2.0), dt_s);
-    EXPECT_EQ(limited.wrench.force_N, glm::dvec3(1.0, 0.0, 0.0));
-    EXPECT_EQ(limited.wrench.torque_N_m, glm::dvec3(0.0, 0.01, 0.0));
+TEST(ForceLimiter, TakesATimeThatIsNotPositiveForNone) {
+  for (const double elapsed_s : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    ForceLimiter limiter(ForceLimits{});
+    limiter.limit(force(1.0, 0.0, 0.0), kDt_s);
+    const LimitedWrench limited = limiter.limit(force(2.0, 0.0, 0.0), elapsed_s);
+    EXPECT_NEAR(limited.wrench.force_N.x, 1.0, 1e-13);
     EXPECT_TRUE(limited.has(LimitReason::slew));
   }
 }
@@ -317,10 +394,10 @@ TEST(ForceLimiter, RefusesALimitThatIsNotPositiveAndFiniteByName) {
             "force_N of the force limits is 0; it must be positive and finite.");
   EXPECT_EQ(refusal({.torque_N_m = -1.5}),
             "torque_N_m of the force limits is -1.5; it must be positive and finite.");
-  EXPECT_EQ(refusal({.slew_N_per_s = infinity}),
-            "slew_N_per_s of the force limits is inf; it must be positive and finite.");
-  EXPECT_EQ(refusal({.slew_N_m_per_s = 0.0}),
-            "slew_N_m_per_s of the force limits is 0; it must be positive and finite.");
+  EXPECT_EQ(refusal({.slew_N = infinity}),
+            "slew_N of the force limits is inf; it must be positive and finite.");
+  EXPECT_EQ(refusal({.slew_N_m = 0.0}),
+            "slew_N_m of the force limits is 0; it must be positive and finite.");
 }
 
 TEST(ForceLimiter, DoesNotTouchTheHeap) {

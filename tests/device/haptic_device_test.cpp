@@ -34,7 +34,7 @@ TEST(HapticDevice, SendsATorqueOnlyToMotorsThatCanTurn) {
   DeviceCapability described = capability(10.0);
   for (const int actuated : {3, 6}) {
     described.actuated_degrees_of_freedom = actuated;
-    ScriptedDevice device(described, {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+    ScriptedDevice device(described, {.slew_N = 1e6, .slew_N_m = 1e6});
     const auto limited = device.push(wanted, kDt_s);
     ASSERT_TRUE(limited.has_value());
     EXPECT_EQ(device.last_sent.force_N, wanted.force_N);
@@ -44,7 +44,7 @@ TEST(HapticDevice, SendsATorqueOnlyToMotorsThatCanTurn) {
 }
 
 TEST(HapticDevice, SendsOnlyLimitedWrenchesAndSaysWhatItSent) {
-  ScriptedDevice device(capability(10.0), {.force_N = 2.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+  ScriptedDevice device(capability(10.0), {.force_N = 2.0, .torque_N_m = 0.1, .slew_N = 1e6});
   const auto limited = device.push({.force_N = {0.0, 0.0, 50.0}}, kDt_s);
   ASSERT_TRUE(limited.has_value());
   EXPECT_TRUE(limited->has(LimitReason::force));
@@ -59,7 +59,7 @@ TEST(HapticDevice, SendsOnlyLimitedWrenchesAndSaysWhatItSent) {
 TEST(HapticDevice, LowersAForceLimitAboveItsPeakForce) {
   ScriptedDevice device(capability(3.3), {.force_N = 5.0});
   EXPECT_EQ(device.limits().force_N, 3.3);
-  device.set_limits({.force_N = 8.0, .torque_N_m = 0.02, .slew_N_per_s = 1e6});
+  device.set_limits({.force_N = 8.0, .torque_N_m = 0.02, .slew_N = 1e6});
   EXPECT_EQ(device.limits().force_N, 3.3);
   EXPECT_EQ(device.limits().torque_N_m, 0.02);
   device.push({.force_N = {7.0, 0.0, 0.0}}, kDt_s);
@@ -70,7 +70,7 @@ TEST(HapticDevice, LowersAForceLimitAboveItsPeakForce) {
 }
 
 TEST(HapticDevice, TellsWhatMotorsAtTheirLimitGave) {
-  ScriptedDevice device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
+  ScriptedDevice device(capability(10.0), {.force_N = 8.0, .slew_N = 1e6});
   device.at_send = [&device](const Wrench& limited) {
     if (limited.force_N.y > 3.0) device.gave_only({.force_N = {0.0, 3.0, 0.0}});
   };
@@ -83,7 +83,7 @@ TEST(HapticDevice, TellsWhatMotorsAtTheirLimitGave) {
 }
 
 TEST(HapticDevice, TellsThatMotorsGaveLessWhereNobodyKnowsHowMuch) {
-  ScriptedDevice device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
+  ScriptedDevice device(capability(10.0), {.force_N = 8.0, .slew_N = 1e6});
   device.at_send = [&device](const Wrench&) { device.gave_less(); };
   const auto limited = device.push({.force_N = {0.0, 6.0, 0.0}}, kDt_s);
   EXPECT_EQ(limited->wrench.force_N, glm::dvec3(0.0, 6.0, 0.0));
@@ -144,7 +144,7 @@ TEST(HapticDevice, TakesAReadingThatIsHeldForNoSignOfAFrozenPose) {
 }
 
 TEST(HapticDevice, CountsAPushThatPausedBetweenTwoNewReadingsAsPaused) {
-  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
   std::int64_t tick = 0;
   device.at_read = [&](ProbeState&) {
     if (tick % 10 != 0) device.read_again();
@@ -156,7 +156,7 @@ TEST(HapticDevice, CountsAPushThatPausedBetweenTwoNewReadingsAsPaused) {
 }
 
 TEST(HapticDevice, SendsZeroWhileItDoesNotBelieveThePose) {
-  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
   std::int64_t tick = 0;
   for (; tick < 20; ++tick) {
     device.read(tick * 1'000'000'000);
@@ -228,7 +228,7 @@ TEST(HapticDevice, RefusesLimitsThatAreNotPositive) {
 
 TEST(HapticDevice, AnswersNothingWhileItIsLostAndRisesFromZeroAfterwards) {
   ScriptedDevice device(capability(10.0),
-                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
   for (int i = 0; i < 4; ++i) {
     device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   }
@@ -243,7 +243,7 @@ TEST(HapticDevice, AnswersNothingWhileItIsLostAndRisesFromZeroAfterwards) {
 
 TEST(HapticDevice, FallsToZeroForceAtOncePastTheSlewLimit) {
   ScriptedDevice device(capability(10.0),
-                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
   for (int i = 0; i < 4; ++i) {
     device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   }

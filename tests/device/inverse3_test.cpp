@@ -352,7 +352,7 @@ TEST_F(Inverse3, DoesNotTouchTheHeapInATick) {
 
 TEST_F(Inverse3, SendsTheForceOfATickWithTheNextMessageAndEndsAtZero) {
   const auto device = open();
-  device->set_limits({.force_N = 50.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->set_limits({.force_N = 50.0, .torque_N_m = 0.1, .slew_N = 1e6});
   ReadAndPush servo{device.get(), {.force_N = {0.25, -0.5, 1.0}}};
   servo.start();
   const std::array<double, 3> asked_N{0.25, -0.5, 1.0};
@@ -435,7 +435,7 @@ TEST_F(Inverse3, ConnectsAgainAfterTheConnectionEnded) {
 // What pushed the hand up would push it sideways.
 TEST_F(Inverse3, GetsNoForceWhereItComesBackWithOtherAxesOrFromAnotherOrigin) {
   const auto device = open();
-  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
   ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};
   servo.start();
   servo.wait_for(3);
@@ -592,7 +592,7 @@ TEST_F(Inverse3, StopsThoughTheServiceFellSilent) {
 
 TEST_F(Inverse3, IsLostWithItsWordsOnItAndWithoutForceAfterFiftyMillisecondsOfSilence) {
   const auto device = inverse3_driver().open("", options);
-  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
   RecordRing ring(16384);
   ServoLoop loop(*device, ring, patient_servo());
   EXPECT_EQ(1e9 * loop.settings().silence_to_fault_s, 50e6);

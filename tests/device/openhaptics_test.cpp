@@ -176,7 +176,7 @@ TEST_F(OpenHaptics, TellsThePoseInMetresAndInOurFrame) {
 
 TEST_F(OpenHaptics, SendsForcesInItsFrameAndNeverAboveItsPeak) {
   const auto device = open();
-  device->set_limits({.force_N = 50.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->set_limits({.force_N = 50.0, .torque_N_m = 0.1, .slew_N = 1e6});
   ReadAndPush servo{device.get(), {.force_N = {0.3, 0.2, 0.1}, .torque_N_m = {0.01, 0.0, 0.0}}};
   servo.start();
   servo.wait_for(2);
@@ -198,7 +198,7 @@ TEST_F(OpenHaptics, SendsForcesInItsFrameAndNeverAboveItsPeak) {
 TEST_F(OpenHaptics, SendsTorqueInNewtonMillimetresToModelsThatCanTurn) {
   bench->actuated_degrees = 6;
   const auto device = open();
-  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N = 1e6});
   ReadAndPush servo{device.get(), {.torque_N_m = {0.01, 0.02, 0.03}}};
   servo.start();
   servo.wait_for(2);
@@ -242,7 +242,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(OpenHaptics, SendsNothingInAFrameThatBeginsWithAnError) {
   const auto device = open();
-  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N = 1e6});
   {
     const std::lock_guard lock(bench->mutex);
     bench->error_of_each_begin = 0x0203;
@@ -358,7 +358,7 @@ TEST_F(OpenHaptics, WaitsForATickUnderWay) {
 TEST_F(OpenHaptics, EndsAtZeroForceAndLetsGo) {
   {
     const auto device = open();
-    device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+    device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N = 1e6});
     ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};
     servo.start();
     servo.wait_for(2);

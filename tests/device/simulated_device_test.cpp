@@ -203,7 +203,7 @@ TEST(SimulatedDevice, FollowsNewtonsLawWhenPushed) {
   // A push of 2 N on 0.05 kg for a time short against the hold's: v = F/m·t·(1 − b t/2m + …).
   VirtualHand hand(kSteady, Random(4));
   SimulatedDevice device(hand, {});
-  device.set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device.set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
   const auto samples = run(device, 10'000.0, 0.0, 0.00105,
                            [](const ProbeState&, double) { return glm::dvec3(0.0, 2.0, 0.0); });
   const double t = 1e-3;
@@ -537,7 +537,7 @@ TEST(SimulatedDevice, SaysWhatItCanDoAndLowersLimitsToIt) {
   EXPECT_EQ(strong.limits().force_N, 5.0);
   SimulatedDevice weak(hand, {.peak_force_N = 3.0});
   EXPECT_EQ(weak.limits().force_N, 3.0);
-  weak.set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+  weak.set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
   weak.read(0);
   const auto sent = weak.push({.force_N = {0.0, 0.0, 5.0}}, 1e-3);
   EXPECT_LE(glm::length(sent.value().wrench.force_N), 3.0);
@@ -649,7 +649,7 @@ TEST(SimulatedDevice, WithFrictionStaysSteadyAtEveryRate) {
 TEST(SimulatedDevice, GivesNoMoreThanItsMotorsWhenTheySaturate) {
   VirtualHand hand(kSteady, Random(26));
   SimulatedDevice device(hand, {.saturation_force_N = 2.0});
-  device.set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device.set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
   device.read(0);
   const LimitedWrench within = device.push({.force_N = {0.0, 1.9, 0.0}}, 1e-3).value();
   EXPECT_EQ(within.wrench.force_N, glm::dvec3(0.0, 1.9, 0.0));

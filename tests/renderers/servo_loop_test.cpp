@@ -101,7 +101,7 @@ class ServoLoopTest : public testing::Test {
        .actuated_degrees_of_freedom = 6,
        .peak_force_N = 100.0,
        .may_rest_exactly = true},
-      {.force_N = 100.0, .torque_N_m = 10.0, .slew_N_per_s = 1e9, .slew_N_m_per_s = 1e9}};
+      {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}};
   RecordRing records{16};
   ServoLoop loop{device, records, {}};
   std::int64_t now_ns = 1'000'000'000;
@@ -504,6 +504,32 @@ TEST(ServoLoop, RefusesSettingsThatAreNotPositive) {
   EXPECT_THROW(ServoLoop(device, records, {.heartbeat_timeout_s = kNan}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.misses_to_fault = 0}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.standstill_to_fault_s = 0.0}), std::invalid_argument);
+}
+
+// At 4 kHz the four steps of a millisecond grow by 1 N together, and a gap counts as one of them.
+TEST(ServoLoop, GrowsNoFasterAfterAGap) {
+  for (const std::int64_t gap_ns : {250'000, 2'000'000}) {
+    UnitPlate::Log log{};
+    ScriptedDevice device({.name = "scripted", .peak_force_N = 100.0, .may_rest_exactly = true},
+                          ForceLimits{});
+    RecordRing records{16};
+    ServoLoop loop{device, records, {.rate_Hz = 4000.0, .ramp_s = 1e-9}};
+    auto plate = std::make_unique<UnitPlate>(log);
+    plate->force_N = 5.0;
+    loop.present({.id = 7, .renderer = std::move(plate)});
+    std::int64_t now_ns = 1'000'000'000;
+    const auto sent_N = [&](double z_m, std::int64_t step_ns) {
+      device.probe.position_m.z = z_m;
+      loop.tick(now_ns += step_ns);
+      return device.last_sent.force_N.z;
+    };
+    for (int i = 0; i < 8; ++i) sent_N(0.01, 250'000);
+    EXPECT_NEAR(sent_N(-0.001, 250'000), 1.0, 1e-12);
+    EXPECT_NEAR(sent_N(-0.001, gap_ns), 1.0, 1e-12) << gap_ns;
+    EXPECT_NEAR(sent_N(-0.001, 250'000), 1.0, 1e-12);
+    EXPECT_NEAR(sent_N(-0.001, 250'000), 1.0, 1e-12);
+    EXPECT_NEAR(sent_N(-0.001, 250'000), 2.0, 1e-12);
+  }
 }
 
 }  // namespace

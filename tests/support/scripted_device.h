@@ -25,7 +25,7 @@ class ScriptedDevice final : public HapticDevice {
              .peak_force_N = 100.0,
              .continuous_force_N = 100.0,
              .may_rest_exactly = true},
-            {.force_N = 100.0, .torque_N_m = 10.0, .slew_N_per_s = 1e9, .slew_N_m_per_s = 1e9}) {}
+            {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}) {}
   explicit ScriptedDevice(DeviceCapability capability, const ForceLimits& limits = {})
       : HapticDevice(std::move(capability), limits) {}
   ~ScriptedDevice() override {

@@ -44,7 +44,7 @@ Columns servo_columns() {
   count("missed_deadlines", "ticks that missed their deadline", &Row::missed_deadlines);
   count("missed_in_contact", kMissedInContact, &Row::missed_in_contact);
   count("saturated_ticks", "ticks with the force reduced to the limit", &Row::saturated_ticks);
-  count("slew_limited_ticks", "ticks with the rate of change of the force limited",
+  count("slew_limited_ticks", "ticks in which the growth of the force was limited",
         &Row::slew_limited_ticks);
   count("not_finite_ticks", "ticks with a force that was not finite", &Row::not_finite_ticks);
   count("lost_records", "tick records that were lost", &Row::lost_records);
