@@ -8,6 +8,7 @@
 #include <string>
 
 #include "analysis/number_text.h"
+#include "renderers/force/smoothstep.h"
 
 namespace asperity {
 namespace {
@@ -16,11 +17,6 @@ namespace {
 constexpr double kSame_m = 1e-9;
 // Beyond every workspace of a device.
 constexpr double kUnbounded_m = 1e3;
-
-double blended(double u) noexcept {
-  u = std::clamp(u, 0.0, 1.0);
-  return u * u * (3.0 - 2.0 * u);
-}
 
 glm::dvec2 lowest_of(const SurfacePatch& patch) {
   return glm::dvec2(patch.centre_m) - 0.5 * patch.extent_m;
@@ -133,8 +129,8 @@ double AdjacentPatches::weight_of(const Patch& patch, const glm::dvec3& position
   for (int axis = 0; axis < 2; ++axis) {
     const double below_m = position_m[axis] - patch.lowest_m[axis];
     const double above_m = patch.highest_m[axis] - position_m[axis];
-    if (patch.blends_below[axis] > 0.0) weight *= blended(below_m / blend_m_);
-    if (patch.blends_above[axis] > 0.0) weight *= blended(above_m / blend_m_);
+    if (patch.blends_below[axis] > 0.0) weight *= smoothstep(below_m / blend_m_);
+    if (patch.blends_above[axis] > 0.0) weight *= smoothstep(above_m / blend_m_);
   }
   return weight;
 }

@@ -12,6 +12,8 @@
 
 #include "analysis/number_text.h"
 #include "renderers/force/adjacent_patches.h"
+#include "renderers/force/smoothstep.h"
+#include "renderers/force/tip_on_charts.h"
 
 namespace asperity {
 namespace {
@@ -35,8 +37,7 @@ std::array<double, 3> projection_weights_of(const glm::dvec3& normal) noexcept {
   std::array<double, 3> weights{};
   double sum = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double u = std::max(0.0, 1.0 + (size[static_cast<int>(axis)] - largest) / kBlend);
-    weights[axis] = u * u * (3.0 - 2.0 * u);
+    weights[axis] = smoothstep(1.0 + (size[static_cast<int>(axis)] - largest) / kBlend);
     sum += weights[axis];
   }
   for (double& weight : weights) weight /= sum;

@@ -7,17 +7,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderers/force/smoothstep.h"
+
 namespace asperity {
 namespace {
 
 void refuse_unless(bool acceptable, const char* what, double value) {
   if (acceptable && std::isfinite(value)) return;
   throw std::invalid_argument(std::string(what) + ", but it is " + std::to_string(value));
-}
-
-double smoothstep(double u) noexcept {
-  u = std::clamp(u, 0.0, 1.0);
-  return u * u * (3.0 - 2.0 * u);
 }
 
 // The signed distance of a coordinate beyond ±half; 0 inside.
