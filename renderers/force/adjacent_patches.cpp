@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "analysis/number_text.h"
 #include "renderers/force/smoothstep.h"
@@ -122,6 +123,7 @@ void AdjacentPatches::reset(const ProbeState&) noexcept {
   entered_ = 0;
   flat_has_weight_ = true;
   flat_.reset();
+  wall_.release();
 }
 
 double AdjacentPatches::weight_of(const Patch& patch, const glm::dvec3& position_m) const noexcept {
@@ -137,8 +139,8 @@ double AdjacentPatches::weight_of(const Patch& patch, const glm::dvec3& position
 
 RenderedTick AdjacentPatches::tick(const ProbeState& probe, double dt_s) noexcept {
   PatchPoint point = flat_.locate(probe.position_m);
-  const glm::dvec3 wall_N(point.wall_N, 0.0);
-  point.wall_N = glm::dvec2(0.0);  // belongs to the workspace, not to one of the surfaces
+  // The wall belongs to the workspace, not to one of the surfaces.
+  const glm::dvec2 beyond_m = std::exchange(point.beyond_m, glm::dvec2(0.0));
   double weight = 0.0;
   std::size_t entered = 0;
   for (std::size_t i = 0; i < patches_.size() && entered == 0; ++i) {
@@ -179,7 +181,12 @@ RenderedTick AdjacentPatches::tick(const ProbeState& probe, double dt_s) noexcep
   }
   entered_ = entered;
   flat_has_weight_ = flat_has_weight;
-  if (blend.penetration_m > 0.0) blend.wrench.force_N += wall_N;
+  if (blend.penetration_m > 0.0) {
+    const double stiffness_N_per_m = flat_.material().stiffness_N_per_m;
+    blend.wrench.force_N += glm::dvec3(wall_.force_N(beyond_m, stiffness_N_per_m), 0.0);
+  } else {
+    wall_.release();
+  }
   blend.part = static_cast<std::uint32_t>(entered);
   return blend;
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "renderers/force/border_wall.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/surface_contact.h"
 
@@ -30,7 +31,8 @@ RendererInputs without_border(RendererInputs inputs);
 /// Renders the surfaces of patches that lie side by side on a flat surface.
 ///
 /// Model: F = g(p)·[Σᵢ wᵢ(p)·Fᵢ + (1 − Σᵢ wᵢ(p))·F₀], the penetration in the same way without g. Fᵢ is the force of
-/// patch i without a border, F₀ that of a flat surface of `material`, and g the border of the workspace. Of each friction
+/// patch i without a border, F₀ that of a flat surface of `material`, and g the border of the workspace; a wall at this
+/// border (border_wall.h) belongs to the contact with all surfaces together. Of each friction
 /// parameter the flat surface has the value that all patches share, otherwise the default, so that it does not depend on
 /// the order of the patches. The weight wᵢ is 1 inside patch i, at a distance of at least `blend_m` from its sides, and decreases to 0 at the sides as a smoothstep; it stays 1 at a
 /// side on the border of the workspace, and beyond. The patches must not overlap, so that at most one weight is above 0.
@@ -75,6 +77,7 @@ class AdjacentPatches final : public ForceRenderer {
 
   std::vector<Patch> patches_{};
   SurfaceContact flat_;
+  BorderWall wall_{};
   double blend_m_ = 0.0;
   std::size_t entered_ = 0;  ///< the number of the patch that was called in the last tick; 0: none
   bool flat_has_weight_ = true;  ///< in the last tick

@@ -116,10 +116,11 @@ PointOnBody::PointOnBody(const ForceModel& model, const RendererInputs& inputs)
 
 void PointOnBody::reset(const ProbeState&) noexcept {
   proxy_.reset();
-  for (Chart& chart : charts_) chart.weight = 0.0;
+  no_contact();
 }
 
 RenderedTick PointOnBody::no_contact() noexcept {
+  border_.reset();
   for (Chart& chart : charts_) chart.weight = 0.0;
   return {};
 }
@@ -211,7 +212,11 @@ RenderedTick PointOnBody::tick(const ProbeState& probe, double dt_s) noexcept {
   }
   count_limits();
   for (std::size_t axis = 0; axis < 3; ++axis) charts_[axis].weight = weights[axis];
-  if (blend.penetration_m > 0.0) blend.wrench.force_N += glm::dvec3(border.wall_N, 0.0);
+  if (blend.penetration_m > 0.0) {
+    blend.wrench.force_N += glm::dvec3(border_.wall_N(border), 0.0);
+  } else {
+    border_.reset();
+  }
   blend.wrench.force_N *= border.gain;
   return blend;
 }

@@ -58,8 +58,7 @@ PatchPoint SurfaceContact::locate(const glm::dvec3& position_m) const noexcept {
                    .height_m = position_m.z - patch_.centre_m.z};
   switch (patch_.edge) {
     case PatchEdge::wall:
-      point.wall_N.x = -material_.stiffness_N_per_m * excess(x_m, half_extent_m_.x);
-      point.wall_N.y = -material_.stiffness_N_per_m * excess(y_m, half_extent_m_.y);
+      point.beyond_m = {excess(x_m, half_extent_m_.x), excess(y_m, half_extent_m_.y)};
       break;
     case PatchEdge::fade: {
       const double inside_x_m = half_extent_m_.x - std::abs(x_m);
@@ -83,14 +82,13 @@ RenderedTick SurfaceContact::force(const PatchPoint& point, const ProbeState& pr
                         .velocity_m_per_s = glm::dvec2(probe.velocity_m_per_s),
                         .normal_N = contact.normal_N,
                         .dt_s = dt_s});
-  glm::dvec3 force_N = contact.texture_N;
-  force_N.x += point.wall_N.x - drag_N.x;
-  force_N.y += point.wall_N.y - drag_N.y;
-  return {.wrench = {.force_N = point.gain * force_N}, .penetration_m = contact.penetration_m};
+  const glm::dvec3 along_N(wall_N(point) - drag_N, 0.0);
+  return {.wrench = {.force_N = point.gain * (contact.texture_N + along_N)},
+          .penetration_m = contact.penetration_m};
 }
 
 RenderedTick SurfaceContact::no_contact() noexcept {
-  friction_.reset();
+  reset();
   return {};
 }
 

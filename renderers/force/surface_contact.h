@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "device/probe_state.h"
+#include "renderers/force/border_wall.h"
 #include "renderers/force/friction.h"
 #include "renderers/force/rendered_tick.h"
 #include "stimuli/properties/material.h"
@@ -18,9 +19,9 @@ namespace asperity {
 struct PatchPoint {
   double x_m = 0.0;  ///< on the texture: motion_scale · (device − centre) + texture_origin
   double y_m = 0.0;
-  double height_m = 0.0;   ///< p_z − z_s, of the tip above the reference plane
-  double gain = 1.0;       ///< of a fading border; 0 outside the patch
-  glm::dvec2 wall_N{0.0};  ///< of a walled border, once the probe is below the surface
+  double height_m = 0.0;     ///< p_z − z_s, of the tip above the reference plane
+  double gain = 1.0;         ///< of a fading border; 0 outside the patch
+  glm::dvec2 beyond_m{0.0};  ///< e, beyond a walled border, with its sign; 0 inside
 };
 
 /// The model-specific part of a contact force.
@@ -34,8 +35,9 @@ struct ContactForce {
 /// models that are compared do not differ in them.
 ///
 ///   friction   F_f = −D   the drag of the law `friction_law` (friction.h), from the motion of the hand along the
-///                         surface, the normal force N and the Material's μ
-///   wall       F_w = −k·e   e the distance beyond the border [m], k the Material's stiffness [N/m]
+///                         plane, the normal force N and the Material's μ
+///   wall       F_w = −k·(e − o)   e the distance beyond the border [m], o that at which contact began, or the least since
+///                                 then (border_wall.h), k the Material's stiffness [N/m]
 ///   fade       F·s(b_x/w)·s(b_y/w)   b the distance inside each border, w its width [m],
 ///                                    s(u) = u²(3 − 2u) on [0, 1]
 ///
@@ -60,8 +62,15 @@ class SurfaceContact final {
                      double dt_s) noexcept;
   /// The result of a sample that is not in contact: no force, and the friction starts over.
   RenderedTick no_contact() noexcept;
+  /// The force of the wall in a tick of contact, for a renderer that computes the other forces without `force`.
+  glm::dvec2 wall_N(const PatchPoint& point) noexcept {
+    return wall_.force_N(point.beyond_m, material_.stiffness_N_per_m);
+  }
   /// At the start of a presentation.
-  void reset() noexcept { friction_.reset(); }
+  void reset() noexcept {
+    friction_.reset();
+    wall_.release();
+  }
 
   Friction& friction() noexcept { return friction_; }
   const SurfacePatch& patch() const noexcept { return patch_; }
@@ -72,6 +81,7 @@ class SurfaceContact final {
   Material material_{};
   glm::dvec2 half_extent_m_{0.0};
   Friction friction_;
+  BorderWall wall_{};
 };
 
 }  // namespace asperity

@@ -16,8 +16,8 @@ enum class Tiling {
 
 /// The force at the border of the patch.
 enum class PatchEdge {
-  wall,  ///< a wall of the surface's stiffness keeps the probe inside the patch while it is below
-         ///< the surface
+  wall,  ///< a wall of the surface's stiffness keeps the probe inside the patch during contact; where
+         ///< contact begins beyond the border, the wall begins at the probe and follows it inwards
   fade,  ///< the force fades to zero over `edge_width_m` inside the border, as a smoothstep
 };
 

@@ -53,13 +53,30 @@ TEST(SurfaceContact, ScalesTheWholeForceByTheFade) {
 }
 
 TEST(SurfaceContact, PushesBackInsideFromAWall) {
-  const SurfaceContact contact(small_patch(PatchEdge::wall), {}, kFriction);
+  SurfaceContact contact(small_patch(PatchEdge::wall), {}, kFriction);
+  EXPECT_EQ(contact.wall_N(contact.locate({0.0599, -0.02, 0.0})), glm::dvec2(0.0));
   // 2 mm beyond +x: −500 · 2 mm = −1 N; 1 mm beyond −y: +0.5 N.
   const PatchPoint point = contact.locate({0.062, -0.051, 0.0});
-  EXPECT_NEAR(point.wall_N.x, -1.0, 1e-12);
-  EXPECT_NEAR(point.wall_N.y, 0.5, 1e-12);
+  const glm::dvec2 wall_N = contact.wall_N(point);
+  EXPECT_NEAR(wall_N.x, -1.0, 1e-12);
+  EXPECT_NEAR(wall_N.y, 0.5, 1e-12);
   EXPECT_EQ(point.gain, 1.0);
-  EXPECT_EQ(contact.locate({0.0599, -0.02, 0.0}).wall_N, glm::dvec2(0.0));
+}
+
+TEST(SurfaceContact, BeginsItsWallWhereContactBegins) {
+  SurfaceContact contact(small_patch(PatchEdge::wall), {}, kFriction);
+  const auto force_N = [&](double x_m) {
+    ProbeState probe;
+    probe.position_m = {x_m, -0.02, 0.004};
+    return contact.force(contact.locate(probe.position_m), probe, {.penetration_m = 1e-3}, 1e-3)
+        .wrench.force_N.x;
+  };
+  EXPECT_EQ(force_N(0.062), 0.0);
+  EXPECT_NEAR(force_N(0.063), -0.5, 1e-12);
+  contact.no_contact();
+  EXPECT_EQ(force_N(0.063), 0.0);
+  contact.reset();
+  EXPECT_EQ(force_N(0.064), 0.0);
 }
 
 TEST(SurfaceContact, HasNoFrictionAtRest) {

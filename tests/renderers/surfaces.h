@@ -119,6 +119,13 @@ inline RenderedTick answer(ForceRenderer& renderer, const ProbeState& probe) {
   return renderer.tick(probe, 0.001);
 }
 
+/// The same for a probe that touched the surface at another place in the tick before.
+inline RenderedTick answer_after(ForceRenderer& renderer, const ProbeState& before,
+                                 const ProbeState& probe) {
+  answer(renderer, before);
+  return renderer.tick(probe, 0.001);
+}
+
 inline ProbeState probe_at(const glm::dvec3& position_m) {
   ProbeState probe;
   probe.position_m = position_m;

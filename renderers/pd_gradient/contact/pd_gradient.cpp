@@ -112,6 +112,7 @@ void PdGradient::reset(const ProbeState& first) noexcept {
   found_ = {};
   touching_ = 0;
   has_been_clear_ = false;
+  patch_.reset();
   if (tool_) tool_->reset(first);
 }
 
@@ -129,7 +130,11 @@ RenderedTick PdGradient::tick(const ProbeState& probe, double dt_s) noexcept {
     answer.penetration_m = std::max(answer.penetration_m, touch.contact->penetration.depth_m);
   }
   const PatchPoint point = patch_.locate(probe.position_m);
-  if (answer.penetration_m > 0.0) answer.wrench.force_N += glm::dvec3{point.wall_N, 0.0};
+  if (answer.penetration_m > 0.0) {
+    answer.wrench.force_N += glm::dvec3{patch_.wall_N(point), 0.0};
+  } else {
+    patch_.reset();
+  }
   answer.wrench.force_N *= point.gain;
   answer.wrench.torque_N_m *= point.gain;
   if (point.gain == 0.0) {

@@ -50,7 +50,7 @@ namespace asperity {
 /// it has facets.
 ///
 /// The patch: there is no force outside its extent, a fading edge fades the wrench and a wall pushes the tip back
-/// during contact, as in SurfaceContact, all measured at the device's tip. Meshes are not tiled, and `tiling` has no
+/// from where contact began (border_wall.h), as in SurfaceContact, all measured at the device's tip. Meshes are not tiled, and `tiling` has no
 /// effect.
 ///
 /// Until the device has been clear of the surface once since `reset`, the reported penetration is never 0. This
