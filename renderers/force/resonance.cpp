@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/random.h"
+#include "renderers/force/contact_fade.h"
 #include "renderers/force/servo_low_pass.h"
 #include "renderers/force/surface_contact.h"
 
@@ -61,7 +62,8 @@ class ResonantSurface final : public ForceRenderer {
     const double noise_N =
         scale_N_ * filtered_at(1e-9 * static_cast<double>(probe.time_ns - begin_ns_));
     double& normal_N = result.wrench.force_N.z;
-    normal_N = std::max(0.0, normal_N + place_.locate(probe.position_m).gain * noise_N);
+    const double gain = contact_fade(result.penetration_m) * place_.locate(probe.position_m).gain;
+    normal_N = std::max(0.0, normal_N + gain * noise_N);
     return result;
   }
 

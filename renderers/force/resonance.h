@@ -31,7 +31,8 @@ ParameterValues without_unused_resonance(const ParameterValues& parameters);
 ///
 /// r = `resonance_ratio` (0: no noise). θ = `resonance_threshold_N` is the participant's detection threshold as a force;
 /// it must be measured, for example with a staircase, and has no default. g fades at the border of the patch like the
-/// force of the model. F never pulls.
+/// force of the model, and in over the first 0.1 mm of penetration (contact_fade.h). F never pulls. The friction in F_s is
+/// that of the model's normal force, without the noise.
 ///
 /// ξ_j is the standard normal number that belongs to the seed and to j = ⌊(t − t₀)·6000/s⌋, t₀ the first sample's time. L
 /// is the ServoLowPass, whose cut-off frequency is a twentieth of the rate of its steps: 300 Hz at 6000 steps per second.

@@ -15,6 +15,7 @@
 #include "analysis/band_limited.h"
 #include "analysis/line_spectrum.h"
 #include "analysis/random.h"
+#include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
 #include "renderers/force/path_clock.h"
@@ -195,7 +196,7 @@ class DataDriven final : public ForceRenderer {
     const double penetration_m = std::max(0.0, -point.height_m);
     double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     const double texture_N =
-        force_per_acceleration_kg_ * gate *
+        force_per_acceleration_kg_ * gate * contact_fade(penetration_m) *
         process_.advance({.speed_m_per_s = speed_m_per_s_, .normal_N = normal_N}, dt_s);
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     const double per_speed_N =
@@ -280,7 +281,7 @@ std::vector<Parameter> parameters_of_vibration() {
 ForceModel data_driven_model() {
   return {
       .declaration = {.id = "data_driven",
-                      .version = "1",
+                      .version = "2",
                       .summary = "A flat plate with the vibration of autoregressive models over "
                                  "speed and force",
                       .source = "Culbertson, Lopez Delgado, Kuchenbecker (2014), One hundred "

@@ -13,7 +13,7 @@ namespace asperity {
 ///   v    ← low-pass of |v_t|                              twice v ← (v + λ·dt·v_in)/(1 + λ·dt), λ = 125/s
 ///   c, σ = VibrationMap at (v, F_n)                       renderers/vibrations/vibration_map.h
 ///   a_n  = Σ_j c_j·a_{n−j} + σ·ξ_n                        acceleration at 1 kHz [m/s²]; ξ_n normal, of the seed and of n
-///   F_t  = g·G·m·y(a)                                     y: the a_n at the time of the tick (BandLimitedInterpolation)
+///   F_t  = g·G·s·m·y(a)                                   y: the a_n at the time of the tick (BandLimitedInterpolation)
 ///   F    = F_n·n + F_t·t̂ − D                              `axis = motion`;  t̂ = v_t/√(|v_t|² + v₀²)
 ///   F    = F_n·n + F_t·(t̂ × n) − D                        `axis = binormal`
 ///   F    = max(0, F_n + F_t)·n − D                        `axis = normal`
@@ -36,6 +36,7 @@ namespace asperity {
 /// Delays: the low-pass of the speed, 2/λ = 16 ms, −3 dB at 13 Hz, −6 dB at 20 Hz; the interpolation, 12 ms (24 ms at 500 Hz),
 /// which shifts the vibration in time and not relative to itself. Force acts on c and σ without a filter.
 ///
+/// s = s(w/0.1 mm) lets contact begin without a step (contact_fade.h): the models of the lowest normal force need not be silent.
 /// G is the MotionGate: a hand at rest feels the plate. In the source the models on the axes v = 0 and F_n = 0 are silent, and
 /// the vibration fades towards them; a set without such models holds its slowest vibration down to rest, where G ends it.
 ///

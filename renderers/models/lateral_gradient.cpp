@@ -2,6 +2,7 @@
 
 #include "renderers/models/lateral_gradient.h"
 
+#include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 
@@ -26,7 +27,8 @@ class LateralGradient final : public ForceRenderer {
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     const HeightSample h = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
     const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
-    const double per_slope_N = by_force_ ? per_slope_N_ * (normal_N / kUnit_N) : per_slope_N_;
+    const double per_slope_N =
+        per_slope_N_ * (by_force_ ? normal_N / kUnit_N : contact_fade(penetration_m));
     return contact_.force(
         point, probe,
         {.texture_N = {per_slope_N * h.slope_x, per_slope_N * h.slope_y, normal_N},
@@ -49,7 +51,7 @@ class LateralGradient final : public ForceRenderer {
 ForceModel lateral_gradient_model() {
   ModelDeclaration declaration{
       .id = "lateral_gradient",
-      .version = "1",
+      .version = "2",
       .summary = "A flat plate with a lateral force proportional to the slope of the texture",
       .source = "Minsky (1995), Computational haptics: the Sandpaper system, PhD thesis, MIT",
       .needs_height_field = true,

@@ -16,6 +16,7 @@
 #include "analysis/number_text.h"
 #include "analysis/random.h"
 #include "analysis/spectrum.h"
+#include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
 #include "renderers/force/path_clock.h"
@@ -175,7 +176,8 @@ class Recorded final : public ForceRenderer {
     const double penetration_m = -point.height_m;
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
     double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
-    const double texture_N = vibration_N * std::pow(normal_N, exponent_);
+    const double texture_N =
+        contact_fade(penetration_m) * vibration_N * std::pow(normal_N, exponent_);
     glm::dvec3 force_N{0.0};
     if (is_along_motion_) {
       const double per_speed_N =
@@ -284,7 +286,7 @@ std::vector<Parameter> parameters_of_playback() {
 ForceModel recorded_model() {
   return {
       .declaration = {.id = "recorded",
-                      .version = "1",
+                      .version = "2",
                       .summary = "A flat plate with the vibration of a recorded texture",
                       .source = "Vasudevan, Manivannan (2006), Recordable haptic textures",
                       .needs_height_field = false,

@@ -11,7 +11,7 @@ namespace asperity {
 ///   w    = max(0, z_s − p_z),  F_n = k·w                  penetration of the flat plate [m], normal force [N]
 ///   A_k(v)                                                amplitude of line k at the speed v (RecordedSpectra)
 ///   a(u) = Σ_k A_k(v)·cos(2π·k·Δ·u + φ_k)                 Δ the spacing of the lines, φ_k drawn from the seed
-///   F_t  = g·G·(F_n/1 N)^β·H(a(u))
+///   F_t  = g·G·s·(F_n/1 N)^β·H(a(u))                      s = s(w/0.1 mm) (contact_fade.h)
 ///   F    = F_n·n + F_t·t̂ − D                              `axis = motion`;  t̂ = v_t/√(|v_t|² + v₀²)
 ///   F    = max(0, F_n + F_t)·n − D                        `axis = normal`
 ///
@@ -26,8 +26,8 @@ namespace asperity {
 /// of 100. v is |v_t| on the texture after a low-pass of 10 ms. All waves keep their phase when the speed changes.
 ///
 /// g = `gain`; β = `force_exponent` (default 1, own choice); v₀ = `friction_speed_m_per_s`; D the drag of the friction
-/// (force/friction.h), under `normal` of the rendered normal force. H is the ServoLowPass, by which nothing aliases, and
-/// G the MotionGate: a hand at rest feels the plate.
+/// (force/friction.h), under `normal` of the rendered normal force. H is the ServoLowPass, by which nothing aliases, G
+/// the MotionGate: a hand at rest feels the plate; and s lets contact begin without a step with any β.
 ///
 /// Artefacts: the phases of the recording are lost, so that a sharp ridge becomes noise of its spectrum; the vibration
 /// repeats after the shortest recorded stroke; two strokes over a place differ.

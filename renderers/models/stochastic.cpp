@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "analysis/random.h"
+#include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/servo_low_pass.h"
@@ -39,7 +40,8 @@ class NoiseInTime final : public ForceRenderer {
     double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     const glm::dvec3& v = probe.velocity_m_per_s;
     if (std::sqrt(v.x * v.x + v.y * v.y) >= threshold_m_per_s_) {
-      normal_N = std::max(0.0, normal_N + mean_N_ + sd_N_ * noise_at(probe.time_ns));
+      const double noise_N = mean_N_ + sd_N_ * noise_at(probe.time_ns);
+      normal_N = std::max(0.0, normal_N + contact_fade(penetration_m) * noise_N);
     }
     return contact_.force(
         point, probe,
@@ -96,8 +98,8 @@ class NoiseAlongPath final : public ForceRenderer {
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
-    const double normal_N =
-        std::max(0.0, contact_.material().stiffness_N_per_m * penetration_m + noise_N);
+    const double plate_N = contact_.material().stiffness_N_per_m * penetration_m;
+    const double normal_N = std::max(0.0, plate_N + contact_fade(penetration_m) * noise_N);
     return contact_.force(
         point, probe,
         {.texture_N = {0.0, 0.0, normal_N}, .normal_N = normal_N, .penetration_m = penetration_m},
@@ -152,7 +154,7 @@ TextureBand band_of_noise(const RendererInputs& inputs) {
 ForceModel stochastic_model() {
   ModelDeclaration declaration{
       .id = "stochastic",
-      .version = "1",
+      .version = "2",
       .summary = "A flat plate with white noise on its normal force while the hand moves",
       .source =
           "Siira, Pai (1996), Haptic texturing - a stochastic approach, as restated by Wu, "

@@ -9,7 +9,8 @@ namespace asperity {
 /// Renders texture as a random force that is independent of position.
 ///
 ///   w   = max(0, z_s − p_z)                            penetration of the flat plate [m]
-///   F_n = max(0, k·w + a·(m + σ·ξ_j))                  normal force, in contact only [N]
+///   F_n = max(0, k·w + s·a·(m + σ·ξ_j))                normal force, in contact only [N]
+///   s   = s(w/0.1 mm)                                  contact begins without a step (contact_fade.h); 1 from 0.1 mm on
 ///   a   = 1 where the tangential speed |v_t| ≥ v_min, else 0
 ///   j   = ⌊(t − t₀)·f + ½⌋                             noise step of `index = time` (default), t₀ the first sample's time [s]
 ///   F   = F_n·n − D                D the drag of the friction (force/friction.h)
@@ -26,7 +27,7 @@ namespace asperity {
 /// `index = distance` counts the steps along the path of the hand, at any speed and without a threshold:
 ///
 ///   j   = ⌊ℓ/λ_n + ½⌋                                  ℓ the length of the path (PathClock) [m]
-///   F_n = max(0, k·w + H(m + σ·ξ_j))                   0 instead of m + σ·ξ_j for j = 0; H the ServoLowPass
+///   F_n = max(0, k·w + s·H(m + σ·ξ_j))                 0 instead of m + σ·ξ_j for j = 0; H the ServoLowPass
 ///
 /// λ_n = `noise_length_m` (own choice; no source gives one), on the texture, so it includes `motion_scale`. At a speed v
 /// the one-sided spectrum is 2σ²λ_n/v·sinc²(f·λ_n/v), −3.9 dB at v/2λ_n: the faster, the wider and the weaker in each hertz.
@@ -35,7 +36,7 @@ namespace asperity {
 /// path does not grow by the position noise of a device of `device_step_m`.
 ///
 /// The normal force never pulls: where the noise exceeds k·w, the force is zero. This clips the noise of light touches and
-/// raises their mean by σ·φ(F/σ) − F·Φ(−F/σ) with F = k·w + m: 12 mN for F 20 mN and σ 50 mN.
+/// raises their mean by σ·φ(F/σ) − F·Φ(−F/σ) with F = k·w + m, from 0.1 mm of depth on: 35 mN for F 60 mN and σ 150 mN.
 ///
 /// The values suggested for a texture sample are σ = k·RMS of its heights and m = 0: the mean of its heights, which the
 /// source would use, is zero once the plane of the surface has been subtracted.

@@ -42,7 +42,8 @@ struct FeltStiffness {
 /// patch's border is removed.
 ///
 /// A jump of the force is not a stiffness: a difference that grows as its step decreases is left out. The result does
-/// not cover jumps of a model's force (at contact, height_map's literal law at its depth limit). nullopt if no place
+/// not cover jumps of a model's force (of height_map's literal law at contact and at its depth limit), nor the first
+/// 0.1 mm of a contact, where some textures fade in (contact_fade.h). nullopt if no place
 /// has a stiffness: the force jumps everywhere, or does not grow.
 ///
 /// A model with its own law of indentation (indentation_law.h) has that of the surface without texture, in closed form.

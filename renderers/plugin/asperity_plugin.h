@@ -85,8 +85,8 @@ typedef struct asperity_sample {
 
 /* The result of a tick. In free space all are 0. */
 typedef struct asperity_force {
-  double force_N[3];    /* of the surface on the hand, without friction */
-  double normal_N;      /* the normal force from which friction is computed; not negative */
+  double force_N[3];    /* of the surface on the hand, without friction; begins at 0 with the depth, so that contact is not a blow */
+  double normal_N;      /* the normal force from which friction is computed, of a law of Coulomb force_N[2]; not negative */
   double penetration_m; /* depth of the tip in the surface, texture included; 0 exactly if there is no contact */
 } asperity_force;
 
