@@ -27,7 +27,7 @@ struct PatchPoint {
 /// The model-specific part of a contact force.
 struct ContactForce {
   glm::dvec3 texture_N{0.0};  ///< all components except friction and walls
-  double normal_N = 0.0;      ///< the normal force that friction is computed from; not negative
+  double normal_N = 0.0;      ///< N, the normal force that friction is computed from; not negative
   double penetration_m = 0.0;
 };
 
@@ -40,6 +40,11 @@ struct ContactForce {
 ///                                 then (border_wall.h), k the Material's stiffness [N/m]
 ///   fade       F·s(b_x/w)·s(b_y/w)   b the distance inside each border, w its width [m],
 ///                                    s(u) = u²(3 − 2u) on [0, 1]
+///
+/// N = F·n of the model's force F and the normal n of the plane. Coulomb's law relates the two components of one contact
+/// force: the one along the surface on which the contact slides, and the one perpendicular to it. The hand slides along the
+/// plane, and D acts in the plane, so N is the component along its normal, also of a force that a texture has turned. A texture that
+/// turns the force without changing its magnitude (normal_map, `local_normal`) therefore lowers the friction on its flanks.
 ///
 /// The law `rounded` is D = μ·N·v_t/√(v_t² + v₀²): 99 % of μN at 7 v₀ and zero at rest, so that a hand on a slope is not
 /// held. Near rest it is a damper of μN/v₀, on which the loop vibrates if it is too steep (offline/sampled_loop.h). Other

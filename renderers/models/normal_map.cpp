@@ -115,12 +115,12 @@ class NormalMap final : public ForceRenderer {
     const PatchPoint point = contact_.locate(probe.position_m);
     const double penetration_m = -point.height_m;
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return contact_.no_contact();
-    const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
     const glm::dvec2 slope = height_scale_ * slope_at(point);
-    const double upright_N = normal_N / std::sqrt(1.0 + glm::dot(slope, slope));
+    const double upright_N = contact_.material().stiffness_N_per_m * penetration_m /
+                             std::sqrt(1.0 + glm::dot(slope, slope));
     return contact_.force(point, probe,
                           {.texture_N = {-upright_N * slope.x, -upright_N * slope.y, upright_N},
-                           .normal_N = normal_N,
+                           .normal_N = upright_N,
                            .penetration_m = penetration_m},
                           dt_s);
   }
@@ -147,7 +147,7 @@ class NormalMap final : public ForceRenderer {
 ForceModel normal_map_model() {
   ModelDeclaration declaration{
       .id = "normal_map",
-      .version = "1",
+      .version = "2",
       .summary = "A flat plate whose force is turned by a map of normals, as in haptic frameworks",
       .source = "CHAI3D 3.3, cNormalMap: a normal map from the grey levels of a picture",
       .needs_height_field = true,

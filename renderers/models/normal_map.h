@@ -11,7 +11,7 @@ namespace asperity {
 ///   w   = max(0, z_s − p_z)                  penetration of the flat plate [m]
 ///   F_n = k·w                                k the Material's stiffness [N/m]
 ///   m̂   = (−s·g_x, −s·g_y, 1)/|…|            s = `height_scale` [1], g the slope of the map [1]
-///   F   = F_n·m̂ − D                D the drag of the friction (force/friction.h)
+///   F   = F_n·m̂ − D                D the drag of F_n·m̂_z, the rendered normal force (force/friction.h)
 ///
 /// |F| = F_n for every slope (without friction). `law = grey_level` (default) is the map that a framework computes from
 /// the picture of the heights, lowest black and highest white, with G of 0 to 255 at column u and row v [CHAI3D]:

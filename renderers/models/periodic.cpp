@@ -118,13 +118,11 @@ class Periodic final : public ForceRenderer {
     }
     const double penetration_m = height_m - point.height_m;
     if (!(penetration_m > 0.0)) return contact_.no_contact();
-    const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
+    const glm::dvec3 force_N = directed_N(contact_.material().stiffness_N_per_m * penetration_m,
+                                          contact_.patch().motion_scale * slope_x,
+                                          contact_.patch().motion_scale * slope_y);
     return contact_.force(
-        point, probe,
-        {.texture_N = directed_N(normal_N, contact_.patch().motion_scale * slope_x,
-                                 contact_.patch().motion_scale * slope_y),
-         .normal_N = normal_N,
-         .penetration_m = penetration_m},
+        point, probe, {.texture_N = force_N, .normal_N = force_N.z, .penetration_m = penetration_m},
         dt_s);
   }
 
@@ -138,17 +136,17 @@ class Periodic final : public ForceRenderer {
     double sine_m = 0.0;
   };
 
-  glm::dvec3 directed_N(double normal_N, double slope_x, double slope_y) const noexcept {
+  glm::dvec3 directed_N(double spring_N, double slope_x, double slope_y) const noexcept {
     const glm::dvec3 uphill{-slope_x, -slope_y, 1.0};
     switch (direction_) {
       case Direction::fixed:
         break;
       case Direction::local_normal:
-        return normal_N / std::sqrt(1.0 + slope_x * slope_x + slope_y * slope_y) * uphill;
+        return spring_N / std::sqrt(1.0 + slope_x * slope_x + slope_y * slope_y) * uphill;
       case Direction::gradient:
-        return normal_N * uphill;
+        return spring_N * uphill;
     }
-    return {0.0, 0.0, normal_N};
+    return {0.0, 0.0, spring_N};
   }
 
   SurfaceContact contact_;
@@ -236,7 +234,7 @@ std::vector<Parameter> parameters_of_waves() {
 
 ForceModel periodic_model() {
   return {.declaration = {.id = "periodic",
-                          .version = "1",
+                          .version = "2",
                           .summary = "A relief of up to four plane waves, felt through a spring",
                           .source =
                               "Dominguez-Ramirez, Parra-Vega (2003), Texture, roughness and shape "

@@ -10,8 +10,7 @@ namespace asperity {
 ///
 ///   h(x, y) = s·Σ_{i=1..4} [a_i·cos φ_i + b_i·sin φ_i],   φ_i = 2π·(m_i·x/L_x + n_i·y/L_y)
 ///   w       = max(0, z_s + h − p_z)         penetration [m]
-///   F_n     = k·w                           k the Material's stiffness [N/m]
-///   F       = F_n·n' − D                D the drag of the friction (force/friction.h)
+///   F       = k·w·n' − D                    k the Material's stiffness [N/m], D the drag of k·w·n'·n (force/friction.h)
 ///
 /// m_i = `waves_x_i` (0 to 8), n_i = `waves_y_i` (−8 to 8), a_i = `cosine_amplitude_i_m`, b_i = `sine_amplitude_i_m`, L_x = `period_x_m`, L_y =
 /// `period_y_m`, s = `height_scale`; x and y are 0 at the patch's centre, and h has mean 0. A term with a_i = b_i = 0 is

@@ -43,7 +43,7 @@ class Sinusoid final : public ForceRenderer {
       force_N = per_slope_N * glm::dvec3{-slope * along_x_, -slope * along_y_, 1.0};
     }
     return contact_.force(
-        point, probe, {.texture_N = force_N, .normal_N = normal_N, .penetration_m = penetration_m},
+        point, probe, {.texture_N = force_N, .normal_N = force_N.z, .penetration_m = penetration_m},
         dt_s);
   }
 
@@ -64,7 +64,7 @@ class Sinusoid final : public ForceRenderer {
 ForceModel sinusoid_model() {
   ModelDeclaration declaration{
       .id = "sinusoid",
-      .version = "1",
+      .version = "2",
       .summary = "A sinusoidal grating, felt through a spring",
       .source =
           "Wu, Song, Zou (2009), equation 4; after Choi, Tan (2004), Perceived instability "

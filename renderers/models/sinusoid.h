@@ -17,8 +17,8 @@ namespace asperity {
 /// `force_direction = fixed` (default): n = ẑ, as in [Wu 2009] (F_mag of [Choi 2004], which is known for ridges that
 /// push the hand into the next valley). `local_normal`: n is the unit normal of the grating, (−∂h/∂x, −∂h/∂y, 1)/√(1 +
 /// |∇h|²) (F_vec). `gradient`: n = (−∂h/∂x, −∂h/∂y, 1), so that without friction F = −∇U of the energy U = ½·k·w²: the
-/// only one of the three with no work on a closed path. F_n = k·w in all of them. Slopes are derivatives with respect to
-/// the device's motion, so they include `motion_scale`.
+/// only one of the three with no work on a closed path. D is the drag of F·ẑ: k·w, and k·w/√(1 + |∇h|²) with
+/// `local_normal`. Slopes are derivatives with respect to the device's motion, so they include `motion_scale`.
 ///
 /// [Wu 2009] gives neither A nor L. The values suggested for a texture sample are A = √2·RMS of its heights, which
 /// gives the grating the sample's RMS, and L = the sample's dominant wavelength; a plane has no dominant wavelength and

@@ -284,7 +284,7 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
 TEST(Models, PrintTheTableOfTheConformanceSuite) {
   const Outcome table = asperity({"models", "--conformance", "--model", "sinusoid"});
   EXPECT_EQ(table.status, 0) << table.err;
-  EXPECT_THAT(table.out, testing::HasSubstr("sinusoid  (version 1)"));
+  EXPECT_THAT(table.out, testing::HasSubstr("sinusoid  (version 2)"));
   EXPECT_THAT(table.out, testing::HasSubstr("zero_amplitude  met"));
   const Outcome json = asperity({"models", "--conformance", "--model", "normal_map", "--json"});
   EXPECT_EQ(json.status, 0) << json.err;

@@ -2,10 +2,12 @@
 
 #include "renderers/force/force_model.h"
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -173,6 +175,52 @@ TEST(BuiltInModels, MeetTheWallOnlyBelowTheSurface) {
     EXPECT_EQ(answer_after(*renderer, inside, probe_at({0.027, 0.0, 0.001})).wrench.force_N,
               glm::dvec3(0.0))
         << model.declaration.id;
+  }
+}
+
+/// Every value of each choice of a model's own parameters, one at a time.
+std::vector<ParameterValues> choices_of(const ForceModel& model) {
+  std::vector<ParameterValues> choices{{}};
+  for (const Parameter& parameter : model.declaration.parameters) {
+    if (parameter.name == "friction_law") continue;
+    for (const std::string& choice : parameter.choices) {
+      choices.push_back({{parameter.name, choice}});
+    }
+  }
+  return choices;
+}
+
+// On flanks of the grating, μ times the component along the normal of the plane of the force without friction: also where the
+// texture turns the force.
+TEST(BuiltInModels, DragInProportionToTheNormalComponentOfTheirForce) {
+  constexpr double kCoefficient = 0.4;
+  ProbeState probe = probe_at({0.0, 0.0, -0.001});
+  probe.velocity_m_per_s = {0.06, 0.08, 0.0};
+  const glm::dvec2 direction = glm::dvec2(0.06, 0.08) / std::hypot(0.06, 0.08, 0.010);
+  for (const ForceModel& model : point_models()) {
+    for (ParameterValues values : choices_of(model)) {
+      if (values.contains("law") && choice_of(values, "law") == "literal") continue;  // has none
+      RendererInputs inputs = any_inputs();
+      inputs.height_field = grating({.amplitude_m = 1e-3});
+      if (model.declaration.id == "sinusoid") values["amplitude_m"] = 1e-3;
+      if (model.declaration.id == "periodic") values["sine_amplitude_1_m"] = 1e-3;
+      values["friction_law"] = std::string("rounded");
+      inputs.parameters = values;
+      inputs.material.friction = kCoefficient;
+      const auto rough = make_renderer(model, inputs);
+      inputs.material.friction = 0.0;
+      const auto smooth = make_renderer(model, inputs);
+      for (const double x_m : {0.0001, 0.0004, 0.0012}) {
+        probe.position_m.x = x_m;
+        const glm::dvec3 free_N = answer(*smooth, probe).wrench.force_N;
+        const glm::dvec3 drag_N = free_N - answer(*rough, probe).wrench.force_N;
+        EXPECT_NEAR(drag_N.x, kCoefficient * free_N.z * direction.x, 1e-12)
+            << model.declaration.id << ' ' << condition_text(values) << ' ' << x_m;
+        EXPECT_NEAR(drag_N.y, kCoefficient * free_N.z * direction.y, 1e-12)
+            << model.declaration.id << ' ' << condition_text(values) << ' ' << x_m;
+        EXPECT_EQ(drag_N.z, 0.0) << model.declaration.id;
+      }
+    }
   }
 }
 
