@@ -20,4 +20,11 @@ constexpr double from_centre(std::size_t column) noexcept {
   return static_cast<double>(column) - 0.5 * static_cast<double>(kCellsAcross - 1);
 }
 
+/// Whether a cell is one of the outermost: a contact that reaches it continues beyond the window, where nothing is computed.
+constexpr bool is_at_border(std::size_t cell) noexcept {
+  const std::size_t row = cell / kCellsAcross;
+  const std::size_t column = cell % kCellsAcross;
+  return row == 0 || column == 0 || row + 1 == kCellsAcross || column + 1 == kCellsAcross;
+}
+
 }  // namespace asperity

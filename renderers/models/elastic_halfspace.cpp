@@ -120,10 +120,7 @@ class ElasticHalfspace final : public ForceRenderer, public IndentationLaw, publ
     for (std::size_t i = 0; i < kCells; ++i) {
       if (!(body_.load_m()[i] > 0.0)) continue;
       ++loaded;
-      const std::size_t row = i / kCellsAcross;
-      const std::size_t column = i % kCellsAcross;
-      at_border = at_border || row == 0 || column == 0 || row + 1 == kCellsAcross ||
-                  column + 1 == kCellsAcross;
+      at_border = at_border || is_at_border(i);
     }
     if (at_border) ++limits_[cell_border].ticks;
     const double radius_m =

@@ -3,10 +3,13 @@
 #include "renderers/models/winkler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -36,6 +39,7 @@ class Winkler final : public ForceRenderer, public IndentationLaw, public DentsS
     touched_ = overlap != nullptr && overlap->deepest_m > 0.0 ? overlap : nullptr;
     at_m_ = glm::dvec2(probe.position_m);
     if (touched_ == nullptr) return tip_.no_contact();
+    count();
     return tip_.force(probe, overlap->depth_m, foundation_N_per_m3_ * tip_.cell_m() * tip_.cell_m(),
                       nullptr, dt_s);
   }
@@ -57,11 +61,23 @@ class Winkler final : public ForceRenderer, public IndentationLaw, public DentsS
   std::optional<std::string> indentation_problem(double) const override { return {}; }
 
  private:
+  enum Limit : std::size_t { contact, cell_border };
+
+  void count() noexcept {
+    ++limits_[contact].ticks;
+    for (std::size_t i = 0; i < kCells; ++i) {
+      if (!is_at_border(i) || !(touched_->depth_m[i] > 0.0)) continue;
+      ++limits_[cell_border].ticks;
+      return;
+    }
+  }
+
   TipContact tip_;
   PressedTip::Shape shape_{};
   double foundation_N_per_m3_ = 0.0;
   const PressedTip::Overlap* touched_ = nullptr;  ///< of the last tick
   glm::dvec2 at_m_{0.0};
+  std::array<NamedCount, 2> limits_{{{.name = "contact"}, {.name = "cell_border"}}};
 };
 
 }  // namespace

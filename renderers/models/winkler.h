@@ -18,6 +18,9 @@ namespace asperity {
 /// half-space has no k_w: under a wave of length λ it is as stiff as k_w = πE*/λ.
 ///
 /// Limits: as elastic_halfspace, without its conditions on the size of the body.
+///
+/// ForceRenderer::limits counts ticks: `contact`; `cell_border` (the contact reached the border of the cells; a ball on a plane
+/// does so from δ = 0.53 R on, and loses force from 0.57 R on: 2 % at 0.73 R, 10 % at R).
 ForceModel winkler_model();
 
 }  // namespace asperity

@@ -241,6 +241,28 @@ TEST(ElasticHalfspace, CountsWhereItsAssumptionsDoNotHold) {
   EXPECT_EQ(counted(0.002, "unfinished"), 0U);
 }
 
+// The outermost cells are 15.5 cells of R/15 from the axis, where the ball has risen by 0.534 R. Beyond, force is lost.
+TEST(Winkler, CountsContactsThatReachTheBorderOfItsCells) {
+  const auto renderer = make_renderer(winkler_model(), on(level(0.0F), {}));
+  const auto counted = [&](double depth_m, const char* name) {
+    const std::uint64_t before = limit_ticks(*renderer, name);
+    const ProbeState probe = probe_at({0.0, 0.0, -depth_m});
+    for (int tick = 0; tick < 10; ++tick) renderer->tick(probe, 0.001);
+    return limit_ticks(*renderer, name) - before;
+  };
+  renderer->reset({});
+  EXPECT_EQ(counted(-0.001, "contact"), 0U);
+  EXPECT_EQ(counted(0.001, "contact"), 10U);
+  EXPECT_EQ(counted(0.53 * kSoftTip_m, "cell_border"), 0U);
+  EXPECT_EQ(counted(0.54 * kSoftTip_m, "cell_border"), 10U);
+  renderer->reset({});  // keeps the counts
+  EXPECT_EQ(limit_ticks(*renderer, "cell_border"), 10U);
+  const double whole_N =
+      std::numbers::pi * kFoundation_N_per_m3 * kSoftTip_m * std::pow(kSoftTip_m, 2);
+  EXPECT_NEAR(answer(*renderer, probe_at({0.0, 0.0, -kSoftTip_m})).wrench.force_N.z, 0.90 * whole_N,
+              0.01 * whole_N);
+}
+
 // A flat end that slides by a cell in every tick; at rest the iterations are made up for.
 TEST(ElasticHalfspace, CountsContactsThatChangeFasterThanItsIterations) {
   const auto field = grating({.amplitude_m = 1e-4, .wavelength_m = 0.001, .pitch_m = 2.5e-5});
