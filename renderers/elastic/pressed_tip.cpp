@@ -100,7 +100,8 @@ PressedTip::PressedTip(const Shape& shape, const Relief& relief)
   }
 }
 
-const PressedTip::Overlap& PressedTip::overlap(const Place& place) noexcept {
+const PressedTip::Overlap& PressedTip::overlap(const Pose& pose,
+                                               std::span<const Place> places) noexcept {
   found_.deepest_m = 0.0;
   const double step_m = cell_m_ * relief_.motion_scale;
   const double per_slope = relief_.height_scale * relief_.motion_scale;
@@ -110,16 +111,21 @@ const PressedTip::Overlap& PressedTip::overlap(const Place& place) noexcept {
       const double x = from_centre(column);
       const std::size_t cell = row * kCellsAcross + column;
       const double tool_m =
-          profile_m_[cell] + place.height_m + cell_m_ * (place.tilt.x * x + place.tilt.y * y);
+          profile_m_[cell] + pose.height_m + cell_m_ * (pose.tilt.x * x + pose.tilt.y * y);
       double height_m = highest_m_;
       found_.slope_x[cell] = 0.0;
       found_.slope_y[cell] = 0.0;
       if (highest_m_ > tool_m) {
-        const HeightSample sample =
-            relief_.field->sample(place.x_m + step_m * x, place.y_m + step_m * y, relief_.tiling);
-        height_m = relief_.height_scale * sample.height_m;
-        found_.slope_x[cell] = per_slope * sample.slope_x;
-        found_.slope_y[cell] = per_slope * sample.slope_y;
+        height_m = 0.0;
+        for (const Place& place : places) {
+          const glm::dvec2 from_place_m = place.turn * (step_m * glm::dvec2(x, y));
+          const HeightSample sample = relief_.field->sample(
+              place.x_m + from_place_m.x, place.y_m + from_place_m.y, relief_.tiling);
+          const glm::dvec2 slope = glm::dvec2(sample.slope_x, sample.slope_y) * place.turn;
+          height_m += place.weight * (relief_.height_scale * sample.height_m);
+          found_.slope_x[cell] += place.weight * per_slope * slope.x;
+          found_.slope_y[cell] += place.weight * per_slope * slope.y;
+        }
       }
       found_.depth_m[cell] = height_m - tool_m;
       found_.deepest_m = std::max(found_.deepest_m, found_.depth_m[cell]);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 #include "renderers/elastic/cell_field.h"
@@ -19,12 +21,15 @@ enum class TipEnd {
 
 /// Computes the overlap of a rigid tip with a relief: w = h − h_A − z in the cells around the tip.
 ///
-/// The window is centred at the tip and does not turn; its cells have the side R/15, so that it holds the whole face of a
-/// flat end and the contact of a ball up to a radius of R. The height of the relief in a cell is its mean over the cell: a
+/// The window is centred at the tip and does not turn with it; its cells have the side R/15, so that it holds the whole face of
+/// a flat end and the contact of a ball up to a radius of R. The height of the relief in a cell is its mean over the cell: a
 /// wave of length λ keeps sinc(c/λ) of its amplitude along an axis, 90 % at four cells. A tilted tip is linearised: the plane
 /// z = R_zx·x + R_zy·y of its rotation R is added to h_A.
 ///
-/// Units and frame: metres, in the axes of the patch; `height_m` is the height of the tip over the plane of the relief.
+/// The relief is that of one place of the texture, or the weighted mean of several: h(X) = Σ wᵢ·hᵢ(xᵢ + Tᵢ·X), with Tᵢ the turn
+/// from the axes of the window into those of the texture.
+///
+/// Units and frame: metres, in the axes of the window; `height_m` is the height of the tip over the plane of the relief.
 ///
 /// Real-time: `overlap` does not allocate, lock or throw. Heights are read only where the tip can reach them.
 class PressedTip final {
@@ -41,11 +46,15 @@ class PressedTip final {
     double motion_scale = 1.0;  ///< on the texture per distance of the tip
     Tiling tiling = Tiling::repeat;
   };
+  struct Pose {
+    double height_m = 0.0;
+    glm::dvec2 tilt{0.0};  ///< R_zx and R_zy
+  };
   struct Place {
     double x_m = 0.0;  ///< on the texture
     double y_m = 0.0;
-    double height_m = 0.0;
-    glm::dvec2 tilt{0.0};  ///< R_zx and R_zy
+    glm::dmat2 turn{1.0};
+    double weight = 1.0;
   };
   struct Overlap {
     CellField depth_m{};  ///< w; negative where the bodies are apart
@@ -57,7 +66,7 @@ class PressedTip final {
   PressedTip(const Shape& shape, const Relief& relief);
 
   double cell_m() const noexcept { return cell_m_; }
-  const Overlap& overlap(const Place& place) noexcept;
+  const Overlap& overlap(const Pose& pose, std::span<const Place> places) noexcept;
 
  private:
   Relief relief_{};

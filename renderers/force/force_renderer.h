@@ -12,6 +12,7 @@
 namespace asperity {
 
 class Friction;
+class TipOnCharts;
 
 /// The number of ticks in which a condition held. The model that counts the condition documents it.
 struct NamedCount {
@@ -54,6 +55,10 @@ class ForceRenderer {
   /// The friction of a contact with a surface, for a renderer that hands a contact over from one surface to the next
   /// (AdjacentPatches); null for a renderer without one. Servo thread only.
   virtual Friction* friction() noexcept { return nullptr; }
+
+  /// The tip of a contact that extends over an area, for a renderer that brings it onto a body (PointOnBody); null for that of a
+  /// point. Servo thread only.
+  virtual TipOnCharts* tip() noexcept { return nullptr; }
 
   /// The number of ticks since construction in which each assumption of the model was violated: the same names in the
   /// same order at every call, zeros included. Empty for a model without such limits. `reset` does not clear the

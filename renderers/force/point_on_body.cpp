@@ -109,8 +109,11 @@ PointOnBody::PointOnBody(const ForceModel& model, const RendererInputs& inputs)
     : border_(inputs.patch, inputs.material, inputs.parameters), proxy_(inputs.body) {
   const RendererInputs plane = on_chart(inputs);
   require_low_texture(*make_renderer(model, plane), plane);
-  for (Chart& chart : charts_) chart.renderer = make_renderer(model, plane);
-  const std::span<const NamedCount> counts = charts_.front().renderer->limits();
+  renderers_.push_back(make_renderer(model, plane));
+  while (renderers_.front()->tip() == nullptr && renderers_.size() < charts_.size()) {
+    renderers_.push_back(make_renderer(model, plane));
+  }
+  const std::span<const NamedCount> counts = renderers_.front()->limits();
   counts_.assign(counts.begin(), counts.end());
 }
 
@@ -121,6 +124,7 @@ void PointOnBody::reset(const ProbeState&) noexcept {
 
 RenderedTick PointOnBody::no_contact() noexcept {
   border_.reset();
+  tip_frame_.reset();
   for (Chart& chart : charts_) chart.weight = 0.0;
   return {};
 }
@@ -139,27 +143,32 @@ PointOnBody::Tangents PointOnBody::tangents_of(int axis, const ProxyPlace& place
           .texture_m = {glm::dot(x, place.point_m), place.point_m[upright]}};
 }
 
+glm::dmat2 PointOnBody::turn_between(const Tangents& from, const Tangents& to) noexcept {
+  return {{glm::dot(from.x, to.x), glm::dot(from.x, to.y)},
+          {glm::dot(from.y, to.x), glm::dot(from.y, to.y)}};
+}
+
 /// The state of the last chart is that of the previous tick, in coordinates of the texture. They are converted at the
 /// present place, and this tick's motion follows when the entered chart is called.
-void PointOnBody::enter(Chart& chart, const ProxyPlace& place, const ProbeState& local) noexcept {
-  chart.renderer->reset(local);
+void PointOnBody::enter(std::size_t axis, const ProxyPlace& place,
+                        const ProbeState& local) noexcept {
+  renderers_[axis]->reset(local);
   const auto last = std::max_element(
       charts_.begin(), charts_.end(),
       [](const Chart& one, const Chart& other) { return one.weight < other.weight; });
-  Friction* const friction = chart.renderer->friction();
+  Friction* const friction = renderers_[axis]->friction();
   if (!(last->weight > 0.0) || friction == nullptr) return;
-  const Tangents from = tangents_of(static_cast<int>(last - charts_.begin()), place);
-  const Tangents& to = chart.tangents;
-  friction->continue_contact_of(*last->renderer->friction(),
-                                {.from_m = from.texture_m,
-                                 .to_m = to.texture_m,
-                                 .turn = {{glm::dot(from.x, to.x), glm::dot(from.x, to.y)},
-                                          {glm::dot(from.y, to.x), glm::dot(from.y, to.y)}}});
+  const auto last_axis = static_cast<std::size_t>(last - charts_.begin());
+  const Tangents from = tangents_of(static_cast<int>(last_axis), place);
+  const Tangents& to = charts_[axis].tangents;
+  friction->continue_contact_of(
+      *renderers_[last_axis]->friction(),
+      {.from_m = from.texture_m, .to_m = to.texture_m, .turn = turn_between(from, to)});
 }
 
 std::string_view PointOnBody::error() const noexcept {
-  for (const Chart& chart : charts_) {
-    if (!chart.renderer->error().empty()) return chart.renderer->error();
+  for (const std::unique_ptr<ForceRenderer>& renderer : renderers_) {
+    if (!renderer->error().empty()) return renderer->error();
   }
   return {};
 }
@@ -167,11 +176,90 @@ std::string_view PointOnBody::error() const noexcept {
 void PointOnBody::count_limits() noexcept {
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     counts_[i].ticks = 0;
-    for (const Chart& chart : charts_) {
-      const std::span<const NamedCount> counts = chart.renderer->limits();
+    for (const std::unique_ptr<ForceRenderer>& renderer : renderers_) {
+      const std::span<const NamedCount> counts = renderer->limits();
       if (i < counts.size()) counts_[i].ticks += counts[i].ticks;
     }
   }
+}
+
+ProbeState PointOnBody::in_frame(const ProbeState& probe, const Tangents& axes,
+                                 const ProxyPlace& place) noexcept {
+  ProbeState local = probe;
+  local.position_m = {axes.texture_m, place.height_m};
+  local.velocity_m_per_s = {glm::dot(probe.velocity_m_per_s, axes.x),
+                            glm::dot(probe.velocity_m_per_s, axes.y),
+                            glm::dot(probe.velocity_m_per_s, place.normal)};
+  return local;
+}
+
+glm::dvec3 PointOnBody::of_device(const glm::dvec3& force_N, const Tangents& axes,
+                                  const ProxyPlace& place) noexcept {
+  return force_N.x * axes.x + force_N.y * axes.y + force_N.z * place.normal;
+}
+
+RenderedTick PointOnBody::points(const ProbeState& probe, const ProxyPlace& place,
+                                 const std::array<double, 3>& weights, double dt_s) noexcept {
+  std::array<ProbeState, 3> local{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (weights[axis] > 0.0) local[axis] = in_frame(probe, charts_[axis].tangents, place);
+  }
+  // All charts are entered before one is called, so that the result does not depend on the order of the axes.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (weights[axis] > 0.0 && !(charts_[axis].weight > 0.0)) enter(axis, place, local[axis]);
+  }
+  RenderedTick blend{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(weights[axis] > 0.0)) continue;
+    const RenderedTick of_chart = renderers_[axis]->tick(local[axis], dt_s);
+    blend.wrench.force_N +=
+        weights[axis] * of_device(of_chart.wrench.force_N, charts_[axis].tangents, place);
+    blend.penetration_m += weights[axis] * of_chart.penetration_m;
+  }
+  return blend;
+}
+
+bool PointOnBody::carry_frame(const ProxyPlace& place, const Tangents& first) noexcept {
+  // A proxy that changes to the opposite side within a tick has no smallest rotation, and begins anew.
+  constexpr double kOpposite = -0.9;
+  const bool continues = tip_frame_ && glm::dot(tip_frame_->normal, place.normal) > kOpposite;
+  if (continues) {
+    Tangents& axes = tip_frame_->axes;
+    const glm::dvec3 x = turned(axes.x, tip_frame_->normal, place.normal);
+    axes.x = glm::normalize(x - place.normal * glm::dot(place.normal, x));
+    axes.y = glm::cross(place.normal, axes.x);
+    const glm::dvec3 way_m = place.point_m - tip_frame_->point_m;
+    axes.texture_m += glm::dvec2(glm::dot(way_m, axes.x), glm::dot(way_m, axes.y));
+  } else {
+    tip_frame_ = CarriedFrame{.axes = {.x = first.x, .y = first.y}};
+  }
+  tip_frame_->normal = place.normal;
+  tip_frame_->point_m = place.point_m;
+  return continues;
+}
+
+RenderedTick PointOnBody::tip(const ProbeState& probe, const ProxyPlace& place,
+                              const std::array<double, 3>& weights, double dt_s) noexcept {
+  const auto heaviest =
+      static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  const bool continues = carry_frame(place, charts_[heaviest].tangents);
+  const Tangents& axes = tip_frame_->axes;
+  std::array<ChartOfTip, TipOnCharts::kMostCharts> charts{};
+  std::size_t count = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(weights[axis] > 0.0)) continue;
+    const Tangents& tangents = charts_[axis].tangents;
+    charts[count++] = {.texture_m = tangents.texture_m,
+                       .turn = turn_between(axes, tangents),
+                       .weight = weights[axis]};
+  }
+  ForceRenderer& renderer = *renderers_.front();
+  renderer.tip()->touch(std::span(charts).first(count));
+  const ProbeState local = in_frame(probe, axes, place);
+  if (!continues) renderer.reset(local);
+  RenderedTick touched = renderer.tick(local, dt_s);
+  touched.wrench = {.force_N = of_device(touched.wrench.force_N, axes, place)};
+  return touched;
 }
 
 RenderedTick PointOnBody::tick(const ProbeState& probe, double dt_s) noexcept {
@@ -184,41 +272,22 @@ RenderedTick PointOnBody::tick(const ProbeState& probe, double dt_s) noexcept {
       proxy_.follow(probe.position_m - border_.patch().centre_m);
   if (!place) return no_contact();
   const std::array<double, 3> weights = projection_weights_of(place->normal);
-  std::array<ProbeState, 3> local{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(weights[axis] > 0.0)) continue;
-    const Tangents tangents = tangents_of(static_cast<int>(axis), *place);
-    local[axis] = probe;
-    local[axis].position_m = {tangents.texture_m, place->height_m};
-    local[axis].velocity_m_per_s = {glm::dot(probe.velocity_m_per_s, tangents.x),
-                                    glm::dot(probe.velocity_m_per_s, tangents.y),
-                                    glm::dot(probe.velocity_m_per_s, place->normal)};
-    charts_[axis].tangents = tangents;
+    charts_[axis].tangents = tangents_of(static_cast<int>(axis), *place);
   }
-  // All charts are entered before one is called, so that the result does not depend on the order of the axes.
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    Chart& chart = charts_[axis];
-    if (weights[axis] > 0.0 && !(chart.weight > 0.0)) enter(chart, *place, local[axis]);
-  }
-  RenderedTick blend{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(weights[axis] > 0.0)) continue;
-    const Tangents& tangents = charts_[axis].tangents;
-    const RenderedTick of_chart = charts_[axis].renderer->tick(local[axis], dt_s);
-    const glm::dvec3& force_N = of_chart.wrench.force_N;
-    blend.wrench.force_N += weights[axis] * (force_N.x * tangents.x + force_N.y * tangents.y +
-                                             force_N.z * place->normal);
-    blend.penetration_m += weights[axis] * of_chart.penetration_m;
-  }
+  const bool is_tip = renderers_.front()->tip() != nullptr;
+  RenderedTick result =
+      is_tip ? tip(probe, *place, weights, dt_s) : points(probe, *place, weights, dt_s);
   count_limits();
   for (std::size_t axis = 0; axis < 3; ++axis) charts_[axis].weight = weights[axis];
-  if (blend.penetration_m > 0.0) {
-    blend.wrench.force_N += glm::dvec3(border_.wall_N(border), 0.0);
+  if (result.penetration_m > 0.0) {
+    result.wrench.force_N += glm::dvec3(border_.wall_N(border), 0.0);
   } else {
     border_.reset();
   }
-  blend.wrench.force_N *= border.gain;
-  return blend;
+  result.wrench.force_N *= border.gain;
+  return result;
 }
 
 }  // namespace asperity

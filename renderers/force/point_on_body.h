@@ -4,10 +4,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -44,6 +46,11 @@ namespace asperity {
 /// Friction continues from chart to chart; all other states of a model (its path, its noise) begin anew in a chart. Border
 /// of the patch: as SurfaceContact, in the device's frame.
 ///
+/// A tip with a size (ForceRenderer::tip) has one contact, whose relief is the weighted mean of the charts' reliefs
+/// (tip_on_charts.h), so that it is computed once in a tick and its loads and dents stay where charts blend. Its axes are those of
+/// the chart in which the probe comes near the body, and are carried along the way of the proxy: in every tick by the smallest
+/// rotation from the last normal to the present one, which does not turn the dent on the surface.
+///
 /// Units and frame: as ForceRenderer; the origin of the body's frame is `inputs.patch.centre_m`, its axes are the device's.
 ///
 /// Errors: std::invalid_argument for a texture that rises more than SurfaceProxy::kReach_m above the body, for a model that
@@ -58,7 +65,7 @@ class PointOnBody final : public ForceRenderer {
 
   void reset(const ProbeState& first) noexcept override;
   RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override;
-  /// The sums over the charts: a tick in which charts blend can count more than once.
+  /// The sums over the renderers of the charts: a tick in which charts of a point blend can count more than once.
   std::span<const NamedCount> limits() const noexcept override { return counts_; }
   /// That of the first chart that has one.
   std::string_view error() const noexcept override;
@@ -71,21 +78,43 @@ class PointOnBody final : public ForceRenderer {
     glm::dvec2 texture_m{0.0};  ///< the coordinates of the place
   };
   struct Chart {
-    std::unique_ptr<ForceRenderer> renderer{};
     double weight = 0.0;  ///< in the last tick
     Tangents tangents{};  ///< in this tick
   };
+  /// The frame of the contact of a tip; `axes.texture_m` is the way of the proxy in it.
+  struct CarriedFrame {
+    Tangents axes{};
+    glm::dvec3 normal{0.0};
+    glm::dvec3 point_m{0.0};
+  };
 
   static Tangents tangents_of(int axis, const ProxyPlace& place) noexcept;
+  /// A vector in one frame, in the other one.
+  static glm::dmat2 turn_between(const Tangents& from, const Tangents& to) noexcept;
+  /// The probe in the axes of a frame, and a force in them in the frame of the device.
+  static ProbeState in_frame(const ProbeState& probe, const Tangents& axes,
+                             const ProxyPlace& place) noexcept;
+  static glm::dvec3 of_device(const glm::dvec3& force_N, const Tangents& axes,
+                              const ProxyPlace& place) noexcept;
   /// Resets a chart's renderer at a place and continues the friction of the chart with the greatest weight.
-  void enter(Chart& chart, const ProxyPlace& place, const ProbeState& local) noexcept;
+  void enter(std::size_t axis, const ProxyPlace& place, const ProbeState& local) noexcept;
+  /// With the weights of the charts; the penetration and the force in the frame of the device.
+  RenderedTick points(const ProbeState& probe, const ProxyPlace& place,
+                      const std::array<double, 3>& weights, double dt_s) noexcept;
+  RenderedTick tip(const ProbeState& probe, const ProxyPlace& place,
+                   const std::array<double, 3>& weights, double dt_s) noexcept;
+  /// Whether the frame continues that of the last tick.
+  bool carry_frame(const ProxyPlace& place, const Tangents& first) noexcept;
   void count_limits() noexcept;
   RenderedTick no_contact() noexcept;
 
   SurfaceContact border_;
   SurfaceProxy proxy_;
+  std::vector<std::unique_ptr<ForceRenderer>>
+      renderers_{};  ///< one for each chart, or that of a tip
   std::array<Chart, 3> charts_{};
-  std::vector<NamedCount> counts_{};  ///< of a constant size, that of the model
+  std::optional<CarriedFrame> tip_frame_{};  ///< empty while a tip is beyond the reach of the proxy
+  std::vector<NamedCount> counts_{};         ///< of a constant size, that of the model
 };
 
 }  // namespace asperity

@@ -68,6 +68,7 @@ class ResonantSurface final : public ForceRenderer {
   }
 
   Friction* friction() noexcept override { return surface_->friction(); }
+  TipOnCharts* tip() noexcept override { return surface_->tip(); }
   std::span<const NamedCount> limits() const noexcept override { return surface_->limits(); }
   std::string_view error() const noexcept override { return surface_->error(); }
 

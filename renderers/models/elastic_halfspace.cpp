@@ -74,6 +74,7 @@ class ElasticHalfspace final : public ForceRenderer, public IndentationLaw, publ
   }
 
   Friction* friction() noexcept override { return tip_.friction(); }
+  TipOnCharts* tip() noexcept override { return &tip_; }
   std::span<const NamedCount> limits() const noexcept override { return limits_; }
 
   std::optional<SurfaceDent> dent() const override {
@@ -148,7 +149,7 @@ class ElasticHalfspace final : public ForceRenderer, public IndentationLaw, publ
 ForceModel elastic_halfspace_model() {
   ModelDeclaration declaration{
       .id = "elastic_halfspace",
-      .version = "1",
+      .version = "2",
       .summary = "A rigid tip on a soft textured body that deforms around it",
       .source =
           "Johnson (1985), Contact mechanics; Polonsky, Keer (1999), A numerical method for "

@@ -80,15 +80,28 @@ TipContact::TipContact(const RendererInputs& inputs)
       tip_(tip_shape_of(inputs.parameters), relief_of(inputs)),
       turns_(choice_of(inputs.parameters, "tool_turns") == "device") {}
 
+void TipContact::touch(std::span<const ChartOfTip> charts) noexcept {
+  chart_count_ = charts.size();
+  std::copy(charts.begin(), charts.end(), charts_.begin());
+}
+
 const PressedTip::Overlap* TipContact::overlap(const ProbeState& probe) noexcept {
   point_ = contact_.locate(probe.position_m);
   if (point_.gain == 0.0) return nullptr;
-  PressedTip::Place place{.x_m = point_.x_m, .y_m = point_.y_m, .height_m = point_.height_m};
+  PressedTip::Pose pose{.height_m = point_.height_m};
   if (turns_) {
     const glm::dmat3 rotation = glm::mat3_cast(probe.orientation);
-    place.tilt = {rotation[0].z, rotation[1].z};
+    pose.tilt = {rotation[0].z, rotation[1].z};
   }
-  overlap_ = &tip_.overlap(place);
+  std::array<PressedTip::Place, kMostCharts> places{
+      PressedTip::Place{.x_m = point_.x_m, .y_m = point_.y_m}};
+  for (std::size_t i = 0; i < chart_count_; ++i) {
+    const ChartOfTip& chart = charts_[i];
+    const PatchPoint at = contact_.locate(glm::dvec3(chart.texture_m, 0.0));
+    places[i] = {.x_m = at.x_m, .y_m = at.y_m, .turn = chart.turn, .weight = chart.weight};
+  }
+  const std::size_t count = std::max<std::size_t>(1, chart_count_);
+  overlap_ = &tip_.overlap(pose, std::span(places).first(count));
   return overlap_;
 }
 

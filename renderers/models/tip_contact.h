@@ -2,11 +2,15 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "renderers/elastic/pressed_tip.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/surface_contact.h"
+#include "renderers/force/tip_on_charts.h"
 
 namespace asperity {
 
@@ -26,10 +30,11 @@ inline constexpr const char* kBandOfTip =
 /// F = B·Σ s_i·(−∂h/∂x + ∂d/∂x, −∂h/∂y + ∂d/∂y, 1)_i and T = B·Σ r_i × (the same), with B the force of a unit of load [N/m], s the
 /// loads, h the relief and d the dent of the surface before the contact. It is the gradient of the energy whose derivative with
 /// respect to the overlap of a cell is B·s. T is about the tip. Friction and borders are those of SurfaceContact.
-class TipContact final {
+class TipContact final : public TipOnCharts {
  public:
   explicit TipContact(const RendererInputs& inputs);
 
+  void touch(std::span<const ChartOfTip> charts) noexcept override;
   void reset() noexcept { contact_.reset(); }
   /// Places the tip. Null outside the patch.
   const PressedTip::Overlap* overlap(const ProbeState& probe) noexcept;
@@ -45,6 +50,8 @@ class TipContact final {
   SurfaceContact contact_;
   PressedTip tip_;
   bool turns_ = false;
+  std::array<ChartOfTip, kMostCharts> charts_{};
+  std::size_t chart_count_ = 0;  ///< 0 on a plane
   PatchPoint point_{};
   const PressedTip::Overlap* overlap_ = nullptr;
 };

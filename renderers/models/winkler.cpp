@@ -45,6 +45,8 @@ class Winkler final : public ForceRenderer, public IndentationLaw, public DentsS
   }
 
   Friction* friction() noexcept override { return tip_.friction(); }
+  TipOnCharts* tip() noexcept override { return &tip_; }
+  std::span<const NamedCount> limits() const noexcept override { return limits_; }
 
   std::optional<SurfaceDent> dent() const override {
     if (touched_ == nullptr) return {};
@@ -84,7 +86,7 @@ class Winkler final : public ForceRenderer, public IndentationLaw, public DentsS
 
 ForceModel winkler_model() {
   ModelDeclaration declaration{.id = "winkler",
-                               .version = "1",
+                               .version = "2",
                                .summary = "A rigid tip on a textured bed of springs",
                                .source = "Johnson (1985), Contact mechanics, section 4.3",
                                .needs_height_field = true,

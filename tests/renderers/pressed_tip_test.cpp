@@ -2,6 +2,7 @@
 
 #include "renderers/elastic/pressed_tip.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -15,12 +16,14 @@ namespace {
 
 constexpr double kRadiusOfTip_m = 0.003;
 constexpr double kCell_m = kRadiusOfTip_m / PressedTip::kCellsInRadius;
+const std::array<PressedTip::Place, 1> kOrigin{};
 
 TEST(PressedTip, OverlapsAPlaneByItsProfileAndItsTilt) {
   PressedTip tip({.end = TipEnd::ball, .radius_m = kRadiusOfTip_m}, {.field = level(0.0F)});
   EXPECT_DOUBLE_EQ(tip.cell_m(), kCell_m);
   constexpr double kDepth_m = 0.001;
-  const PressedTip::Overlap& overlap = tip.overlap({.height_m = -kDepth_m, .tilt = {0.02, -0.01}});
+  const PressedTip::Overlap& overlap =
+      tip.overlap({.height_m = -kDepth_m, .tilt = {0.02, -0.01}}, kOrigin);
   for (const std::size_t column : {std::size_t{12}, std::size_t{19}}) {
     constexpr std::size_t kRow = 14;
     const double x_m = kCell_m * from_centre(column);
@@ -33,7 +36,7 @@ TEST(PressedTip, OverlapsAPlaneByItsProfileAndItsTilt) {
 
 TEST(PressedTip, HasAFlatEndOfItsRadius) {
   PressedTip tip({.end = TipEnd::flat, .radius_m = kRadiusOfTip_m}, {.field = level(0.0F)});
-  const PressedTip::Overlap& overlap = tip.overlap({.height_m = -0.001});
+  const PressedTip::Overlap& overlap = tip.overlap({.height_m = -0.001}, kOrigin);
   std::size_t inside = 0;
   for (const double depth_m : overlap.depth_m) inside += depth_m > 0.0 ? 1 : 0;
   EXPECT_NEAR(static_cast<double>(inside), std::numbers::pi * 225.0, 12.0);
@@ -45,13 +48,35 @@ TEST(PressedTip, ReadsTheReliefAtItsPlaceWithItsScales) {
   PressedTip tip({.end = TipEnd::flat, .radius_m = kRadiusOfTip_m},
                  {.field = grating(kRelief), .height_scale = 2.0, .motion_scale = 0.5});
   constexpr double kAt_m = 0.0003;
-  const PressedTip::Overlap& overlap = tip.overlap({.x_m = kAt_m, .height_m = -0.001});
+  const PressedTip::Overlap& overlap =
+      tip.overlap({.height_m = -0.001}, std::array{PressedTip::Place{.x_m = kAt_m}});
   constexpr std::size_t kCell = 16 * kCellsAcross + 20;
   const double phase = 2.0 * std::numbers::pi * (kAt_m + 0.5 * kCell_m * from_centre(20)) / 0.004;
   EXPECT_NEAR(overlap.depth_m[kCell], 0.001 + 2e-4 * std::sin(phase), 2e-7);
   EXPECT_NEAR(overlap.slope_x[kCell], 0.5 * 2e-4 * 2.0 * std::numbers::pi / 0.004 * std::cos(phase),
               2e-3);
   EXPECT_NEAR(overlap.slope_y[kCell], 0.0, 1e-9);
+}
+
+// A grating along x that is seen along y, with a quarter of the weight, on a plane 0.1 mm above it.
+TEST(PressedTip, BlendsTheReliefsOfItsPlacesInTheAxesOfTheWindow) {
+  constexpr Grating kRelief{.amplitude_m = 1e-4, .wavelength_m = 0.004, .pitch_m = 0.0002};
+  PressedTip tip({.end = TipEnd::flat, .radius_m = kRadiusOfTip_m}, {.field = grating(kRelief)});
+  const PressedTip::Place along_x{.x_m = 0.0003, .weight = 0.75};
+  // y of the window is −x of the texture, and its x is y of the texture.
+  const PressedTip::Place along_y{.x_m = 0.0007, .turn = {{0.0, 1.0}, {-1.0, 0.0}}, .weight = 0.25};
+  const PressedTip::Overlap& overlap =
+      tip.overlap({.height_m = -0.001}, std::array{along_x, along_y});
+  constexpr std::size_t kColumn = 20;
+  constexpr std::size_t kRow = 12;
+  constexpr std::size_t kCell = kRow * kCellsAcross + kColumn;
+  const double wave_rad_per_m = 2.0 * std::numbers::pi / kRelief.wavelength_m;
+  const double phase_x = wave_rad_per_m * (0.0003 + kCell_m * from_centre(kColumn));
+  const double phase_y = wave_rad_per_m * (0.0007 - kCell_m * from_centre(kRow));
+  EXPECT_NEAR(overlap.depth_m[kCell],
+              0.001 + 1e-4 * (0.75 * std::sin(phase_x) + 0.25 * std::sin(phase_y)), 2e-7);
+  EXPECT_NEAR(overlap.slope_x[kCell], 0.75 * 1e-4 * wave_rad_per_m * std::cos(phase_x), 1e-3);
+  EXPECT_NEAR(overlap.slope_y[kCell], -0.25 * 1e-4 * wave_rad_per_m * std::cos(phase_y), 1e-3);
 }
 
 TEST(MeansOverSquares, KeepTheSincOfAWaveAndASeam) {
