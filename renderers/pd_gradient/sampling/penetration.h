@@ -42,7 +42,8 @@ void require_sound(const MaximumLaw& law);
 /// The displacements of A in both directions for the central differences, from the declared step: along the window by
 /// the step, and about u, v and n by an angle that moves the middle of the window's border by the step. With a quarter
 /// of this tilt, the torque of two places of nearly equal depth would depend on the errors of the sampled peaks: levers
-/// would be off by some 5.5 % at 64 samples over eight waves, instead of 4 % with this tilt.
+/// would be off by some 5.5 % at 64 samples over eight waves, instead of 4 % with this tilt. On many crests of nearly equal
+/// depth a tilt averages the levers of those that it makes the deepest, so that the torque depends on the width of the window.
 struct DifferenceSteps {
   double along_m = 0.0;   ///< along u and v
   double tilt_rad = 0.0;  ///< about u and v: 2·along_m / width
