@@ -1,5 +1,6 @@
 // asperity fit-model: the files of a force model from recorded textures, or from a texture of another toolkit.
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -69,14 +70,15 @@ VibrationModels fitted_models(const FitModelOptions& options) {
   const VibrationFit fit = fitted_vibrations(recording, name, settings);
   Table table{};
   table.columns = {"speed_mm_per_s", "normal_force_N", "strokes",
-                   "duration_s",     "rms_m_per_s2",   "residual_m_per_s2"};
+                   "duration_s",     "rms_m_per_s2",   "sigma_m_per_s2"};
   for (std::size_t i = 0; i < fit.strokes.size(); ++i) {
     const VibrationModel& model = fit.set.models[i];
     const FittedStrokes& strokes = fit.strokes[i];
     table.rows.push_back({fixed(1e3 * model.speed_m_per_s, 1), fixed(model.normal_N, 2),
                           std::to_string(strokes.strokes),
                           fixed(static_cast<double>(strokes.samples) / kVibrationRate_Hz, 2),
-                          fixed(strokes.rms_m_per_s2, 4), fixed(strokes.residual_m_per_s2, 4)});
+                          fixed(strokes.rms_m_per_s2, 4),
+                          fixed(std::sqrt(model.variance_m2_per_s4), 4)});
   }
   std::cout << options.out.string() << ": " << counted(recording.strokes.size(), "stroke") << ", "
             << counted(fit.set.models.size(), "model") << " of order " << fit.order

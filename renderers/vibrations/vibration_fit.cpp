@@ -22,6 +22,7 @@ constexpr double kSpeedsOfOneModel = 1.1;
 constexpr double kForcesOfOneModel = 1.25;
 constexpr double kSameRate = 1e-3;
 constexpr double kNoiseFloor = 1e-4;
+constexpr double kSharpest = 0.9999;  // of the reflection coefficients of a resonance
 constexpr double kStationaryRadius = 0.9999;
 constexpr double kLeastVariance = 1e-300;  // of which a logarithm is taken
 constexpr double kSilence_m_per_s2 = 1e-9;
@@ -119,10 +120,11 @@ std::size_t order_by_bic(const std::vector<std::vector<Acceleration>>& groups) {
 /// Each brings the poles closer to 0; coefficients that are numbers are stationary after a few.
 constexpr int kMostShrinkings = 1000;
 
-/// The process of variance 1 with the model's covariances, of which kNoiseFloor are white noise.
-Autoregression with_noise_floor(Autoregression model, const std::string& name) {
-  // A wave without noise has reflection coefficients that rounding may put at 1.
+/// The process of variance 1 with the model's covariances; of a wave, kNoiseFloor of them are white noise.
+Autoregression with_width(Autoregression model, const std::string& name) {
   std::optional<Predictors> predictors = stationary_predictors(model.coefficients);
+  // A wave without noise has reflection coefficients that rounding may put at 1.
+  bool is_wave = !predictors;
   for (int trial = 0; !predictors && trial < kMostShrinkings; ++trial) {
     shrink_poles(model, kStationaryRadius);
     predictors = stationary_predictors(model.coefficients);
@@ -130,6 +132,13 @@ Autoregression with_noise_floor(Autoregression model, const std::string& name) {
   if (!predictors) {
     throw std::invalid_argument(
         name + ": the coefficients of a fitted model are not numbers; record smaller forces");
+  }
+  for (std::size_t k = 1; k <= model.coefficients.size(); ++k) {
+    is_wave = is_wave || std::abs(predictors->coefficients[k].back()) > kSharpest;
+  }
+  if (!is_wave) {
+    return {.coefficients = std::move(model.coefficients),
+            .innovation_variance = predictors->error_variance.back()};
   }
   std::vector<double> covariance{1.0};
   for (std::size_t k = 1; k <= model.coefficients.size(); ++k) {
@@ -157,11 +166,10 @@ void add_model(const std::vector<Acceleration>& group, const std::string& name, 
     }
   }
   fitted.rms_m_per_s2 = std::sqrt(mean_square);
-  Autoregression burg = burg_autoregression(segments_of(group), fit.order);
-  fitted.residual_m_per_s2 = std::sqrt(burg.innovation_variance);
-  const Autoregression model_with_floor = with_noise_floor(std::move(burg), name);
-  model.variance_m2_per_s4 = mean_square * model_with_floor.innovation_variance;
-  model.lines_rad = line_spectral_frequencies(model_with_floor.coefficients);
+  const Autoregression process =
+      with_width(burg_autoregression(segments_of(group), fit.order), name);
+  model.variance_m2_per_s4 = mean_square * process.innovation_variance;
+  model.lines_rad = line_spectral_frequencies(process.coefficients);
   fit.set.models.push_back(std::move(model));
   fit.strokes.push_back(fitted);
 }

@@ -24,12 +24,11 @@ struct VibrationFitSettings {
   std::optional<std::size_t> order{};  ///< 1 to kMostSpectralLines; chosen by BIC if absent
 };
 
-/// Strokes that one model describes, and what is left.
+/// Strokes that one model describes.
 struct FittedStrokes {
   std::size_t strokes = 0;
-  std::size_t samples = 0;         ///< at 1 kHz
-  double rms_m_per_s2 = 0.0;       ///< of the acceleration
-  double residual_m_per_s2 = 0.0;  ///< RMS of the prediction error
+  std::size_t samples = 0;    ///< at 1 kHz
+  double rms_m_per_s2 = 0.0;  ///< of the acceleration
 };
 
 struct VibrationFit {
@@ -42,9 +41,13 @@ struct VibrationFit {
 ///
 /// Strokes whose speeds differ by less than 10 % and whose normal forces differ by less than 25 % have one model, at the means of
 /// both. Each stroke is resampled at 1 kHz (band-limited; a stroke at 1 kHz keeps its samples), its trend removed, and divided by
-/// the effective mass. The coefficients are Burg's for all strokes of a model together, to whose covariances white noise of
-/// 10⁻⁴ of the variance is added: a vibration without noise, such as a pure wave, would have poles on the circle, and means of the
-/// lines of such models a size that has nothing to do with theirs. σ² is such that the model has the mean square of the strokes.
+/// the effective mass. The coefficients are Burg's for all strokes of a model together. σ² is such that the model has the mean
+/// square of the strokes.
+///
+/// A vibration without noise, such as a pure wave, would have poles on the circle, and means of the lines of such models a size
+/// that has nothing to do with theirs. Where a reflection coefficient is above 0.9999 in magnitude (of a resonance: narrower than
+/// 0.02 Hz, that is, longer than 20 s), white noise of 10⁻⁴ of the variance is therefore added to the covariances. It would
+/// broaden other resonances, whose σ² can be as small a part of the variance.
 ///
 /// All models have one order p, the one from 1 to 20 with the least
 ///

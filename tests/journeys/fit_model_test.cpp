@@ -7,8 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/number_text.h"
 #include "results_schema/table.h"
 #include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
@@ -67,6 +69,15 @@ TEST(FitModel, OfTheRecordingOfAReliefIsRenderedWithItsForce) {
   EXPECT_NEAR(
       rendered_rms_N(place.path(), place / "models.tsv", "logarithmic") / std::sqrt(sum / count),
       1.0, 0.15);
+  // The printed σ is that of the file.
+  const std::vector<std::string> variances =
+      tsv(text_of(place / "models.tsv")).column("variance_m2_per_s4");
+  ASSERT_EQ(variances.size(), 3U);
+  EXPECT_THAT(fitted.out, HasSubstr("sigma_m_per_s2"));
+  for (const std::string& variance : variances) {
+    EXPECT_THAT(fitted.out,
+                HasSubstr(' ' + fixed(std::sqrt(number_in(variance).value()), 4) + '\n'));
+  }
   // Nothing is overwritten.
   EXPECT_EQ(asperity({"fit-model", place / "rough.tsv", "--out", place / "models.tsv"}).status, 1);
   const Outcome fixed = asperity(
