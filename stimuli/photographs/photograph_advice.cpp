@@ -19,9 +19,8 @@ constexpr double kDirected = 0.3;
 
 std::string in_hundredths(double number) { return number_text(std::round(100.0 * number) / 100.0); }
 
-std::string about_direction(double direction_rad) {
-  const double degrees = std::round(direction_rad * 180.0 / std::numbers::pi);
-  return "The brightness varies mostly along " + number_text(degrees == 0.0 ? 0.0 : degrees) +
+std::string about_direction(const PhotographEvidence& evidence) {
+  return "The brightness varies mostly along " + number_text(direction_deg(evidence)) +
          "° from +x. Either the surface has a grain at right angles to this direction, or the "
          "light came from one side along this direction. In the second case the brightness "
          "represents slopes towards the light: use shape from shading, or take the picture again "
@@ -89,39 +88,39 @@ std::vector<PhotographResemblance> resemblances(const PhotographEvidence& eviden
   return found;
 }
 
-MethodRecommendation recommended_method(const PhotographEvidence& evidence) {
-  const bool is_directed = evidence.anisotropy > kDirected;
-  const double degrees = std::round(evidence.direction_rad * 180.0 / std::numbers::pi);
-  return {.reason = is_directed ? RecommendationReason::one_direction
-                                : RecommendationReason::no_direction,
-          .method = is_directed ? kShadingMethod : kBrightnessMethod,
-          .spectral_tilt = is_directed ? 0.0 : kRecommendedTilt,
-          .anisotropy = evidence.anisotropy,
-          .direction_deg = degrees == 0.0 ? 0.0 : degrees};
-}
-
-std::string recommendation_text(const MethodRecommendation& recommendation) {
-  const std::string brightness = std::string("--method ") + kBrightnessMethod +
-                                 " --spectral-tilt " + number_text(kRecommendedTilt);
-  const std::string anisotropy = in_hundredths(recommendation.anisotropy);
-  switch (recommendation.reason) {
-    case RecommendationReason::one_direction: {
-      const double opposite =
-          recommendation.direction_deg + (recommendation.direction_deg > 0.0 ? -180.0 : 180.0);
-      return "Recommended method, if the light came from one side: --method " +
-             recommendation.method + " --light-azimuth-deg " +
-             number_text(recommendation.direction_deg) + " (or " + number_text(opposite) +
-             ", whichever is the direction of the light), because the brightness varies mostly "
-             "along this direction (anisotropy " +
-             anisotropy + "). If the surface has a grain and the light was even: " + brightness +
-             '.';
-    }
-    case RecommendationReason::no_direction:
+MethodRecommendation recommended_method(PhotographLight light) noexcept {
+  switch (light) {
+    case PhotographLight::even:
+      return {.method = "brightness", .spectral_tilt = kRecommendedTilt};
+    case PhotographLight::one_lamp:
       break;
   }
-  return "Recommended method: " + brightness +
-         ", because the brightness has no preferred direction (anisotropy " + anisotropy +
-         "), and on most measured surfaces its short waves are too strong.";
+  return {.method = "pentland"};
+}
+
+double direction_deg(const PhotographEvidence& evidence) noexcept {
+  const double degrees = std::round(evidence.direction_rad * 180.0 / std::numbers::pi);
+  return degrees == 0.0 ? 0.0 : degrees;  // no −0
+}
+
+double opposite_deg(double direction_deg) noexcept {
+  return direction_deg + (direction_deg > 0.0 ? -180.0 : 180.0);
+}
+
+std::string recommendation_text(const PhotographEvidence& evidence) {
+  const MethodRecommendation even = recommended_method(PhotographLight::even);
+  const MethodRecommendation lamp = recommended_method(PhotographLight::one_lamp);
+  const double along_deg = direction_deg(evidence);
+  return std::string(
+             "Did the light come from one lamp at the side? The picture does not show it. "
+             "If not, recommended: --method ") +
+         even.method + " --spectral-tilt " + number_text(even.spectral_tilt) +
+         ", because on nine of ten measured surfaces it was closer to the relief than the plain "
+         "brightness. If so, recommended: --method " +
+         lamp.method +
+         " --light-azimuth-deg A, with A the direction of the lamp; the brightness varies mostly "
+         "along " +
+         number_text(along_deg) + "° and " + number_text(opposite_deg(along_deg)) + "°.";
 }
 
 std::optional<SignContradiction> contradiction_of_sign(const PhotographEvidence& evidence,
@@ -152,7 +151,7 @@ std::string contradiction_text(SignContradiction contradiction,
 
 std::string advice(const PhotographEvidence& evidence) {
   std::string words;
-  if (evidence.anisotropy > kDirected) words += about_direction(evidence.direction_rad);
+  if (evidence.anisotropy > kDirected) words += about_direction(evidence);
   if (std::abs(evidence.skewness) > kSkewed) words += about_skewness(evidence.skewness);
   if (words.empty()) {
     words =

@@ -37,34 +37,33 @@ enum class PhotographResemblance {
 /// All interpretations that apply, in the order of their declaration; `nothing_clear` only alone.
 std::vector<PhotographResemblance> resemblances(const PhotographEvidence& evidence);
 
-/// The methods that are recommended (texture_method.h), and the spectral tilt for the first one. The tilt was chosen on the
-/// development reliefs of docs/photographs.md and is not changed by later evaluations.
-inline constexpr const char* kBrightnessMethod = "brightness";
-inline constexpr const char* kShadingMethod = "pentland";
+/// The light in which a photograph was taken. Only the user knows it: photographs of measured surfaces under a single lamp had an
+/// anisotropy of 0.14 to 0.24, and a surface with a grain has a greater one in any light.
+enum class PhotographLight {
+  even,      ///< from all sides
+  one_lamp,  ///< from one side
+};
+
+/// The spectral tilt that is recommended for even light. It was chosen on the development reliefs of docs/photographs.md and is
+/// not changed by later evaluations.
 inline constexpr double kRecommendedTilt = 0.5;
 
-/// The reason of a recommendation.
-enum class RecommendationReason {
-  no_direction,   ///< the brightness varies equally in all directions, as in even light
-  one_direction,  ///< the brightness varies mostly along one direction, as in light from one side
-};
-
-/// The method that a photograph suggests, with the numbers from which it follows.
+/// The method that is recommended for a light.
 struct MethodRecommendation {
-  RecommendationReason reason = RecommendationReason::no_direction;
-  std::string method{};        ///< an id of texture_methods()
+  const char* method = "";     ///< an id of texture_methods()
   double spectral_tilt = 0.0;  ///< for this method
-  double anisotropy = 0.0;
-  /// For one_direction: the azimuth of the light, in (−90, 90], or the opposite direction.
-  double direction_deg = 0.0;
 };
+MethodRecommendation recommended_method(PhotographLight light) noexcept;
 
-/// Recommends pentland for a picture with one direction, and otherwise the brightness with a spectral tilt. A grain in even
-/// light has one direction as well: the user decides, because the picture does not differ.
-MethodRecommendation recommended_method(const PhotographEvidence& evidence);
+/// The direction of the greatest change of brightness in whole degrees, in (−90, 90]. Under one lamp, its azimuth is near this
+/// direction or the opposite one, unless the surface has a grain.
+double direction_deg(const PhotographEvidence& evidence) noexcept;
+/// The opposite direction, in (−180, 180].
+double opposite_deg(double direction_deg) noexcept;
 
-/// The recommendation as English sentences with the options of the command line.
-std::string recommendation_text(const MethodRecommendation& recommendation);
+/// The question about the light and the recommendation for each answer, as English sentences with the options of the command
+/// line.
+std::string recommendation_text(const PhotographEvidence& evidence);
 
 /// A sign of the heights that the skewness of the photograph contradicts.
 enum class SignContradiction {

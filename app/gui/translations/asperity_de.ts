@@ -11600,10 +11600,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Relief: Dunkles steht hervor</translation>
     </message>
     <message>
-        <source>A surface lit from one side</source>
-        <translation>Von einer Seite beleuchtet</translation>
-    </message>
-    <message>
         <source>Paint, print or stains</source>
         <translation>Farbe, Druck oder Flecken</translation>
     </message>
@@ -11644,14 +11640,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen stimmten die Höhen nur zum Teil mit dem Relief überein, bei vier davon weniger gut als die unbearbeitete Helligkeit. Ein Foto zeigt die Tiefe des Reliefs nicht: Sie ist unten einzustellen.</translation>
     </message>
     <message>
-        <source>Recommended method, if the light came from one side: %1, light azimuth %2° or %3°, because the brightness varies mostly along this direction (anisotropy %4). If the surface has a grain and the light was even: %5 with a spectral tilt of %6.</source>
-        <translation>Empfohlenes Verfahren, wenn das Licht von einer Seite kam: %1, Azimut des Lichts %2° oder %3°, weil sich die Helligkeit vor allem entlang dieser Richtung ändert (Anisotropie %4). Hat die Oberfläche eine Maserung und war das Licht gleichmäßig: %5 mit einer spektralen Neigung von %6.</translation>
-    </message>
-    <message>
-        <source>Recommended method: %1 with a spectral tilt of %2, because the brightness has no preferred direction (anisotropy %3), and on most measured surfaces its short waves are too strong.</source>
-        <translation>Empfohlenes Verfahren: %1 mit einer spektralen Neigung von %2, weil die Helligkeit keine Vorzugsrichtung hat (Anisotropie %3) und ihre kurzen Wellen bei den meisten gemessenen Oberflächen zu stark sind.</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
     </message>
@@ -11664,12 +11652,32 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Wählen Sie, was das Foto zeigt: Das Vorzeichen der Höhen ist noch nicht bestimmt.</translation>
     </message>
     <message>
-        <source>▲ Choose the method Pentland and the direction of the light. With the methods Wu and Brightness, the result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish.</source>
-        <translation>▲ Wählen Sie das Verfahren Pentland und die Richtung des Lichts. Mit den Verfahren Wu und Helligkeit ist das Ergebnis die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden.</translation>
-    </message>
-    <message>
         <source>▲ The relief is provisional: it shows bright parts as high. The picture does not determine the sign; look at the surface and choose.</source>
         <translation>▲ Das Relief ist vorläufig: Helle Stellen sind darin hoch. Das Bild bestimmt das Vorzeichen nicht; sehen Sie die Oberfläche an und wählen Sie.</translation>
+    </message>
+    <message>
+        <source>Answer the question first: the recommended method depends on the light, and the picture does not show it.</source>
+        <translation>Beantworten Sie zuerst die Frage: Das empfohlene Verfahren hängt vom Licht ab, und das Bild zeigt es nicht.</translation>
+    </message>
+    <message>
+        <source>Recommended method: %1, with the direction of the lamp as the light azimuth. The brightness varies mostly along %2° and %3°. With the methods Wu and Brightness, the result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish.</source>
+        <translation>Empfohlenes Verfahren: %1, mit der Richtung der Lampe als Azimut des Lichts. Die Helligkeit ändert sich vor allem entlang %2° und %3°. Mit den Verfahren Wu und Helligkeit ist das Ergebnis die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden.</translation>
+    </message>
+    <message>
+        <source>Recommended method: %1 with a spectral tilt of %2, because on nine of ten measured surfaces it was closer to the relief than the unprocessed brightness.</source>
+        <translation>Empfohlenes Verfahren: %1 mit einer spektralen Neigung von %2, weil es bei neun von zehn vermessenen Oberflächen dem Relief näher kam als die unbearbeitete Helligkeit.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Did the light come from one lamp at the side?&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Kam das Licht von einer Lampe an der Seite?&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>No: from all sides</source>
+        <translation>Nein: von allen Seiten</translation>
+    </message>
+    <message>
+        <source>Yes: from one side</source>
+        <translation>Ja: von einer Seite</translation>
     </message>
 </context>
 <context>

@@ -169,7 +169,7 @@ std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& f
     const GreyImage& shown = opened->resting->photograph();
     const PhotographEvidence evidence = examine_photograph(shown, recipe, name);
     opened->advice = advice(evidence);
-    opened->recommendation = recommended_method(evidence);
+    opened->direction_deg = direction_deg(evidence);
     opened->resemblances = resemblances(evidence);
     opened->original = colour_picture(file, shown);
     opened->remarks = remarks_on(file, opened->loaded.photograph.facts);

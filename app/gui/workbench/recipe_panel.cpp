@@ -18,7 +18,10 @@ namespace asperity {
 
 namespace {
 
-enum RecipeKind { not_chosen = -1, bright_high, dark_high, side_light, paint };
+constexpr int kNotStated = -1;
+enum RecipeKind { not_chosen = kNotStated, bright_high, dark_high, paint };
+/// In the order of the list.
+constexpr std::array kLights{PhotographLight::even, PhotographLight::one_lamp};
 
 std::vector<Parameter> declared(std::initializer_list<const char*> names) {
   std::vector<Parameter> chosen{};
@@ -51,30 +54,30 @@ QString hint_of(PhotographResemblance resemblance) {
 QString name_of_method(const std::string& id) { return text_of(declared({"method"}).front(), id); }
 
 /// The recommended method with its reason.
-QString recommendation_words(const MethodRecommendation& recommendation) {
-  const QString method = name_of_method(recommendation.method);
-  const QString tilt = shown_number(kRecommendedTilt, 'f', 1);
-  const QString anisotropy = shown_number(recommendation.anisotropy, 'f', 2);
-  switch (recommendation.reason) {
-    case RecommendationReason::one_direction: {
-      const double azimuth = recommendation.direction_deg;
+QString recommendation_words(std::optional<PhotographLight> light, double direction_deg) {
+  if (!light) {
+    return RecipePanel::tr(
+        "Answer the question first: the recommended method depends on the light, and the picture "
+        "does not show it.");
+  }
+  const MethodRecommendation recommended = recommended_method(*light);
+  const QString method = name_of_method(recommended.method);
+  switch (*light) {
+    case PhotographLight::one_lamp:
       return RecipePanel::tr(
-                 "Recommended method, if the light came from one side: %1, light azimuth %2° or "
-                 "%3°, because the brightness varies mostly along this direction (anisotropy %4). "
-                 "If the surface has a grain and the light was even: %5 with a spectral tilt of "
-                 "%6.")
-          .arg(method, shown_number(azimuth, 'f', 0),
-               shown_number(azimuth + (azimuth > 0.0 ? -180.0 : 180.0), 'f', 0), anisotropy,
-               name_of_method(kBrightnessMethod), tilt);
-    }
-    case RecommendationReason::no_direction:
+                 "Recommended method: %1, with the direction of the lamp as the light azimuth. The "
+                 "brightness varies mostly along %2° and %3°. With the methods Wu and Brightness, "
+                 "the result is the slope towards the light, not the height: edges across the "
+                 "light become ridges and grooves, edges along it vanish.")
+          .arg(method, shown_number(direction_deg, 'f', 0),
+               shown_number(opposite_deg(direction_deg), 'f', 0));
+    case PhotographLight::even:
       break;
   }
   return RecipePanel::tr(
-             "Recommended method: %1 with a spectral tilt of %2, because the brightness has no "
-             "preferred direction (anisotropy %3), and on most measured surfaces its short waves "
-             "are too strong.")
-      .arg(method, tilt, anisotropy);
+             "Recommended method: %1 with a spectral tilt of %2, because on nine of ten measured "
+             "surfaces it was closer to the relief than the unprocessed brightness.")
+      .arg(method, shown_number(recommended.spectral_tilt, 'f', 1));
 }
 
 }  // namespace
@@ -90,6 +93,7 @@ RecipePanel::RecipePanel(QWidget* parent) : QWidget(parent) {
   auto* inside = new QVBoxLayout(controls_);
   inside->setContentsMargins(0, 0, kGrid, 0);
   inside->setSpacing(kGrid);
+  inside->addWidget(make_light_card());
   inside->addWidget(make_kind_card());
   add_groups(inside);
   inside->addWidget(make_evidence_card());
@@ -103,6 +107,25 @@ RecipePanel::RecipePanel(QWidget* parent) : QWidget(parent) {
   layout->addWidget(area, 1);
 }
 
+QWidget* RecipePanel::make_light_card() {
+  QVBoxLayout* inside = nullptr;
+  QFrame* card = make_card(controls_, inside);
+  inside->addWidget(make_text(tr("<b>Did the light come from one lamp at the side?</b>"), card));
+  light_ = new ChoiceBox(card);
+  light_->setObjectName("light");
+  light_->addItems({tr("No: from all sides"), tr("Yes: from one side")});
+  light_->setPlaceholderText(tr("Choose…"));
+  light_->setCurrentIndex(kNotStated);
+  connect(light_, &QComboBox::currentIndexChanged, this, &RecipePanel::recommend);
+  inside->addWidget(light_);
+  recommendation_ = make_text({}, card);
+  recommendation_->setObjectName("recommendation");
+  recommendation_->setFont(text_font(TextSize::small));
+  inside->addWidget(recommendation_);
+  recommend();
+  return card;
+}
+
 QWidget* RecipePanel::make_kind_card() {
   QVBoxLayout* inside = nullptr;
   QFrame* card = make_card(controls_, inside);
@@ -110,7 +133,7 @@ QWidget* RecipePanel::make_kind_card() {
   kind_ = new ChoiceBox(card);
   kind_->setObjectName("kind");
   kind_->addItems({tr("Relief: bright parts stand out"), tr("Relief: dark parts stand out"),
-                   tr("A surface lit from one side"), tr("Paint, print or stains")});
+                   tr("Paint, print or stains")});
   kind_->setPlaceholderText(tr("Choose…"));
   kind_->setCurrentIndex(not_chosen);
   connect(kind_, &QComboBox::currentIndexChanged, this, [this](int kind) {
@@ -127,10 +150,6 @@ QWidget* RecipePanel::make_kind_card() {
   hint_->setFont(text_font(TextSize::small));
   hint_->hide();
   inside->addWidget(hint_);
-  recommendation_ = make_text({}, card);
-  recommendation_->setObjectName("recommendation");
-  recommendation_->setFont(text_font(TextSize::small));
-  inside->addWidget(recommendation_);
   return card;
 }
 
@@ -176,10 +195,8 @@ void RecipePanel::add_groups(QLayout* layout) {
 void RecipePanel::show_opened(const OpenedPicture& opened) {
   banner_->hide();
   advice_->setText(QString::fromStdString(opened.advice));
-  const QSignalBlocker quiet(kind_);
-  kind_->setCurrentIndex(not_chosen);
-  say_what_it_shows(not_chosen);
-  recommendation_->setText(recommendation_words(opened.recommendation));
+  direction_deg_ = opened.direction_deg;
+  show_stated({});
   // What is said of the sign stands next to its choice.
   QStringList hints{};
   for (const PhotographResemblance each : opened.resemblances) {
@@ -206,9 +223,34 @@ QString RecipePanel::unready() const {
   return tr("Choose what the photograph shows: the sign of the heights is not determined yet.");
 }
 
-int RecipePanel::kind() const { return kind_->currentIndex(); }
+RecipePanel::Statements RecipePanel::stated() const {
+  return {.light = light(), .kind = kind_->currentIndex()};
+}
 
-void RecipePanel::show_recipe(const TextureRecipe& recipe, int kind) {
+std::optional<PhotographLight> RecipePanel::light() const {
+  const int chosen = light_->currentIndex();
+  if (chosen == kNotStated) return std::nullopt;
+  return kLights.at(static_cast<std::size_t>(chosen));
+}
+
+void RecipePanel::show_stated(const Statements& stated) {
+  const QSignalBlocker quiet_light(light_);
+  int place = kNotStated;
+  for (std::size_t i = 0; i < kLights.size(); ++i) {
+    if (stated.light == kLights.at(i)) place = static_cast<int>(i);
+  }
+  light_->setCurrentIndex(place);
+  recommend();
+  const QSignalBlocker quiet_kind(kind_);
+  kind_->setCurrentIndex(stated.kind);
+  say_what_it_shows(stated.kind);
+}
+
+void RecipePanel::recommend() {
+  recommendation_->setText(recommendation_words(light(), direction_deg_));
+}
+
+void RecipePanel::show_recipe(const TextureRecipe& recipe, const Statements& stated) {
   const ParameterValues all = complete_parameter_values(recipe);
   for (ParameterForm* form : forms_) {
     ParameterValues values{};
@@ -218,9 +260,7 @@ void RecipePanel::show_recipe(const TextureRecipe& recipe, int kind) {
     }
     form->set_values(values);
   }
-  const QSignalBlocker quiet(kind_);
-  kind_->setCurrentIndex(kind);
-  say_what_it_shows(kind);
+  show_stated(stated);
 }
 
 bool RecipePanel::is_dragging() const {
@@ -239,12 +279,6 @@ void RecipePanel::say_what_it_shows(int kind) {
           tr("Dark is high: for light mortar between bricks or light sand between pebbles, in even "
              "light. On five measured surfaces the heights matched the relief only in part, and on "
              "four of them less well than the unprocessed brightness."));
-      break;
-    case side_light:
-      expectation_->setText(
-          tr("▲ Choose the method Pentland and the direction of the light. With the methods Wu and "
-             "Brightness, the result is the slope towards the light, not the height: edges across "
-             "the light become ridges and grooves, edges along it vanish."));
       break;
     case paint:
       expectation_->setText(

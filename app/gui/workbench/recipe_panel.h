@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QtWidgets/QWidget>
@@ -25,17 +26,22 @@ class RecipePanel final : public QWidget {
  public:
   explicit RecipePanel(QWidget* parent = nullptr);
 
-  /// Shows the statistics of a photograph and the recommended method. What the photograph shows is open until it is
-  /// chosen; the other parameters stay.
+  /// What the user states about a photograph.
+  struct Statements {
+    std::optional<PhotographLight> light{};
+    int kind = -1;  ///< what it shows, as its place in the list; −1 until it is chosen
+  };
+
+  /// Shows the statistics of a photograph. Its light and what it shows are open until they are stated; the method is
+  /// recommended for the light. The other parameters stay.
   void show_opened(const OpenedPicture& opened);
 
   TextureRecipe recipe() const;
   /// Why the relief is provisional: the sign of the heights is not chosen. Empty if it is, or if the method determines it.
   QString unready() const;
-  /// Of what the photograph shows, its place in the list; −1 until it is chosen.
-  int kind() const;
+  Statements stated() const;
   /// As it was left elsewhere. Does not signal.
-  void show_recipe(const TextureRecipe& recipe, int kind);
+  void show_recipe(const TextureRecipe& recipe, const Statements& stated);
   /// A slider is held.
   bool is_dragging() const;
   /// Why the recipe cannot be; empty: it can.
@@ -45,13 +51,19 @@ class RecipePanel final : public QWidget {
   void edited();
 
  private:
+  QWidget* make_light_card();
   QWidget* make_kind_card();
   QWidget* make_evidence_card();
   void add_groups(QLayout* layout);
+  void show_stated(const Statements& stated);
+  std::optional<PhotographLight> light() const;
+  void recommend();
   void say_what_it_shows(int kind);
 
   Banner* banner_ = nullptr;
   QWidget* controls_ = nullptr;
+  QComboBox* light_ = nullptr;
+  double direction_deg_ = 0.0;
   QComboBox* kind_ = nullptr;
   QLabel* expectation_ = nullptr;
   StateLabel* hint_ = nullptr;

@@ -23,7 +23,6 @@
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/line_profile.h"
-#include "app/gui/workbench/recipe_panel.h"
 #include "app/gui/workbench/relief_view.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/gui/workbench/signal_plots.h"
@@ -357,7 +356,7 @@ void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStr
 WorkbenchPage::Work WorkbenchPage::work() const {
   return {.opened = opened_,
           .recipe = recipe(),
-          .kind = recipe_->kind(),
+          .stated = recipe_->stated(),
           .compares = mode_->checkedId() == static_cast<int>(Mode::comparing),
           .comparison = comparison_->choices()};
 }
@@ -368,7 +367,7 @@ void WorkbenchPage::resume(const Work& work) {
   take(work.opened, {});
   banner_->hide();  // it was read when the file was opened
   if (work.opened->is_photograph()) {
-    recipe_->show_recipe(work.recipe, work.kind);
+    recipe_->show_recipe(work.recipe, work.stated);
     save_->check();
     recompute();
     keep_unsaved(false);

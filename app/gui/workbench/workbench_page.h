@@ -12,6 +12,7 @@
 #include "app/gui/look/newest_work.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/opened_picture.h"
+#include "app/gui/workbench/recipe_panel.h"
 #include "app/gui/workbench/step_strip.h"
 
 class QButtonGroup;
@@ -23,7 +24,6 @@ namespace asperity {
 
 class Banner;
 class OpenStudy;
-class RecipePanel;
 class ReliefView;
 class SavePanel;
 class SignalPlot;
@@ -49,7 +49,7 @@ class WorkbenchPage final : public QWidget {
   struct Work {
     std::shared_ptr<const OpenedPicture> opened{};  ///< null: nothing
     TextureRecipe recipe{};
-    int kind = -1;  ///< of what the photograph shows, as in the recipe's list
+    RecipePanel::Statements stated{};
     bool compares = false;
     ForceComparison::Choices comparison{};
   };
