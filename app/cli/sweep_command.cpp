@@ -33,6 +33,17 @@ namespace asperity {
 
 namespace {
 
+/// The presets with their values, for the help.
+std::string hand_preset_list() {
+  std::string list{};
+  for (const HandPreset& preset : hand_presets()) {
+    list += std::string(list.empty() ? "" : "; ") + preset.name + " (" +
+            number_text(preset.hand.mass_kg) + ',' + number_text(preset.hand.damping_N_s_per_m) +
+            ',' + number_text(preset.hand.stiffness_N_per_m) + "), " + preset.choice;
+  }
+  return list;
+}
+
 int run_sweep(SweepOptions options) {
   const ModelRegistry models = models_with(options.plugins);
   complete_order(options, models);
@@ -156,7 +167,12 @@ void add_sweep(CLI::App& program, Job& job) {
                    "exploratory_speed")
       ->transform(word_of(modes))
       ->option_text("constant_height|constant_force");
-  command->add_option("--hand", options->hand, "M_kg,B_N_s_per_m,K_N_per_m")->capture_default_str();
+  command
+      ->add_option("--hand", options->hand,
+                   "Mass, damping and stiffness of the hand, M_kg,B_N_s_per_m,K_N_per_m, or a "
+                   "preset: " +
+                       hand_preset_list())
+      ->capture_default_str();
   command->add_option(
       "--stiffness-n-per-m", options->stiffness_N_per_m,
       "Stiffness of the surface, N/m (default: 20000 for exploratory_speed at constant "

@@ -89,11 +89,15 @@ std::vector<double> spacings_of(const std::string& text) {
 }
 
 HandModel hand_of(const std::string& text) {
-  constexpr const char* kExpected = "write M_kg,B_N_s_per_m,K_N_per_m, such as 0.05,3,200";
-  const std::vector<double> numbers = numbers_of("--hand", text, ',', kExpected);
+  std::string expected = "write M_kg,B_N_s_per_m,K_N_per_m, such as 0.05,3,200";
+  for (const HandPreset& preset : hand_presets()) {
+    if (text == preset.name) return preset.hand;
+    expected += std::string(", or ") + preset.name;
+  }
+  const std::vector<double> numbers = numbers_of("--hand", text, ',', expected);
   if (numbers.size() != 3) {
     throw WrongUsage("--hand " + text + " has " + counted(numbers.size(), "number", "numbers") +
-                     " instead of three; " + kExpected);
+                     " instead of three; " + expected);
   }
   return {.mass_kg = numbers[0], .damping_N_s_per_m = numbers[1], .stiffness_N_per_m = numbers[2]};
 }

@@ -31,7 +31,7 @@ struct SweepOptions {
   std::vector<std::filesystem::path> plugins{};
   std::optional<DragMode> drag{};
   std::optional<double> stiffness_N_per_m{};
-  std::string hand = "0.05,3,200";
+  std::string hand = hand_presets().front().name;
   int jobs = 0;
   std::string out{};
   SweepMeasure measure = SweepMeasure::max_accel;

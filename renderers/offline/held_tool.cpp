@@ -3,12 +3,20 @@
 #include "renderers/offline/held_tool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "device/refusal.h"
 
 namespace asperity {
 namespace {
+
+constexpr std::array<HandPreset, 2> kPresets{{
+    {.name = "light", .hand = {}, .choice = "lightly damped, the default"},
+    {.name = "firm",
+     .hand = {.mass_kg = 0.02, .damping_N_s_per_m = 30.0, .stiffness_N_per_m = 200.0},
+     .choice = "chosen so that contact is kept"},
+}};
 
 // The slowest decay of m·ẍ + b·ẋ + k·x = 0.
 double decay_of(double mass_kg, double damping_N_s_per_m, double stiffness_N_per_m) noexcept {
@@ -18,6 +26,8 @@ double decay_of(double mass_kg, double damping_N_s_per_m, double stiffness_N_per
 }
 
 }  // namespace
+
+std::span<const HandPreset> hand_presets() noexcept { return kPresets; }
 
 HeldTool::HeldTool(const HandModel& hand, const Stroke& stroke) : hand_(hand), stroke_(stroke) {
   require_positive("HandModel::mass_kg", hand.mass_kg);

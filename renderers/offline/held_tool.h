@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -17,6 +18,20 @@ struct HandModel {
   double damping_N_s_per_m = 3.0;    ///< of the hand
   double stiffness_N_per_m = 200.0;  ///< of the grip along the stroke
 };
+
+/// A hand with a name. Its values are chosen, not measured.
+struct HandPreset {
+  const char* name = "";
+  HandModel hand{};
+  const char* choice = "";  ///< what the values were chosen for, as a phrase of the command line
+};
+
+/// All presets; the first is the default.
+///
+/// `firm` is damped so strongly that its tool neither bounces nor is caught on the cones of the library's protocols. On 3 kN/m, as
+/// there, it keeps contact from 0.5 N on; on a stiffer surface it sinks into the gaps more slowly, with P/b, than it passes them.
+/// No published measurement of a hand above 100 Hz is known that has a damping of 30 N s/m.
+std::span<const HandPreset> hand_presets() noexcept;
 
 /// Integrates the motion of a tool whose hand moves along +x at a constant speed, after the drawing in the source,
 /// which gives no numbers [Otaduy 2004]:
