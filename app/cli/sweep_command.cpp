@@ -99,6 +99,7 @@ int run_sweep(SweepOptions options) {
             << text_of(order.stroke.mode) << ", " << text_of(options.measure) << '\n'
             << aligned(summary_table(sweep, options.measure));
   say_without_effect(sweep);
+  say_lost_contact(sweep);
   say_absent_numbers(sweep, options.measure);
 #ifdef ASPERITY_WITH_WINDOWS
   if (!plot.empty()) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/number_text.h"
 #include "app/cli/terminal.h"
 #include "app/words/text_parts.h"
 
@@ -63,7 +64,7 @@ Table summary_table(const Sweep& sweep, SweepMeasure measure) {
                                                     {VariedQuantity::exploratory_speed, "_m_per_s"},
                                                     {VariedQuantity::turning, ""}};
   Table table{.columns = {text_of(sweep.order.varied) + std::string(units.at(sweep.order.varied)),
-                          "rows_fitted", "stick_slip", "not_converged", "saturated",
+                          "rows_fitted", "stick_slip", "not_converged", "lost_contact", "saturated",
                           "greatest_at_mm", "parabola_peak_mm", "low_mm", "high_mm", "r2"}};
   const auto rounded = [](std::optional<double> number, double unit) {
     return number ? Cell(std::round(*number * unit * 1e3) / 1e3) : Cell();
@@ -83,9 +84,9 @@ Table summary_table(const Sweep& sweep, SweepMeasure measure) {
     }
     table.rows.push_back({curve.value, static_cast<std::int64_t>(curve.fitted.size()),
                           count(curve.value, "stick_slip"), count(curve.value, "not_converged"),
-                          count(curve.value, "saturated"), rounded(curve.greatest_at_m, 1e3),
-                          rounded(peak_m, 1e3), rounded(low_m, 1e3), rounded(high_m, 1e3),
-                          rounded(r2, 1.0)});
+                          count(curve.value, "lost_contact"), count(curve.value, "saturated"),
+                          rounded(curve.greatest_at_m, 1e3), rounded(peak_m, 1e3),
+                          rounded(low_m, 1e3), rounded(high_m, 1e3), rounded(r2, 1.0)});
   }
   return table;
 }
@@ -98,6 +99,19 @@ void say_without_effect(const Sweep& sweep) {
   say(std::string(kNoEffectByConstruction) + ": " + sweep.order.stroke.model->declaration.id +
       " cannot depend on " + varied_text(sweep.order.varied) +
       "; one stroke per spacing represents all values, and their curves are the same");
+}
+
+void say_lost_contact(const Sweep& sweep) {
+  const auto lost = std::count_if(sweep.rows.begin(), sweep.rows.end(), [](const SweepRow& row) {
+    return row.status == text_of(DragStatus::lost_contact);
+  });
+  if (lost == 0) return;
+  say(std::string(text_of(DragStatus::lost_contact)) + ": " +
+      counted(static_cast<std::size_t>(lost), "row") +
+      " left out, in which the tool was in the air for more than " +
+      number_text(100.0 * kMostWithoutContact) +
+      " % of the time; press with a greater --applied-force-n, or choose a lower texture, a slower "
+      "stroke, or a hand with more damping (--hand firm)");
 }
 
 void say_absent_numbers(const Sweep& sweep, SweepMeasure measure) {

@@ -19,6 +19,7 @@
 #include "analysis/number_text.h"
 #include "device/refusal.h"
 #include "renderers/offline/constant_height.h"
+#include "renderers/servo/contact.h"
 
 namespace asperity {
 namespace {
@@ -148,6 +149,7 @@ struct Run {
   std::optional<TurningRoughness> turning{};
   double slowest_m_per_s = 0.0;
   double lowest_m = 0.0;
+  double share_without_contact = 0.0;
 };
 
 struct Steps {
@@ -230,6 +232,7 @@ std::optional<Run> simulated(ForceRenderer& renderer, const Drag& stroke, const 
   TurningRecord turning{};
   Run run{.slowest_m_per_s = stroke.speed_m_per_s, .lowest_m = steps.height_m};
   double time_s = 0.0;
+  std::size_t in_the_air = 0;
   const auto feel = [&](bool is_first) {
     const double place_m = tool.state().position_m.x + free.place_m(time_s);
     const double speed_m_per_s = tool.state().velocity_m_per_s.x + free.speed_m_per_s(time_s);
@@ -237,20 +240,22 @@ std::optional<Run> simulated(ForceRenderer& renderer, const Drag& stroke, const 
         probe_on(guide, {place_m, tool.state().position_m.z},
                  {speed_m_per_s, tool.state().velocity_m_per_s.z}, tool.state().time_ns);
     if (is_first) renderer.reset(probe);
-    const Wrench wrench = renderer.tick(probe, dt_s).wrench;
-    const glm::dvec2 force_N = forces_on(guide, guide.at(place_m), wrench);
+    const RenderedTick rendered = renderer.tick(probe, dt_s);
+    const glm::dvec2 force_N = forces_on(guide, guide.at(place_m), rendered.wrench);
     tool.feel({force_N.x, 0.0, force_N.y});
-    return std::pair{force_N.x, wrench.force_N};
+    return std::pair{force_N.x, rendered};
   };
   feel(true);
   for (std::size_t i = 0; i < dropped + kept; ++i) {
     if (i % kBetweenStops == 0 && stop.stop_requested()) return std::nullopt;
     time_s = static_cast<double>(i + 1) * dt_s;
     tool.advance(dt_s);
-    const auto [along_N, force_N] = feel(false);
+    const auto [along_N, rendered] = feel(false);
     if (i < dropped) continue;
+    if (!is_in_contact(rendered)) ++in_the_air;
     record.add(tool.acceleration_m_per_s2().x, tool.acceleration_m_per_s2().y);
-    if (guide.turn_rad_per_m() > 0.0) turning.add(along_N / guide.turn_rad_per_m(), force_N);
+    if (guide.turn_rad_per_m() > 0.0)
+      turning.add(along_N / guide.turn_rad_per_m(), rendered.wrench.force_N);
     run.lowest_m = std::min(run.lowest_m, tool.state().position_m.z);
     const double free_m_per_s = free.speed_m_per_s(time_s);
     const double forwards_m_per_s =
@@ -262,6 +267,7 @@ std::optional<Run> simulated(ForceRenderer& renderer, const Drag& stroke, const 
           std::min(run.slowest_m_per_s, std::copysign(1.0, free_m_per_s) * forwards_m_per_s);
     }
   }
+  run.share_without_contact = static_cast<double>(in_the_air) / static_cast<double>(kept);
   run.roughness = record.roughness();
   if (run.roughness.max_accel_m_per_s2 < kRounding_m_per_s2) run.roughness = {};
   if (guide.turn_rad_per_m() > 0.0) run.turning = turning.roughness(1.0 / dt_s);
@@ -297,6 +303,8 @@ const char* text_of(DragStatus status) noexcept {
       return "stick_slip";
     case DragStatus::not_converged:
       return "not_converged";
+    case DragStatus::lost_contact:
+      return "lost_contact";
     case DragStatus::saturated:
       return "saturated";
   }
@@ -362,8 +370,11 @@ std::optional<DragResult> drag(ForceRenderer& renderer, const Drag& stroke,
   result.turning = last->turning;
   result.time_step_s = length.spacing_s / static_cast<double>(steps.in_a_spacing);
   result.slowest_m_per_s = last->slowest_m_per_s;
+  result.share_without_contact = last->share_without_contact;
   if (still.yields_at(last->lowest_m)) {
     result.status = DragStatus::saturated;
+  } else if (result.share_without_contact > kMostWithoutContact) {
+    result.status = DragStatus::lost_contact;
   } else if (result.status == DragStatus::ok &&
              result.slowest_m_per_s < kCaught * stroke.speed_m_per_s) {
     result.status = DragStatus::stick_slip;

@@ -51,10 +51,15 @@ enum class DragStatus {
   ok,
   stick_slip,     ///< the tool stuck: slower than a twentieth of the hand's speed, or backwards
   not_converged,  ///< the measures still changed at the smallest time step
+  lost_contact,   ///< without contact for more than kMostWithoutContact of the time
   saturated,      ///< somewhere the force did not increase with depth
 };
 const char* text_of(DragStatus status) noexcept;
 const char* text_of(DragMode mode) noexcept;
+
+/// The largest proportion of the record in which a tool that follows a texture is in the air. A tool that bounces is chaotic, and
+/// its accelerations are those of its impacts.
+inline constexpr double kMostWithoutContact = 0.05;
 
 struct DragResult {
   DragStatus status = DragStatus::ok;
@@ -64,6 +69,7 @@ struct DragResult {
   double height_m = 0.0;     ///< of the tip over the guide; at constant force: initially
   double time_step_s = 0.0;  ///< of the simulation that gave the measures
   double slowest_m_per_s = 0.0;
+  double share_without_contact = 0.0;  ///< of the time of the record
 };
 
 /// The duration of the dropped beginning of a stroke: eight time constants (decay to 1/e) of the slowest mode of the
@@ -98,7 +104,7 @@ double beginning_s(const HandModel& hand, std::optional<double> surface_N_per_m)
 ///
 /// Saturated: where the tool was, 10 µm more depth increase the normal force by less than a tenth of the value for the
 /// surface's stiffness, or no height has the mean normal force. If several statuses apply, saturated takes precedence
-/// over not_converged, and that over stick_slip.
+/// over lost_contact, that over not_converged, and that over stick_slip.
 ///
 /// nullopt if stopped by `stop`. Errors: std::invalid_argument, naming the field, for a value that is not positive, and
 /// for a `reach_m` that is too short for four spacings.

@@ -475,30 +475,119 @@ std::vector<std::vector<double>> printed_numbers(const std::string& out) {
   return rows;
 }
 
-// As in participants, the peak moves to larger spacings with speed [Lederman 1999, Klatzky 2003]. At a constant height it does not.
-TEST(Sweep, OfSpeedHasPeaksThatMoveToLargerSpacings) {
+// The columns of the printed table.
+constexpr std::size_t kFitted = 1;
+constexpr std::size_t kGreatest = 6;
+constexpr std::size_t kPeak = 7;
+constexpr std::size_t kLow = 8;
+constexpr std::size_t kHigh = 9;
+
+/// The figures of docs/sweep.md: the cones, the stiffness and the forces of the library's protocols.
+std::vector<std::string> firm_on_cones(const std::string& varied, const std::string& values) {
+  std::vector<std::string> order{
+      "--model",
+      "pd_gradient",
+      "--hand",
+      "firm",
+      "--drag",
+      "constant_force",
+      "--stiffness-n-per-m",
+      "3000",
+      "--texture",
+      "cones,height_m=0.0002,top_diameter_m=0.0001,base_diameter_m=0.00045,angle_rad=0.643501",
+      "--spacings",
+      "0.0005:0.0035:13",
+      "--measure",
+      "rms_accel",
+      "--vary",
+      varied,
+      "--values",
+      values};
+  if (varied != "applied_force") order.insert(order.end(), {"--applied-force-n", "0.8"});
+  return order;
+}
+
+// The effects in participants [Klatzky 1999, Lederman 1999, Klatzky 2003] by one hand on one texture, without a stroke that is
+// left out: the peak moves to larger spacings with diameter and with speed, and roughness rises with force at every spacing.
+TEST(Sweep, OfAFirmHandOnConesHasTheThreeEffects) {
   const TemporaryFolder place{};
-  const std::vector<std::string> speeds{"--model",           "pd_gradient", "--vary",
-                                        "exploratory_speed", "--values",    "0.05,0.2"};
-  const auto rows_of = [&](const std::string& name, const std::vector<std::string>& more) {
-    std::vector<std::string> order = speeds;
-    order.insert(order.end(), more.begin(), more.end());
-    const Outcome outcome = asperity(sweep_into(place / name, order));
+  const auto swept = [&](const std::string& varied, const std::string& values) {
+    const fs::path out = place / (varied + ".tsv");
+    const Outcome outcome = asperity(sweep_into(out, firm_on_cones(varied, values)));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    const Tsv rows = tsv(text_of(place / name));
-    return std::pair(printed_numbers(outcome.out), rows.column("drag").front());
+    Tsv rows = tsv(text_of(out));
+    EXPECT_THAT(rows.column("status"), Each("ok")) << varied;
+    return std::pair(printed_numbers(outcome.out), std::move(rows));
   };
-  const auto [peaks, drag] = rows_of("speed.tsv", {"--spacings", "0.0005:0.008:19"});
-  EXPECT_EQ(drag, "constant_force");
-  ASSERT_EQ(peaks.size(), 2U);
-  constexpr std::size_t kPeak = 6;
-  constexpr std::size_t kLow = 7;
-  constexpr std::size_t kHigh = 8;
-  EXPECT_GT(peaks[1][kPeak], 1.2 * peaks[0][kPeak]);
-  EXPECT_GT(peaks[1][kLow], peaks[0][kHigh]) << "the 95 % CIs are disjoint";
-  const auto [held, constant] =
-      rows_of("height.tsv", {"--drag", "constant_height", "--spacings", "0.0005:0.008:13"});
-  EXPECT_EQ(constant, "constant_height");
+  const auto expect_disjoint = [](const std::vector<std::vector<double>>& peaks, double first_mm,
+                                  double last_mm) {
+    ASSERT_EQ(peaks.size(), 2U);
+    EXPECT_NEAR(peaks[0][kPeak], first_mm, 0.02);
+    EXPECT_NEAR(peaks[1][kPeak], last_mm, 0.02);
+    EXPECT_GT(peaks[1][kLow], peaks[0][kHigh]) << "the 95 % CIs are disjoint";
+  };
+  expect_disjoint(swept("probe_diameter", "0.001,0.003").first, 0.88, 1.24);
+  expect_disjoint(swept("exploratory_speed", "0.05,0.2").first, 0.96, 1.23);
+
+  const Tsv rows = swept("applied_force", "0.5,2").second;
+  const std::vector<std::string> rms = rows.column("roughness_rms_accel_m_per_s2");
+  const std::size_t half = rms.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    const double exponent =
+        std::log(number_in(rms[half + i]).value() / number_in(rms[i]).value()) / std::log(4.0);
+    EXPECT_GT(exponent, 0.65) << i;
+    EXPECT_LT(exponent, 1.0) << i;
+  }
+}
+
+// A tool on a stiff surface bounces, if little in the hand damps it: its accelerations are those of impacts.
+TEST(Sweep, LeavesOutStrokesInTheAir) {
+  const TemporaryFolder place{};
+  const Outcome bounced = asperity(
+      sweep_into(place / "sweep.tsv", {"--model", "pd_gradient", "--vary", "exploratory_speed",
+                                       "--values", "0.1", "--spacings", "0.0016:0.0034:3"}));
+  ASSERT_EQ(bounced.status, 0) << bounced.err;
+  const Tsv rows = tsv(text_of(place / "sweep.tsv"));
+  EXPECT_THAT(rows.column("drag"), Each("constant_force"));
+  EXPECT_THAT(rows.column("status"), Each("lost_contact"));
+  EXPECT_THAT(rows.column("roughness_rms_accel_m_per_s2"), Each(Not("n/a")));
+  EXPECT_EQ(printed_numbers(bounced.out).at(0)[kFitted], 0.0);
+  EXPECT_THAT(bounced.err, HasSubstr("lost_contact: 3 rows left out, in which the tool was in the "
+                                     "air for more than 5 % of the time"));
+  EXPECT_THAT(bounced.err, HasSubstr("--hand firm"));
+}
+
+TEST(Sweep, TakesAHandByItsNameOrItsNumbers) {
+  const TemporaryFolder place{};
+  const auto declaration = [&](const std::string& name, const std::vector<std::string>& hand) {
+    std::vector<std::string> order = sweep_into(place / name, kSmall);
+    order.insert(order.end(), hand.begin(), hand.end());
+    const Outcome outcome = asperity(order);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return text_of((place / name).string() + ".json");
+  };
+  EXPECT_EQ(declaration("a.tsv", {"--hand", "firm"}),
+            declaration("b.tsv", {"--hand", "0.02,30,200"}));
+  EXPECT_EQ(declaration("c.tsv", {"--hand", "light"}), declaration("d.tsv", {}));
+  std::vector<std::string> order = sweep_into(place / "e.tsv", kSmall);
+  order.insert(order.end(), {"--hand", "soft"});
+  const Outcome refused = asperity(order);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("\"soft\" is not a number; write "
+                                     "M_kg,B_N_s_per_m,K_N_per_m, such as 0.05,3,200, or light, "
+                                     "or firm"));
+}
+
+// At a constant height the peak does not move to larger spacings with speed.
+TEST(Sweep, OfSpeedAtAConstantHeightHasPeaksThatStay) {
+  const TemporaryFolder place{};
+  const Outcome outcome = asperity(
+      sweep_into(place / "height.tsv",
+                 {"--model", "pd_gradient", "--vary", "exploratory_speed", "--values", "0.05,0.2",
+                  "--drag", "constant_height", "--spacings", "0.0005:0.008:13"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(tsv(text_of(place / "height.tsv")).column("drag"), Each("constant_height"));
+  const auto held = printed_numbers(outcome.out);
   EXPECT_LT(held.back()[kPeak], 1.1 * held.front()[kPeak]);
 }
 
@@ -514,7 +603,7 @@ TEST(Sweep, PrintsThePeaksOfTheMeasureThatIsChosen) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     std::istringstream last(outcome.out.substr(outcome.out.rfind('\n', outcome.out.size() - 2)));
     std::vector<std::string> words{std::istream_iterator<std::string>(last), {}};
-    return words.at(5);
+    return words.at(kGreatest);
   };
   for (const auto& [measure, column] :
        std::map<std::string, std::string>{{"max_accel", "roughness_max_accel_m_per_s2"},
