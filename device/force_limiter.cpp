@@ -50,8 +50,8 @@ double growth(const glm::dvec3& from, const glm::dvec3& to) noexcept {
 // Of the way from c to the wanted force, to the precision of its numbers.
 constexpr int kHalvings = 53;
 
-// Of a sum of periods that is a window.
-constexpr double kRounding_s = 1e-9;
+// Periods are whole nanoseconds: three of 333 333 ns are a window.
+constexpr double kRounding_s = 1e-7;
 
 }  // namespace
 
