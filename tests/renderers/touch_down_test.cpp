@@ -93,7 +93,7 @@ RendererInputs touched_inputs(const ForceModel& model) {
   inputs.seed = 1;
   if (model.declaration.needs_bodies) {
     inputs.surface = std::make_shared<const TexturedMesh>(
-        body_mesh(PlateShape{{0.07, 0.03, 0.004}}, grating().get()));
+        body_mesh(PlateShape{{0.04, 0.012, 0.004}}, grating().get()));
     inputs.tool = std::make_shared<const TexturedMesh>(body_mesh(SphereShape{0.002}, nullptr));
     inputs.parameters = {{"coupling", std::string("none")}, {"most_halvings", 0.0}};
   }
