@@ -103,8 +103,9 @@ glm::dvec3 ForceLimiter::limited_to(const VectorLimit& limit, const glm::dvec3& 
   const bool may_grow = held_count_ < kMostHeld;
   if (aim == fallen || (may_grow && may_follow(aim))) return aim;
   add(LimitReason::slew, limited);
+  if (!may_grow) return fallen;
   double allowed = 0.0;
-  double step = may_grow ? 0.5 : 0.0;
+  double step = 0.5;
   for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5) {
     if (may_follow(fallen + (allowed + step) * (aim - fallen))) allowed += step;
   }

@@ -15,10 +15,10 @@ namespace asperity {
 /// What a wrench may be at most, and how far it may grow or turn within ForceLimiter::kWindow_s. The force is never above the
 /// device's own limit.
 struct ForceLimits {
-  double force_N = 5.0;      ///< magnitude [Wu 2009]
-  double torque_N_m = 0.1;   ///< magnitude
-  double slew_N = 1.0;       ///< a texture of 0.5 N at 300 Hz changes by 2·0.5 N·sin(π·0.3) = 0.81 N
-  double slew_N_m = 0.02;    ///< a fifth of the torque
+  double force_N = 5.0;     ///< magnitude [Wu 2009]
+  double torque_N_m = 0.1;  ///< magnitude
+  double slew_N = 1.0;  ///< a texture of 0.5 N at 300 Hz changes by 2·0.5 N·sin(π·0.3) = 0.81 N
+  double slew_N_m = 0.02;  ///< a fifth of the torque
 };
 
 /// Why a wrench was changed on its way to the motors; bits of LimitedWrench::reasons.
@@ -50,9 +50,10 @@ struct LimitedWrench {
 ///
 /// **Falls.** A fall towards zero is never delayed: a force that is held longer than its surface exerts it feeds energy to the
 /// hand. Of the force before, g, the part in the wanted force w is the point c of the line from 0 to g that is nearest to w. The
-/// force sent is the point farthest from c on the line from c to w that all distances allow. Along g it is thus never above w, and
-/// where w is below g it is w. The sets {f: d(f, g) ≤ slew_N} are convex and contain 0 and the force before, thus c as well, so
-/// that there is such a point. With one g in the window it is the point nearest to w.
+/// force sent is the point farthest from c on the line from c to w that all distances allow. A part of w along g that is shorter
+/// than g is thus sent as it is; where w points against g, the force is at zero or beyond at once. The sets {f: d(f, g) ≤ slew_N}
+/// are convex and contain 0 and the force before, thus c as well, so that there is such a point. With one g in the window it is the
+/// point nearest to w.
 ///
 /// What the caller may rely on: the length of each vector returned, √(x² + y² + z²) in double, is
 /// never above its limit, not by one unit in the last place. A wrench within the limits is returned

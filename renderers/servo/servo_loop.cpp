@@ -321,12 +321,11 @@ void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
 void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading clock) noexcept {
   Servo& servo = *servo_;
   const double period_s = 1.0 / settings_.rate_Hz;
-  const double dt_s = servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz)
-                                       : period_s;
+  const double dt_s =
+      servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz) : period_s;
   const double elapsed_s =
-      servo.has_ticked
-          ? std::min(period_s, static_cast<double>(now_ns - servo.last_tick_ns) * 1e-9)
-          : period_s;
+      servo.has_ticked ? std::min(period_s, static_cast<double>(now_ns - servo.last_tick_ns) * 1e-9)
+                       : period_s;
   // Checked before a waiting presentation is accepted: that one has not produced a force yet.
   if (servo.felt && is_standstill(servo.last_tick_ns, now_ns)) raise(Fault::standstill);
   TickRecord record{};

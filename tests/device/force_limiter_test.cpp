@@ -234,9 +234,8 @@ TEST(ForceLimiter, GrowsInNoWindowByMoreThanTheLimitAndFallsAsWanted) {
     int slewed_count = 0;
     for (int i = 0; i < 4000; ++i) {
       const double elapsed_s = (0.5 + 0.5 * random.uniform()) / rate_Hz;
-      const Wrench wanted{.force_N = random.uniform() < 0.5
-                                         ? any_vector(random)
-                                         : last_N + 0.3 * any_vector(random)};
+      const Wrench wanted{.force_N = random.uniform() < 0.5 ? any_vector(random)
+                                                            : last_N + 0.3 * any_vector(random)};
       const glm::dvec3 aim_N = unslewed.limit(wanted, elapsed_s).wrench.force_N;
       const LimitedWrench limited = limiter.limit(wanted, elapsed_s);
       const glm::dvec3 force_N = limited.wrench.force_N;

@@ -227,8 +227,7 @@ TEST(HapticDevice, RefusesLimitsThatAreNotPositive) {
 }
 
 TEST(HapticDevice, AnswersNothingWhileItIsLostAndRisesFromZeroAfterwards) {
-  ScriptedDevice device(capability(10.0),
-                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
+  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
   for (int i = 0; i < 4; ++i) {
     device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   }
@@ -242,8 +241,7 @@ TEST(HapticDevice, AnswersNothingWhileItIsLostAndRisesFromZeroAfterwards) {
 }
 
 TEST(HapticDevice, FallsToZeroForceAtOncePastTheSlewLimit) {
-  ScriptedDevice device(capability(10.0),
-                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
+  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1.0});
   for (int i = 0; i < 4; ++i) {
     device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   }

@@ -96,12 +96,11 @@ class ServoLoopTest : public testing::Test {
   }
 
   UnitPlate::Log log{};
-  ScriptedDevice device{
-      {.name = "scripted",
-       .actuated_degrees_of_freedom = 6,
-       .peak_force_N = 100.0,
-       .may_rest_exactly = true},
-      {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}};
+  ScriptedDevice device{{.name = "scripted",
+                         .actuated_degrees_of_freedom = 6,
+                         .peak_force_N = 100.0,
+                         .may_rest_exactly = true},
+                        {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}};
   RecordRing records{16};
   ServoLoop loop{device, records, {}};
   std::int64_t now_ns = 1'000'000'000;

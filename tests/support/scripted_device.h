@@ -20,12 +20,11 @@ class ScriptedDevice final : public HapticDevice {
  public:
   /// Limits nothing that a test renders, and may rest to the last bit.
   ScriptedDevice()
-      : ScriptedDevice(
-            {.name = "scripted",
-             .peak_force_N = 100.0,
-             .continuous_force_N = 100.0,
-             .may_rest_exactly = true},
-            {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}) {}
+      : ScriptedDevice({.name = "scripted",
+                        .peak_force_N = 100.0,
+                        .continuous_force_N = 100.0,
+                        .may_rest_exactly = true},
+                       {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}) {}
   explicit ScriptedDevice(DeviceCapability capability, const ForceLimits& limits = {})
       : HapticDevice(std::move(capability), limits) {}
   ~ScriptedDevice() override {
