@@ -71,8 +71,10 @@ void name_any_sans(QByteArray& svg, const FigureLayout& layout) {
 /// Replaces the time stamps, in the document's entries and in its metadata (XMP), by as many blanks: the offsets of a PDF's
 /// objects are counted in bytes.
 void take_out_the_dates(QByteArray& pdf) {
-  const std::pair<QByteArray, char> stamps[]{{"/CreationDate (", ')'},   {"/ModDate (", ')'},
-                                             {"xmp:CreateDate=\"", '"'}, {"xmp:ModifyDate=\"", '"'},
+  const std::pair<QByteArray, char> stamps[]{{"/CreationDate (", ')'},
+                                             {"/ModDate (", ')'},
+                                             {"xmp:CreateDate=\"", '"'},
+                                             {"xmp:ModifyDate=\"", '"'},
                                              {"xmp:MetadataDate=\"", '"'}};
   for (const auto& [key, closing] : stamps) {
     const auto begin = pdf.indexOf(key);

@@ -252,10 +252,19 @@ TEST_F(Plugin, IsEvaluatedWithTheValuesOfTheProtocolBeforeASession) {
 }
 
 TEST_F(Plugin, IsSweptWithItsHashInTheDescriptionOfTheTable) {
-  const std::vector<std::string> sweep{
-      "sweep",    "--model",    "ridges",        "--vary", "exploratory_speed", "--values",
-      "0.05,0.1", "--spacings", "0.002:0.004:2", "--drag", "constant_height",   "--out",
-      folder_ / "sweep.tsv"};
+  const std::vector<std::string> sweep{"sweep",
+                                       "--model",
+                                       "ridges",
+                                       "--vary",
+                                       "exploratory_speed",
+                                       "--values",
+                                       "0.05,0.1",
+                                       "--spacings",
+                                       "0.002:0.004:2",
+                                       "--drag",
+                                       "constant_height",
+                                       "--out",
+                                       folder_ / "sweep.tsv"};
   const Outcome unknown = asperity(sweep);
   EXPECT_NE(unknown.status, 0);
   EXPECT_THAT(unknown.err, HasSubstr("load the plug-in with --plugin FILE"));
