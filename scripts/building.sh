@@ -1,5 +1,6 @@
-# Configuring and building, quietly. Sourced by the scripts beside it.
+# Configuring and building, quietly. Sourced by the other scripts of this folder, which end with the first failure.
 # shellcheck shell=bash
+set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 
@@ -36,7 +37,7 @@ configure() {
 # writes to the screen how many there are, and each tenth of them.
 report_progress() {
   local name=$1 log=$2 line finished steps shown=-1
-  local -r few=10  # what is linked and checked anew without a change, and some files
+  local -r few=10  # what is linked and checked again without a change, and some files
   while IFS= read -r line; do
     printf '%s\n' "$line" >&3
     if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
@@ -71,9 +72,7 @@ build() {
 # shellcheck disable=SC2034  # used by those who source this
 asperity=$root/build/release/bin/asperity
 build_program() {
-  local without_tests=()
   "$root/scripts/install" build
-  if [[ ! -e $root/build/release/CMakeCache.txt ]]; then without_tests=(-DASPERITY_BUILD_TESTS=OFF); fi
-  configure release "${without_tests[@]}"
+  configure release
   build release "${@:-asperity}"
 }

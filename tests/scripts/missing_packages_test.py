@@ -15,7 +15,7 @@ TOOLS = {"g++", "cmake", "ninja-build", "mold", "ccache", "python3", "pocl-openc
 def configured_without(packages, programs=()):
     """The error of a configuration, in one line, in which find_package and find_program do not find the given ones."""
     hidden = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in packages]
-    hidden += [f"-D{variable}=OFF" for variable in programs]
+    hidden += ["-DASPERITY_BUILD_TESTS=ON", *(f"-D{variable}=OFF" for variable in programs)]
     with tempfile.TemporaryDirectory() as folder:
         answer = subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", *hidden],
                                 text=True, capture_output=True, check=False)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""scripts/run and scripts/test share a build: the command that compiles a source of the product is the same with and without tests."""
+"""scripts/run and scripts/test share a build: the command that compiles a source of the product is the same with and without tests,
+and has the assertions of the standard library."""
 import json
 import pathlib
 import subprocess
@@ -21,4 +22,6 @@ with tempfile.TemporaryDirectory() as place:
 assert len(product) > 100, len(product)
 different = [source for source, command in product.items() if everything.get(source) != command]
 assert not different, f"{len(different)} of {len(product)} sources would be compiled again: {different[:5]}"
-print(f"{len(product)} sources of the product have the same command with and without tests")
+unlike = [source for source, command in product.items() if "-D_GLIBCXX_ASSERTIONS" not in command or "NDEBUG" in command]
+assert not unlike, f"{len(unlike)} of {len(product)} sources are compiled without assertions: {unlike[:5]}"
+print(f"{len(product)} sources of the product have assertions and the same command with and without tests")
