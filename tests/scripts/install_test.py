@@ -73,8 +73,21 @@ class Install(unittest.TestCase):
 
     def test_goes_through_sudo_where_it_asks_for_no_password(self):
         self.user(1000)
-        self.pretend("sudo", 'shift; exec "$@"')
+        self.pretend("sudo", '[ "$1" = --non-interactive ] && shift; exec "$@"')
         self.assertEqual(self.run_install("test").returncode, 0)
+        self.assertEqual(len(self.asked_of_apt()), 2)
+
+    def test_lets_sudo_ask_for_the_password_on_a_terminal(self):
+        self.user(1000)
+        self.pretend("sudo", f'case $1 in --non-interactive) exit 1;; --validate) echo typed >> {self.folder}/password;; *) exec "$@";; esac')
+        controlling, terminal = os.openpty()
+        path = f"{self.folder}/bin:{os.environ['PATH']}"
+        answer = subprocess.run([self.folder / "scripts" / "install", "test"], check=False, stdin=terminal, stderr=terminal,
+                                env={**os.environ, "PATH": path})
+        os.close(terminal)
+        os.close(controlling)
+        self.assertEqual(answer.returncode, 0)
+        self.assertEqual((self.folder / "password").read_text(), "typed\n")
         self.assertEqual(len(self.asked_of_apt()), 2)
 
     def test_shows_what_apt_said_when_it_failed(self):
