@@ -228,6 +228,12 @@ bool holds_demo_study(const std::filesystem::path& folder) {
       return false;
     }
   }
+  // Of another schema it cannot be opened.
+  try {
+    Study::open(folder, Access::read_only);
+  } catch (const ResultsError&) {
+    return false;
+  }
   return true;
 }
 

@@ -29,6 +29,7 @@
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
+#include "results_schema/sqlite.h"
 #include "results_schema/study_sharing.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
@@ -61,6 +62,17 @@ TEST_F(StudyWindowTest, MakesTheDemoStudyByOneClickNextToOtherFoldersAndThenOpen
   click(window, "welcome_demo");
   ASSERT_NE(window.study(), nullptr);  // without making anything
   EXPECT_EQ(window.study()->folder(), home() / "Asperity" / "demo-2");
+}
+
+TEST_F(StudyWindowTest, PassesOverADemoStudyOfAnotherSchema) {
+  const std::filesystem::path older = home() / "Asperity" / "demo";
+  std::filesystem::create_directories(older.parent_path());
+  std::filesystem::copy(small_demo_study(), older, std::filesystem::copy_options::recursive);
+  EXPECT_TRUE(holds_demo_study(older));
+  Database(older, older / "study.sqlite", Database::Mode::read_write).execute("PRAGMA user_version = 1");
+  EXPECT_FALSE(holds_demo_study(older));
+  const QString place = child<QLabel>(StudyWindow(), "welcome_demo_place").text();
+  EXPECT_TRUE(place.contains("created in ~/Asperity/demo-2 (about")) << place.toStdString();
 }
 
 TEST_F(StudyWindowTest, OpensWhereAndAsLargeAsItWasLeftHoweverOften) {
