@@ -7,7 +7,7 @@ Prints FILE:LINE: the phrase and what to write instead, then the number of findi
 --counts prints only the numbers, per area and per row of the glossary. --area prints the findings of one area.
 
 Shown text is what stands in string literals of C++ with at least two words and in texts of the library's protocols; the
-sources of translations are among these literals. In documents code is left out: fenced and indented blocks, `inline`
+sources of translations are among these literals. Scripts are read whole. In documents code is left out: fenced and indented blocks, `inline`
 code and links' targets. A pattern is a phrase, not a bare word: "a share of the workspace" and "the right hand" are fine.
 """
 import argparse
@@ -90,6 +90,7 @@ AREAS = (
     ("command line", ("app/cli/", "app/desktop/")),
     ("reasons and remarks", ("app/words/reason", "app/words/device_remarks", "app/words/offered_reasons", "app/words/event_kinds")),
     ("errors and other text", ("app/", "protocols/", "stimuli/", "device/", "renderers/", "results_schema/")),
+    ("scripts", ("scripts/",)),
     ("documents", ()),  # every .md, wherever it stands
 )
 
@@ -148,9 +149,16 @@ def texts_of_json(source):
                 yield number, json.loads(found.group(1))
 
 
+def is_script(path):
+    """Whose comments and texts are read whole; but not this file, which has every phrase."""
+    return path.parent.name == "scripts" and path.suffix in ("", ".sh") and path.is_file()
+
+
 def shown_texts(path, source):
     if path.suffix == ".md":
         return prose(source)
+    if is_script(path):
+        return enumerate(source.splitlines(), 1)
     read = texts_of_json if path.suffix == ".json" else literals
     return ((line, text) for line, text in read(source) if WORDS.search(text))
 
@@ -173,7 +181,7 @@ def findings_in(text):
 def check(root):
     for path in sorted(root.rglob("*")):
         name = path.relative_to(root).as_posix()
-        if path.suffix not in (".cpp", ".h", ".md", ".json") or name.startswith(("build", ".")):
+        if name.startswith(("build", ".")) or not (path.suffix in (".cpp", ".h", ".md", ".json") or is_script(path)):
             continue
         if path.suffix != ".md" and name.startswith(("tests/", "bench/")):
             continue

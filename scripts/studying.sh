@@ -1,4 +1,4 @@
-# Making a study and running it with virtual participants. Sourced by the scripts beside it.
+# Making a study and running it with virtual participants. Sourced by the other scripts of this folder.
 # shellcheck shell=bash
 
 readonly kParticipants=20
@@ -59,7 +59,7 @@ simulate_participants() {
   done
   echo "Completing $kParticipants virtual participants, ${#files[@]} sessions each" >&2
   # Without the line for every stored attempt, and on a terminal with one moving line of progress. At Ctrl-C asperity
-  # finishes the trials under way and says so.
+  # finishes the trials under way, and writes that it does.
   "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
     --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk -v is_terminal="$(if [[ -t 2 ]]; then echo 1; fi)" '
       /^(done|stored) / { next }

@@ -45,6 +45,7 @@ with tempfile.TemporaryDirectory() as folder:
         "docs/page.md": f"It is `nobody`.\n\n```\n{planted}\n```\n\n    {planted}\n\n{planted}\n",
         "app/README.md": f"{planted}\n",
         "tests/README.md": f"{planted}\n",
+        "scripts/build": f"#!/bin/sh\n# {planted}\n",
         "tests/page.cpp": f'auto a = "{planted}";\n',
     }.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
@@ -52,7 +53,7 @@ with tempfile.TemporaryDirectory() as folder:
     result = subprocess.run([sys.executable, SCRIPT, root], capture_output=True, text=True)
     places = {line.split(": ")[0] for line in result.stdout.splitlines() if "“" in line}
     expected = {"app/gui/page.cpp:2", "app/cli/parts.cpp:2", "app/raw.cpp:1", "protocols/library/a.json:1", "docs/page.md:9",
-                "app/README.md:1", "tests/README.md:1"}
+                "app/README.md:1", "tests/README.md:1", "scripts/build:2"}
     assert result.returncode == 1 and places == expected, (result.returncode, places, result.stdout, result.stderr)
     counts = subprocess.run([sys.executable, SCRIPT, "--counts", root], capture_output=True, text=True).stdout
     assert "     2 windows" in counts and "     6 documents" in counts, counts
