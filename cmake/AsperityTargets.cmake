@@ -32,14 +32,14 @@ function(asperity_configure target)
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     # A formula has to mean the same arithmetic on every target.
     -ffp-contract=off)
-  # What runs in a tick lies in these folders.
+  # What runs in a tick lies in these folders (but for the force of a device test, a few operations).
   asperity_current_folder(folder)
   if(NOT folder MATCHES "^(analysis|stimuli|device|renderers|bench)(/|$)")
     asperity_optimise_lightly(${target})
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE
-      -Wno-restrict  # false alarms at -O3
+      -Wno-restrict  # false alarms
       # Wrong code at -O2: of (double)(float)x on two neighbouring values the rounding is dropped. What
       # is recorded and what is replayed would differ (tests/app/recording_columns_test.cpp).
       -fno-tree-slp-vectorize)
