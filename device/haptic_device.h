@@ -57,6 +57,9 @@ class HapticDevice {
   /// The hand at `now_ns`; nothing when the device does not answer (it is lost).
   std::optional<ProbeState> read(std::int64_t now_ns) noexcept;
 
+  /// The last `read` brought nothing new: it was the reading before, again.
+  bool was_read_again() const noexcept { return is_read_again_; }
+
   /// Limits `wanted` and sends it; returns what was really sent. `elapsed_s` is the time since the last push, at most a
   /// nominal period (ForceLimiter::limit). A device with fewer than six actuated
   /// degrees of freedom gets the force alone, one without motors nothing: zero is what it was sent. No

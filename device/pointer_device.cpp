@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -24,6 +25,7 @@ DeviceCapability pointer_capability(const PointerSettings& settings) {
           .actuated_degrees_of_freedom = 0,
           .workspace_minimum_m = {-corner_m.x, -corner_m.y, -settings.deepest_m},
           .workspace_maximum_m = {corner_m.x, corner_m.y, settings.lift_m},
+          .maximum_speed_m_per_s = std::numeric_limits<double>::infinity(),
           .remarks =
               "It has no motors: no force is felt. The probe trails the pointer by 25 ms; its "
               "depth is set by the pressure of a pen, or fixed while a mouse's button is held."};

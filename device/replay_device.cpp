@@ -2,6 +2,7 @@
 
 #include "device/replay_device.h"
 
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,7 @@ DeviceCapability recorded_capability(const std::vector<ProbeState>& states,
       .name = "replay", .model = "recording", .actuated_degrees_of_freedom = 0};
   capability.sensed_degrees_of_freedom = 6;
   capability.maximum_rate_Hz = 10'000.0;
+  capability.maximum_speed_m_per_s = std::numeric_limits<double>::infinity();
   capability.remarks = "It has no motors: no force is felt. The hand repeats the movement of " +
                        (source.empty() ? "a recording" : "the recording " + source) +
                        " from its first tick in each attempt, and rests where the recording ends.";

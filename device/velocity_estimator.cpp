@@ -15,7 +15,8 @@ double VelocityWindow::noise_m_per_s(double position_noise_m, double period_s) c
   return position_noise_m / period_s * std::sqrt(12.0 / (n * (n * n - 1.0)));
 }
 
-VelocityEstimator::VelocityEstimator(const VelocityWindow& window) {
+VelocityEstimator::VelocityEstimator(const VelocityWindow& window, double fastest_per_s)
+    : fastest_per_s_(fastest_per_s), check_(fastest_per_s) {
   if (window.samples < 2 || window.samples > kMostSamples) {
     refuse("samples of the velocity window", window.samples, "2 to 64");
   }
@@ -24,6 +25,17 @@ VelocityEstimator::VelocityEstimator(const VelocityWindow& window) {
 
 glm::dvec3 VelocityEstimator::add(std::int64_t time_ns, const glm::dvec3& position_m) noexcept {
   if (count_ > 0 && time_ns <= readings_[newest_].time_ns) return velocity_m_per_s_;
+  const ProbeState reading{.time_ns = time_ns, .position_m = position_m};
+  switch (check_.judge(reading, ReadingCheck::Origin::fresh)) {
+    case ReadingCheck::Verdict::plausible:
+      break;
+    case ReadingCheck::Verdict::held:
+      return velocity_m_per_s_;
+    case ReadingCheck::Verdict::lost:
+      reset();
+      check_.restart(reading);
+      break;
+  }
   newest_ = count_ == 0 ? 0 : (newest_ + 1) % window_;
   readings_[newest_] = {.time_ns = time_ns, .position_m = position_m};
   if (count_ < window_) ++count_;
@@ -50,6 +62,7 @@ glm::dvec3 VelocityEstimator::add(std::int64_t time_ns, const glm::dvec3& positi
 void VelocityEstimator::reset() noexcept {
   count_ = 0;
   velocity_m_per_s_ = glm::dvec3(0.0);
+  check_ = ReadingCheck(fastest_per_s_);
 }
 
 }  // namespace asperity

@@ -8,6 +8,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "device/device_capability.h"
+#include "device/reading_check.h"
+
 namespace asperity {
 
 /// How a driver estimates velocity; `samples` readings enter.
@@ -21,6 +24,9 @@ struct VelocityWindow {
   double noise_m_per_s(double position_noise_m, double period_s) const noexcept;
 };
 
+/// The fastest turn of a hand: at it, the reach of a tool moves as fast as the fastest hand.
+inline constexpr double kFastestTurn_rad_per_s = kFastestHand_m_per_s / ReadingCheck::kReach_m;
+
 /// The slope of the straight line that fits the last n positions best, in the sense of least squares,
 /// at the times at which they were read:
 ///
@@ -30,6 +36,9 @@ struct VelocityWindow {
 /// acceleration and at even readings it is the velocity (n − 1)T/2 ago, exactly. Until n readings are
 /// there, those that are; 0 from a single one.
 ///
+/// A reading that implies a speed that no hand has (reading_check.h) does not enter: the estimate keeps its value. If such
+/// readings last longer than the check holds them, the position has jumped, and the estimate begins anew.
+///
 /// Errors: the constructor throws std::invalid_argument for a window that is not 2 to kMostSamples.
 ///
 /// Real-time: `add` and `reset` do not allocate, lock or throw.
@@ -37,7 +46,9 @@ class VelocityEstimator final {
  public:
   static constexpr int kMostSamples = 64;
 
-  explicit VelocityEstimator(const VelocityWindow& window);
+  /// `fastest_per_s`: of positions in metres; kFastestTurn_rad_per_s for angles.
+  explicit VelocityEstimator(const VelocityWindow& window,
+                             double fastest_per_s = kFastestHand_m_per_s);
 
   /// The velocity after one more reading. One that is no newer than the last is not counted.
   glm::dvec3 add(std::int64_t time_ns, const glm::dvec3& position_m) noexcept;
@@ -54,6 +65,8 @@ class VelocityEstimator final {
   std::size_t count_ = 0;
   std::size_t newest_ = 0;
   glm::dvec3 velocity_m_per_s_{0.0};
+  double fastest_per_s_;
+  ReadingCheck check_;
 };
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #include "app/session/session_setup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -105,9 +106,13 @@ std::string capability_json(const DeviceCapability& device) {
                               {"continuous_force_N", device.continuous_force_N},
                               {"position_resolution_m", device.position_resolution_m},
                               {"maximum_rate_Hz", device.maximum_rate_Hz},
+                              {"maximum_speed_m_per_s", nullptr},
                               {"buttons", device.buttons},
                               {"slew_limit_N_per_ms", ForceLimits{}.slew_N},
                               {"slew_limit_N_m_per_ms", ForceLimits{}.slew_N_m}};
+  if (std::isfinite(device.maximum_speed_m_per_s)) {
+    json["maximum_speed_m_per_s"] = device.maximum_speed_m_per_s;
+  }
   if (!device.remarks.empty()) json["remarks"] = device.remarks;
   return json.dump();
 }

@@ -1,4 +1,4 @@
-// What a Falcon's answers mean: places and velocities, and which answers are not to be believed.
+// What a Falcon's answers mean: places and velocities.
 
 #pragma once
 
@@ -26,14 +26,9 @@ struct Reading {
 
 /// Turns answers into readings.
 ///
-/// What the caller may rely on: there is no reading for counts at which the legs do not meet, and none
-/// farther from the last reading than 1 mm and the way at 5 m/s since the last answer, which no hand
-/// does. So every reading is finite, and a wild answer among good ones, a bit that flipped on the wire, is
-/// dropped.
-///
-/// Encoders that go on telling of another place have lost or won counts: where the grip really is, nobody
-/// knows. They are believed again after 100 ms, twice what a device may be silent: by then the device is
-/// lost, its force at zero, and a person decides whether to go on.
+/// Guarantees: there is no reading for counts at which the legs do not meet, so that every reading is finite. A place that
+/// implies a speed that no hand has, after a bit flipped on the wire or the encoders lost counts, is reported, as by every
+/// driver: it does not enter the velocity (velocity_estimator.h), and the servo loop does not use it (reading_check.h).
 ///
 /// Real-time: does not allocate, lock or throw.
 class Readings final {
@@ -47,9 +42,6 @@ class Readings final {
 
  private:
   VelocityEstimator velocity_;
-  std::optional<Reading> last_{};
-  std::int64_t heard_ns_ = 0;  // the last answer that told of a place, believed or not
-  std::optional<std::int64_t> doubted_since_ns_{};
   bool is_homed_ = false;
 };
 

@@ -115,7 +115,7 @@ class ForceDimensionDevice final : public HapticDevice {
   bool force_is_on_ = true;
   bool is_gripped_ = false;
   VelocityEstimator velocity_{kWindow};
-  VelocityEstimator angular_velocity_{kWindow};
+  VelocityEstimator angular_velocity_{kWindow, kFastestTurn_rad_per_s};
   int pushes_since_saturated_ = 0;
   glm::dvec3 turned_rad_{0.0};  ///< the sum of all small rotations, each about its axis
 

@@ -242,7 +242,7 @@ struct Inverse3Device::Line {
   std::optional<Inverse3State> state{};
   Wrench wanted{};
   VelocityEstimator velocity{kInverse3Window};
-  VelocityEstimator angular_velocity{kInverse3Window};
+  VelocityEstimator angular_velocity{kInverse3Window, kFastestTurn_rad_per_s};
   glm::dvec3 turned_rad{0.0};
   glm::dquat last_grip{1.0, 0.0, 0.0, 0.0};
 

@@ -81,7 +81,7 @@ struct OpenHapticsDevice::Servo {
   unsigned int error_at_end = 0;  ///< of the frame before
   Wrench wanted{};
   VelocityEstimator velocity{kVelocityWindow};
-  VelocityEstimator angular_velocity{kVelocityWindow};
+  VelocityEstimator angular_velocity{kVelocityWindow, kFastestTurn_rad_per_s};
   glm::dvec3 turned_rad{0.0};
   glm::dquat last_orientation{1.0, 0.0, 0.0, 0.0};
 

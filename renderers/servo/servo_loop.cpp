@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "device/reading_check.h"
 #include "device/refusal.h"
 #include "renderers/servo/contact.h"
 #include "renderers/servo/servo_time.h"
@@ -82,6 +83,9 @@ struct ServoLoop::Servo {
   bool fading_for_silence = false;
   double gain = 0.0;
 
+  explicit Servo(const DeviceCapability& capability) : readings(capability.maximum_speed_m_per_s) {}
+
+  ReadingCheck readings;
   ProbeState last_probe{};
   std::int64_t last_rendered_ns = 0;
   std::int64_t last_tick_ns = 0;
@@ -104,7 +108,10 @@ struct ServoLoop::Servo {
 };
 
 ServoLoop::ServoLoop(HapticDevice& device, RecordRing& records, const ServoSettings& settings)
-    : device_(device), records_(records), settings_(settings), servo_(std::make_unique<Servo>()) {
+    : device_(device),
+      records_(records),
+      settings_(settings),
+      servo_(std::make_unique<Servo>(device.capability())) {
   require_positive("ServoSettings::rate_Hz", settings.rate_Hz);
   require_positive("ServoSettings::ramp_s", settings.ramp_s);
   require_positive("ServoSettings::heartbeat_timeout_s", settings.heartbeat_timeout_s);
@@ -242,6 +249,22 @@ void ServoLoop::read_probe(std::int64_t now_ns, TickRecord& record) noexcept {
   record.probe = rounded_for_recording(*probe);
   if (!is_finite(record.probe)) {
     raise(Fault::not_finite);
+    return;
+  }
+  // While no surface is felt, no force depends on the reading, and the hand of a simulation may be placed anew.
+  if (!servo.felt || fault_.load(std::memory_order_acquire) != Fault::none) {
+    servo.readings.restart(record.probe);
+  } else if (const auto verdict = servo.readings.judge(
+                 record.probe, device_.was_read_again() ? ReadingCheck::Origin::repeated
+                                                        : ReadingCheck::Origin::fresh);
+             verdict != ReadingCheck::Verdict::plausible) {
+    set(record, TickFlag::reading_held);
+    record.probe = servo.last_probe;
+    record.probe.time_ns = now_ns;
+    if (verdict == ReadingCheck::Verdict::lost) {
+      raise(Fault::device_lost);
+      set(record, TickFlag::device_lost);
+    }
     return;
   }
   servo.last_probe = record.probe;

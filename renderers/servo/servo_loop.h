@@ -79,6 +79,8 @@ struct ServoStatus {
 ///   heartbeat the surface returns in the same way as a new presentation.
 /// - A fault sends zero force in the same tick and latches it until `clear_fault`. Ticks continue and are recorded; the
 ///   renderer is not called. Afterwards the presentation restarts from the beginning: `reset`, gain 0, free space.
+/// - While a presentation is rendered, a reading that implies a motion faster than the device's maximum_speed_m_per_s is
+///   replaced by the last one for at most 2 ms; then the fault is `device_lost` (device/reading_check.h).
 /// - A tick that begins more than one period after its deadline counts as one missed deadline and is not made up for;
 ///   the gap is visible in the times of the records.
 /// - The renderer's first `dt_s` is one period; every other one is the time since its previous tick. The ticks of a

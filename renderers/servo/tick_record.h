@@ -21,6 +21,8 @@ enum class TickFlag : std::uint32_t {
   heartbeat_lost = 128,         ///< the surface fades because heartbeats are missing
   presenting = 256,             ///< a renderer was called
   first_of_presentation = 512,  ///< the renderer was reset; again after a fault was cleared
+  /// The reading was implausible; the last one took its place (device/reading_check.h).
+  reading_held = 1024,
 };
 
 /// The recorded values of one tick. The probe is already rounded to the recording's precision
@@ -31,7 +33,7 @@ struct TickRecord {
   Wrench rendered{};  ///< by the renderer, before ramp and limits
   Wrench sent{};      ///< to the device
   double penetration_m = 0.0;
-  double gain = 0.0;               ///< of the ramp, 0 to 1
+  double gain = 0.0;  ///< of the ramp, 0 to 1
   std::uint64_t presentation =
       0;  ///< Presentation::id, or the part that was rendered; 0 in free space
   std::uint32_t flags = 0;

@@ -80,6 +80,28 @@ TEST(VelocityEstimator, StartsAgainAfterAReset) {
   EXPECT_NEAR(estimator.add(101 * kTick_ns, {9.002, 0.0, 0.0}).x, 2.0, 1e-9);
 }
 
+TEST(VelocityEstimator, LeavesOutAReadingThatImpliesASpeedThatNoHandHas) {
+  // 0.2 m/s; one reading is 25 mm off, which would be 2 m/s in the slope of eight.
+  VelocityEstimator estimator({.samples = 8});
+  for (int i = 0; i < 60; ++i) {
+    const bool is_wild = i == 30;
+    const double x_m_per_s =
+        estimator.add(i * kTick_ns, {0.0002 * i + (is_wild ? 0.025 : 0.0), 0.0, 0.0}).x;
+    if (i > 0) {
+      EXPECT_NEAR(x_m_per_s, 0.2, 1e-9) << i;
+    }
+  }
+}
+
+TEST(VelocityEstimator, BeginsAnewAfterAJumpThatLasts) {
+  VelocityEstimator estimator({.samples = 8});
+  for (int i = 0; i < 30; ++i) estimator.add(i * kTick_ns, {0.0002 * i, 0.0, 0.0});
+  for (int i = 30; i < 60; ++i) {
+    const double x_m_per_s = estimator.add(i * kTick_ns, {0.1, 0.0, 0.0}).x;
+    EXPECT_NEAR(x_m_per_s, i < 32 ? 0.2 : 0.0, 1e-9) << i;
+  }
+}
+
 TEST(VelocityEstimator, CountsNoReadingTwice) {
   VelocityEstimator estimator({.samples = 4});
   estimator.add(0, {0.0, 0.0, 0.0});

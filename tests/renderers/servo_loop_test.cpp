@@ -99,6 +99,7 @@ class ServoLoopTest : public testing::Test {
   ScriptedDevice device{{.name = "scripted",
                          .actuated_degrees_of_freedom = 6,
                          .peak_force_N = 100.0,
+                         .maximum_speed_m_per_s = kInfinity,
                          .may_rest_exactly = true},
                         {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}};
   RecordRing records{16};
@@ -509,7 +510,10 @@ TEST(ServoLoop, RefusesSettingsThatAreNotPositive) {
 TEST(ServoLoop, GrowsNoFasterAfterAGap) {
   for (const std::int64_t gap_ns : {250'000, 2'000'000}) {
     UnitPlate::Log log{};
-    ScriptedDevice device({.name = "scripted", .peak_force_N = 100.0, .may_rest_exactly = true},
+    ScriptedDevice device({.name = "scripted",
+                           .peak_force_N = 100.0,
+                           .maximum_speed_m_per_s = kInfinity,
+                           .may_rest_exactly = true},
                           ForceLimits{});
     RecordRing records{16};
     ServoLoop loop{device, records, {.rate_Hz = 4000.0, .ramp_s = 1e-9}};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -14,15 +15,17 @@ namespace asperity {
 /// Answers every reading with `probe`, takes every wrench, and keeps the last one. Where a test sets `at_read`
 /// or `at_send`, it is called first, and may change that.
 ///
+/// Without a capability of the test, it limits nothing that a test renders, may rest to the last bit, and may jump.
+///
 /// It zeroes its force when it is destroyed, as every driver does: what `at_send` refers to lives as long as
 /// the device.
 class ScriptedDevice final : public HapticDevice {
  public:
-  /// Limits nothing that a test renders, and may rest to the last bit.
   ScriptedDevice()
       : ScriptedDevice({.name = "scripted",
                         .peak_force_N = 100.0,
                         .continuous_force_N = 100.0,
+                        .maximum_speed_m_per_s = std::numeric_limits<double>::infinity(),
                         .may_rest_exactly = true},
                        {.force_N = 100.0, .torque_N_m = 10.0, .slew_N = 1e6, .slew_N_m = 1e6}) {}
   explicit ScriptedDevice(DeviceCapability capability, const ForceLimits& limits = {})

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <semaphore>
 
@@ -59,7 +60,7 @@ struct ArmBench {
   std::atomic<bool> does_not_let_go{false};  ///< when it is opened; first it waits for the test
 };
 
-/// A handle of 80 g on a soft spring, in the place of hardware. Left in peace for long, it is taken and moved along
+/// A handle of 80 g on a soft spring, in the place of hardware. Left in peace for long, it jumps to and moves along
 /// the borders of its workspace.
 std::unique_ptr<HapticDevice> open_arm(ArmBench& bench) {
   auto arm = std::make_unique<ScriptedDevice>(
@@ -69,7 +70,8 @@ std::unique_ptr<HapticDevice> open_arm(ArmBench& bench) {
                        .workspace_minimum_m = glm::dvec3(-0.05, -0.04, -0.03),
                        .workspace_maximum_m = glm::dvec3(0.05, 0.04, 0.03),
                        .peak_force_N = 5.0,
-                       .continuous_force_N = 5.0});
+                       .continuous_force_N = 5.0,
+                       .maximum_speed_m_per_s = std::numeric_limits<double>::infinity()});
   bench.is_open = true;
   arm->at_close = [&bench] { bench.is_open = false; };
   arm->at_send = [&bench](const Wrench& limited) { bench.force_N = glm::length(limited.force_N); };

@@ -1,0 +1,133 @@
+// Which readings of the hand are plausible, and for how long others are held.
+
+#include "device/reading_check.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+using Verdict = ReadingCheck::Verdict;
+using Origin = ReadingCheck::Origin;
+
+ProbeState reading_at(std::int64_t time_ns, double x_m) {
+  ProbeState state{};
+  state.time_ns = time_ns;
+  state.position_m.x = x_m;
+  return state;
+}
+
+ProbeState turned_reading(std::int64_t time_ns, double angle_rad) {
+  ProbeState state = reading_at(time_ns, 0.0);
+  state.orientation = {std::cos(0.5 * angle_rad), std::sin(0.5 * angle_rad), 0.0, 0.0};
+  return state;
+}
+
+class ReadingCheckTest : public testing::TestWithParam<double> {
+ protected:
+  std::int64_t period_ns() const { return std::llround(1e9 / GetParam()); }
+  // The first reading at which the answer is not `plausible`, of a motion at this speed.
+  bool accepts_speed(double speed_m_per_s) const {
+    ReadingCheck check(5.0);
+    for (std::int64_t i = 0; i < 100; ++i) {
+      const double x_m = speed_m_per_s * 1e-9 * static_cast<double>(i * period_ns());
+      if (check.judge(reading_at(i * period_ns(), x_m), Origin::fresh) != Verdict::plausible)
+        return false;
+    }
+    return true;
+  }
+};
+
+TEST_P(ReadingCheckTest, AcceptsASteadyMotionUpToTheSpeedOfTheDevice) {
+  EXPECT_TRUE(accepts_speed(4.9));
+  EXPECT_FALSE(accepts_speed(5.6));
+  EXPECT_FALSE(accepts_speed(20.0));
+}
+
+// One position step of 38 µm within a tick is 0.15 m/s at 4 kHz; a coarse sensor's 1 mm would be 4 m/s at 4 kHz.
+TEST_P(ReadingCheckTest, DoesNotTakeAPositionStepForASpeed) {
+  ReadingCheck check(5.0);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(check.judge(reading_at(i * period_ns(), i % 2 == 0 ? 0.0 : 0.0045), Origin::fresh),
+              Verdict::plausible);
+  }
+}
+
+TEST_P(ReadingCheckTest, HoldsAJumpForLessThanTwoMillisecondsAndThenLosesTheDevice) {
+  ReadingCheck check(5.0);
+  std::int64_t now_ns = 0;
+  for (int i = 0; i < 50; ++i) check.judge(reading_at(now_ns += period_ns(), 0.0), Origin::fresh);
+  const std::int64_t jumped_ns = now_ns + period_ns();
+  for (int i = 0; i < 20; ++i) {
+    now_ns += period_ns();
+    EXPECT_EQ(check.judge(reading_at(now_ns, 0.5), Origin::fresh),
+              now_ns - jumped_ns < 2'000'000 ? Verdict::held : Verdict::lost);
+  }
+}
+
+TEST_P(ReadingCheckTest, GoesOnAfterOneWildReading) {
+  ReadingCheck check(5.0);
+  std::int64_t now_ns = 0;
+  for (int i = 0; i < 50; ++i) check.judge(reading_at(now_ns += period_ns(), 0.0), Origin::fresh);
+  EXPECT_EQ(check.judge(reading_at(now_ns += period_ns(), 0.025), Origin::fresh), Verdict::held);
+  EXPECT_EQ(check.judge(reading_at(now_ns += period_ns(), 0.0), Origin::fresh), Verdict::plausible);
+  // The next one is held anew for its own 2 ms.
+  EXPECT_EQ(check.judge(reading_at(now_ns += 3'000'000, 0.0), Origin::fresh), Verdict::plausible);
+  EXPECT_EQ(check.judge(reading_at(now_ns += period_ns(), 0.025), Origin::fresh), Verdict::held);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, ReadingCheckTest, testing::Values(500.0, 1000.0, 2000.0, 4000.0));
+
+TEST(ReadingCheck, JudgesATurnAsTheMotionOfAPointOfTheTool) {
+  // 5 m/s at 50 mm: 100 rad/s, 0.1 rad in a millisecond.
+  for (const double angle_rad : {0.09, -0.09}) {
+    ReadingCheck check(5.0);
+    check.judge(turned_reading(0, 0.0), Origin::fresh);
+    EXPECT_EQ(check.judge(turned_reading(1'000'000, angle_rad), Origin::fresh), Verdict::plausible);
+  }
+  for (const double angle_rad : {0.11, -0.11, std::numbers::pi}) {
+    ReadingCheck check(5.0);
+    check.judge(turned_reading(0, 0.0), Origin::fresh);
+    EXPECT_EQ(check.judge(turned_reading(1'000'000, angle_rad), Origin::fresh), Verdict::held);
+  }
+  // q and −q are one attitude.
+  ReadingCheck check(5.0);
+  check.judge(turned_reading(0, 0.0), Origin::fresh);
+  EXPECT_EQ(check.judge(turned_reading(1'000'000, 2.0 * std::numbers::pi), Origin::fresh),
+            Verdict::plausible);
+}
+
+// A line that pauses for 6 ms while the hand moves at 3 m/s: the driver repeats its last reading meanwhile.
+TEST(ReadingCheck, JudgesTheMotionOverTheWholePauseOfTheLine) {
+  ReadingCheck check(5.0);
+  std::int64_t now_ns = 0;
+  for (int i = 0; i < 20; ++i) {
+    now_ns += 1'000'000;
+    ASSERT_EQ(check.judge(reading_at(now_ns, 3e-9 * static_cast<double>(now_ns)), Origin::fresh),
+              Verdict::plausible);
+  }
+  const double last_m = 3e-9 * static_cast<double>(now_ns);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(check.judge(reading_at(now_ns += 1'000'000, last_m), Origin::repeated),
+              Verdict::plausible);
+  }
+  EXPECT_EQ(check.judge(reading_at(now_ns, 3e-9 * static_cast<double>(now_ns)), Origin::fresh),
+            Verdict::plausible);
+  // A wild reading that the driver repeats stays wild.
+  EXPECT_EQ(check.judge(reading_at(now_ns += 1'000'000, 0.5), Origin::fresh), Verdict::held);
+  EXPECT_EQ(check.judge(reading_at(now_ns += 1'000'000, 0.5), Origin::repeated), Verdict::held);
+  EXPECT_EQ(check.judge(reading_at(now_ns += 1'000'000, 0.5), Origin::repeated), Verdict::lost);
+}
+
+TEST(ReadingCheck, AcceptsEveryReadingOfAHandThatMayJump) {
+  ReadingCheck check(std::numeric_limits<double>::infinity());
+  check.judge(reading_at(0, 0.0), Origin::fresh);
+  EXPECT_EQ(check.judge(reading_at(1, 1e3), Origin::fresh), Verdict::plausible);
+}
+
+}  // namespace
+}  // namespace asperity
