@@ -36,7 +36,14 @@ void add(LimitReason reason, LimitedWrench& limited) noexcept {
   limited.reasons = static_cast<std::uint8_t>(limited.reasons | static_cast<std::uint8_t>(reason));
 }
 
-// The point nearest to `w` on the line from 0 to `g`.
+// Of the way from c to the wanted force, to the precision of its numbers.
+constexpr int kHalvings = 53;
+
+// Periods are whole nanoseconds: three of 333 333 ns are a window.
+constexpr double kRounding_s = 1e-7;
+
+}  // namespace
+
 glm::dvec3 nearest_on_fall(const glm::dvec3& g, const glm::dvec3& w) noexcept {
   const double squared = glm::dot(g, g);
   if (!(squared > 0.0)) return glm::dvec3(0.0);
@@ -46,14 +53,6 @@ glm::dvec3 nearest_on_fall(const glm::dvec3& g, const glm::dvec3& w) noexcept {
 double growth(const glm::dvec3& from, const glm::dvec3& to) noexcept {
   return glm::length(to - nearest_on_fall(from, to));
 }
-
-// Of the way from c to the wanted force, to the precision of its numbers.
-constexpr int kHalvings = 53;
-
-// Periods are whole nanoseconds: three of 333 333 ns are a window.
-constexpr double kRounding_s = 1e-7;
-
-}  // namespace
 
 ForceLimiter::ForceLimiter(const ForceLimits& limits) : limits_(limits) {
   require_positive("force_N of the force limits", limits.force_N);

@@ -32,6 +32,12 @@ struct LimitedWrench {
   }
 };
 
+/// The point nearest to `w` on the line from 0 to `g`: what remains of `g` in `w` after a fall.
+glm::dvec3 nearest_on_fall(const glm::dvec3& g, const glm::dvec3& w) noexcept;
+
+/// How far a force grows or turns in a step, min |to − s·from| for 0 ≤ s ≤ 1: 0 for a fall.
+double growth(const glm::dvec3& from, const glm::dvec3& to) noexcept;
+
 /// Makes any wrench safe to send.
 ///
 /// In this order: a wrench with a component that is not finite becomes zero at once; a force longer than the limit keeps its
@@ -39,9 +45,7 @@ struct LimitedWrench {
 /// same way, independently of the force.
 ///
 /// **Growth.** The motors hold each force until the next is sent. The force f grows or turns from a force g by its distance from
-/// the line from 0 to g, on which g only falls towards zero:
-///
-///     d(f, g) = min |f − s·g|, 0 ≤ s ≤ 1
+/// the line from 0 to g, on which g only falls towards zero, d(f, g) = growth(g, f).
 ///
 /// Every force is sent with d(f, g) ≤ slew_N for each g that the motors held within the last kWindow_s, that is, for the force
 /// before, and for those that ended less than kWindow_s before. The time of a call is that since the call before, but at most one

@@ -14,6 +14,7 @@
 #include "device/reading_check.h"
 #include "device/refusal.h"
 #include "renderers/servo/contact.h"
+#include "renderers/servo/gap_bridge.h"
 #include "renderers/servo/servo_time.h"
 
 namespace asperity {
@@ -44,6 +45,9 @@ std::int32_t saturated(std::int64_t duration_ns) noexcept {
 void set(TickRecord& record, TickFlag flag) noexcept {
   record.flags |= static_cast<std::uint32_t>(flag);
 }
+
+// A longer time between two ticks is a gap.
+constexpr std::int64_t kLongestStep_periods = 2;
 
 // Missed deadlines older than this are not counted.
 constexpr std::int64_t kMissWindow_ns = 1'000'000'000;
@@ -86,6 +90,9 @@ struct ServoLoop::Servo {
   explicit Servo(const DeviceCapability& capability) : readings(capability.maximum_speed_m_per_s) {}
 
   ReadingCheck readings;
+  GapBridge bridge{};
+  Wrench last_sent{};
+  bool was_in_contact = false;
   ProbeState last_probe{};
   std::int64_t last_rendered_ns = 0;
   std::int64_t last_tick_ns = 0;
@@ -317,6 +324,16 @@ void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
   }
 }
 
+void ServoLoop::bridge_gap(std::int64_t gap_ns, TickRecord& record) noexcept {
+  Servo& servo = *servo_;
+  const bool in_contact = is_in_contact(record);
+  if ((in_contact || servo.was_in_contact) && gap_ns > kLongestStep_periods * period_ns_) {
+    set(record, TickFlag::gap_in_contact);
+    servo.bridge.begin(servo.last_sent, 1e-9 * static_cast<double>(gap_ns));
+  }
+  servo.was_in_contact = in_contact;
+}
+
 void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
   Servo& servo = *servo_;
   if (fault_.load(std::memory_order_acquire) == Fault::none) {
@@ -327,9 +344,11 @@ void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
       wanted.force_N = servo.gain * record.rendered.force_N;
       wanted.torque_N_m = servo.gain * record.rendered.torque_N_m;
     }
+    wanted = servo.bridge.approach(wanted, elapsed_s);
     if (const std::optional<LimitedWrench> sent = device_.push(wanted, elapsed_s)) {
       record.sent = sent->wrench;
       record.flags |= sent->reasons;
+      servo.last_sent = sent->wrench;
       return;
     }
     raise(Fault::device_lost);
@@ -337,6 +356,7 @@ void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
   }
   set(record, TickFlag::fault_latched);
   device_.zero_force();
+  servo.last_sent = Wrench{};
   servo.start_over();
   record.gain = 0.0;
 }
@@ -346,9 +366,8 @@ void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading
   const double period_s = 1.0 / settings_.rate_Hz;
   const double dt_s =
       servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz) : period_s;
-  const double elapsed_s =
-      servo.has_ticked ? std::min(period_s, static_cast<double>(now_ns - servo.last_tick_ns) * 1e-9)
-                       : period_s;
+  const std::int64_t gap_ns = servo.has_ticked ? now_ns - servo.last_tick_ns : period_ns_;
+  const double elapsed_s = std::min(period_s, static_cast<double>(gap_ns) * 1e-9);
   // Checked before a waiting presentation is accepted: that one has not produced a force yet.
   if (servo.felt && is_standstill(servo.last_tick_ns, now_ns)) raise(Fault::standstill);
   TickRecord record{};
@@ -364,6 +383,7 @@ void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading
     render(silent, dt_s, record);
     if (clock != nullptr && is_standstill(now_ns, clock())) raise(Fault::standstill);
   }
+  bridge_gap(gap_ns, record);
   send(elapsed_s, record);
 
   ++servo.ticks;

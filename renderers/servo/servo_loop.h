@@ -63,8 +63,8 @@ struct ServoStatus {
 ///
 /// The loop has no thread and no clock: ServoThread paces it in real time, and the conductor steps it on a simulated
 /// clock. Each tick does the following: read the device → round the ProbeState to the recorded precision → clamp dt to
-/// [½, 4] periods → accept a waiting presentation and `reset` it → `renderer.tick` → ramp → limiter → send → push one
-/// TickRecord.
+/// [½, 4] periods → accept a waiting presentation and `reset` it → `renderer.tick` → ramp → bridge of a gap → limiter →
+/// send → push one TickRecord.
 ///
 /// A standstill (the machine was suspended, or the program was stopped by a signal or a debugger, or starved of
 /// processor time) is a fault while a surface is presented. Otherwise it is only counted, and the next presentation
@@ -81,6 +81,8 @@ struct ServoStatus {
 ///   renderer is not called. Afterwards the presentation restarts from the beginning: `reset`, gain 0, free space.
 /// - While a presentation is rendered, a reading that implies a motion faster than the device's maximum_speed_m_per_s is
 ///   replaced by the last one for at most 2 ms; then the fault is `device_lost` (device/reading_check.h).
+/// - After a gap of more than two periods in contact, the force continues from the one that was sent and approaches the
+///   surface's over the length of the gap (gap_bridge.h), with or without free space.
 /// - A tick that begins more than one period after its deadline counts as one missed deadline and is not made up for;
 ///   the gap is visible in the times of the records.
 /// - The renderer's first `dt_s` is one period; every other one is the time since its previous tick. The ticks of a
@@ -139,6 +141,7 @@ class ServoLoop final {
   void count_deadline(std::int64_t now_ns, std::int64_t deadline_ns, TickRecord& record) noexcept;
   void read_probe(std::int64_t now_ns, TickRecord& record) noexcept;
   void render(bool silent, double dt_s, TickRecord& record) noexcept;
+  void bridge_gap(std::int64_t gap_ns, TickRecord& record) noexcept;
   void send(double elapsed_s, TickRecord& record) noexcept;
   bool is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept;
   void publish_status() noexcept;

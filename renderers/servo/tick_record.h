@@ -23,6 +23,8 @@ enum class TickFlag : std::uint32_t {
   first_of_presentation = 512,  ///< the renderer was reset; again after a fault was cleared
   /// The reading was implausible; the last one took its place (device/reading_check.h).
   reading_held = 1024,
+  /// More than two periods after the previous tick, in contact (gap_bridge.h).
+  gap_in_contact = 2048,
 };
 
 /// The recorded values of one tick. The probe is already rounded to the recording's precision

@@ -1,4 +1,4 @@
-// No step of force to the motors: readings that jump.
+// No step of force to the motors: readings that jump, gaps between ticks.
 
 #include <cmath>
 #include <memory>
@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "renderers/servo/gap_bridge.h"
 #include "renderers/servo/servo_loop.h"
 #include "tests/support/scripted_device.h"
 
@@ -81,7 +82,61 @@ TEST_P(ServoStepsTest, AcceptsAnyReadingWhileNoSurfaceIsFelt) {
   EXPECT_EQ(loop.status().fault, Fault::none);
 }
 
+// 4.5 mm deeper after 45 ms: the force rises from 1 N to 5.5 N within the next 45 ms, evenly.
+TEST_P(ServoStepsTest, ApproachesTheForceOfTheSurfaceOverTheLengthOfAGap) {
+  constexpr double kGap_s = 0.045;
+  TickRecord record = tick(-0.0055, 45'000'000);
+  EXPECT_TRUE(record.has(TickFlag::gap_in_contact));
+  const double period_s = 1.0 / GetParam();
+  double passed_s = period_s;
+  for (; passed_s < kGap_s - 1e-9; passed_s += period_s) {
+    EXPECT_NEAR(record.sent.force_N.z, 1.0 + 4.5 * passed_s / kGap_s, 1e-5);
+    EXPECT_NEAR(record.rendered.force_N.z, 5.5, 1e-5);
+    EXPECT_EQ(record.gain, 1.0);
+    record = tick(-0.0055);
+    EXPECT_FALSE(record.has(TickFlag::gap_in_contact));
+  }
+  EXPECT_NEAR(record.sent.force_N.z, 5.5, 1e-5);
+}
+
+TEST_P(ServoStepsTest, NeverDelaysAFallAfterAGap) {
+  EXPECT_NEAR(tick(-0.0004, 45'000'000).sent.force_N.z, 0.4, 1e-6);
+  tick(-0.001, 45'000'000);
+  const TickRecord left = tick(0.001, 45'000'000);
+  EXPECT_EQ(left.sent.force_N.z, 0.0);
+  EXPECT_TRUE(left.has(TickFlag::gap_in_contact));  // the force was held in it
+}
+
+TEST_P(ServoStepsTest, BridgesAShortGapOverTwoMillisecondsAndNoneOfTwoPeriods) {
+  EXPECT_FALSE(tick(-0.0011, 2 * period_ns).has(TickFlag::gap_in_contact));
+  EXPECT_TRUE(tick(-0.0012, 2 * period_ns + 1000).has(TickFlag::gap_in_contact));
+  const std::int64_t least_ns = std::max<std::int64_t>(2'000'000, 2 * period_ns + 1000);
+  for (std::int64_t passed_ns = period_ns; passed_ns < least_ns; passed_ns += period_ns) {
+    if (passed_ns > period_ns) tick(-0.0012);
+    EXPECT_LT(device.last_sent.force_N.z, 1.2 - 1e-5);
+  }
+  EXPECT_NEAR(tick(-0.0012).sent.force_N.z, 1.2, 1e-6);
+}
+
+TEST_P(ServoStepsTest, CountsNoGapInFreeSpace) {
+  for (int i = 0; i < 0.1 * GetParam(); ++i) tick(0.001);
+  EXPECT_FALSE(tick(0.001, 45'000'000).has(TickFlag::gap_in_contact));
+}
+
 INSTANTIATE_TEST_SUITE_P(Rates, ServoStepsTest, testing::Values(500.0, 1000.0, 2000.0, 4000.0));
+
+TEST(GapBridge, TurnsFromTheFallenForceToTheNewOne) {
+  GapBridge bridge{};
+  bridge.begin({.force_N = {0.0, 0.0, 4.0}}, 0.010);
+  // 4 N upwards falls to 2 N; 3 N across grow over 10 ms.
+  const Wrench wanted{.force_N = {3.0, 0.0, 2.0}};
+  for (int i = 1; i <= 12; ++i) {
+    const Wrench sent = bridge.approach(wanted, 0.001);
+    EXPECT_NEAR(sent.force_N.x, 0.3 * std::min(i, 10), 1e-12);
+    EXPECT_NEAR(sent.force_N.z, 2.0, 1e-12);
+  }
+  EXPECT_EQ(bridge.approach(wanted, 0.001).force_N, wanted.force_N);
+}
 
 }  // namespace
 }  // namespace asperity
