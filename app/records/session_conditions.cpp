@@ -126,7 +126,11 @@ RecordedDevice recorded_device(const std::string& text, const std::string& recor
 }
 
 RecordedDevice recorded_device(const DeviceCapability& device) {
-  return recorded_device(device_text(device), capability_json(device));
+  return {.text = device_text(device),
+          .name = device.name,
+          .model = device.model,
+          .serial = device.serial,
+          .has_motors = device.actuated_degrees_of_freedom > 0};
 }
 
 std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,

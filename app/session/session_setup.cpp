@@ -9,7 +9,6 @@
 #include "analysis/random.h"
 #include "app/session/trial_outcome.h"
 #include "app/words/phrase.h"
-#include "device/force_limiter.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
 #include "results_schema/sha256.h"
@@ -91,7 +90,7 @@ std::string device_text(const DeviceCapability& device) {
   return device.model.empty() ? device.name : device.name + ' ' + device.model;
 }
 
-std::string capability_json(const DeviceCapability& device) {
+std::string device_json(const DeviceCapability& device, const ForceLimits& limits) {
   const auto corner = [](const glm::dvec3& p) {
     return nlohmann::ordered_json::array({p.x, p.y, p.z});
   };
@@ -108,8 +107,8 @@ std::string capability_json(const DeviceCapability& device) {
                               {"maximum_rate_Hz", device.maximum_rate_Hz},
                               {"maximum_speed_m_per_s", nullptr},
                               {"buttons", device.buttons},
-                              {"slew_limit_N_per_ms", ForceLimits{}.slew_N},
-                              {"slew_limit_N_m_per_ms", ForceLimits{}.slew_N_m}};
+                              {"slew_limit_N_per_ms", limits.slew_N},
+                              {"slew_limit_N_m_per_ms", limits.slew_N_m}};
   if (std::isfinite(device.maximum_speed_m_per_s)) {
     json["maximum_speed_m_per_s"] = device.maximum_speed_m_per_s;
   }
@@ -165,7 +164,7 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   row.instruction_set = program.instruction_set;
   row.os = program.os;
   row.device = device_text(conditions.device);
-  row.device_json = capability_json(conditions.device);
+  row.device_json = device_json(conditions.device, conditions.limits);
   row.pacing = conditions.pacing;
   row.scheduling = conditions.scheduling;
   row.rate_Hz = protocol.rate_Hz;

@@ -10,6 +10,7 @@
 
 #include "app/study_files/program.h"
 #include "device/device_capability.h"
+#include "device/force_limiter.h"
 #include "protocols/design/protocol.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/plan.h"
@@ -28,6 +29,7 @@ struct SessionConditions {
   std::string pacing{};
   std::string scheduling{};
   DeviceCapability device{};
+  ForceLimits limits{};  ///< of the device
   std::string started_utc{};
   std::int64_t clock_zero_ns = 0;
   /// When the participant agreed to the protocol's statement.
@@ -44,9 +46,9 @@ struct OpenSession {
   bool resumed = false;
 };
 
-/// The text of a device as SessionRow::device and `device_json` contain it.
+/// The device as SessionRow::device and SessionRow::device_json contain it.
 std::string device_text(const DeviceCapability& device);
-std::string capability_json(const DeviceCapability& device);
+std::string device_json(const DeviceCapability& device, const ForceLimits& limits);
 
 /// The row of one planned trial.
 PlannedTrialRow planned_row(const Trial& trial);

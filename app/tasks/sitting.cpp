@@ -93,13 +93,13 @@ void store_plugins(const ModelRegistry& models, Study& study, std::int64_t sessi
 }
 
 /// Stores a change of device, before the new device becomes that of the new stretch.
-void store_changed_device(const DeviceCapability& device, Study& study, const SessionRow& session,
-                          std::int64_t now_ns) {
+void store_changed_device(const Rig& rig, Study& study, const SessionRow& session) {
+  const DeviceCapability& device = rig.capability();
   if (last_recorded_device(study, session).is_same_as(recorded_device(device))) return;
-  study.add_event(session.id, {.time_ns = now_ns,
+  study.add_event(session.id, {.time_ns = rig.clock().now_ns(),
                                .kind = kDeviceChanged,
                                .text = device_text(device),
-                               .data_json = capability_json(device)});
+                               .data_json = device_json(device, rig.limits())});
 }
 
 void store_late_resume(const Sitting& sitting, Study& study, std::int64_t now_ns) {
@@ -127,7 +127,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     session = reopen(study, protocol, *sitting.unfinished);
     // Once every level is stored, none is needed.
     if (!session.course->is_complete()) require_program(protocol, sitting.level_program);
-    store_changed_device(rig.capability(), study, session.row, rig.clock().now_ns());
+    store_changed_device(rig, study, session.row);
     store_late_resume(sitting, study, rig.clock().now_ns());
   } else {
     require_program(protocol, sitting.level_program);
@@ -141,6 +141,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     conditions.pacing = rig.pacing();
     conditions.scheduling = rig.scheduling();
     conditions.device = rig.capability();
+    conditions.limits = rig.limits();
     conditions.started_utc = rig.clock().utc();
     conditions.clock_zero_ns = rig.clock().now_ns();
     if (person == nullptr) conditions.observer_json = observer_json(protocol);

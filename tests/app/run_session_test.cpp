@@ -65,6 +65,15 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
   EXPECT_THROW(run(), std::runtime_error);
 }
 
+TEST(DeviceJson, StatesTheLimitsOfTheDeviceInUse) {
+  RigSettings settings{};
+  settings.limits.slew_N = 0.5;
+  settings.limits.slew_N_m = 0.01;
+  const SteppedRig rig(settings, 0);
+  EXPECT_THAT(device_json(rig.capability(), rig.limits()),
+              testing::HasSubstr("\"slew_limit_N_per_ms\":0.5,\"slew_limit_N_m_per_ms\":0.01"));
+}
+
 TEST_F(RunSession, StoresParametersAndMaterialThatTheProtocolDoesNotState) {
   EXPECT_EQ(run().state, SessionState::completed);
   const std::vector<AttemptRow> attempts = study().attempts(study().sessions().at(0).id);

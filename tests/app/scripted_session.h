@@ -41,6 +41,7 @@ class WatchedRig final : public Rig {
   RecordRing& records() noexcept override { return rig_.records(); }
   VirtualHand& hand() noexcept override { return rig_.hand(); }
   const DeviceCapability& capability() const noexcept override { return rig_.capability(); }
+  const ForceLimits& limits() const noexcept override { return rig_.limits(); }
   std::string pacing() const override { return rig_.pacing(); }
   std::string scheduling() const override { return rig_.scheduling(); }
   void prepare_attempt(const HandHabits& habits, const Random& random) override {
@@ -200,6 +201,7 @@ class SessionTest : public testing::Test {
     conditions.pacing = rig_->pacing();
     conditions.started_utc = rig_->clock().utc();
     conditions.device = rig_->capability();
+    conditions.limits = rig_->limits();
     session_ = begin_session(*study_, protocol_, participant, conditions, this_program());
   }
 };

@@ -64,6 +64,7 @@ VirtualHand& SteppedRig::hand() noexcept { return assembly_->hand; }
 const DeviceCapability& SteppedRig::capability() const noexcept {
   return assembly_->device.capability();
 }
+const ForceLimits& SteppedRig::limits() const noexcept { return assembly_->device.limits(); }
 
 void SteppedRig::prepare_attempt(const HandHabits& habits, const Random& random) {
   assembly_ = std::make_unique<Assembly>(settings_, habits, random);

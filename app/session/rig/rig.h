@@ -53,6 +53,7 @@ class Rig {
   virtual RecordRing& records() noexcept = 0;
   virtual VirtualHand& hand() noexcept = 0;
   virtual const DeviceCapability& capability() const noexcept = 0;
+  virtual const ForceLimits& limits() const noexcept = 0;  ///< of the device
   /// "stepped" or "real_time", and how the thread is scheduled.
   virtual std::string pacing() const = 0;
   virtual std::string scheduling() const = 0;
@@ -86,6 +87,7 @@ class SteppedRig final : public Rig {
   RecordRing& records() noexcept override;
   VirtualHand& hand() noexcept override;
   const DeviceCapability& capability() const noexcept override;
+  const ForceLimits& limits() const noexcept override;
   std::string pacing() const override { return "stepped"; }
   std::string scheduling() const override { return "none"; }
   void prepare_attempt(const HandHabits& habits, const Random& random) override;
@@ -134,6 +136,7 @@ class RealTimeRig final : public Rig {
   RecordRing& records() noexcept override { return records_; }
   VirtualHand& hand() noexcept override { return hand_; }
   const DeviceCapability& capability() const noexcept override { return device_->capability(); }
+  const ForceLimits& limits() const noexcept override { return device_->limits(); }
   std::string pacing() const override { return "real_time"; }
   std::string scheduling() const override { return thread_.scheduling(); }
   std::string complaint() const override { return device_->complaint(); }
