@@ -231,6 +231,7 @@ struct ServoQualityRow {
   double execution_maximum_s = 0.0;
   std::int64_t missed_deadlines = 0;
   std::int64_t missed_in_contact = 0;  ///< those while a surface was touched
+  std::int64_t gaps_in_contact = 0;    ///< more than two periods, while a surface was touched
   std::int64_t saturated_ticks = 0;
   std::int64_t slew_limited_ticks = 0;
   std::int64_t not_finite_ticks = 0;

@@ -548,6 +548,13 @@ void TrialAttempt::judge() {
                                            std::to_string(protocol.maximum_missed_deadlines)));
     return;
   }
+  if (servo.gaps_in_contact > protocol.maximum_gaps_in_contact) {
+    row_.valid = false;
+    row_.invalid_reason = stored(phrase_of(Reason::gaps_in_contact)
+                                     .with(std::to_string(servo.gaps_in_contact),
+                                           std::to_string(protocol.maximum_gaps_in_contact)));
+    return;
+  }
   if (servo.lost_records > protocol.maximum_lost_records) {
     row_.valid = false;
     row_.invalid_reason = stored(phrase_of(Reason::lost_records)

@@ -54,6 +54,8 @@ const std::vector<ReasonWords>& all_reasons() {
        phrase("Reasons", "the masking noise could not start")},
       {Reason::missed_in_contact, "deadlines_missed_in_contact",
        phrase("Reasons", "deadlines missed in contact: %1, at most %2 allowed")},
+      {Reason::gaps_in_contact, "gaps_in_contact",
+       phrase("Reasons", "gaps between ticks in contact: %1, at most %2 allowed")},
       {Reason::lost_records, "records_lost",
        phrase("Reasons", "lost records: %1, at most %2 allowed")},
       {Reason::force_limited, "force_limited", phrase("Reasons", "ticks with limited force: %1")},

@@ -25,9 +25,9 @@ enum class Reason {
   failed_in_trial,         ///< the device; which trial, why
   failed_between_trials,   ///< the device; why
   every_trial_stored,
-  failed_repeatedly,  ///< a trial; which, how many times, why
-  criterion_not_met,  ///< of which block
-  stood_still,        ///< the servo loop; how many times
+  failed_repeatedly,        ///< a trial; which, how many times, why
+  criterion_not_met,        ///< of which block
+  stood_still,              ///< the servo loop; how many times
   external_program_failed,  ///< what failed
   // of either
   aborted,
@@ -36,6 +36,7 @@ enum class Reason {
   no_noise,
   // of an attempt
   missed_in_contact,      ///< deadlines; how many, how many are allowed
+  gaps_in_contact,        ///< how many, how many are allowed
   lost_records,           ///< how many, how many are allowed
   force_limited,          ///< in how many ticks
   not_explored_as_asked,  ///< the measures that failed, by surface

@@ -152,8 +152,9 @@ struct StimulusTemplate {
   std::string name{};
   Binding<std::string> model{};
   Binding<std::string> texture{};  ///< neither value nor factor: no texture is used
-  Binding<std::string> surface{};  ///< a body: of a model that needs bodies, or of a point model without a tool
-  Binding<std::string> tool{};     ///< a body, for models that need bodies
+  Binding<std::string>
+      surface{};  ///< a body: of a model that needs bodies, or of a point model without a tool
+  Binding<std::string> tool{};  ///< a body, for models that need bodies
   std::map<std::string, Binding<ParameterValue>, std::less<>> parameters{};
   std::optional<EqualForce> equal_force{};
   /// In place of those of the protocol's material.
@@ -254,6 +255,7 @@ struct Protocol {
   double rate_Hz = 1000.0;
   double force_limit_N = 5.0;
   int maximum_missed_deadlines = 50;  ///< in contact, per attempt; more make the attempt invalid
+  int maximum_gaps_in_contact = 50;   ///< of more than two periods between ticks, per attempt
   int maximum_lost_records = 0;
   std::optional<InstabilityRule> instability{};
   /// Maximum age of the device's profile for a session with a participant; absent: no profile is needed.

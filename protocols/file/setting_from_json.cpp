@@ -49,6 +49,7 @@ void read_setting(const nlohmann::json& root, Protocol& protocol) {
     read(*found, "rate_Hz", protocol.rate_Hz);
     read(*found, "force_limit_N", protocol.force_limit_N);
     read(*found, "maximum_missed_deadlines", protocol.maximum_missed_deadlines);
+    read(*found, "maximum_gaps_in_contact", protocol.maximum_gaps_in_contact);
     read(*found, "maximum_lost_records", protocol.maximum_lost_records);
     read(*found, "profile_maximum_age_days", protocol.profile_maximum_age_days);
     read(*found, "refuse_rehearsal_warnings", protocol.refuses_rehearsal_warnings);

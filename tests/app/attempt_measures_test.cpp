@@ -43,6 +43,15 @@ TEST(ServoQuality, CountsDeadlinesMissedInContactApartFromAllOthers) {
   EXPECT_EQ(felt.missed_in_contact, 2);
 }
 
+TEST(ServoQuality, CountsTheGapsInContact) {
+  std::vector<TickRecord> records = ticks("ffffpp");
+  for (const std::size_t i : {std::size_t{1}, std::size_t{3}}) {
+    records[i].flags |= static_cast<std::uint32_t>(TickFlag::gap_in_contact);
+  }
+  EXPECT_EQ(servo_quality_of(records, 1000.0, 0).gaps_in_contact, 2);
+  EXPECT_EQ(quality_of("fFfF").gaps_in_contact, 0);
+}
+
 // The force of the tick before is held until the late one.
 TEST(ServoQuality, CountsALateTickBehindTheLastOfAContact) {
   EXPECT_EQ(quality_of("ffPp").missed_in_contact, 1);

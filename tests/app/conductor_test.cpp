@@ -137,6 +137,27 @@ TEST_F(ConductorTest, JudgesAnAttemptByTheDeadlinesMissedInContact) {
   EXPECT_TRUE(rows[2].valid);
 }
 
+// Sixty gaps in contact, where fifty are allowed.
+TEST_F(ConductorTest, JudgesAnAttemptByTheGapsInContact) {
+  begin(small_protocol());
+  rig_->at_pass = [&, is_done = false]() mutable {
+    if (is_done || rig_->loop().status().presentation == 0) return;
+    is_done = true;
+    TickRecord gap{};
+    gap.probe.time_ns = rig_->clock().now_ns();
+    gap.flags = static_cast<std::uint32_t>(TickFlag::gap_in_contact);
+    for (int i = 0; i < 60; ++i) rig_->records().push(gap);
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const std::vector<AttemptRow> rows = attempts();
+  EXPECT_FALSE(rows[0].valid);
+  EXPECT_EQ(rows[0].servo->gaps_in_contact, 60);
+  EXPECT_EQ(rows[0].invalid_reason.value().text,
+            "gaps between ticks in contact: 60, at most 50 allowed");
+  EXPECT_EQ(codes_of(*rows[0].invalid_reason), "gaps_in_contact");
+  EXPECT_TRUE(rows[1].valid);
+}
+
 TEST_F(ConductorTest, RecordsEveryTickOfAnAttempt) {
   begin(small_protocol());
   run();

@@ -48,7 +48,8 @@ std::string quick_protocol() {
   replace("[1, 2, 3]", "[1, 2]");
   // A machine that is busy with other tests is no subject here.
   replace("\"realism_standard\"",
-          "\"device\": {\"maximum_missed_deadlines\": 100000, \"maximum_lost_records\": 100000},"
+          "\"device\": {\"maximum_missed_deadlines\": 100000, \"maximum_gaps_in_contact\": 100000, "
+          "\"maximum_lost_records\": 100000},"
           "\"realism_standard\"");
   return text;
 }

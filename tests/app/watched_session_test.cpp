@@ -1466,9 +1466,10 @@ TEST(WatchedFromAnotherThread, ARealTimeSessionIsSteeredAndEnds) {
       small_protocol(R"(, "pause_before_trial_s": 0, "pause_between_surfaces_s": 0)");
   text.replace(text.find("\"minimum_contact_s\": 0.5"), 24, "\"minimum_contact_s\": 0.1");
   text.replace(text.find("[1, 2, 3]"), 9, "[1, 2]");
-  const Protocol protocol =
-      read_small_protocol(models, with(text, "\"realism_standard\"",
-                                       R"("device": {"maximum_missed_deadlines": 100000,
+  const Protocol protocol = read_small_protocol(
+      models,
+      with(text, "\"realism_standard\"",
+           R"("device": {"maximum_missed_deadlines": 100000, "maximum_gaps_in_contact": 100000,
                                  "maximum_lost_records": 100000}, )"));
   Study study = Study::open(folder.path() / "study", Access::read_write);
   study.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});

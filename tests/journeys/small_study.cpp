@@ -35,7 +35,7 @@ OrderedJson common(const std::string& kind) {
       "slate": {"code": "T2", "height_field": "stimuli/slate.png",
                 "picture": "stimuli/slate_photo.png", "true_height_field": "stimuli/slate.png"}
     },
-    "device": {"rate_Hz": 1000, "force_limit_N": 5, "maximum_missed_deadlines": 100000,
+    "device": {"rate_Hz": 1000, "force_limit_N": 5, "maximum_missed_deadlines": 100000, "maximum_gaps_in_contact": 100000,
                "maximum_lost_records": 100000},
     "explorations": {"short": {"minimum_contact_s": 0.2, "maximum_contact_s": 1}},
     "observer": {"expectation": "true_surface", "deaf": false, "feature_noise": 0.5,

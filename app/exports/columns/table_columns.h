@@ -7,10 +7,13 @@
 
 namespace asperity::export_columns {
 
-// Of a column that two tables have.
+// Of columns that two tables have.
 inline constexpr const char* kMissedInContact =
-    "ticks that missed their deadline while a surface was touched; only these affect whether an "
-    "attempt counts";
+    "ticks that missed their deadline while a surface was touched; of the missed deadlines, only "
+    "these affect whether an attempt counts";
+
+inline constexpr const char* kGapsInContact =
+    "times between two ticks of more than two periods while a surface was touched";
 
 Columns participant_columns(const StudyVocabulary& vocabulary);
 Columns session_columns(const StudyVocabulary& vocabulary);

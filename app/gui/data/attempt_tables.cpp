@@ -102,6 +102,8 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
       {MeasureTables::tr("missed deadlines"), count(servo.missed_deadlines)},
       {MeasureTables::tr("missed deadlines in contact"), count(servo.missed_in_contact),
        none(servo.missed_in_contact)},
+      {MeasureTables::tr("gaps between ticks in contact"), count(servo.gaps_in_contact),
+       none(servo.gaps_in_contact)},
       {MeasureTables::tr("lost records"), count(servo.lost_records), lost(servo.lost_records)},
       {MeasureTables::tr("ticks with the force at its limit"), count(servo.saturated_ticks),
        none(servo.saturated_ticks)},

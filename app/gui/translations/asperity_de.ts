@@ -6980,6 +6980,10 @@
         <translation>die Servoschleife stand länger als 50 ms still</translation>
     </message>
     <message>
+        <source>gaps between ticks in contact: %1, at most %2 allowed</source>
+        <translation>Lücken zwischen Takten im Kontakt: %1, höchstens %2 erlaubt</translation>
+    </message>
+    <message>
         <source>deadlines missed in contact: %1, at most %2 allowed</source>
         <translation>verpasste Fristen im Kontakt: %1, höchstens %2 erlaubt</translation>
     </message>
@@ -10156,6 +10160,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>a contact was deeper than the bodies are thick, or steeper than 60°, and was limited</source>
         <translation>ein Kontakt war tiefer, als die Körper dick sind, oder steiler als 60°, und wurde begrenzt</translation>
+    </message>
+    <message>
+        <source>gaps between ticks in contact</source>
+        <translation>Lücken zwischen Takten im Kontakt</translation>
     </message>
     <message>
         <source>missed deadlines in contact</source>

@@ -34,6 +34,7 @@ void count_servo(const ServoQualityRow& row, ReportedServo& servo) {
   servo.execution_p99_s.push_back(row.execution_p99_s);
   servo.missed_deadlines.add(row.missed_deadlines);
   servo.missed_in_contact.add(row.missed_in_contact);
+  servo.gaps_in_contact.add(row.gaps_in_contact);
   servo.lost_records.add(row.lost_records);
   servo.saturated.add(row.saturated_ticks);
   servo.slew_limited.add(row.slew_limited_ticks);

@@ -74,6 +74,7 @@ struct ReportedServo {
   std::vector<double> execution_p99_s{};
   ReportedCount missed_deadlines{};
   ReportedCount missed_in_contact{};
+  ReportedCount gaps_in_contact{};
   ReportedCount lost_records{};
   ReportedCount saturated{};
   ReportedCount slew_limited{};

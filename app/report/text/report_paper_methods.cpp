@@ -334,7 +334,10 @@ std::string invalid_attempts(const Protocol& protocol) {
   return "An attempt at a trial was invalid if " +
          more_than(protocol.maximum_missed_deadlines, "deadline of the servo loop",
                    "deadlines of the servo loop") +
-         " missed during contact, or if " +
+         " missed during contact, if " +
+         more_than(protocol.maximum_gaps_in_contact, "gap of more than two periods between ticks",
+                   "gaps of more than two periods between ticks") +
+         " found during contact, or if " +
          more_than(protocol.maximum_lost_records, "sample of the recording",
                    "samples of the recording") +
          " lost." + vibrating_attempts(protocol);

@@ -177,6 +177,7 @@ ReportTable counts_table(const ReportFacts& facts) {
                    {"maximum per attempt", true}};
   table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
                 count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
+                count_row("gaps between ticks in contact", servo.gaps_in_contact, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),
                 count_row("force reduced to the limit", servo.saturated, "attempts"),
                 count_row("rate of change of the force limited", servo.slew_limited, "attempts"),
@@ -185,8 +186,8 @@ ReportTable counts_table(const ReportFacts& facts) {
     const auto& [model, name, felt] = limit;
     std::string kind = name;
     std::replace(kind.begin(), kind.end(), '_', ' ');
-    table.rows.push_back(
-        count_row("violated assumption of " + model + ": " + kind + ", " + felt, count, "surfaces"));
+    table.rows.push_back(count_row("violated assumption of " + model + ": " + kind + ", " + felt,
+                                   count, "surfaces"));
   }
   // Counts of zero are already reported in the text.
   std::erase_if(table.rows, [](const QualityRow& row) { return row[1] == "0"; });

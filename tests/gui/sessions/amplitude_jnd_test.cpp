@@ -43,6 +43,7 @@ class AmplitudeJndInWindows : public SessionRoom {
       protocol["environment"].erase("masking_noise");
       // Real time on a busy machine.
       protocol["device"]["maximum_missed_deadlines"] = 100000;
+      protocol["device"]["maximum_gaps_in_contact"] = 100000;
       protocol["device"]["maximum_lost_records"] = 100000;
       protocol["explorations"]["stroking"]["minimum_contact_s"] = 0.3;
       protocol["explorations"]["stroking"]["speed_m_per_s"]["target"] = 0.09;

@@ -38,6 +38,7 @@ class ArrangementsInWindows : public SessionRoom {
       protocol["participants"]["questions"] = json::array();
       // Real time on a busy machine.
       protocol["device"]["maximum_missed_deadlines"] = 100000;
+      protocol["device"]["maximum_gaps_in_contact"] = 100000;
       protocol["device"]["maximum_lost_records"] = 100000;
       protocol["environment"].erase("masking_noise");
       protocol["flow"] = json::parse(R"([{"run": "comparisons"}])");

@@ -73,7 +73,7 @@ std::string protocol_text(const ProtocolWish& wish) {
          R"(", "version": "1.0.0", "title": "A short session",
   "consent": {"version": "1.0", "statement": "I take part."},)" +
          (wish.kind == "selection" ? R"( "realism_standard": "memory",)" : "") + R"(
-  "device": {"input_only": true, "rate_Hz": 200, "maximum_missed_deadlines": 100000, "maximum_lost_records": 100000},
+  "device": {"input_only": true, "rate_Hz": 200, "maximum_missed_deadlines": 100000, "maximum_gaps_in_contact": 100000, "maximum_lost_records": 100000},
   "textures": {)" +
          textures + R"(},
   "factors": {"go": {"levels": [)" +

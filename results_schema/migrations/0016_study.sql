@@ -242,7 +242,8 @@ CREATE TABLE response (
   UNIQUE (attempt_id, question, item)
 ) STRICT;
 
--- missed_in_contact: late ticks while a surface was touched, on which an attempt is judged.
+-- missed_in_contact, gaps_in_contact: late ticks, and gaps of more than two periods, while a surface was touched. An
+-- attempt is judged by them.
 CREATE TABLE servo_quality (
   attempt_id          INTEGER PRIMARY KEY REFERENCES attempt,
   rate_Hz             REAL NOT NULL CHECK (rate_Hz > 0),
@@ -265,7 +266,8 @@ CREATE TABLE servo_quality (
   lost_records        INTEGER NOT NULL CHECK (lost_records >= 0),
   fault               TEXT NOT NULL CHECK (fault <> ''),
   missed_in_contact   INTEGER NOT NULL
-                      CHECK (missed_in_contact >= 0 AND missed_in_contact <= missed_deadlines)
+                      CHECK (missed_in_contact >= 0 AND missed_in_contact <= missed_deadlines),
+  gaps_in_contact     INTEGER NOT NULL CHECK (gaps_in_contact >= 0)
 ) STRICT;
 
 CREATE TABLE compliance (
