@@ -1,0 +1,25 @@
+// Finds the stimuli whose force grows or turns faster than the limiter permits.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/stimulus_builder.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/diagnostic.h"
+
+namespace asperity {
+
+/// A warning for every stimulus on a plane, once for each exploration, whose force grows or turns within a millisecond by
+/// more than the limiter of every device permits (ForceLimits::slew_N): another texture is then felt than the protocol
+/// describes.
+///
+/// The probe strokes across the patch in both directions of the exploration, at the constant depth at which the mean
+/// normal force is the requested one, at the greatest speed of its band. A band without a maximum counts with its target
+/// or minimum; without a band the force is 1 N and the speed 300 mm/s, that of a fast free stroke. Bodies are not compared,
+/// nor stimuli whose files are not available (StimulusBuilder::can_make). The files have been checked before.
+std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
+                                            StimulusBuilder& builder);
+
+}  // namespace asperity
