@@ -107,7 +107,7 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
       {MeasureTables::tr("lost records"), count(servo.lost_records), lost(servo.lost_records)},
       {MeasureTables::tr("ticks with the force at its limit"), count(servo.saturated_ticks),
        none(servo.saturated_ticks)},
-      {MeasureTables::tr("ticks with the rate of change of the force limited"),
+      {MeasureTables::tr("ticks with the growth of the force limited"),
        count(servo.slew_limited_ticks), none(servo.slew_limited_ticks)},
       {MeasureTables::tr("ticks without a finite force"), count(servo.not_finite_ticks),
        none(servo.not_finite_ticks)},

@@ -9970,8 +9970,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Takte mit der Kraft an ihrer Grenze</translation>
     </message>
     <message>
-        <source>ticks with the rate of change of the force limited</source>
-        <translation>Takte mit begrenzter Änderungsrate der Kraft</translation>
+        <source>ticks with the growth of the force limited</source>
+        <translation>Takte mit begrenztem Anstieg der Kraft</translation>
     </message>
     <message>
         <source>ticks without a finite force</source>

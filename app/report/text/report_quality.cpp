@@ -128,7 +128,7 @@ ReportText losses_text(const ReportFacts& facts) {
     limited.push_back("the limiter reduced the force in " + ticks_of(servo.saturated));
   }
   if (servo.slew_limited.total > 0) {
-    limited.push_back("the limiter limited the rate of change of the force in " +
+    limited.push_back("the limiter limited the growth of the force in " +
                       ticks_of(servo.slew_limited));
   }
   if (servo.not_finite.total > 0) {
@@ -180,7 +180,7 @@ ReportTable counts_table(const ReportFacts& facts) {
                 count_row("gaps between ticks in contact", servo.gaps_in_contact, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),
                 count_row("force reduced to the limit", servo.saturated, "attempts"),
-                count_row("rate of change of the force limited", servo.slew_limited, "attempts"),
+                count_row("growth of the force limited", servo.slew_limited, "attempts"),
                 count_row("force that was not finite", servo.not_finite, "attempts")};
   for (const auto& [limit, count] : facts.limits) {
     const auto& [model, name, felt] = limit;
