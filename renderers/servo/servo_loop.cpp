@@ -357,6 +357,7 @@ void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
   set(record, TickFlag::fault_latched);
   device_.zero_force();
   servo.last_sent = Wrench{};
+  servo.bridge = GapBridge{};
   servo.start_over();
   record.gain = 0.0;
 }
