@@ -26,6 +26,14 @@ constexpr const char* kDamping = "friction_damping_N_s_per_m";
 // Below this speed a sliding proxy sticks again.
 constexpr double kSticking_m_per_s = 1e-3;
 
+// b of `elastoplastic`: 0.17 mm at 0.2 N and the default stiffness, more than the tremor of a hand at rest. A greater one
+// makes the beginning of sliding abrupt.
+constexpr double kElasticShare = 0.1;
+// How much work `elastoplastic` keeps for an increase of the normal force, in units of the energy ½(μN)²/σ of a contact that
+// slides: enough to double it. With 1, a reversal under an increasing normal force would meet the bound at zero strain,
+// where it is abrupt.
+constexpr double kKeptWork = 4.0;
+
 glm::dvec2 rounded_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
                           FrictionState&) noexcept {
   const double vx = sample.velocity_m_per_s.x;
@@ -105,6 +113,61 @@ glm::dvec2 proxy_drag_N(const FrictionSettings& settings, const FrictionSample& 
   return shortened(drag_N + settings.damping_N_s_per_m / sample.dt_s * way_m, sticking_N);
 }
 
+// r after the path u outwards: r + u until b, then the solution of dr/du = 1 − q², q = (r − b)/(1 − b), by the addition
+// theorem of tanh.
+double loaded(double share, double way) noexcept {
+  const double elastic = std::clamp(kElasticShare - share, 0.0, way);
+  if (elastic == way) return share + way;
+  const double before = (share + elastic - kElasticShare) / (1.0 - kElasticShare);
+  const double more = std::tanh((way - elastic) / (1.0 - kElasticShare));
+  return kElasticShare + (1.0 - kElasticShare) * (before + more) / (1.0 + before * more);
+}
+
+// The share c after the path u·e of the contact: unloaded elastically while it points against e, then loaded.
+glm::dvec2 moved_share(const glm::dvec2& share, const glm::dvec2& way) noexcept {
+  const double length = glm::length(way);
+  if (!(length > 0.0)) return share;
+  const double back = std::clamp(-glm::dot(share, way) / length, 0.0, length);
+  const glm::dvec2 unloaded = share + back / length * way;
+  const double before = glm::length(unloaded);
+  const glm::dvec2 elastic = unloaded + (1.0 - back / length) * way;
+  const double after = glm::length(elastic);
+  return after > before ? loaded(before, after - before) / after * elastic : elastic;
+}
+
+// `share` times `most_m`, or shorter: what the work holds.
+glm::dvec2 held_strain_m(const glm::dvec2& share, double most_m, double longest_m) noexcept {
+  const double length = glm::length(share);
+  return length * most_m > longest_m ? longest_m / length * share : most_m * share;
+}
+
+// The normal force changes first, at one place; then the contact moves.
+glm::dvec2 elastoplastic_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
+                                FrictionState& state) noexcept {
+  const glm::dvec2 way_m = smoothed_way_m(settings, sample, state);
+  const double sliding_m = settings.coefficient * sample.normal_N / settings.stiffness_N_per_m;
+  if (!(sliding_m > 0.0)) return glm::dvec2(0.0);
+  const glm::dvec2 before_m = held_strain_m(state.share, sliding_m, std::sqrt(state.work_m2));
+  state.share = moved_share(state.share, way_m / sliding_m);
+  const double length = glm::length(state.share);
+  if (!(length > 0.0)) return glm::dvec2(0.0);
+  // The work of the step is w⁺ = w + (z + z⁺)·d, in units of σ/2; the longest z⁺ towards c has the square w⁺.
+  const double half_m = 0.5 * glm::dot(state.share, way_m) / length;
+  const double square_m2 = half_m * half_m + state.work_m2 + glm::dot(before_m, way_m);
+  glm::dvec2 strain_m{0.0};
+  if (square_m2 >= 0.0) {
+    const double longest_m = std::max(0.0, half_m + std::sqrt(square_m2));
+    strain_m = held_strain_m(state.share, sliding_m, longest_m);
+  } else {  // the path turns sharply while the work is spent; an elastic step needs none
+    strain_m = shortened(before_m + way_m, sliding_m);
+    state.share = strain_m / sliding_m;
+  }
+  const double most_m2 = std::max(state.work_m2, kKeptWork * sliding_m * sliding_m);
+  const double work_m2 = state.work_m2 + glm::dot(before_m + strain_m, way_m);
+  state.work_m2 = std::max(glm::dot(strain_m, strain_m), std::min(work_m2, most_m2));
+  return settings.stiffness_N_per_m * strain_m;
+}
+
 glm::dvec2 dahl_drag_N(const FrictionSettings& settings, const FrictionSample& sample,
                        FrictionState& state) noexcept {
   const glm::dvec2 way_m = smoothed_way_m(settings, sample, state);
@@ -174,11 +237,11 @@ FrictionNearRest proxy_near_rest(const FrictionSettings& settings, double normal
 constexpr std::array<std::string_view, 1> kOfRounded{kSpeed};
 constexpr std::array<std::string_view, 3> kOfBounded{kSpeed, kMass, kDelay};
 constexpr std::array<std::string_view, 4> kOfProxy{kStiffness, kSmoothing, kStaticRatio, kDamping};
-constexpr std::array<std::string_view, 2> kOfDahl{kStiffness, kSmoothing};
+constexpr std::array<std::string_view, 2> kOfAdhesion{kStiffness, kSmoothing};
 constexpr std::array<std::string_view, 5> kOfLugre{kStiffness, kSmoothing, kStaticRatio, kDamping,
                                                    kSpeed};
 
-constexpr std::array<FrictionLaw, 5> kLaws{{
+constexpr std::array<FrictionLaw, 6> kLaws{{
     {.name = "rounded",
      .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device reports",
      .parameters = kOfRounded,
@@ -197,9 +260,16 @@ constexpr std::array<FrictionLaw, 5> kLaws{{
      .remembers = true,
      .drag_N = proxy_drag_N,
      .near_rest = proxy_near_rest},
+    {.name = "elastoplastic",
+     .meaning = "adhesion of a given stiffness that yields smoothly, with a drag that follows the "
+                "normal force while sliding",
+     .parameters = kOfAdhesion,
+     .remembers = true,
+     .drag_N = elastoplastic_drag_N,
+     .near_rest = dahl_near_rest},
     {.name = "dahl",
      .meaning = "adhesion of a given stiffness that creeps, with a smooth transition to sliding",
-     .parameters = kOfDahl,
+     .parameters = kOfAdhesion,
      .remembers = true,
      .drag_N = dahl_drag_N,
      .near_rest = dahl_near_rest},
@@ -296,14 +366,14 @@ void add_friction_parameters(std::vector<Parameter>& parameters) {
   const FrictionSettings defaults{};
   parameters.push_back(friction_speed_parameter());
   parameters.push_back(law_parameter());
-  parameters.push_back(
-      number(kStiffness, "N/m", 10.0, 5000.0, defaults.stiffness_N_per_m,
-             "Laws proxy, dahl and lugre: stiffness of the contact along the surface before it "
-             "slides"));
-  parameters.push_back(
-      number(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
-             "Laws proxy, dahl and lugre: time constant of each of the two low-pass filters that "
-             "smooth the position steps of the device; 0: no filter"));
+  parameters.push_back(number(kStiffness, "N/m", 10.0, 5000.0, defaults.stiffness_N_per_m,
+                              "Laws proxy, elastoplastic, dahl and lugre: stiffness of the contact "
+                              "along the surface before it "
+                              "slides"));
+  parameters.push_back(number(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
+                              "Laws proxy, elastoplastic, dahl and lugre: time constant of each of "
+                              "the two low-pass filters that "
+                              "smooth the position steps of the device; 0: no filter"));
   parameters.push_back(number(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
                               "Laws proxy and lugre: ratio of static to kinetic friction; the "
                               "friction of the material is the kinetic friction"));

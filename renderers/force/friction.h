@@ -41,6 +41,8 @@ struct FrictionState {
   glm::dvec2 halfway_m{0.0};  ///< after the first of two low-passes
   glm::dvec2 smooth_m{0.0};   ///< s, the smoothed position
   glm::dvec2 strain_m{0.0};   ///< z, of the contact
+  glm::dvec2 share{0.0};      ///< c of `elastoplastic`: of the drag of sliding
+  double work_m2 = 0.0;       ///< 2W/σ of `elastoplastic`: the work of the hand
 };
 
 /// A law near rest as a linear element of the loop: its drag is at most that of D = B·v + σ·s + b_s·ṡ.
@@ -99,6 +101,25 @@ struct FrictionLaw {
 /// sticks again below 1 mm/s or where it turns round, with a damper D += b_s·ṡ while it sticks (|D| ≤ μ_s·N). A mass m on a spring k_h pulled
 /// slowly at v slips with the period (μ_s − μ)·N·(2/k_h + 1/σ)/v + π·√(m/k_h).
 ///
+/// **elastoplastic**: adhesion that is elastic for a small strain and then yields smoothly [Dupont 2002]. Its state is the share
+/// c of the drag of sliding, which moves with the path only, so that the drag follows the normal force at once:
+///
+///   D = μ·N·c,   dc/du = e − α(|c|)·max(0, ĉ·e)·c,   du = σ·dℓ/(μN),   α(r)·r = ((r − b)/(1 − b))² for r > b, otherwise 0
+///
+/// with b = 0.1. Along a line it is a spring σ up to b and wherever it is unloaded; loaded from zero it is
+/// |c| = b + (1 − b)·tanh((u − b)/(1 − b)), in steps of any length. A vibration below b·μN does not creep. Sliding, it drags at
+/// μ·N(t) whatever N does: the mean drag and its modulation are those of Coulomb friction.
+///
+/// An increase of N under a strained contact increases its energy ½D²/σ, which nothing supplies if the hand rests. The drag is
+/// therefore not greater than the one that the work W of the hand can hold:
+///
+///   |D| ≤ √(2σW),   dW = D·ds,   W ≤ 4·½(μN)²/σ where it increases
+///
+/// With N constant the bound is never reached, because dW − d(½D²/σ) = μN·α·|c|²·max(0, ĉ·e)·dℓ ≥ 0. What sliding dissipates,
+/// and what a decrease of N takes off the contact, remains in W for the next increase. A drag at the bound increases by σ along
+/// the path. For any path and any N(t) the work on s is thus never negative, to the second order in the steps of a path
+/// that turns.
+///
 /// **dahl**: a contact that creeps while it is strained [Dahl 1968], in the vector form in which z relaxes towards the
 /// direction of motion e over the path length ℓ:
 ///
@@ -122,8 +143,8 @@ struct FrictionLaw {
 /// whatever g is. The damper adds σ₁'v²(1 − q) with q = σz·sgn(v)/g, which is negative where the speed has increased; the
 /// sum g|v|q² + σ₁'v²(1 − q) is not negative for any q if σ₁'|v| ≤ 4g [Barabanov 2000].
 ///
-/// Position instead of velocity: `proxy`, `dahl` and `lugre` depend on the way and not on an estimated velocity, so that
-/// they do not amplify its delay and its steps. The steps of a device's sensor are steps of the force of up to 2σ·Δ; s is
+/// Position instead of velocity: `proxy`, `elastoplastic`, `dahl` and `lugre` depend on the way and not on an estimated velocity,
+/// so that they do not amplify its delay and its steps. The steps of a device's sensor are steps of the force of up to 2σ·Δ; s is
 /// the position after two low-passes of the time constant τ_s each (gain 1 − exp(−T/τ_s) per tick). τ_s = 0: s is the
 /// position. All of them store at most ½σz² and return no more to the path s, on which their work on a closed path is never
 /// positive.
@@ -135,18 +156,20 @@ struct FrictionLaw {
 /// where ℓ is the mean age that the low-passes give to the position. In time: the force belongs to a path that is τ old,
 /// and T/2 more in the mean while it is held. It differs from that of the present path by at most L·∫|v| over this time,
 /// with L the slope of D along the path, so that a device gains no more than L·(T/2 + τ)·∫v² dt and b ≥ L·(T/2 + τ)
-/// dissipates it. (In frequency: delayed_damping_N_s_per_m in offline/sampled_loop.h.) For `proxy` L = σ in every motion:
-/// the condition is sufficient. For `dahl` L = σ about z = 0 and up to 2σ where a contact is released that was strained up
-/// to z_ss. A vibration over the way p about a strained z relaxes it by the fraction 2p/z_ss in each cycle, until z is 0:
+/// dissipates it. (In frequency: delayed_damping_N_s_per_m in offline/sampled_loop.h.) For `proxy` L = σ in every motion, and
+/// for `elastoplastic` under a constant N: the condition is sufficient. For `dahl` L = σ about z = 0 and up to 2σ where a
+/// contact is released that was strained up to z_ss. A vibration over the way p about a strained z relaxes it by the fraction 2p/z_ss in each cycle, until z is 0:
 /// vibration is not sustained with the condition, though a release from z_ss may ring for some cycles without twice this
 /// damping. `lugre` as `dahl`, with b_s = σ₁. Below the condition a hand at rest vibrates; the amplitude is limited by μN with `proxy` and less with `dahl`.
 ///
 /// `rounded` and `bounded` are dampers on a delayed velocity, which no device renders passively; a mass m does not vibrate
 /// on them while B < 2m/T·sin(π/(2(2τ/T + 1))) (steepest_damper_N_s_per_m).
 ///
-/// At rest `rounded` and `bounded` exert no force; `proxy` and `dahl` hold a hand on a slope up to μ·N, as friction does.
+/// At rest `rounded` and `bounded` exert no force; `proxy`, `elastoplastic` and `dahl` hold a hand on a slope up to μ·N, as
+/// friction does.
 ///
 /// [Hayward 2000] Hayward, Armstrong: A new computational model of friction applied to haptic rendering.
+/// [Dupont 2002] Dupont, Hayward, Armstrong, Altpeter: Single state elastoplastic friction models.
 /// [Dahl 1968] Dahl: A solid friction model, Aerospace Corporation TOR-0158(3107-18)-1.
 /// [de Wit 1995] Canudas de Wit, Olsson, Åström, Lischinsky: A new model for control of systems with friction.
 /// [Barabanov 2000] Barabanov, Ortega: Necessary and sufficient conditions for passivity of the LuGre friction model.
@@ -201,6 +224,7 @@ class Friction final {
     state_.halfway_m = turn.to_m + turn.turn * (state_.halfway_m - turn.from_m);
     state_.smooth_m = turn.to_m + turn.turn * (state_.smooth_m - turn.from_m);
     state_.strain_m = turn.turn * state_.strain_m;
+    state_.share = turn.turn * state_.share;
   }
   /// The drag of one sample in contact; the force on the hand is −drag.
   glm::dvec2 drag_N(const FrictionSample& sample) noexcept {

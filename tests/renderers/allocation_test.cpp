@@ -36,6 +36,7 @@ const std::map<std::string, std::vector<ParameterValues>>& laws() {
         {{"force_direction", std::string("gradient")}},
         {{"friction_law", std::string("bounded")}},
         {{"friction_law", std::string("proxy")}},
+        {{"friction_law", std::string("elastoplastic")}},
         {{"friction_law", std::string("dahl")}},
         {{"friction_law", std::string("lugre")}}}},
       {"stochastic", {{}, {{"index", std::string("distance")}}}},

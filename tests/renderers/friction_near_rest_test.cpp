@@ -57,7 +57,7 @@ TEST(PressedFriction, IsABoundedDamperWithTheBoundedLaw) {
 
 /// The greatest change of the drag over the change of the position, at rest, by the law itself.
 TEST(PressedFriction, HasTheSlopesOfItsLaws) {
-  for (const std::string law : {"rounded", "bounded", "proxy", "dahl", "lugre"}) {
+  for (const std::string law : {"rounded", "bounded", "proxy", "elastoplastic", "dahl", "lugre"}) {
     const PressedFriction friction =
         pressed(law, {{"friction_smoothing_s", 0.0}, {"friction_damping_N_s_per_m", 0.7}}, 1.0);
     const FrictionNearRest near_rest = friction.near_rest(kLoopPeriod_s);
@@ -147,7 +147,7 @@ TEST(PressedFriction, VibratesBelowTheRequiredDampingOnly) {
   for (const auto& [stiffness_N_per_m, smoothing_s, latency_s] :
        {std::tuple(120.0, 2.5e-3, 1e-3), std::tuple(1000.0, 0.0, 0.0),
         std::tuple(1000.0, 0.0, 1e-3)}) {
-    for (const std::string law : {"proxy", "dahl", "lugre"}) {
+    for (const std::string law : {"proxy", "elastoplastic", "dahl", "lugre"}) {
       const PressedFriction friction = pressed(law,
                                                {{"friction_stiffness_N_per_m", stiffness_N_per_m},
                                                 {"friction_smoothing_s", smoothing_s}},

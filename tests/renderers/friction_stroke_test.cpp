@@ -123,6 +123,26 @@ TEST(FrictionStroke, IsCleanWithDahlAroundTheSettingsOfTheLibrary) {
   }
 }
 
+// A position step of the Falcon, 38 µm at 500 N/m, is a step of the normal force of 19 mN and, as the drag follows it, of 3.8 mN.
+TEST(FrictionStroke, IsCleanWithElastoplasticExceptForThePositionStepsOfADevice) {
+  constexpr double kFalconBurst_N = 0.0075;
+  constexpr double kFalconSteady_N = 0.002;
+  for (const StrokeSetting& setting :
+       {StrokeSetting{}, StrokeSetting{.force_N = 0.5}, StrokeSetting{.force_N = 2.0},
+        StrokeSetting{.speed_m_per_s = 0.03}, StrokeSetting{.speed_m_per_s = 0.1}}) {
+    for (const std::string device : kRealDevices) {
+      const StrokeVibration vibration = vibration_of("elastoplastic", device, setting);
+      const bool steps = device == "simulated:falcon";
+      ASSERT_TRUE(vibration.has_steady_part);
+      EXPECT_LE(vibration.burst_N, steps ? kFalconBurst_N : kGreatestBurst_N)
+          << device << ' ' << setting.speed_m_per_s << ' ' << setting.force_N;
+      EXPECT_LE(vibration.steady_rms_N, steps ? kFalconSteady_N : kGreatestSteady_N)
+          << device << ' ' << setting.speed_m_per_s << ' ' << setting.force_N;
+      EXPECT_NEAR(vibration.drag_share, setting.friction, 0.01 * setting.friction) << device;
+    }
+  }
+}
+
 std::string with_hand_damping(const std::string& device, const std::string& damping_N_s_per_m) {
   return device + (device.find(':') == std::string::npos ? ":ideal" : "") +
          ",damping_N_s_per_m=" + damping_N_s_per_m;

@@ -252,7 +252,7 @@ Energies energies(Friction& friction, std::span<const glm::dvec2> path_m, double
 TEST(SpringFriction, IsPassiveOnADeviceWithTheDampingOfItsStiffness) {
   constexpr double kContact_N_per_m = 1000.0;
   constexpr double kNeeded_N_s_per_m = 0.5 * kContact_N_per_m * kTick_s;
-  for (const std::string law : {"proxy", "dahl"}) {
+  for (const std::string law : {"proxy", "elastoplastic", "dahl"}) {
     Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
       const double size_m = std::pow(10.0, -6.0 + 3.0 * random.uniform());
@@ -277,7 +277,7 @@ TEST(SpringFriction, IsPassiveOnADeviceWithTheDampingOfItsStiffness) {
 }
 
 TEST(SpringFriction, IsNeverAboveSlidingFrictionAndOpposesMotion) {
-  for (const std::string law : {"proxy", "dahl"}) {
+  for (const std::string law : {"proxy", "elastoplastic", "dahl"}) {
     Friction friction(kMu, friction_with(law));
     Random random(6);
     glm::dvec2 place_m{0.0};
@@ -351,7 +351,7 @@ TEST(DahlFriction, HasABoundedSlope) {
 
 TEST(SpringFriction, SmoothsThePositionByTwoLowPasses) {
   constexpr double kStep_m = 1e-6;
-  for (const std::string law : {"proxy", "dahl"}) {
+  for (const std::string law : {"proxy", "elastoplastic", "dahl"}) {
     Friction friction(kMu, friction_with(law, {{"friction_smoothing_s", 0.004},
                                                {"friction_stiffness_N_per_m", 10.0}}));
     friction.drag_N(at({0.0, 0.0}));

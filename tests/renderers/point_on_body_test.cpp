@@ -110,7 +110,7 @@ TEST(PointOnBody, TheForceHasNoStepAtASeamBetweenCharts) {
 }
 
 TEST(PointOnBody, FrictionContinuesFromChartToChart) {
-  for (const char* const law : {"rounded", "bounded", "proxy", "dahl", "lugre"}) {
+  for (const char* const law : {"rounded", "bounded", "proxy", "elastoplastic", "dahl", "lugre"}) {
     RendererInputs inputs = inputs_on_body(sphere());
     inputs.material.friction = 0.4;
     inputs.parameters = {{"amplitude_m", 0.0}, {"friction_law", std::string(law)}};
@@ -199,7 +199,7 @@ double drag_after_seam_N(ForceRenderer& renderer, int from, int to, double radiu
 
 TEST(PointOnBody, StickingFrictionContinuesOverEverySeamInBothDirections) {
   constexpr double kDepth_m = 0.003;
-  for (const char* const law : {"proxy", "dahl"}) {
+  for (const char* const law : {"proxy", "elastoplastic", "dahl"}) {
     RendererInputs inputs = inputs_on_body(sphere());
     inputs.material.friction = 0.8;
     inputs.parameters = {{"amplitude_m", 0.0}, {"friction_law", std::string(law)}};
