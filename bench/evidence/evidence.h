@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// docs/models/friction.md: the vibration that each law of friction causes under a stroking hand, on simulated devices.
+/// docs/models/friction.md: the properties of each law, and the vibration that it causes under a stroking hand, on simulated devices.
 void print_friction();
 
 /// docs/models/pd_gradient.md: how much the force of pd_gradient changes in a tick where contacts begin, end, divide and merge,

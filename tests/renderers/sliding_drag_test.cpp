@@ -1,0 +1,70 @@
+// The mean drag of the models that differ only in their texture, and its modulation by the texture.
+
+#include "renderers/offline/sliding_drag.h"
+
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "renderers/models/sinusoid.h"
+#include "renderers/models/stochastic.h"
+#include "tests/renderers/surfaces.h"
+
+namespace asperity {
+namespace {
+
+RendererInputs textured(const std::string& law, double stiffness_N_per_m = 500.0) {
+  return {.parameters = {{"friction_law", law}},
+          .material = {.stiffness_N_per_m = stiffness_N_per_m, .friction = 0.2},
+          .height_field = grating(),
+          .assets = files_of_models(),
+          .seed = 3};
+}
+
+TEST(SlidingDrag, IsThatOfCoulombForEveryModelWithElastoplasticFriction) {
+  for (const double stiffness_N_per_m : {500.0, 2000.0}) {
+    for (const ForceModel& model : point_models()) {
+      const SlidingDrag drag = sliding_drag(model, textured("elastoplastic", stiffness_N_per_m));
+      // Noise in time is no function of the place.
+      const double tolerance = model.declaration.id == "auto_regressive" ? 0.03 : 0.01;
+      EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, tolerance)
+          << model.declaration.id << ' ' << stiffness_N_per_m;
+      EXPECT_NEAR(drag.modulation, 1.0, 0.05) << model.declaration.id << ' ' << stiffness_N_per_m;
+    }
+  }
+}
+
+TEST(SlidingDrag, IsThatOfCoulombUnderStrongTexturesAndNoise) {
+  RendererInputs inputs = textured("elastoplastic");
+  inputs.parameters["amplitude_m"] = 4e-4;
+  inputs.parameters["wavelength_m"] = 4e-3;
+  SlidingDrag drag = sliding_drag(sinusoid_model(), inputs);
+  EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, 0.01);
+  for (const double noise_N : {0.1, 0.3}) {
+    inputs = textured("elastoplastic");
+    inputs.parameters["noise_sd_N"] = noise_N;
+    drag = sliding_drag(stochastic_model(), inputs);
+    EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, 0.01) << noise_N;
+    EXPECT_GT(drag.modulation, 0.95) << noise_N;
+  }
+}
+
+// 1/√(1 + (10/60)²) with `rounded`; `dahl` loses where the normal force increases.
+TEST(SlidingDrag, ShowsWhatOtherLawsLose) {
+  const SlidingDrag rounded = sliding_drag(sinusoid_model(), textured("rounded"));
+  EXPECT_NEAR(rounded.mean_N / rounded.coulomb_N, 0.98639, 1e-4);
+  const SlidingDrag dahl = sliding_drag(sinusoid_model(), textured("dahl", 2000.0));
+  EXPECT_LT(dahl.mean_N / dahl.coulomb_N, 0.9);
+  EXPECT_LT(dahl.modulation, 0.3);
+}
+
+TEST(SlidingDrag, RejectsStrokesInWhichFrictionDoesNotTurnRound) {
+  EXPECT_THROW(sliding_drag(sinusoid_model(), textured("dahl"), {.length_m = 0.003}),
+               std::invalid_argument);
+  EXPECT_THROW(sliding_drag(sinusoid_model(), textured("dahl"), {.speed_m_per_s = 0.0}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity
