@@ -123,14 +123,20 @@ double loaded(double share, double way) noexcept {
   return kElasticShare + (1.0 - kElasticShare) * (before + more) / (1.0 + before * more);
 }
 
-// The share c after the path u·e of the contact: unloaded elastically while it points against e, then loaded.
-glm::dvec2 moved_share(const glm::dvec2& share, const glm::dvec2& way) noexcept {
-  const double length = glm::length(way);
-  if (!(length > 0.0)) return share;
-  const double back = std::clamp(-glm::dot(share, way) / length, 0.0, length);
-  const glm::dvec2 unloaded = share + back / length * way;
-  const double before = glm::length(unloaded);
-  const glm::dvec2 elastic = unloaded + (1.0 - back / length) * way;
+// The share c after the path of the contact, where z_ss is `sliding_m`: unloaded elastically while it points against the path,
+// then loaded.
+glm::dvec2 moved_share(const glm::dvec2& share, const glm::dvec2& way_m,
+                       double sliding_m) noexcept {
+  // Beyond it c is e, and a quotient by a normal force near zero would overflow.
+  constexpr double kFar = 1e6;
+  const double length_m = glm::length(way_m);
+  if (!(length_m > 0.0)) return share;
+  if (length_m > kFar * sliding_m) return way_m / length_m;
+  const glm::dvec2 towards = way_m / length_m;
+  const double length = length_m / sliding_m;
+  const double back = std::clamp(-glm::dot(share, towards), 0.0, length);
+  const double before = glm::length(share + back * towards);
+  const glm::dvec2 elastic = share + length * towards;
   const double after = glm::length(elastic);
   return after > before ? loaded(before, after - before) / after * elastic : elastic;
 }
@@ -148,7 +154,7 @@ glm::dvec2 elastoplastic_drag_N(const FrictionSettings& settings, const Friction
   const double sliding_m = settings.coefficient * sample.normal_N / settings.stiffness_N_per_m;
   if (!(sliding_m > 0.0)) return glm::dvec2(0.0);
   const glm::dvec2 before_m = held_strain_m(state.share, sliding_m, std::sqrt(state.work_m2));
-  state.share = moved_share(state.share, way_m / sliding_m);
+  state.share = moved_share(state.share, way_m, sliding_m);
   const double length = glm::length(state.share);
   if (!(length > 0.0)) return glm::dvec2(0.0);
   // The work of the step is w⁺ = w + (z + z⁺)·d, in units of σ/2; the longest z⁺ towards c has the square w⁺.

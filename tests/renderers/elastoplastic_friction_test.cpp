@@ -146,6 +146,17 @@ TEST(ElastoplasticFriction, DoesNotGiveEnergyOnRandomPathsOfAHand) {
   }
 }
 
+TEST(ElastoplasticFriction, SlidesUnderANormalForceNearZeroToo) {
+  Friction friction = elastoplastic();
+  friction.drag_N(slid_to({0.0, 0.0}));
+  friction.drag_N(slid_to({0.01, 0.0}));
+  constexpr double kNearZero_N = 1e-300;
+  const glm::dvec2 drag_N = friction.drag_N(slid_to({0.01, 0.02}, kNearZero_N));
+  EXPECT_NEAR(drag_N.y / (kCoulomb * kNearZero_N), 1.0, 1e-6);
+  EXPECT_EQ(friction.drag_N(slid_to({0.01, 0.03}, 0.0)), glm::dvec2(0.0));
+  EXPECT_NEAR(friction.drag_N(slid_to({0.01, 0.04})).y, kCoulomb, 1e-9);
+}
+
 TEST(ElastoplasticFriction, DoesNotDriftAtRest) {
   Friction held = elastoplastic();
   held.drag_N(slid_to({0.0, 0.0}));
