@@ -127,7 +127,7 @@ double loaded(double share, double way) noexcept {
 // then loaded.
 glm::dvec2 moved_share(const glm::dvec2& share, const glm::dvec2& way_m,
                        double sliding_m) noexcept {
-  // Beyond it c is e, and a quotient by a normal force near zero would overflow.
+  // Beyond it c is e, also without a normal force, by which a quotient would overflow.
   constexpr double kFar = 1e6;
   const double length_m = glm::length(way_m);
   if (!(length_m > 0.0)) return share;
@@ -152,13 +152,11 @@ glm::dvec2 elastoplastic_drag_N(const FrictionSettings& settings, const Friction
                                 FrictionState& state) noexcept {
   const glm::dvec2 way_m = smoothed_way_m(settings, sample, state);
   const double sliding_m = settings.coefficient * sample.normal_N / settings.stiffness_N_per_m;
-  if (!(sliding_m > 0.0)) return glm::dvec2(0.0);
   const glm::dvec2 before_m = held_strain_m(state.share, sliding_m, std::sqrt(state.work_m2));
   state.share = moved_share(state.share, way_m, sliding_m);
-  const double length = glm::length(state.share);
-  if (!(length > 0.0)) return glm::dvec2(0.0);
   // The work of the step is w⁺ = w + (z + z⁺)·d, in units of σ/2; the longest z⁺ towards c has the square w⁺.
-  const double half_m = 0.5 * glm::dot(state.share, way_m) / length;
+  const double length = glm::length(state.share);
+  const double half_m = length > 0.0 ? 0.5 * glm::dot(state.share, way_m) / length : 0.0;
   const double square_m2 = half_m * half_m + state.work_m2 + glm::dot(before_m, way_m);
   glm::dvec2 strain_m{0.0};
   if (square_m2 >= 0.0) {

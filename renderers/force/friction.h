@@ -108,7 +108,8 @@ struct FrictionLaw {
 ///
 /// with b = 0.1. Along a line it is a spring σ up to b and wherever it is unloaded; loaded from zero it is
 /// |c| = b + (1 − b)·tanh((u − b)/(1 − b)), in steps of any length. A vibration below b·μN does not creep. Sliding, it drags at
-/// μ·N(t) whatever N does: the mean drag and its modulation are those of Coulomb friction.
+/// μ·N(t) whatever N does: the mean drag and its modulation are those of Coulomb friction. Without a normal force c is the
+/// direction of motion e, so that a hand that turns round there meets a drag against its new direction.
 ///
 /// An increase of N under a strained contact increases its energy ½D²/σ, which nothing supplies if the hand rests. The drag is
 /// therefore not greater than the one that the work W of the hand can hold:
