@@ -39,6 +39,7 @@ constexpr std::array kSettings{Setting{},
                                Setting{.force_N = 2.0},
                                Setting{.speed_m_per_s = 0.03},
                                Setting{.speed_m_per_s = 0.1},
+                               Setting{.force_N = 0.5, .speed_m_per_s = 0.1},
                                Setting{.speed_m_per_s = 0.15},
                                Setting{.friction = 0.5},
                                Setting{.friction = 0.8},
@@ -72,29 +73,45 @@ void print_header(double damping_N_s_per_m) {
   std::printf("\n");
 }
 
-SlidingDrag least_drag(const FrictionLaw& law) {
-  SlidingDrag least{.mean_N = 1.0, .coulomb_N = 1.0};
-  const auto take = [&](const ForceModel& model, ParameterValues parameters,
-                        double stiffness_N_per_m) {
-    parameters["friction_law"] = std::string(law.name);
-    const SlidingDrag found = sliding_drag(
-        model, {.parameters = parameters,
-                .material = {.stiffness_N_per_m = stiffness_N_per_m, .friction = 0.2}});
-    least.mean_N = std::min(least.mean_N, found.mean_N / found.coulomb_N);
-    least.modulation = std::min(least.modulation, found.modulation);
-  };
+SlidingDrag drag_of(const FrictionLaw& law, const ForceModel& model, ParameterValues parameters,
+                    double stiffness_N_per_m) {
+  parameters["friction_law"] = std::string(law.name);
+  return sliding_drag(model,
+                      {.parameters = parameters,
+                       .material = {.stiffness_N_per_m = stiffness_N_per_m, .friction = 0.2}});
+}
+
+SlidingDrag drag_under_noise(const FrictionLaw& law) {
+  return drag_of(law, stochastic_model(), {{"noise_sd_N", 0.1}}, 500.0);
+}
+
+/// The least of some gratings, over Coulomb's.
+struct LeastDrag {
+  double mean = 1.0;
+  double modulation = 1.0;
+};
+
+LeastDrag least_drag_on_gratings(const FrictionLaw& law) {
+  const ParameterValues fine{{"amplitude_m", 5e-5}, {"wavelength_m", 2.5e-3}};
   const ParameterValues coarse{{"amplitude_m", 2e-4}, {"wavelength_m", 4e-3}};
-  take(sinusoid_model(), coarse, 500.0);
-  take(sinusoid_model(), coarse, 2000.0);
-  take(stochastic_model(), {{"noise_sd_N", 0.1}}, 500.0);
+  LeastDrag least{};
+  for (const SlidingDrag& drag :
+       {drag_of(law, sinusoid_model(), fine, 500.0), drag_of(law, sinusoid_model(), coarse, 500.0),
+        drag_of(law, sinusoid_model(), coarse, 2000.0)}) {
+    least.mean = std::min(least.mean, drag.mean_N / drag.coulomb_N);
+    least.modulation = std::min(least.modulation, drag.modulation);
+  }
   return least;
 }
 
-double greatest_burst_N(const FrictionLaw& law, const char* device) {
+double greatest_burst_N(const FrictionLaw& law, const char* device, double slowest_m_per_s,
+                        double fastest_m_per_s) {
   double greatest_N = 0.0;
   for (const Setting& setting : kSettings) {
-    if (setting.friction > 0.2 || setting.speed_m_per_s > 0.1 || setting.stiffness_N_per_m > 500.0)
+    if (setting.friction > 0.2 || setting.stiffness_N_per_m > 500.0) continue;
+    if (setting.speed_m_per_s < slowest_m_per_s || setting.speed_m_per_s > fastest_m_per_s) {
       continue;
+    }
     greatest_N = std::max(greatest_N, vibration_of(law, device, setting).burst_N);
   }
   return greatest_N;
@@ -155,15 +172,26 @@ double left_after_tremor(const FrictionLaw& law) {
 }
 
 void print_properties() {
-  std::printf("%-14s %9s %10s %22s %22s %10s\n", "law", "drag %", "modul. %",
-              "reversals mN sim/falcon", "work mJ prompt/smooth", "held %");
+  constexpr double kSlow_m_per_s = 0.06;
+  constexpr double kFast_m_per_s = 0.1;
+  std::printf(
+      "mean drag and its modulation by gratings and by noise, %% of Coulomb's; reversals up to 60 "
+      "mm/s and at 100 mm/s, mN; work without and with the low-passes, mJ; force that tremor "
+      "leaves, %%\n%-14s %13s %13s %17s %17s %19s %6s\n",
+      "law", "gratings", "noise", "simulated", "falcon", "work", "held");
   for (const FrictionLaw& law : friction_laws()) {
-    const SlidingDrag drag = least_drag(law);
-    std::printf(
-        "%-14s %9.1f %10.1f %10.1f / %9.1f %10.4f / %9.4f %10.0f\n", std::string(law.name).c_str(),
-        1e2 * drag.mean_N, 1e2 * drag.modulation, 1e3 * greatest_burst_N(law, kDevices[0]),
-        1e3 * greatest_burst_N(law, kDevices[1]), 1e3 * least_work_J(law, 0.0),
-        1e3 * least_work_J(law, FrictionSettings{}.smoothing_s), 1e2 * left_after_tremor(law));
+    const LeastDrag gratings = least_drag_on_gratings(law);
+    const SlidingDrag noise = drag_under_noise(law);
+    std::printf("%-14s %5.1f / %5.1f %5.1f / %5.1f", std::string(law.name).c_str(),
+                1e2 * gratings.mean, 1e2 * gratings.modulation,
+                1e2 * noise.mean_N / noise.coulomb_N, 1e2 * noise.modulation);
+    for (const char* device : {kDevices[0], kDevices[1]}) {
+      std::printf(" %7.1f / %7.1f", 1e3 * greatest_burst_N(law, device, 0.0, kSlow_m_per_s),
+                  1e3 * greatest_burst_N(law, device, kFast_m_per_s, kFast_m_per_s));
+    }
+    std::printf(" %8.4f / %8.4f %6.0f\n", 1e3 * least_work_J(law, 0.0),
+                1e3 * least_work_J(law, FrictionSettings{}.smoothing_s),
+                1e2 * left_after_tremor(law));
   }
 }
 

@@ -41,6 +41,7 @@ struct FrictionState {
   glm::dvec2 halfway_m{0.0};  ///< after the first of two low-passes
   glm::dvec2 smooth_m{0.0};   ///< s, the smoothed position
   glm::dvec2 strain_m{0.0};   ///< z, of the contact
+  double normal_N = 0.0;      ///< N̂ of `elastoplastic`, the smoothed normal force
   glm::dvec2 share{0.0};      ///< c of `elastoplastic`: of the drag of sliding
   double work_m2 = 0.0;       ///< 2W/σ of `elastoplastic`: the work of the hand
 };
@@ -102,22 +103,26 @@ struct FrictionLaw {
 /// slowly at v slips with the period (μ_s − μ)·N·(2/k_h + 1/σ)/v + π·√(m/k_h).
 ///
 /// **elastoplastic**: adhesion that is elastic for a small strain and then yields smoothly [Dupont 2002]. Its state is the share
-/// c of the drag of sliding, which moves with the path only, so that the drag follows the normal force at once:
+/// c of the drag of sliding, which moves with the path only, so that the drag follows the normal force:
 ///
-///   D = μ·N·c,   dc/du = e − α(|c|)·max(0, ĉ·e)·c,   du = σ·dℓ/(μN),   α(r)·r = ((r − b)/(1 − b))² for r > b, otherwise 0
+///   D = μ·N̂·c,   dc/du = e − α(|c|)·max(0, ĉ·e)·c,   du = σ·dℓ/(μN̂),   α(r)·r = ((r − b)/(1 − b))² for r > b, otherwise 0
 ///
 /// with b = 0.1. Along a line it is a spring σ up to b and wherever it is unloaded; loaded from zero it is
-/// |c| = b + (1 − b)·tanh((u − b)/(1 − b)), in steps of any length. A vibration below b·μN does not creep. Sliding, it drags at
-/// μ·N(t) whatever N does: the mean drag and its modulation are those of Coulomb friction. Without a normal force c is the
-/// direction of motion e, so that a hand that turns round there meets a drag against its new direction.
+/// |c| = b + (1 − b)·tanh((u − b)/(1 − b)), in steps of any length. A vibration below b·μN̂ does not creep. Sliding, it drags at
+/// μ·N̂(t) whatever N does: the mean drag is that of Coulomb friction. Without a normal force c is the direction of motion e, so
+/// that a hand that turns round there meets a drag against its new direction.
 ///
-/// An increase of N under a strained contact increases its energy ½D²/σ, which nothing supplies if the hand rests. The drag is
+/// N̂ is N after a low-pass of the mean age τ_n = τ_s/5, the same at every period: N̂⁺ = N̂ + T/(T + τ_n)·(N − N̂), from N at the
+/// beginning of a contact. It weakens the modulation by a texture of the frequency f by 1/(1 + (2πfτ_n)²), by 0.6 % at 24 Hz, and the steps
+/// that a device's position steps cause in N. τ_s = 0: N̂ = N.
+///
+/// An increase of N̂ under a strained contact increases its energy ½D²/σ, which nothing supplies if the hand rests. The drag is
 /// therefore not greater than the one that the work W of the hand can hold:
 ///
-///   |D| ≤ √(2σW),   dW = D·ds,   W ≤ 4·½(μN)²/σ where it increases
+///   |D| ≤ √(2σW),   dW = D·ds,   W ≤ 4·½(μN̂)²/σ where it increases
 ///
-/// With N constant the bound is never reached, because dW − d(½D²/σ) = μN·α·|c|²·max(0, ĉ·e)·dℓ ≥ 0. What sliding dissipates,
-/// and what a decrease of N takes off the contact, remains in W for the next increase. A drag at the bound increases by σ along
+/// With N̂ constant the bound is never reached, because dW − d(½D²/σ) = μN̂·α·|c|²·max(0, ĉ·e)·dℓ ≥ 0. What sliding dissipates,
+/// and what a decrease of N̂ takes off the contact, remains in W for the next increase. A drag at the bound increases by σ along
 /// the path. For any path and any N(t) the work on s is thus never negative, to the second order in the steps of a path
 /// that turns.
 ///

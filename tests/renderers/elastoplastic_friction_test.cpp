@@ -87,6 +87,29 @@ TEST(ElastoplasticFriction, FollowsTheNormalForceWhileItSlides) {
   }
 }
 
+// A low-pass of a mean age of a fifth of that of each low-pass of the position, 0.5 ms: the step response of T/(T + 0.5 ms).
+TEST(ElastoplasticFriction, SmoothsTheNormalForce) {
+  for (const double dt_s : {0.25e-3, 0.5e-3, 1e-3, 2e-3}) {
+    Friction friction = elastoplastic(kCoulomb, kLawStiffness_N_per_m, 2.5e-3);
+    const auto drag_N = [&friction, dt_s](int i, double normal_N) {
+      return friction
+          .drag_N({.position_m = {0.06 * dt_s * i, 0.0}, .normal_N = normal_N, .dt_s = dt_s})
+          .x;
+    };
+    int i = 0;
+    for (; i * dt_s < 0.1; ++i) drag_N(i, 1.0);
+    EXPECT_NEAR(drag_N(i++, 1.0), kCoulomb, 1e-9) << dt_s;
+    double missing_s = 0.0;
+    for (int after = 1; after < 60; ++after, ++i) {
+      const double left = std::pow(0.5e-3 / (dt_s + 0.5e-3), after);
+      const double felt_N = drag_N(i, 1.5);
+      EXPECT_NEAR(felt_N, kCoulomb * (1.5 - 0.5 * left), 1e-9) << dt_s << ' ' << after;
+      missing_s += dt_s * (1.5 - felt_N / kCoulomb) / 0.5;
+    }
+    EXPECT_NEAR(missing_s, 0.5e-3, 1e-9) << "the same delay at every rate";
+  }
+}
+
 // Without a normal force the share is the direction of the way: the drag of the next contact is not that of the last one.
 TEST(ElastoplasticFriction, IsAgainstTheNewDirectionAfterAReversalWithoutANormalForce) {
   for (const double smoothing_s : {0.0, 2.5e-3}) {

@@ -276,9 +276,10 @@ TEST(SpringFriction, IsPassiveOnADeviceWithTheDampingOfItsStiffness) {
               2e-3 * kNeeded_N_s_per_m);
 }
 
+// Without the low-passes: that of the normal force is a test of ElastoplasticFriction.
 TEST(SpringFriction, IsNeverAboveSlidingFrictionAndOpposesMotion) {
   for (const std::string law : {"proxy", "elastoplastic", "dahl"}) {
-    Friction friction(kMu, friction_with(law));
+    Friction friction(kMu, friction_with(law, {{"friction_smoothing_s", 0.0}}));
     Random random(6);
     glm::dvec2 place_m{0.0};
     for (int i = 0; i < 20'000; ++i) {

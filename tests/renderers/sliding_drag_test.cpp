@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -22,15 +23,39 @@ RendererInputs textured(const std::string& law, double stiffness_N_per_m = 500.0
           .seed = 3};
 }
 
-TEST(SlidingDrag, IsThatOfCoulombForEveryModelWithElastoplasticFriction) {
-  for (const double stiffness_N_per_m : {500.0, 2000.0}) {
-    for (const ForceModel& model : point_models()) {
-      const SlidingDrag drag = sliding_drag(model, textured("elastoplastic", stiffness_N_per_m));
-      // Noise in time is no function of the place.
-      const double tolerance = model.declaration.id == "auto_regressive" ? 0.03 : 0.01;
-      EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, tolerance)
-          << model.declaration.id << ' ' << stiffness_N_per_m;
-      EXPECT_NEAR(drag.modulation, 1.0, 0.05) << model.declaration.id << ' ' << stiffness_N_per_m;
+// The low-pass of the normal force has the mean age 0.5 ms.
+constexpr double kAge_s = 0.5e-3;
+
+TEST(SlidingDrag, IsThatOfCoulombForEveryModelWithElastoplasticFrictionAtEveryRate) {
+  for (const double rate_Hz : {500.0, 1000.0, 4000.0}) {
+    for (const double stiffness_N_per_m : {500.0, 2000.0}) {
+      for (const ForceModel& model : point_models()) {
+        const std::string& id = model.declaration.id;
+        const SlidingDrag drag =
+            sliding_drag(model, textured("elastoplastic", stiffness_N_per_m), {.rate_Hz = rate_Hz});
+        // Noise in time is no function of the place.
+        const double tolerance = id == "auto_regressive" ? 0.03 : 0.01;
+        EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, tolerance) << id << ' ' << rate_Hz;
+        // That of white noise is a test of its own.
+        if (id == "stochastic") continue;
+        EXPECT_NEAR(drag.modulation, 1.0, 0.05) << id << ' ' << rate_Hz << ' ' << stiffness_N_per_m;
+      }
+    }
+  }
+}
+
+// A low-pass of the age τ has the real part 1/(1 + (2πfτ)²) at f = v/λ: 99.4 % at 24 Hz.
+TEST(SlidingDrag, ShowsTheModulationOfGratingsAlmostCompletely) {
+  for (const auto& [wavelength_m, least] :
+       {std::pair(2.5e-3, 0.98), std::pair(2e-3, 0.97), std::pair(1.5e-3, 0.95)}) {
+    for (const double rate_Hz : {500.0, 1000.0, 2000.0, 4000.0}) {
+      RendererInputs inputs = textured("elastoplastic");
+      inputs.parameters["amplitude_m"] = 5e-5;
+      inputs.parameters["wavelength_m"] = wavelength_m;
+      const SlidingDrag drag = sliding_drag(sinusoid_model(), inputs, {.rate_Hz = rate_Hz});
+      EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, 0.01) << wavelength_m << ' ' << rate_Hz;
+      EXPECT_GT(drag.modulation, least) << wavelength_m << ' ' << rate_Hz;
+      EXPECT_LE(drag.modulation, 1.0 + 1e-9) << wavelength_m << ' ' << rate_Hz;
     }
   }
 }
@@ -41,12 +66,14 @@ TEST(SlidingDrag, IsThatOfCoulombUnderStrongTexturesAndNoise) {
   inputs.parameters["wavelength_m"] = 4e-3;
   SlidingDrag drag = sliding_drag(sinusoid_model(), inputs);
   EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, 0.01);
+  EXPECT_GT(drag.modulation, 0.98);
   for (const double noise_N : {0.1, 0.3}) {
     inputs = textured("elastoplastic");
     inputs.parameters["noise_sd_N"] = noise_N;
     drag = sliding_drag(stochastic_model(), inputs);
     EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, 0.01) << noise_N;
-    EXPECT_GT(drag.modulation, 0.95) << noise_N;
+    // The first weight of the low-pass, T/(T + τ): noise that is white up to the Nyquist frequency.
+    EXPECT_NEAR(drag.modulation, 1e-3 / (1e-3 + kAge_s), 0.02) << noise_N;
   }
 }
 
