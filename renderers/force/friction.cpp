@@ -313,7 +313,7 @@ Parameter law_parameter() {
                       .kind = ParameterKind::choice,
                       .unit = "1",
                       .choices = {},
-                      .default_value = std::string("dahl"),
+                      .default_value = std::string("elastoplastic"),
                       .meaning = "Friction law"};
   for (const FrictionLaw& law : kLaws) {
     parameter.choices.emplace_back(law.name);

@@ -334,7 +334,7 @@ TEST_F(ComparedDevice, IsRefusedForWhatFailedWithoutANumber) {
 
 // Pressed as hard as their explorations accept, 2.5 N, friction of 0.2 is a damper of 50 N s/m. Bodies are behind a
 // virtual coupling.
-// With the law `rounded`; `dahl`, the default, is not a damper (FrictionStroke measures it).
+// With the law `rounded`; the default is not a damper (FrictionStroke measures it).
 TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPointsWithRoundedFriction) {
   const ModelRegistry models = built_in_models();
   const auto warned_on = [&](const std::string& device, bool is_rounded) {

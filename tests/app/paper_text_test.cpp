@@ -467,7 +467,7 @@ TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
   EXPECT_THAT(methods,
               HasSubstr("The parameters of the force model were: amplitude 50 µm and 60 µm, "
                         "wavelength 2.5 mm. All others had their default values; the report "
-                        "of the study lists all parameters. The friction law was dahl."));
+                        "of the study lists all parameters. The friction law was elastoplastic."));
   EXPECT_THAT(methods, Not(HasSubstr("force direction")));
   std::vector<std::vector<std::string>> rows{};
   for (const ReportSection& section : report.chapters.back().sections) {
@@ -479,7 +479,7 @@ TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
   using Row = std::vector<std::string>;
   EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "wavelength", "2.5 mm"}));
   EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "force direction", "fixed"}));
-  EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "friction law", "dahl"}));
+  EXPECT_THAT(rows, testing::Contains(Row{"sinusoid", "friction law", "elastoplastic"}));
 }
 
 TEST(PaperText, StatesTheConsequenceOfAVibration) {

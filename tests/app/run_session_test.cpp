@@ -79,7 +79,7 @@ TEST_F(RunSession, StoresParametersAndMaterialThatTheProtocolDoesNotState) {
   const std::vector<AttemptRow> attempts = study().attempts(study().sessions().at(0).id);
   ASSERT_FALSE(attempts.empty());
   for (const PresentationRow& surface : attempts.front().presentations) {
-    EXPECT_THAT(surface.parameters_json, testing::HasSubstr(R"("friction_law":"dahl")"));
+    EXPECT_THAT(surface.parameters_json, testing::HasSubstr(R"("friction_law":"elastoplastic")"));
     EXPECT_EQ(surface.stiffness_N_per_m, 500.0);
     EXPECT_EQ(surface.friction, 0.2);
   }

@@ -64,8 +64,9 @@ TEST(FrictionLaws, AreNamed) {
   EXPECT_THROW(friction_settings(0.2, {}), std::invalid_argument);
 }
 
-TEST(FrictionLaws, AreDahlWhereNoneIsStated) {
-  EXPECT_EQ(friction_law_of(complete_values(sinusoid_model().declaration, {})).name, "dahl");
+TEST(FrictionLaws, AreElastoplasticWhereNoneIsStated) {
+  EXPECT_EQ(friction_law_of(complete_values(sinusoid_model().declaration, {})).name,
+            "elastoplastic");
 }
 
 TEST(FrictionLaws, AreDeclaredByEveryPointModelOnceAndWithTheSameDefaults) {
@@ -488,8 +489,8 @@ TEST(FrictionOfModels, BetweenAdjacentSurfacesDoesNotDependOnTheirOrder) {
   using Values = ParameterValues;
   const std::string law = "friction_law";
   const std::string stiffness = "friction_stiffness_N_per_m";
-  const Values soft{{law, std::string("dahl")}, {stiffness, 100.0}};
-  const Values stiff{{law, std::string("dahl")}, {stiffness, 1000.0}};
+  const Values soft{{stiffness, 100.0}};
+  const Values stiff{{stiffness, 1000.0}};
   const Values usual{};
   const Values proxy{{law, std::string("proxy")}};
   const Values rounded{{law, std::string("rounded")}};

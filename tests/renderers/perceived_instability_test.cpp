@@ -121,7 +121,8 @@ TEST(Buzz, IsRareWithTwoBodies) {
   EXPECT_LT(judged_stroke(model, inputs, records).buzz.value().ratio, 0.2);
 }
 
-// docs/models/limits.md: friction of the law `rounded` vibrates on this device above 0.75 N, and `dahl` does not.
+// docs/models/limits.md: friction of the law `rounded` vibrates on this device above 0.75 N, and the default
+// law does not.
 TEST(Buzz, IsThatOfFrictionThatTheDeviceCannotRender) {
   const ModelRegistry registry = built_in_models();
   const ForceModel& model = *registry.find("sinusoid");

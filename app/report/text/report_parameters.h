@@ -10,7 +10,7 @@ namespace asperity {
 
 /// The parameters as they were rendered that the protocol states or that differ from the defaults of the force model: "The
 /// parameters of the force model were: amplitude 50 µm to 100 µm, wavelength 2.5 mm. All others had their default values; the
-/// report of the study lists all parameters. The friction law was dahl." Empty where none were stored.
+/// report of the study lists all parameters. The friction law was elastoplastic." Empty where none were stored.
 std::string paper_parameters(const ReportFacts& facts);
 
 /// For reference: every parameter of every force model with its rendered values and their unit. Without parts where none were
