@@ -132,22 +132,43 @@ glm::dvec2 moved_share(const glm::dvec2& share, const glm::dvec2& way_m,
                        double sliding_m) noexcept {
   // Beyond it c is e, also without a normal force, by which a quotient would overflow.
   constexpr double kFar = 1e6;
+  constexpr double kSlides = 1.0 - 1e-9;
   const double length_m = glm::length(way_m);
   if (!(length_m > 0.0)) return share;
+  const double along_m = glm::dot(share, way_m);
+  if (along_m > kSlides * length_m) return share;  // c is e already: most ticks of a stroke
   if (length_m > kFar * sliding_m) return way_m / length_m;
   const glm::dvec2 towards = way_m / length_m;
   const double length = length_m / sliding_m;
-  const double back = std::clamp(-glm::dot(share, towards), 0.0, length);
+  const double back = std::clamp(-along_m / length_m, 0.0, length);
   const double before = glm::length(share + back * towards);
   const glm::dvec2 elastic = share + length * towards;
   const double after = glm::length(elastic);
   return after > before ? loaded(before, after - before) / after * elastic : elastic;
 }
 
-// `share` times `most_m`, or shorter: what the work holds.
-glm::dvec2 held_strain_m(const glm::dvec2& share, double most_m, double longest_m) noexcept {
-  const double length = glm::length(share);
-  return length * most_m > longest_m ? longest_m / length * share : most_m * share;
+// `share` times `most_m`, or shorter: what the work holds, whose square is `longest_m2`.
+glm::dvec2 held_strain_m(const glm::dvec2& share, double most_m, double longest_m2) noexcept {
+  const double square = glm::dot(share, share);
+  return square * most_m * most_m > longest_m2 ? std::sqrt(longest_m2 / square) * share
+                                               : most_m * share;
+}
+
+// The strain after a step `way_m` from `before_m`, under a share that needs more work than the hand has done, w⁺ = w + (z + z⁺)·d
+// in units of σ/2. The longest z⁺ towards c has the square w⁺.
+glm::dvec2 bounded_strain_m(FrictionState& state, const glm::dvec2& before_m,
+                            const glm::dvec2& way_m, double sliding_m) noexcept {
+  const double length = glm::length(state.share);
+  const double half_m = length > 0.0 ? 0.5 * glm::dot(state.share, way_m) / length : 0.0;
+  const double square_m2 = half_m * half_m + state.work_m2 + glm::dot(before_m, way_m);
+  if (square_m2 >= 0.0) {
+    const double longest_m = std::max(0.0, half_m + std::sqrt(square_m2));
+    return held_strain_m(state.share, sliding_m, longest_m * longest_m);
+  }
+  // The path turns sharply while the work is spent; an elastic step needs none.
+  const glm::dvec2 strain_m = shortened(before_m + way_m, sliding_m);
+  state.share = strain_m / sliding_m;
+  return strain_m;
 }
 
 // The normal force after a low-pass, whose readings have the mean age T·(1 − g)/g = τ_n at every period with the gain
@@ -166,22 +187,15 @@ glm::dvec2 elastoplastic_drag_N(const FrictionSettings& settings, const Friction
   state.normal_N = smoothed_normal_N(settings, sample, state);
   const glm::dvec2 way_m = smoothed_way_m(settings, sample, state);
   const double sliding_m = settings.coefficient * state.normal_N / settings.stiffness_N_per_m;
-  const glm::dvec2 before_m = held_strain_m(state.share, sliding_m, std::sqrt(state.work_m2));
+  const glm::dvec2 before_m = held_strain_m(state.share, sliding_m, state.work_m2);
   state.share = moved_share(state.share, way_m, sliding_m);
-  // The work of the step is w⁺ = w + (z + z⁺)·d, in units of σ/2; the longest z⁺ towards c has the square w⁺.
-  const double length = glm::length(state.share);
-  const double half_m = length > 0.0 ? 0.5 * glm::dot(state.share, way_m) / length : 0.0;
-  const double square_m2 = half_m * half_m + state.work_m2 + glm::dot(before_m, way_m);
-  glm::dvec2 strain_m{0.0};
-  if (square_m2 >= 0.0) {
-    const double longest_m = std::max(0.0, half_m + std::sqrt(square_m2));
-    strain_m = held_strain_m(state.share, sliding_m, longest_m);
-  } else {  // the path turns sharply while the work is spent; an elastic step needs none
-    strain_m = shortened(before_m + way_m, sliding_m);
-    state.share = strain_m / sliding_m;
+  glm::dvec2 strain_m = sliding_m * state.share;
+  double work_m2 = state.work_m2 + glm::dot(before_m + strain_m, way_m);
+  if (work_m2 < glm::dot(strain_m, strain_m)) {
+    strain_m = bounded_strain_m(state, before_m, way_m, sliding_m);
+    work_m2 = state.work_m2 + glm::dot(before_m + strain_m, way_m);
   }
   const double most_m2 = std::max(state.work_m2, kKeptWork * sliding_m * sliding_m);
-  const double work_m2 = state.work_m2 + glm::dot(before_m + strain_m, way_m);
   state.work_m2 = std::max(glm::dot(strain_m, strain_m), std::min(work_m2, most_m2));
   return settings.stiffness_N_per_m * strain_m;
 }
