@@ -23,6 +23,7 @@
 #include "app/plugins/plugin_files.h"
 #include "app/session/rig/clock.h"
 #include "app/tasks/compute_warnings.h"
+#include "app/tasks/drag_of_stimuli.h"
 #include "app/tasks/plugin_stimuli.h"
 #include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
@@ -82,8 +83,19 @@ DeviceComparison compared(const SoughtDevice& device, const ProtocolCheck& check
   return compare_with(device, *check.protocol, check.file, study, now_utc, models, course);
 }
 
-nlohmann::ordered_json json_of(const ProtocolCheck& check,
-                               const std::vector<Diagnostic>& warnings) {
+nlohmann::ordered_json json_of(const std::vector<StimulusDrag>& drags) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const StimulusDrag& drag : drags) {
+    json.push_back({{"stimulus", drag.stimulus},
+                    {"exploration", drag.exploration},
+                    {"mean_N", drag.mean_N},
+                    {"of_coulomb", drag.of_coulomb}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Diagnostic>& warnings,
+                               const std::vector<StimulusDrag>& drags) {
   nlohmann::ordered_json json{{"file", check.file},
                               {"valid", check.diagnostics.empty()},
                               {"diagnostics", json_of(check.diagnostics)},
@@ -98,6 +110,7 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check,
     json["total_s"] = check.cost.total_s;
     json["longest_without_break_s"] = check.cost.longest_without_break_s;
     if (!check.designs.empty()) json["designs"] = check.designs;
+    json["drag"] = json_of(drags);
     if (check.protocol->groups) {
       json["groups"] = {{"factor", check.protocol->groups->factor},
                         {"levels", groups_of(*check.protocol)},
@@ -149,9 +162,10 @@ void say_in_order(const std::vector<Diagnostic>& problems,
   say_warnings_before(nullptr);
 }
 
-/// The problems of a rehearsal, and what of the study's files and stimuli may not be meant.
-void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
-                       const ModelRegistry& models, std::vector<Diagnostic>& warnings) {
+/// The problems of a rehearsal, and what of the study's files and stimuli may not be meant. Returns the stimuli's drag.
+std::vector<StimulusDrag> check_with_study(ProtocolCheck& check, const std::filesystem::path& study,
+                                           const ModelRegistry& models,
+                                           std::vector<Diagnostic>& warnings) {
   if (Study::exists(study)) {
     try {
       const Study own = Study::open(study, Access::read_only);
@@ -170,28 +184,30 @@ void warnings_of_study(ProtocolCheck& check, const std::filesystem::path& study,
   }
   StimulusBuilder builder(models, study);
   check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, builder);
-  if (!check.diagnostics.empty()) return;
+  if (!check.diagnostics.empty()) return {};
   RehearsedStimuli rehearsed = rehearse_with_warnings(*check.protocol, check.file, builder);
   check.diagnostics = std::move(rehearsed.problems);
   for (Diagnostic& warning : warnings_about_textures(*check.protocol, check.file, study)) {
     warnings.push_back(std::move(warning));
   }
   for (Diagnostic& warning : rehearsed.warnings) warnings.push_back(std::move(warning));
-  if (!check.diagnostics.empty()) return;
+  if (!check.diagnostics.empty()) return {};
   for (Diagnostic& warning : warnings_about_stimuli(*check.protocol, check.file, builder)) {
     warnings.push_back(std::move(warning));
   }
+  return drag_of_stimuli(*check.protocol, builder);
 }
 
-/// The problems of plug-ins, and what of the stimuli that need no file may not be meant.
-void warnings_without_study(ProtocolCheck& check, const ModelRegistry& models,
-                            std::vector<Diagnostic>& warnings) {
+/// The problems of plug-ins, and what of the stimuli that need no file may not be meant. Returns the drag of these stimuli.
+std::vector<StimulusDrag> check_without_study(ProtocolCheck& check, const ModelRegistry& models,
+                                              std::vector<Diagnostic>& warnings) {
   StimulusBuilder without_files(models, {});
   check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, without_files);
-  if (!check.diagnostics.empty()) return;
+  if (!check.diagnostics.empty()) return {};
   for (Diagnostic& warning : warnings_about_stimuli(*check.protocol, check.file, without_files)) {
     warnings.push_back(std::move(warning));
   }
+  return drag_of_stimuli(*check.protocol, without_files);
 }
 
 }  // namespace
@@ -250,10 +266,11 @@ void add_check(CLI::App& program, Job& job) {
             warnings.push_back(std::move(warning));
           }
         }
+        std::vector<StimulusDrag> drags{};
         if (options->study && check.protocol && check.diagnostics.empty()) {
-          warnings_of_study(check, *options->study, models, warnings);
+          drags = check_with_study(check, *options->study, models, warnings);
         } else if (check.protocol && check.diagnostics.empty()) {
-          warnings_without_study(check, models, warnings);
+          drags = check_without_study(check, models, warnings);
         }
         DeviceComparison comparison{};
         if (options->device && check.protocol && check.diagnostics.empty()) {
@@ -272,7 +289,7 @@ void add_check(CLI::App& program, Job& job) {
         sort_by_line(warnings);
         say_in_order(check.diagnostics, warnings);
         if (options->json) {
-          json["protocols"].push_back(json_of(check, warnings));
+          json["protocols"].push_back(json_of(check, warnings, drags));
           if (options->device) {
             json["protocols"].back()["device"] =
                 json_of(*options->device, comparison,
@@ -292,6 +309,9 @@ void add_check(CLI::App& program, Job& job) {
           }
           if (check.protocol->groups) {
             std::cout << check.file << ": groups: " << groups_text(*check.protocol) << '\n';
+          }
+          for (const std::string& line : drag_lines(drags)) {
+            std::cout << check.file << ": " << line << '\n';
           }
           if (!comparison.compared.empty()) {
             std::cout << check.file << ": " << comparison.compared << '\n';

@@ -314,6 +314,22 @@ TEST(Check, SaysWhatAPlanAmountsTo) {
   EXPECT_EQ(document.at("protocols").at(1).at("contacts"), 6);
 }
 
+TEST(Check, PrintsTheMeanDragOfEachStimulus) {
+  const fs::path library = fs::path(ASPERITY_SOURCE_DIR) / "protocols/library/amplitude_jnd.json";
+  const Outcome printed = asperity({"check", library});
+  ASSERT_EQ(printed.status, 0) << printed.err;
+  EXPECT_THAT(printed.out, testing::ContainsRegex(": mean drag 0\\.19[0-9] N, 99\\.[0-9] % of "
+                                                  "friction × normal force: grating_sinusoid"));
+  const Json document = Json::parse(asperity({"check", library, "--json"}).out);
+  const Json& drags = document.at("protocols").at(0).at("drag");
+  EXPECT_GT(drags.size(), 1U);
+  for (const Json& drag : drags) {
+    EXPECT_EQ(drag.at("exploration"), "stroking");
+    EXPECT_NEAR(drag.at("of_coulomb").get<double>(), 1.0, 0.01) << drag.dump();
+    EXPECT_NEAR(drag.at("mean_N").get<double>(), 0.2, 0.005) << drag.dump();
+  }
+}
+
 TEST(Check, PutsTheFaultsOfEveryFileIntoTheDocument) {
   const SmallStudy small(1);
   write_text(small.place() / "bad.json", "{\"kind\": \"selecting\"}");
