@@ -23,6 +23,8 @@ namespace {
 constexpr double kStiffestTried_N_per_m = 8000.0;
 /// Of a stroke: a stimulus that loses contact for less is still felt as a surface.
 constexpr double kContactMayBeLost = 0.05;
+/// In place of a damping of 0, which the simulated mass refuses: without effect on a stroke.
+constexpr double kSomeDamping_N_s_per_m = 1e-3;
 /// A force below this is what the arithmetic leaves of a stimulus without texture.
 constexpr double kNoForce_N = 1e-9;
 
@@ -274,14 +276,14 @@ void StimulusRehearsal::check_contact(const PreparedStimulus& stimulus, const Ha
   const DeviceItem* const damping = profile_.item("damping_N_s_per_m");
   if (!mass_kg || damping == nullptr || !damping->value) return;
   constexpr std::size_t kAcross = 2;
-  const double damping_N_s_per_m =
-      damping->by_axis.size() > kAcross ? damping->by_axis[kAcross] : *damping->value;
-  const double lost = share_out_of_contact(*stimulus.model, stimulus.inputs,
-                                           {.mass_kg = *mass_kg,
-                                            .damping_N_s_per_m = damping_N_s_per_m,
-                                            .force_N = habits.normal_force_N,
-                                            .speed_m_per_s = habits.speed_m_per_s,
-                                            .rate_Hz = protocol_.rate_Hz});
+  // The hold along the surface is the simulated hand's; across it the damping is that of the device alone.
+  HandMechanics held{.mass_kg = *mass_kg};
+  held.normal_damping_N_s_per_m =
+      std::max(kSomeDamping_N_s_per_m,
+               damping->by_axis.size() > kAcross ? damping->by_axis[kAcross] : *damping->value);
+  const double lost =
+      share_out_of_contact(*stimulus.model, stimulus.inputs,
+                           {.hand = held, .habits = habits, .rate_Hz = protocol_.rate_Hz});
   if (lost <= kContactMayBeLost) return;
   warn({.id = "contact",
         .asked = lost,
@@ -294,7 +296,8 @@ void StimulusRehearsal::check_contact(const PreparedStimulus& stimulus, const Ha
                        "the speed, or request a higher normal force.")
                     .with(name_, in_three_digits(habits.normal_force_N),
                           in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * lost, 0),
-                          in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
+                          in_three_digits(1e3 * *mass_kg),
+                          in_three_digits(held.normal_damping_N_s_per_m))});
 }
 
 void StimulusRehearsal::check_workspace(const SurfacePatch& patch) {
