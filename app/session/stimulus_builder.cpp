@@ -11,6 +11,7 @@
 #include "app/words/phrase.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/layers.h"
+#include "renderers/force/path_clock.h"
 #include "renderers/offline/force_matching.h"
 #include "renderers/proxy/body_surface.h"
 #include "results_schema/atomic_file.h"
@@ -228,6 +229,10 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
     for (const auto& [name, value] : found->second) values[name] = value;
   }
   for (const auto& [name, value] : given) values[name] = value;
+  const bool is_stated = values.contains(kDeviceStep);
+  values = complete_values(model.declaration, values);
+  if (is_stated || position_step_m_ == 0.0 || !measures_path(values)) return values;
+  values[kDeviceStep] = position_step_m_;
   return complete_values(model.declaration, values);
 }
 

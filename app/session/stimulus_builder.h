@@ -68,6 +68,10 @@ class StimulusBuilder final {
   /// is prepared for a session.
   void compute_on(std::shared_ptr<const Compute> compute);
 
+  /// From now on a model that measures the path of the hand (path_clock.h) has this position step of the device, unless the
+  /// protocol states one. To be called before the first stimulus is prepared for a session.
+  void assume_position_step(double position_step_m) noexcept { position_step_m_ = position_step_m; }
+
   /// Whether the files of a stimulus are available: without a study only a stimulus that names none.
   bool can_make(const StimulusDescription& description) const;
 
@@ -90,7 +94,8 @@ class StimulusBuilder final {
   const ModelRegistry& models() const noexcept { return computed_ ? *computed_ : models_; }
 
  private:
-  /// The parameters suggested by the sample, those given, and the model's defaults for the rest.
+  /// The parameters suggested by the sample, those given, the position step of the device, and the model's defaults for the
+  /// rest.
   ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
                                  const ParameterValues& given);
   LoadedTexturedMesh mesh(const std::string& study_path);
@@ -106,6 +111,7 @@ class StimulusBuilder final {
   const ModelRegistry& models_;
   std::optional<ModelRegistry> computed_{};  ///< the same, on a compute device
   std::filesystem::path study_folder_{};
+  double position_step_m_ = 0.0;  ///< of the device; 0: unknown, or none
   std::mutex fields_mutex_{};
   std::mutex suggestions_mutex_{};
   std::map<std::string, ParameterValues> suggestions_{};

@@ -256,6 +256,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   }
   const std::unique_ptr<Rig> rig =
       make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);
+  builder.assume_position_step(rig->capability().position_resolution_m);
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());
   if (!complaints.empty()) {
     throw PhrasedError(

@@ -7,6 +7,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -21,6 +22,7 @@
 #include "app/tasks/sitting.h"
 #include "app/tasks/stimulus_warnings.h"
 #include "app/words/phrase.h"
+#include "device/simulated_models.h"
 #include "protocols/plan/groups.h"
 
 namespace asperity {
@@ -150,6 +152,8 @@ class Simulation final {
         stop_(std::move(stop)),
         progress_(progress),
         done_(done) {
+    const std::optional<SimulatedDeviceSettings> device = simulated_settings(inputs.device);
+    if (device) builder_.assume_position_step(device->sensor.position_step_m);
     bool is_used = !inputs.level_program;
     for (const auto& file : inputs.protocols) {
       protocols_.push_back(load_protocol_to_run(file, inputs.study, builder_));
