@@ -93,6 +93,8 @@ struct Driver {
   bool has_motors = true;
   /// How it estimates velocity from positions; nothing where its devices give a velocity of their own.
   std::optional<VelocityWindow> velocity{};
+  /// The position step that all of its devices have, as they declare it; nothing where it is unknown or depends on the model.
+  std::optional<double> position_step_m{};
   /// Never throws for what the machine lacks: that is a hindrance.
   std::function<DriverSurvey(const DriverOptions&)> find{};
   /// Opens the one whose serial or place is `which`; the only one attached when that is empty.

@@ -11,6 +11,7 @@
 #include "app/device_bench/device_choice.h"
 #include "app/profiles/device_kind.h"
 #include "app/session/rehearsal/friction_rehearsal.h"
+#include "app/session/rehearsal/position_step_rehearsal.h"
 #include "app/session/rig/recorded_hand.h"
 #include "app/words/device_remarks.h"
 #include "app/words/text_parts.h"
@@ -36,14 +37,16 @@ DeviceCapability simulated_capability(const SimulatedDeviceSettings& settings) {
   return SimulatedDevice(hand, settings).capability();
 }
 
+bool is_known_of(const DeviceCapability& capability, DeviceTrait trait) {
+  return std::find(capability.not_known.begin(), capability.not_known.end(), trait) ==
+         capability.not_known.end();
+}
+
 /// The properties of a simulated device: those of its virtual hand where it stands for no device in which they are
 /// unknown.
 DampedResponse response_of(const SimulatedDeviceSettings& settings,
                            const DeviceCapability& capability) {
-  const auto is_known = [&capability](DeviceTrait trait) {
-    return std::find(capability.not_known.begin(), capability.not_known.end(), trait) ==
-           capability.not_known.end();
-  };
+  const auto is_known = [&capability](DeviceTrait trait) { return is_known_of(capability, trait); };
   DampedResponse response{.latency_s = settings.sensor.latency_s,
                           .velocity = settings.sensor.velocity};
   if (is_known(DeviceTrait::moving_mass)) response.moving_mass_kg = settings.hand.mass_kg;
@@ -103,6 +106,17 @@ void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std
   }
 }
 
+/// What is compared without a profile, as the beginning of a sentence.
+std::string exception_for(const FrictionRehearsal& friction, bool has_position_step) {
+  std::string compared = "friction";
+  if (!friction.not_compared.empty()) {
+    compared = friction.has_compared ? "the friction of some stimuli" : "";
+  }
+  if (has_position_step)
+    compared += (compared.empty() ? "" : " and ") + std::string("position steps");
+  return compared.empty() ? "" : "except for " + compared + ", ";
+}
+
 }  // namespace
 
 SoughtDevice sought_device(const std::string& device, const DriverOptions& options,
@@ -116,6 +130,9 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
     sought.wanted.which = {capability.name, capability.model, capability.serial};
     sought.not_known = capability.not_known;
     sought.response = response_of(*settings, capability);
+    if (is_known_of(capability, DeviceTrait::position_step)) {
+      sought.position_step_m = capability.position_resolution_m;
+    }
     return sought;
   }
   const std::size_t colon = device.find(':');
@@ -130,6 +147,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
   }
   sought.wanted.has_motors = driver->has_motors;
   sought.response.velocity = driver->velocity;
+  sought.position_step_m = driver->position_step_m;
   if (driver->id == kReplay) {
     try {
       DriverOptions with_reader = options;
@@ -174,23 +192,27 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
   if (device.wanted.has_motors) {
     friction = rehearse_friction(protocol, models, device.response);
   }
-  const auto warn_of_friction = [&] {
+  if (device.wanted.has_motors && !device.position_step_m) {
+    warn_of(unknown_step_warnings(protocol, models));
+  }
+  const auto warn_without_profile = [&](StimulusBuilder& builder) {
     warn_of(friction.warnings);
     warn_of(friction.not_compared);
+    if (!device.wanted.has_motors || !device.position_step_m) return;
+    warn_of(position_step_warnings(protocol, builder, *device.position_step_m));
   };
-  std::string except_friction = "except for friction, ";
-  if (!friction.not_compared.empty()) {
-    except_friction = friction.has_compared ? "except for the friction of some stimuli, " : "";
-  }
+  const std::string except_known =
+      exception_for(friction, device.position_step_m.value_or(0.0) > 0.0);
   const std::string of_itself = "the force and the rate of " + name;
   if (is_simulated) comparison.compared = "compared with " + of_itself;
   tell_unknown(device, warn);
   if (!study) {
     if (device.wanted.has_motors) {
-      warn(except_friction + "no stimulus was compared with " + name +
+      warn(except_known + "no stimulus was compared with " + name +
            ": the profile of a device is stored in a study; name the study with --study DIR");
     }
-    warn_of_friction();
+    StimulusBuilder without_files(models, {});
+    warn_without_profile(without_files);
   } else {
     try {
       RehearsedDevice found = profiled_device(protocol, device.wanted, *study, now_utc);
@@ -199,7 +221,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
         return rehearse_on_device(protocol, profile, builder, course);
       });
       warn_of(found.warnings);
-      if (!found.profile) warn_of_friction();
+      if (!found.profile) warn_without_profile(builder);
       if (found.profile) {
         comparison.compared =
             "compared with the profile of " + name + ", measured on " +
@@ -211,7 +233,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
         warn_of(
             rehearse_friction(protocol, models, damped_response_of(*found.profile)).not_compared);
       } else if (device.wanted.has_motors) {
-        warn("the study has no profile of " + words_for(device) + ": " + except_friction +
+        warn("the study has no profile of " + words_for(device) + ": " + except_known +
              "no stimulus and no limit of the protocol was compared with it; measure the device "
              "with " +
              command_to_measure(device.wanted, *study));

@@ -28,6 +28,8 @@ struct SoughtDevice {
   /// What is known without a measurement: of a simulated device its properties, of others the driver's estimate of
   /// velocity.
   DampedResponse response{};
+  /// 0 for one that measures without steps; nothing where it is unknown.
+  std::optional<double> position_step_m{};
 };
 /// Looks for what --device names. A driver may open what it finds for a moment, to ask its name; nothing moves.
 /// Errors: as simulated_settings; a driver that does not exist is an absence.

@@ -160,6 +160,7 @@ Driver falcon_driver() {
           .name = "Novint Falcon",
           .summary = "Novint Falcon: three degrees of freedom with force, over USB.",
           .velocity = falcon::LineSettings{}.velocity,
+          .position_step_m = falcon_capability().position_resolution_m,
           .find =
               [](const DriverOptions& options) {
                 DriverSurvey survey{};

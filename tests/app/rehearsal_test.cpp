@@ -282,7 +282,9 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfWavesWhereThereAreNone) {
   coarse = with_item(coarse, "resonance_Hz", 1e-3);
   const auto waves = [&](const std::string& protocol) {
     std::string ids{};
-    for (const RehearsalWarning& warning : warnings(protocol, coarse)) ids += warning.id + ' ';
+    for (const RehearsalWarning& warning : warnings(protocol, coarse)) {
+      if (warning.id != "position_step") ids += warning.id + ' ';  // felt through the stiffness
+    }
     return ids;
   };
   EXPECT_EQ(waves(one_stimulus("height_map", "")), "position_resolution wavelength bandwidth ");

@@ -7178,6 +7178,26 @@
         <source>%1 The same applies to %2.</source>
         <translation>%1 Dasselbe gilt für %2.</translation>
     </message>
+    <message>
+        <source>Set stiffness_N_per_m to %1 or less, or choose a device with a finer position resolution.</source>
+        <translation>stiffness_N_per_m auf höchstens %1 setzen oder ein Gerät mit feinerer Positionsauflösung wählen.</translation>
+    </message>
+    <message>
+        <source>Set coupling_stiffness_N_per_m to %1 or less, or choose a device with a finer position resolution.</source>
+        <translation>coupling_stiffness_N_per_m auf höchstens %1 setzen oder ein Gerät mit feinerer Positionsauflösung wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a softer surface, of %1 N/m or less, or a device with a finer position resolution.</source>
+        <translation>Eine weichere Oberfläche mit höchstens %1 N/m oder ein Gerät mit feinerer Positionsauflösung wählen.</translation>
+    </message>
+    <message>
+        <source>The device measures positions in steps of %2 µm. At the stiffness of &quot;%1&quot;, %3 N/m, one step changes the force by %4 mN, and a reading that varies between two steps is felt as a vibration; the threshold is about %5 mN. %6</source>
+        <translation>Das Gerät misst Positionen in Schritten von %2 µm. Bei der Steifigkeit von „%1“, %3 N/m, ändert ein Schritt die Kraft um %4 mN, und ein Messwert, der zwischen zwei Schritten schwankt, ist als Vibration spürbar; die Schwelle liegt bei etwa %5 mN. %6</translation>
+    </message>
+    <message>
+        <source>The texture of &quot;%1&quot; follows the path of the hand, and the position step of the device is unknown: if the step is greater than 10 µm, the path also grows while the hand rests. Measure the device, and set device_step_m to its position_resolution_m.</source>
+        <translation>Die Textur von „%1“ folgt dem Weg der Hand, und der Positionsschritt des Geräts ist unbekannt: Ist er größer als 10 µm, wächst der Weg auch, während die Hand ruht. Das Gerät vermessen und device_step_m auf dessen position_resolution_m setzen.</translation>
+    </message>
 </context>
 <context>
     <name>RunSession</name>

@@ -25,16 +25,6 @@ constexpr double kJustMet = 1e-6;
 /// The least that the models accept as friction_stiffness_N_per_m.
 constexpr double kSoftest_N_per_m = 10.0;
 
-/// To two digits, up for a least value and down for a greatest one, so that the rounded remedy still works.
-double two_digits_up(double value) {
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return digit * std::ceil(value / digit - kJustMet);
-}
-double two_digits_down(double value) {
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return digit * std::floor(value / digit + kJustMet);
-}
-
 std::string in_ms(double time_s) { return in_three_digits(1e3 * time_s); }
 
 std::optional<PressedFriction> friction_of(const StimulusDescription& stimulus,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,9 +12,9 @@
 #include "app/session/rehearsal/friction_rehearsal.h"
 #include "app/session/rehearsal/level_rehearsal.h"
 #include "app/session/rehearsal/limit_rehearsal.h"
+#include "app/session/rehearsal/position_step_rehearsal.h"
 #include "app/session/rehearsal/stimulus_rehearsal.h"
 #include "app/session/rehearsal/warned_levels.h"
-#include "app/study_files/parameter_json.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -24,21 +25,6 @@ constexpr std::array kComparedTraits{DeviceTrait::friction,      DeviceTrait::fo
                                      DeviceTrait::position_step, DeviceTrait::damping,
                                      DeviceTrait::latency,       DeviceTrait::moving_mass,
                                      DeviceTrait::stiffness,     DeviceTrait::resonance};
-
-/// Distinguishes a stimulus from others of the same name: a factor may choose its bodies and its files.
-std::string rehearsed_key(const StimulusDescription& stimulus) {
-  std::string key = stimulus.name + '\n' + stimulus.model + '\n' +
-                    json_text_of(stimulus.parameters) + '\n' +
-                    std::to_string(stimulus.material.stiffness_N_per_m) + ' ' +
-                    std::to_string(stimulus.material.friction);
-  for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
-    key += '\n' + (*body ? (*body)->name : std::string{});
-  }
-  for (const StimulusAsset& asset : assets_of(stimulus)) {
-    key += '\n' + asset.role + '\t' + asset.path;
-  }
-  return key;
-}
 
 /// Adds warnings; the same sentence under the same name once.
 void add(std::vector<RehearsalWarning> more, std::vector<RehearsalWarning>& warnings) {
@@ -62,6 +48,9 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
   add(level_warnings(protocol, profile, builder.models()), warnings);
   add(rehearse_friction(protocol, builder.models(), damped_response_of(profile)).warnings,
       warnings);
+  if (const std::optional<double> step_m = profile.value("position_resolution_m")) {
+    add(position_step_warnings(protocol, builder, *step_m), warnings);
+  }
   StimulusRehearsal rehearsal(protocol, profile, builder);
   std::set<std::string> seen{};
   const std::vector<Trial> trials = possible_trials(protocol);

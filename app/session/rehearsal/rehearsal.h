@@ -38,6 +38,7 @@ struct RehearsalCourse {
 ///                        the instructed exploration, for a mass of moving_mass_kg with damping_N_s_per_m across the
 ///                        surface. Not for two bodies
 ///   friction_damping, friction_stiffness   see friction_rehearsal.h; for two bodies only without a coupling
+///   position_step        one position step changes the force by at most 20 mN (position_step_rehearsal.h)
 ///   workspace            the patch is inside the range reached by hand, or else inside the range that the driver reports
 ///
 /// The texture force is `texture_force_rms_N` at the force and the speed of the instructed exploration; for a stimulus

@@ -1,4 +1,4 @@
-// Joins the warnings that levels of a parameter, or other stimuli, have in common.
+// Distinguishes planned stimuli, and joins the warnings that levels of a parameter, or other stimuli, have in common.
 
 #include "app/session/rehearsal/warned_levels.h"
 
@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/study_files/parameter_json.h"
 #include "app/words/phrase_registry.h"
 #include "app/words/text_parts.h"
 
@@ -121,6 +122,20 @@ RehearsalWarning joined(const std::vector<LevelGroup>& alike, const Protocol& pr
 }
 
 }  // namespace
+
+std::string rehearsed_key(const StimulusDescription& stimulus) {
+  std::string key = stimulus.name + '\n' + stimulus.model + '\n' +
+                    json_text_of(stimulus.parameters) + '\n' +
+                    std::to_string(stimulus.material.stiffness_N_per_m) + ' ' +
+                    std::to_string(stimulus.material.friction);
+  for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
+    key += '\n' + (*body ? (*body)->name : std::string{});
+  }
+  for (const StimulusAsset& asset : assets_of(stimulus)) {
+    key += '\n' + asset.role + '\t' + asset.path;
+  }
+  return key;
+}
 
 std::optional<WarnedLevel> level_of(const Protocol& protocol, const Trial& trial,
                                     const PlannedPresentation& planned) {

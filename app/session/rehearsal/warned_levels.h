@@ -1,8 +1,9 @@
-// Joins the warnings that levels of a parameter, or other stimuli, have in common.
+// Distinguishes planned stimuli, and joins the warnings that levels of a parameter, or other stimuli, have in common.
 
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/session/rehearsal/rehearsal_warning.h"
@@ -10,6 +11,9 @@
 #include "protocols/design/trial.h"
 
 namespace asperity {
+
+/// Distinguishes a planned stimulus from others of the same name: factors choose parameters, bodies and files.
+std::string rehearsed_key(const StimulusDescription& stimulus);
 
 /// The varied level of a planned stimulus; nullopt if its block does not vary its parameters.
 std::optional<WarnedLevel> level_of(const Protocol& protocol, const Trial& trial,
