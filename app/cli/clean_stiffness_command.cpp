@@ -144,7 +144,7 @@ void add_clean_stiffness(CLI::App& program, Job& job) {
   command
       ->add_option("--device", order.device,
                    "Simulated device that the virtual hand holds: simulated, "
-                   "simulated:MODEL[,PROPERTY=VALUE…]")
+                   "simulated:MODEL[,PROPERTY=VALUE…]; by default an arm of 0.1 kg and 1 N s/m")
       ->capture_default_str();
   command
       ->add_option("--stiffness-range", options->range, "Range of the search, LEAST:MOST, in N/m")
@@ -157,6 +157,13 @@ void add_clean_stiffness(CLI::App& program, Job& job) {
                    "A stroke with a greater value of the detector of buzz is not clean")
       ->capture_default_str()
       ->check(number_within(0.01, 100.0));
+  command
+      ->add_option("--buzz-force-limit-n", order.search.buzz_force_limit_N,
+                   "A stroke with a greater unexplained vibration, RMS in N, is not clean either; "
+                   "0.02 is about the threshold of detection of a force on a pen (Lee and "
+                   "Hannaford 2003)")
+      ->capture_default_str()
+      ->check(number_within(0.001, 100.0));
   command
       ->add_option("--strokes", order.loop.strokes,
                    "Number of simulated hands that stroke at each stiffness; all must be clean")

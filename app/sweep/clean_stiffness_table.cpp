@@ -125,15 +125,23 @@ std::optional<std::vector<CleanStiffnessRow>> clean_stiffness_rows(
 Table table_of(const std::vector<CleanStiffnessRow>& rows) {
   Table table{.columns = {"model", "amplitude_m", "wavelength_m", "rate_Hz",
                           "clean_stiffness_N_per_m", "unclean_stiffness_N_per_m", "buzz_of_clean",
-                          "buzz_of_unclean", "status"}};
+                          "buzz_of_unclean", "buzz_force_of_clean_N", "buzz_force_of_unclean_N",
+                          "status"}};
   const auto cell = [](const std::optional<double>& value) {
     return value ? Cell(*value) : Cell();
+  };
+  const auto ratio = [](const std::optional<Buzz>& buzz) {
+    return buzz ? Cell(buzz->ratio) : Cell();
+  };
+  const auto force = [](const std::optional<Buzz>& buzz) {
+    return buzz ? Cell(buzz->force_N) : Cell();
   };
   for (const CleanStiffnessRow& row : rows) {
     const CleanStiffness& found = row.found;
     table.rows.push_back({row.model->declaration.id, row.amplitude_m, row.wavelength_m, row.rate_Hz,
                           cell(found.clean_N_per_m), cell(found.unclean_N_per_m),
-                          cell(found.buzz_of_clean), cell(found.buzz_of_unclean),
+                          ratio(found.buzz_of_clean), ratio(found.buzz_of_unclean),
+                          force(found.buzz_of_clean), force(found.buzz_of_unclean),
                           std::string(text_of(found.status))});
   }
   return table;
@@ -163,6 +171,7 @@ std::string declaration_of(const CleanStiffnessOrder& order) {
   json["most_stiffness_N_per_m"] = order.search.most_N_per_m;
   json["tolerance"] = order.search.tolerance;
   json["buzz_limit"] = order.search.buzz_limit;
+  json["buzz_force_limit_N"] = order.search.buzz_force_limit_N;
   return json.dump(2) + '\n';
 }
 

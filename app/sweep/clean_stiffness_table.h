@@ -22,8 +22,12 @@ struct CleanStiffnessOrder {
   std::vector<double> amplitudes_m{};  ///< of a sinusoid along the stroke, half of its height
   std::vector<double> wavelengths_m{};
   std::vector<double> rates_Hz{};
-  std::string device = "simulated";  ///< as given; `loop.device` has its settings
-  LoopStrokes loop{};                ///< without the rate
+  /// An arm in a light hand: without the damping of a hand that grips it firmly.
+  static constexpr const char* kArm =
+      "simulated:falcon,mass_kg=0.1,damping_N_s_per_m=1,normal_damping_N_s_per_m=1";
+
+  std::string device = kArm;  ///< as given; `loop.device` has its settings
+  LoopStrokes loop{};         ///< without the rate
   CleanStiffnessSearch search{};
 };
 
@@ -48,7 +52,7 @@ std::optional<std::vector<CleanStiffnessRow>> clean_stiffness_rows(
     const std::function<void(double)>& progress);
 
 /// `model amplitude_m wavelength_m rate_Hz clean_stiffness_N_per_m unclean_stiffness_N_per_m buzz_of_clean buzz_of_unclean
-/// status`.
+/// buzz_force_of_clean_N buzz_force_of_unclean_N status`.
 Table table_of(const std::vector<CleanStiffnessRow>& rows);
 
 /// How a table was made: JSON, `asperity.clean_stiffness/1`.

@@ -21,7 +21,8 @@ constexpr std::uint64_t kPresentation = 1;
 struct Judged {
   bool is_clean = true;
   bool is_any_judged = false;
-  std::optional<double> buzz{};  ///< the greatest; none if a stroke was not judged
+  /// The greatest ratio and the greatest force; none if a stroke was not judged.
+  std::optional<Buzz> buzz{};
 };
 
 class Search final {
@@ -34,17 +35,20 @@ class Search final {
     RendererInputs inputs = inputs_;
     inputs.material.stiffness_N_per_m = stiffness_N_per_m;
     Judged judged{};
-    double greatest = 0.0;
+    Buzz greatest{};
     for (int number = 0; number < loop_.strokes; ++number) {
       if (stop_.stop_requested()) return {};
       const std::vector<TickRecord> records = loop_stroke(model_, inputs, loop_, number);
       const RecordedTexture texture =
           recorded_texture(model_, inputs, {records, kPresentation, loop_.rate_Hz});
       const std::optional<Buzz> buzz = perceived_instability(model_, inputs, texture).buzz;
-      if (!buzz || buzz->ratio > search_.buzz_limit) judged.is_clean = false;
+      if (!buzz || buzz->ratio > search_.buzz_limit || buzz->force_N > search_.buzz_force_limit_N) {
+        judged.is_clean = false;
+      }
       if (!buzz) return judged;
       judged.is_any_judged = true;
-      greatest = std::max(greatest, buzz->ratio);
+      greatest.ratio = std::max(greatest.ratio, buzz->ratio);
+      greatest.force_N = std::max(greatest.force_N, buzz->force_N);
     }
     judged.buzz = greatest;
     return judged;
@@ -62,6 +66,7 @@ void require_search(const LoopStrokes& loop, const CleanStiffnessSearch& search)
   require_positive("CleanStiffnessSearch::least_N_per_m", search.least_N_per_m);
   require_positive("CleanStiffnessSearch::tolerance", search.tolerance);
   require_positive("CleanStiffnessSearch::buzz_limit", search.buzz_limit);
+  require_positive("CleanStiffnessSearch::buzz_force_limit_N", search.buzz_force_limit_N);
   require_positive("LoopStrokes::strokes", loop.strokes);
   if (!(search.most_N_per_m > search.least_N_per_m)) {
     throw std::invalid_argument(

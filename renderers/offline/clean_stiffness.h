@@ -34,6 +34,12 @@ struct CleanStiffnessSearch {
   double most_N_per_m = 409600.0;
   double tolerance = 0.02;  ///< of the stiffness, relative
   double buzz_limit = 0.4;  ///< on Buzz::ratio (docs/instability.md)
+  /// On Buzz::force_N. A ratio alone would accept on a strong texture a vibration that is felt without it. 20 mN: the
+  /// threshold for the presence of a force on a pen, 20.8 mN (mean of eleven participants) [Lee 2003]. The vibration that
+  /// position steps Δ alone cause on a surface K has K·Δ/√12, because a rounding error is uniform over a step; it reaches the
+  /// limit at K = √12·20 mN/Δ, 1.82 kN/m for the 38 µm of a Falcon. This is twice the greatest stiffness that participants
+  /// found clean, 0.33 to 0.90 kN/m from 250 Hz to 40 kHz [Choi 2004b]: where they found the border, the ratio decides.
+  double buzz_force_limit_N = 0.020;
 };
 
 enum class CleanStatus {
@@ -49,17 +55,18 @@ struct CleanStiffness {
   CleanStatus status = CleanStatus::ok;
   std::optional<double> clean_N_per_m{};
   std::optional<double> unclean_N_per_m{};
-  std::optional<double> buzz_of_clean{};    ///< the greatest ratio of the strokes
-  std::optional<double> buzz_of_unclean{};  ///< none if a stroke was not judged
+  /// The greatest ratio and the greatest force of the strokes.
+  std::optional<Buzz> buzz_of_clean{};
+  std::optional<Buzz> buzz_of_unclean{};  ///< none if a stroke was not judged
 };
 
 /// Searches the largest clean stiffness of the surface (Material::stiffness_N_per_m), after the experiments of [Choi 2004], with
 /// the detector of buzz (perceived_instability.h) in place of the participant.
 ///
-/// A stiffness is clean if, in every one of the strokes, the detector has a value of at most `buzz_limit`. A stroke without
-/// contact of 0.3 s is not clean: the probe is thrown off the surface. The search doubles the stiffness from the smallest one
-/// until one is not clean, and then bisects its logarithm between this one and the one before, until their ratio is at most
-/// 1 + tolerance. A larger stiffness that is clean again is not searched for.
+/// A stiffness is clean if, in every one of the strokes, the detector has a ratio of at most `buzz_limit` and a force of at
+/// most `buzz_force_limit_N`. A stroke without contact of 0.3 s is not clean: the probe is thrown off the surface. The search
+/// doubles the stiffness from the smallest one until one is not clean, and then bisects its logarithm between this one and the
+/// one before, until their ratio is at most 1 + tolerance. A larger stiffness that is clean again is not searched for.
 ///
 /// The same inputs give the same result. nullopt if stopped by `stop`.
 ///
@@ -69,6 +76,8 @@ struct CleanStiffness {
 /// strokes that is not positive, and a rate at which the detector has no band (300 Hz or less); in the cases of `loop_stroke`.
 ///
 /// [Choi 2004] Choi, Tan: Perceived instability of virtual haptic texture. I. Experimental studies.
+/// [Choi 2004b] Choi, Tan: Effect of update rate on perceived instability of virtual haptic texture.
+/// [Lee 2003] Lee, Hannaford: Preliminary two dimensional haptic thresholds and task performance enhancements.
 std::optional<CleanStiffness> clean_stiffness(const ForceModel& model, const RendererInputs& inputs,
                                               const LoopStrokes& loop,
                                               const CleanStiffnessSearch& search,

@@ -47,7 +47,8 @@ TEST(CleanStiffnessCommand, HasTheSameBytesWhateverTheJobs) {
   EXPECT_EQ(table.columns,
             (std::vector<std::string>{"model", "amplitude_m", "wavelength_m", "rate_Hz",
                                       "clean_stiffness_N_per_m", "unclean_stiffness_N_per_m",
-                                      "buzz_of_clean", "buzz_of_unclean", "status"}));
+                                      "buzz_of_clean", "buzz_of_unclean", "buzz_force_of_clean_N",
+                                      "buzz_force_of_unclean_N", "status"}));
   EXPECT_EQ(table.column("model"),
             (std::vector<std::string>{"sinusoid", "sinusoid", "height_map", "height_map"}));
   EXPECT_EQ(table.column("rate_Hz"), (std::vector<std::string>{"500", "1000", "500", "1000"}));

@@ -5,7 +5,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-KEY = re.compile(r"[A-Z][\w'’. -]* (?:18|19|20)\d\d")
+KEY = re.compile(r"[A-Z][\w'’. -]* (?:18|19|20)\d\d[a-z]?")
 FOLDERS = ("analysis", "app", "bench", "device", "docs", "protocols", "renderers", "results_schema", "stimuli", "tests")
 
 known = set(re.findall(r"^\*\*\[([^\]]+)\]\*\*", (ROOT / "docs/references.md").read_text(encoding="utf-8"), re.M))
