@@ -12,6 +12,7 @@
 #include "device/falcon/falcon_device.h"
 #include "device/force_dimension/dhd_models.h"
 #include "device/force_dimension/force_dimension_device.h"
+#include "device/openhaptics/openhaptics_device.h"
 
 namespace asperity {
 namespace {
@@ -32,8 +33,10 @@ struct Model {
   DeviceCapability capability{};
   double latency_s = 0.0;
   std::optional<VelocityWindow> velocity{};
-  std::vector<DeviceTrait> known{};  ///< and nothing else
-  std::string sources{};             ///< of what is known
+  std::optional<double> friction_N{};      ///< nothing where it is unknown, as the next one
+  std::optional<double> moving_mass_kg{};  ///< apparent
+  std::vector<DeviceTrait> known{};        ///< and nothing else
+  std::string sources{};                   ///< of what is known
 };
 
 std::vector<DeviceTrait> missing_of(const Model& model) {
@@ -65,6 +68,38 @@ Model falcon() {
               "1 ms is one frame."};
 }
 
+// The maker's figures for the Touch (formerly Geomagic Touch, Phantom Omni): workspace 160 × 120 × 70 mm (width, height,
+// depth), greatest force at the nominal position 3.3 N, continuous 0.88 N, nominal position resolution above 450 dpi (0.055 mm),
+// backdrive friction below 1 oz (0.26 N), apparent mass at the tip 45 g [3D Systems]. Our y is its depth and our z its
+// height. Assumed: a workspace about the origin, as the driver places it, the same force everywhere in it, and the bounds of
+// resolution and friction as their values. A reading and its force are exchanged in one frame of OpenHaptics' scheduler.
+Model touch() {
+  constexpr double kFrame_Hz = 1000.0;
+  DeviceCapability capability{.name = "openhaptics",
+                              .model = "Touch",
+                              .sensed_degrees_of_freedom = 6,
+                              .workspace_minimum_m = {-0.080, -0.035, -0.060},
+                              .workspace_maximum_m = {0.080, 0.035, 0.060},
+                              .peak_force_N = 3.3,
+                              .continuous_force_N = 0.88,
+                              .position_resolution_m = 55e-6,
+                              .maximum_rate_Hz = kFrame_Hz,
+                              .buttons = 2};
+  return {.name = "touch",
+          .capability = std::move(capability),
+          .latency_s = 1.0 / kFrame_Hz,
+          .velocity = openhaptics_driver().velocity,
+          .friction_N = 0.26,
+          .moving_mass_kg = 0.045,
+          .known = {DeviceTrait::workspace, DeviceTrait::peak_force, DeviceTrait::continuous_force,
+                    DeviceTrait::rate, DeviceTrait::latency, DeviceTrait::position_step,
+                    DeviceTrait::friction, DeviceTrait::moving_mass},
+          .sources =
+              "Workspace, forces, resolution, friction and apparent mass are the manufacturer's "
+              "figures; of resolution and friction they are bounds. The latency of 1 ms is one "
+              "frame of OpenHaptics' scheduler."};
+}
+
 // The SDK's own figure for the fastest exchange stands for its latency. Of a model without figures, force and workspace
 // are bounds that its driver keeps.
 enum class PublishedFigures { known, none };
@@ -92,6 +127,7 @@ std::vector<Model> models() {
     all.push_back(force_dimension(dhd_model_of(type).value().capability, PublishedFigures::known));
   }
   all.push_back(force_dimension(dhd_model_of(kLambda7).value().capability, PublishedFigures::none));
+  all.push_back(touch());
   return all;
 }
 
@@ -242,6 +278,8 @@ SimulatedDeviceSettings as_named_model(std::string_view name, SimulatedDeviceSet
     settings.sensor.latency_s = model.latency_s;
     settings.sensor.position_step_m = model.capability.position_resolution_m;
     settings.sensor.velocity = model.velocity;
+    if (model.friction_N) settings.friction_N = *model.friction_N;
+    if (model.moving_mass_kg) settings.hand.mass_kg = *model.moving_mass_kg;
     return settings;
   }
   throw std::runtime_error("the simulated device has no model \"" + std::string(name) +

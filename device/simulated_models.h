@@ -17,13 +17,14 @@ inline constexpr std::string_view kInPlaceOf = "in place of ";
 /// The model that stands for no real device: `simulated:ideal` is the plain `simulated`, for properties to be given.
 inline constexpr std::string_view kIdealModel = "ideal";
 
-/// What `simulated:MODEL` may name: "falcon", and Force Dimension's models as its driver calls them,
+/// What `simulated:MODEL` may name: "falcon", "touch", and Force Dimension's models as its driver calls them,
 /// "delta.3", "omega.3".
 std::vector<std::string> simulated_models();
 
 /// `settings` with workspace, force, rate, resolution, latency and velocity estimate of a real device:
-/// the figures of its driver, none of which was measured here. What is not known of it, which
-/// the capability lists (DeviceCapability::not_known), stays as it is in `settings`, by default ideal.
+/// the figures of its driver, and for a Touch those of its maker, with friction and apparent mass. None of them was measured
+/// here. What is not known of it, which the capability lists (DeviceCapability::not_known), stays as it is in `settings`, by
+/// default ideal.
 /// The probe has three degrees of freedom whatever the model has.
 ///
 /// `model` may give properties of a real arm, measured or assumed, that replace those of the model and of the virtual

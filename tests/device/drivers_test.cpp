@@ -14,12 +14,14 @@
 
 #include "analysis/random.h"
 #include "device/falcon/falcon_device.h"
+#include "device/openhaptics/openhaptics_device.h"
 #include "device/simulated_models.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(Drivers, OpenTheSimulatedDeviceInTheHandThatIsGiven) {
@@ -77,10 +79,12 @@ TEST(SimulatedModels, DeclareOfEachTraitWhetherItIsKnown) {
   for (const std::string& model : simulated_models()) {
     EXPECT_TRUE(is_known(model, DeviceTrait::latency)) << model;
     for (const DeviceTrait trait :
-         {DeviceTrait::position_noise, DeviceTrait::friction, DeviceTrait::damping,
-          DeviceTrait::moving_mass, DeviceTrait::resonance, DeviceTrait::stiffness,
-          DeviceTrait::force_resolution}) {
+         {DeviceTrait::position_noise, DeviceTrait::damping, DeviceTrait::resonance,
+          DeviceTrait::stiffness, DeviceTrait::force_resolution}) {
       EXPECT_FALSE(is_known(model, trait)) << model << ' ' << name_of(trait);
+    }
+    for (const DeviceTrait trait : {DeviceTrait::friction, DeviceTrait::moving_mass}) {
+      EXPECT_EQ(is_known(model, trait), model == "touch") << model << ' ' << name_of(trait);
     }
     const DeviceCapability real = simulated_settings("simulated:" + model)->stands_for.value();
     EXPECT_EQ(is_known(model, DeviceTrait::position_step), real.position_resolution_m > 0.0)
@@ -108,6 +112,27 @@ TEST(SimulatedModels, AreNamedAfterTheSimulatedDeviceOnly) {
   EXPECT_FALSE(simulated_settings("simulated2").has_value());
   EXPECT_FALSE(simulated_settings("falcon").has_value());
   EXPECT_THROW(simulated_settings("simulated:"), std::runtime_error);
+}
+
+// [3D Systems]: 160 × 120 × 70 mm (width, height, depth), 3.3 N, 0.88 N continuous, 450 dpi, 0.26 N, 45 g.
+TEST(SimulatedModels, IncludeATouchWithTheFiguresOfItsMaker) {
+  const SimulatedDeviceSettings touch = simulated_settings("simulated:touch").value();
+  VirtualHand hand(HandHabits{}, Random(1));
+  const DeviceCapability capability = SimulatedDevice(hand, touch).capability();
+  EXPECT_EQ(capability.model, "in place of Touch");
+  const glm::dvec3 size_m = capability.workspace_maximum_m - capability.workspace_minimum_m;
+  EXPECT_EQ(size_m, glm::dvec3(0.160, 0.070, 0.120)) << "y points away from the participant";
+  EXPECT_EQ(capability.peak_force_N, 3.3);
+  EXPECT_EQ(capability.continuous_force_N, 0.88);
+  EXPECT_NEAR(capability.position_resolution_m, 0.0254 / 450.0, 2e-6);
+  EXPECT_EQ(touch.sensor.position_step_m, capability.position_resolution_m);
+  EXPECT_EQ(touch.friction_N, 0.26);
+  EXPECT_EQ(touch.hand.mass_kg, 0.045);
+  EXPECT_EQ(touch.sensor.velocity.value().samples, openhaptics_driver().velocity.value().samples);
+  EXPECT_THAT(capability.not_known,
+              ElementsAre(DeviceTrait::position_noise, DeviceTrait::damping, DeviceTrait::resonance,
+                          DeviceTrait::stiffness, DeviceTrait::force_resolution));
+  EXPECT_EQ(simulated_settings("simulated:touch,friction_N=0.1")->friction_N, 0.1);
 }
 
 TEST(SimulatedModels, TakeThePropertiesOfARealArm) {
