@@ -24,7 +24,6 @@
 #include "results_schema/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/meshes/solid_body.h"
-#include "tests/app/demo_study.h"
 #include "tests/app/protocol_in_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
@@ -467,60 +466,6 @@ TEST_F(FeltBodies, AreColumnsOfAnExport) {
                            "limit_fast_ticks", "parameter_coupling"}) {
     EXPECT_NE(std::find(columns.begin(), columns.end(), name), columns.end()) << name;
   }
-}
-
-// The library protocol on the demonstration's files, with one short trial of its main block.
-TEST_F(DemoStudy, HasToolsThatAreCheckedPlannedFeltAndAnswered) {
-  const std::filesystem::path file = study / "protocols" / "tools_matching.json";
-  const ModelRegistry models = built_in_models();
-  const ProtocolCheck check = check_protocol(file, models, study, "simulated");
-  EXPECT_THAT(check.diagnostics, IsEmpty());
-  EXPECT_EQ(check.cost.contacts, 3 * check.cost.trials);
-  const auto warnings_of = [&](const Protocol& rehearsed) {
-    StimulusBuilder builder(models, study);
-    const RehearsedStimuli found = rehearse_with_warnings(rehearsed, file.string(), builder);
-    EXPECT_THAT(found.problems, IsEmpty());
-    return found.warnings;
-  };
-  EXPECT_THAT(warnings_of(*check.protocol), IsEmpty());
-
-  auto protocol = nlohmann::ordered_json::parse(read_file(file));
-  // Samples 100 µm apart are too few for its finest waves, eight times 74.75 µm.
-  auto coarse = protocol;
-  coarse["stimuli"]["tool_on_plate"].erase("parameters");
-  write_file(file, coarse.dump(1), Overwrite::allow);
-  const std::vector<Diagnostic> warnings = warnings_of(load_protocol(file, models, study));
-  ASSERT_FALSE(warnings.empty());
-  EXPECT_THAT(warnings[0].message, HasSubstr("its shortest wavelength is 598 µm, and samples"));
-  EXPECT_THAT(warnings[0].message, HasSubstr("or a cell_m of 74 µm or less"));
-
-  auto main = protocol["blocks"]["main"];
-  main["repetitions"] = 1;
-  main["positions"] = "shuffle";
-  protocol["blocks"] = {{"main", main}};
-  protocol["flow"] = nlohmann::ordered_json::array({{{"run", "main"}}});
-  auto& stroking = protocol["explorations"]["stroking"];
-  stroking["strokes"] = {{"target", 1}};
-  stroking["minimum_contact_s"] = 0.3;
-  write_file(file, protocol.dump(1), Overwrite::allow);
-  SimulationInputs inputs{};
-  inputs.protocols = {file};
-  inputs.study = study;
-  inputs.recordings = Recordings::none;
-  EXPECT_EQ(simulate(inputs, models, {}, {}, {}).attempts, 1);
-  const Study opened = Study::open(study, Access::read_only);
-  const AttemptRow attempt = opened.attempts(opened.sessions().at(0).id).at(0);
-  EXPECT_TRUE(attempt.valid) << attempt.invalid_reason.value_or("").text;
-  std::set<std::string> tools{};
-  for (const PresentationRow& felt : attempt.presentations) {
-    tools.insert(asset_sha256(felt.assets, "tool").value_or(""));
-    EXPECT_EQ(asset_sha256(felt.assets, "surface"),
-              asset_sha256(attempt.presentations[0].assets, "surface"));
-    EXPECT_GT(felt.achieved_texture_force_N.value_or(0.0), 0.01) << felt.item;
-  }
-  EXPECT_EQ(tools.size(), 3U);
-  ASSERT_EQ(attempt.responses.size(), 3U);
-  EXPECT_EQ(attempt.responses[0].source, "virtual");  // it was expected as it feels
 }
 
 // On the driver that the tests install, which computes on the processor.

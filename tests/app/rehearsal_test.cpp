@@ -19,7 +19,6 @@
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "renderers/force/surface_contact.h"
-#include "tests/app/demo_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 
@@ -390,27 +389,6 @@ TEST_F(DeviceRehearsalTest, SaysSoWhereItCannotFindHowStiffAStimulusIs) {
   ASSERT_TRUE(found);
   EXPECT_NE(found->text.english().find("could not be determined"), std::string::npos)
       << found->text.english();
-}
-
-// What device-test finds of the simulated device: friction and steps of nothing, the damping of the virtual hand.
-TEST_F(DemoStudy, AsksNoMoreThanTheSimulatedDeviceCanDo) {
-  const ModelRegistry models = built_in_models();
-  StimulusBuilder builder(models, study);
-  DeviceProfile device = with_item(ideal(), "damping_N_s_per_m", 5.17);
-  device.items.back().by_axis = {5.17, 5.17, 10.0};
-  device = with_item(device, "moving_mass_kg", 0.05);
-  device.is_simulated = true;
-  int compared = 0;
-  for (const LibraryProtocol& library : library_protocols()) {
-    const std::string name(library.name);
-    if (!name.starts_with("chapter_") && name != "improved_selection_blindfold") continue;
-    ++compared;
-    const Protocol protocol = read_small_protocol(models, std::string(library.text));
-    for (const RehearsalWarning& warning : rehearse_on_device(protocol, device, builder)) {
-      ADD_FAILURE() << name << ": " << warning.text.english();
-    }
-  }
-  EXPECT_EQ(compared, 4);
 }
 
 TEST_F(DeviceRehearsalTest, WarnsOfASurfaceBeyondTheWorkspaceAndBelievesWhatWasReached) {
