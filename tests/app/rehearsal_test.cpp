@@ -59,17 +59,17 @@ std::string replaced_everywhere(std::string text, const std::string& from, const
 std::string one_stimulus(const std::string& model, const std::string& parameters,
                          const std::string& device = "") {
   std::string text = small_protocol("", R"(, "speed_m_per_s": {"target": 0.1, "maximum": 0.2})");
-  text =
-      replaced_everywhere(text, R"("rendered": {"model": {"factor": "model"}, "texture": "grain"})",
-               R"("rendered": {"model": {"factor": "model"}, "texture": "grain", "parameters": {)" +
-                   parameters + "}}");
+  text = replaced_everywhere(
+      text, R"("rendered": {"model": {"factor": "model"}, "texture": "grain"})",
+      R"("rendered": {"model": {"factor": "model"}, "texture": "grain", "parameters": {)" +
+          parameters + "}}");
   text = replaced_everywhere(text, R"({"levels": ["height_map", "stochastic"]})",
-                  R"({"levels": [")" + model + R"("]})");
+                             R"({"levels": [")" + model + R"("]})");
   for (const auto& [item, from] : {std::pair{"one", "height_map"}, {"two", "stochastic"}}) {
     const std::string stimulus = R"({"stimulus": "rendered", )";
-    text =
-        replaced_everywhere(text, stimulus + R"("with": {"model": ")" + from + R"("}})",
-                 stimulus + R"("item": ")" + item + R"(", "with": {"model": ")" + model + R"("}})");
+    text = replaced_everywhere(
+        text, stimulus + R"("with": {"model": ")" + from + R"("}})",
+        stimulus + R"("item": ")" + item + R"(", "with": {"model": ")" + model + R"("}})");
   }
   return replaced_everywhere(text, R"("textures")", R"("device": {)" + device + R"(}, "textures")");
 }
@@ -425,8 +425,9 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfTwoTexturesFromHowTheyMeet) {
 // The model itself: 0.3 mm to either side of a trough it pushes back as −kδ·H′, whose slope in the trough is told. (The
 // model's samples are 50 µm apart: its slopes are good to a few hundredths, and nearer by that is all of them.)
 TEST_F(DeviceRehearsalTest, AgreesWithTheForceOfTwoBodiesThemselves) {
-  const std::string protocol = replaced_everywhere(bodies(kMeeting), R"("realism_standard")",
-                                        R"("device": {"force_limit_N": 1}, "realism_standard")");
+  const std::string protocol =
+      replaced_everywhere(bodies(kMeeting), R"("realism_standard")",
+                          R"("device": {"force_limit_N": 1}, "realism_standard")");
   const PreparedStimulus felt =
       made_->builder.unmatched(possible_trials(read(protocol)).at(0).presentations.at(0).stimulus);
   const auto renderer = make_renderer(*felt.model, felt.inputs);
@@ -491,9 +492,9 @@ TEST_F(DeviceRehearsalTest, AddsTheContactDampingToTheStiffnessOfTwoBodies) {
 
 /// The small study's stroke with another force.
 std::string pressed_with(const std::string& force, const std::string& parameters) {
-  return replaced_everywhere(one_stimulus("sinusoid", parameters + R"(, "friction_law": "rounded")"),
-                  R"("speed_m_per_s": {)",
-                  R"("normal_force_N": {)" + force + R"(}, "speed_m_per_s": {)");
+  return replaced_everywhere(
+      one_stimulus("sinusoid", parameters + R"(, "friction_law": "rounded")"),
+      R"("speed_m_per_s": {)", R"("normal_force_N": {)" + force + R"(}, "speed_m_per_s": {)");
 }
 
 DeviceProfile of_50_grams() { return with_item(ideal(), "moving_mass_kg", 0.05); }
@@ -617,8 +618,9 @@ TEST_F(DeviceRehearsalTest, ForetellsThatAStiffGratingOfFixedDirectionIsOutOfCon
   const std::string grating = R"("amplitude_m": 0.0005, "wavelength_m": 0.002)";
   const auto at = [&](const std::string& stiffness) {
     std::string protocol = pressed_with(R"("target": 1)", grating);
-    return replaced_everywhere(protocol, R"("textures")",
-                    R"("material": {"stiffness_N_per_m": )" + stiffness + R"(}, "textures")");
+    return replaced_everywhere(
+        protocol, R"("textures")",
+        R"("material": {"stiffness_N_per_m": )" + stiffness + R"(}, "textures")");
   };
   EXPECT_FALSE(one(at("2000"), device, "contact")) << "its damping was not measured";
   device.items.push_back({.name = "damping_N_s_per_m",

@@ -27,7 +27,7 @@ def outcome(protocol, table, question, column, counts, group="virtual"):
             for name, (one, two, three) in counts.items()]
     return {"protocol": protocol, "group": group, "participants": 20, "sessions": 19, "answers": 59, "remarks": [],
             "questions": [{"name": "another", "question": "Another?", "answer": "Another answer."},
-                          {"name": question, "question": f'The "{question}" question?', "answer": "Its answer."}],
+                          {"name": question, "question": f'The "{question}" question?', "answer": "Its answer. A test of it."}],
             "tables": [{"name": "persons", "title": "Another table", "note": "", "rows": [{"sessions": 7, "group": "men", "all": 99}]},
                        {"name": table, "title": f"The title of {table}", "note": f"Note of {table}.", "rows": rows}],
             "findings": [{"quantity": "sessions", "key": "virtual", "value": 500}]}
@@ -173,14 +173,14 @@ esac
         self.assertIn("20 virtual participants completed 57 sessions", text.replace("\n", " "))
         self.assertIn("177 responses", text.replace("\n", " "))
         self.assertEqual([line for line in text.splitlines() if "answer" in line],
-                         ['The "preference" question? Its answer.', 'The "whole" question? Its answer. Note of table_2.',
+                         ['The "preference" question? Its answer.', 'The "whole" question? Its answer.',
                           'The "right" question? Its answer.'])
 
     def test_shows_no_result_without_virtual_participants(self):
         self.pretend(result=RESULT.replace('"virtual"', '"people"'))
         answer, _ = self.run_demo()
         self.assertEqual((answer.returncode, answer.stdout), (1, ""))
-        self.assertIn("no virtual participants", answer.stderr)
+        self.assertIn("has no responses of virtual participants", answer.stderr)
 
 
 if __name__ == "__main__":
