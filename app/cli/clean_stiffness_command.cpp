@@ -21,6 +21,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/plugins/plugin_files.h"
+#include "app/study_files/height_field_files.h"
 #include "app/sweep/clean_stiffness_table.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
