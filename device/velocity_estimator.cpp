@@ -25,7 +25,8 @@ VelocityEstimator::VelocityEstimator(const VelocityWindow& window, double fastes
 
 glm::dvec3 VelocityEstimator::add(std::int64_t time_ns, const glm::dvec3& position_m) noexcept {
   if (count_ > 0 && time_ns <= readings_[newest_].time_ns) return velocity_m_per_s_;
-  const ProbeState reading{.time_ns = time_ns, .position_m = position_m};
+  const ProbeState reading{
+      .time_ns = time_ns, .position_m = position_m, .velocity_m_per_s = velocity_m_per_s_};
   switch (check_.judge(reading, ReadingCheck::Origin::fresh)) {
     case ReadingCheck::Verdict::plausible:
       break;
@@ -33,7 +34,7 @@ glm::dvec3 VelocityEstimator::add(std::int64_t time_ns, const glm::dvec3& positi
       return velocity_m_per_s_;
     case ReadingCheck::Verdict::lost:
       reset();
-      check_.restart(reading);
+      check_.judge(reading, ReadingCheck::Origin::fresh);
       break;
   }
   newest_ = count_ == 0 ? 0 : (newest_ + 1) % window_;

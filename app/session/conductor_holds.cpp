@@ -105,9 +105,9 @@ void Conductor::hold(Next next) {
       stop(*reason);
       return;
     }
-    const Fault fault = rig_.loop().status().fault;
-    if (fault != Fault::none && (is_attended || fault == Fault::standstill) &&
-        !wait_out_fault(fault_sentence(interruption_by(fault), {}))) {
+    const ServoStatus status = rig_.loop().status();
+    if (status.fault != Fault::none && (is_attended || status.fault == Fault::standstill) &&
+        !wait_out_fault(fault_sentence(interruption_by(status), {}))) {
       return;
     }
     if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
@@ -196,8 +196,8 @@ bool Conductor::outlives(const Interruption& interruption) {
 std::optional<Phrase> Conductor::trouble_after_standstill() {
   rig_.clear_fault(Fault::standstill);
   const Phrase problem = device_problem(unheeding_);
-  const Fault fault = rig_.loop().status().fault;
-  if (fault != Fault::none) return fault_sentence(interruption_by(fault), {});
+  const ServoStatus status = rig_.loop().status();
+  if (status.fault != Fault::none) return fault_sentence(interruption_by(status), {});
   if (!problem.empty()) {
     return phrase_of(Reason::failed_between_trials)
         .with(phrase_of(Reason::not_ready).with(problem));
@@ -267,12 +267,12 @@ bool Conductor::wait_out_fault(Phrase what) {
     if (!requests_.lift_fault(rig_.loop().status().fault)) continue;
     const Phrase problem = device_problem(unheeding_);
     if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
-    const Fault fault = rig_.loop().status().fault;
-    tell(fault == Fault::emergency_stop
+    const ServoStatus status = rig_.loop().status();
+    tell(status.fault == Fault::emergency_stop
              ? phrase("Troubles", "%1 The emergency stop was pressed in the meantime.")
                    .with(stopped())
              : phrase("Troubles", "%1 The device is not ready yet: %2.")
-                   .with(stopped(), problem.empty() ? phrase_of(fault) : problem));
+                   .with(stopped(), problem.empty() ? interruption_by(status).reason : problem));
   }
   forget_surface();
   course_.event("fault_cleared", "");

@@ -16,13 +16,16 @@ constexpr std::int64_t kHealthEvery_ns = 250'000'000;
 
 }  // namespace
 
-Interruption interruption_by(Fault fault) {
-  if (fault == Fault::emergency_stop) {
+Interruption interruption_by(const ServoStatus& status) {
+  if (status.fault == Fault::emergency_stop) {
     return {.outcome = AttemptOutcome::emergency_stop,
             .reason = phrase_of(Reason::emergency_stop),
-            .fault = fault};
+            .fault = status.fault};
   }
-  return {.outcome = AttemptOutcome::device_fault, .reason = phrase_of(fault), .fault = fault};
+  return {.outcome = AttemptOutcome::device_fault,
+          .reason =
+              status.position_jumped ? phrase_of(Reason::position_jumped) : phrase_of(status.fault),
+          .fault = status.fault};
 }
 
 Phrase fault_sentence(const Interruption& interruption, std::optional<int> trial) {
@@ -127,7 +130,7 @@ void SessionCourse::listen_to_device() {
 void SessionCourse::look(bool outside_trial) {
   const ServoStatus status = rig_.loop().status();
   if (status.fault != Fault::none) {
-    throw interruption_by(status.fault);
+    throw interruption_by(status);
   }
   if (const auto reason = requests_.take_abort()) {
     throw Interruption{AttemptOutcome::aborted, *reason};

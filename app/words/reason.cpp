@@ -76,6 +76,8 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::does_not_tick, "device_does_not_tick",
        phrase("Reasons", "its servo loop is not running")},
       {Reason::does_not_answer, "device_does_not_answer", phrase("Reasons", "it does not respond")},
+      {Reason::position_jumped, "position_jumped",
+       phrase("Reasons", "the position of the device jumped; home the device again")},
       {Reason::sends_force, "force_without_surface",
        phrase("Reasons", "a force is sent although there is no surface")},
       {Reason::none_given, "no_reason_given", phrase("Reasons", "no reason was given")},

@@ -50,6 +50,7 @@ enum class Reason {
   not_ready,  ///< the action that is or is not taken
   does_not_tick,
   does_not_answer,
+  position_jumped,  ///< its readings stayed implausible
   sends_force,
   none_given,
   // of events

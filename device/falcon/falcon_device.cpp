@@ -124,8 +124,8 @@ bool FalconDevice::do_send(const Wrench& limited) noexcept {
     line_->command({});
     return answers;
   }
-  const std::optional<glm::dvec3> torques =
-      falcon::torques_N_m(reading_.angles, reading_.position_m, to_machine(limited.force_N));
+  const std::optional<glm::dvec3> torques = falcon::torques_N_m(
+      reading_.plausible.angles, reading_.plausible.position_m, to_machine(limited.force_N));
   const falcon::MotorWords motors =
       torques ? falcon::words_for(*torques) : falcon::MotorWords{.words = {}, .part = 0.0};
   line_->command(motors.words);

@@ -18,6 +18,10 @@ namespace asperity {
 /// the surface in the gap, a = 0 and f = 0. p only falls while the gap is bridged. Force and torque are treated
 /// separately.
 ///
+/// A gap that ends within the bridge of one at least as long does not begin another: the bridge continues from the wrench
+/// that was sent, and ends when it would have ended. If each of many gaps in a row began anew, the force would grow with a
+/// delay and fall without one in each, which feeds energy to the hand.
+///
 /// Real-time: does not allocate, lock or throw.
 class GapBridge final {
  public:
@@ -26,11 +30,13 @@ class GapBridge final {
 
   /// A gap of `gap_s` has ended, before which `sent` was sent.
   void begin(const Wrench& sent, double gap_s) noexcept;
-  /// What is sent instead of `wanted`, `elapsed_s` after the previous tick; `wanted` itself after the bridge.
+  /// What is sent instead of `wanted`, `elapsed_s` after the previous tick; `wanted` itself after the bridge. A negative
+  /// `elapsed_s` (a clock that was set back) counts as 0.
   Wrench approach(const Wrench& wanted, double elapsed_s) noexcept;
 
  private:
   Wrench from_{};
+  double gap_s_ = 0.0;  // the longest of those that are bridged, clamped
   double length_s_ = 0.0;
   double passed_s_ = 0.0;
 };

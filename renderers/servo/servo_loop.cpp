@@ -163,6 +163,8 @@ void ServoLoop::emergency_stop() noexcept {
 }
 
 void ServoLoop::clear_fault(Fault seen) noexcept {
+  // Before: once it is cleared, the servo may set it again.
+  if (seen == Fault::device_lost) position_jumped_.store(false, std::memory_order_release);
   fault_.compare_exchange_strong(seen, Fault::none, std::memory_order_acq_rel);
 }
 
@@ -181,6 +183,8 @@ ServoStatus ServoLoop::status() const noexcept {
     if (version % 2 == 0 && version == status_version_.load(std::memory_order_relaxed)) break;
   }
   status.fault = fault_.load(std::memory_order_acquire);
+  status.position_jumped =
+      status.fault == Fault::device_lost && position_jumped_.load(std::memory_order_acquire);
   return status;
 }
 
@@ -258,9 +262,8 @@ void ServoLoop::read_probe(std::int64_t now_ns, TickRecord& record) noexcept {
     raise(Fault::not_finite);
     return;
   }
-  // While no surface is felt, no force depends on the reading, and the hand of a simulation may be placed anew.
-  if (!servo.felt || fault_.load(std::memory_order_acquire) != Fault::none) {
-    servo.readings.restart(record.probe);
+  if (fault_.load(std::memory_order_acquire) != Fault::none) {
+    servo.readings.restart();
   } else if (const auto verdict = servo.readings.judge(
                  record.probe, device_.was_read_again() ? ReadingCheck::Origin::repeated
                                                         : ReadingCheck::Origin::fresh);
@@ -269,6 +272,7 @@ void ServoLoop::read_probe(std::int64_t now_ns, TickRecord& record) noexcept {
     record.probe = servo.last_probe;
     record.probe.time_ns = now_ns;
     if (verdict == ReadingCheck::Verdict::lost) {
+      position_jumped_.store(true, std::memory_order_release);
       raise(Fault::device_lost);
       set(record, TickFlag::device_lost);
     }

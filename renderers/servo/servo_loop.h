@@ -57,6 +57,8 @@ struct ServoStatus {
   std::uint64_t missed_deadlines = 0;
   std::uint64_t presentation = 0;  ///< being rendered; 0 in free space
   Fault fault = Fault::none;
+  /// The fault is `device_lost` although the device responds: its readings stayed implausible.
+  bool position_jumped = false;
 };
 
 /// Reads the device, runs the renderer and sends the wrench, once per call of `tick`.
@@ -79,8 +81,10 @@ struct ServoStatus {
 ///   heartbeat the surface returns in the same way as a new presentation.
 /// - A fault sends zero force in the same tick and latches it until `clear_fault`. Ticks continue and are recorded; the
 ///   renderer is not called. Afterwards the presentation restarts from the beginning: `reset`, gain 0, free space.
-/// - While a presentation is rendered, a reading that implies a motion faster than the device's maximum_speed_m_per_s is
-///   replaced by the last one for at most 2 ms; then the fault is `device_lost` (device/reading_check.h).
+/// - A reading that implies a motion faster than the device's maximum_speed_m_per_s is replaced by the last one for at most
+///   2 ms; then the fault is `device_lost` (device/reading_check.h). This applies in free space too, because a position
+///   that has jumped there is wrong in every later contact. While a fault is latched, readings are not judged, and the
+///   first one after it is accepted.
 /// - After a gap of more than two periods in contact, the force continues from the one that was sent and approaches the
 ///   surface's over the length of the gap (gap_bridge.h), with or without free space.
 /// - A tick that begins more than one period after its deadline counts as one missed deadline and is not made up for;
@@ -158,6 +162,7 @@ class ServoLoop final {
   std::atomic<std::uint64_t> withdrawn_up_to_{0};  // in terms of that number
   std::atomic<std::uint64_t> heartbeats_{0};
   std::atomic<Fault> fault_{Fault::none};
+  std::atomic<bool> position_jumped_{false};  // set before the fault is raised
 
   // The status after the servo's last tick; consistent while the version is even and unchanged.
   std::atomic<std::uint64_t> status_version_{0};

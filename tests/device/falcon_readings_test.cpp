@@ -49,6 +49,45 @@ TEST(FalconReadings, KeepAWildPlaceOutOfTheVelocity) {
   EXPECT_NEAR(next->velocity_m_per_s.x, 0.0, 0.02);
 }
 
+// Bit 11 of one encoder flips on the wire. Torques from these angles would push in another direction.
+TEST(FalconReadings, KeepTheLastPlausiblePoseForTheTorques) {
+  const glm::dvec3 place_m(0.002, -0.001, 0.115);
+  const glm::dvec3 wanted_N(1.0, 0.0, 2.0);
+  const auto torques_of = [&](const Reading& reading) {
+    return torques_N_m(reading.plausible.angles, reading.plausible.position_m, wanted_N).value();
+  };
+  for (std::size_t encoder = 0; encoder < 3; ++encoder) {
+    Readings readings({});
+    glm::dvec3 before{0.0};
+    for (int i = 0; i < 30; ++i) {
+      before = torques_of(readings.take(at(place_m), i * kTick_ns).value());
+    }
+    Answer wild = at(place_m);
+    wild.counts[encoder] = static_cast<std::int16_t>(wild.counts[encoder] ^ (1 << 11));
+    const auto reading = readings.take(wild, 30 * kTick_ns);
+    if (!reading) continue;  // the legs do not meet there
+    EXPECT_GT(glm::distance(reading->position_m, place_m), 0.005);
+    EXPECT_EQ(torques_of(*reading), before) << encoder;
+    EXPECT_EQ(torques_of(readings.take(at(place_m), 31 * kTick_ns).value()), before);
+  }
+}
+
+// The servo loop has latched its fault after 2 ms; once a person has cleared it, the place is the true one.
+TEST(FalconReadings, KeepAPoseForFiftyMilliseconds) {
+  Readings readings({});
+  const auto old = readings.take(at({0.0, 0.0, 0.115}), 0);
+  for (int i = 1; i <= 60; ++i) {
+    const auto reading = readings.take(at({0.020, 0.0, 0.115}), i * kTick_ns);
+    EXPECT_EQ(reading.value().plausible.position_m,
+              i <= 50 ? old.value().position_m : reading->position_m)
+        << i;
+  }
+  // Homing moves the zero: nothing of before is kept.
+  readings.take({.counts = {-900, -900, -900}}, 61 * kTick_ns);
+  const auto homed = readings.take(at({-0.020, 0.0, 0.115}), 62 * kTick_ns);
+  EXPECT_EQ(homed.value().plausible.position_m, homed->position_m);
+}
+
 TEST(FalconReadings, TakeAJumpThatLastsForTheBeginningOfAnotherMotion) {
   // An encoder that gained counts: 20 mm within a millisecond, permanently. Nothing moved there.
   Readings readings({});

@@ -2,6 +2,7 @@
 
 #include "device/reading_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -69,7 +70,7 @@ TEST_P(ReadingCheckTest, HoldsAJumpForLessThanTwoMillisecondsAndThenLosesTheDevi
   }
 }
 
-TEST_P(ReadingCheckTest, GoesOnAfterOneWildReading) {
+TEST_P(ReadingCheckTest, ResumesAfterOneWildReading) {
   ReadingCheck check(5.0);
   std::int64_t now_ns = 0;
   for (int i = 0; i < 50; ++i) check.judge(reading_at(now_ns += period_ns(), 0.0), Origin::fresh);
@@ -80,25 +81,128 @@ TEST_P(ReadingCheckTest, GoesOnAfterOneWildReading) {
   EXPECT_EQ(check.judge(reading_at(now_ns += period_ns(), 0.025), Origin::fresh), Verdict::held);
 }
 
+// Above 5 mm, or above what 5 m/s are in a longer period, a position that has jumped for good is never accepted.
+TEST_P(ReadingCheckTest, NeverAcceptsAJumpThatLasts) {
+  const double period_s = 1e-9 * static_cast<double>(period_ns());
+  for (const double jump_m : {0.0049, 0.006, 0.009, 0.011, 0.015, 0.019}) {
+    ReadingCheck check(5.0);
+    std::int64_t now_ns = 0;
+    for (int i = 0; i < 50; ++i) check.judge(reading_at(now_ns += period_ns(), 0.0), Origin::fresh);
+    const bool is_plausible = jump_m < 5.0 * std::max(1e-3, period_s);
+    const std::int64_t jumped_ns = now_ns + period_ns();
+    while (now_ns < jumped_ns + 100'000'000) {
+      now_ns += period_ns();
+      const Verdict verdict = check.judge(reading_at(now_ns, jump_m), Origin::fresh);
+      ASSERT_EQ(verdict, is_plausible                     ? Verdict::plausible
+                         : now_ns - jumped_ns < 2'000'000 ? Verdict::held
+                                                          : Verdict::lost)
+          << jump_m << ' ' << now_ns - jumped_ns;
+    }
+  }
+}
+
+// A hand at 1 m/s whose readings are wild for almost 2 ms.
+TEST_P(ReadingCheckTest, ResumesWhereAMovingHandHasMovedMeanwhile) {
+  ReadingCheck check(5.0);
+  std::int64_t now_ns = 0;
+  const auto x_m = [&] { return 1e-9 * static_cast<double>(now_ns); };
+  for (int i = 0; i < 50; ++i) {
+    now_ns += period_ns();
+    check.judge(reading_at(now_ns, x_m()), Origin::fresh);
+  }
+  const std::int64_t wild_ns = now_ns + period_ns();
+  while (now_ns + period_ns() - wild_ns < 2'000'000) {
+    now_ns += period_ns();
+    ASSERT_EQ(check.judge(reading_at(now_ns, 0.5), Origin::fresh), Verdict::held);
+  }
+  now_ns += period_ns();
+  EXPECT_EQ(check.judge(reading_at(now_ns, x_m()), Origin::fresh), Verdict::plausible);
+}
+
+// A driver that returns a stale position for 40 ms as if it were new.
+TEST_P(ReadingCheckTest, TakesABitIdenticalPositionOfAMovingHandForRepeated) {
+  ReadingCheck check(5.0);
+  std::int64_t now_ns = 0;
+  ProbeState state{};
+  const auto moved = [&] {
+    state = reading_at(now_ns, 0.5e-9 * static_cast<double>(now_ns));
+    state.velocity_m_per_s.x = 0.5;
+    return state;
+  };
+  for (int i = 0; i < 50; ++i) {
+    now_ns += period_ns();
+    ASSERT_EQ(check.judge(moved(), Origin::fresh), Verdict::plausible);
+  }
+  for (const std::int64_t until_ns = now_ns + 40'000'000; now_ns < until_ns;) {
+    state.time_ns = now_ns += period_ns();
+    state.velocity_m_per_s.x = 0.0;  // as estimated from stale positions
+    ASSERT_EQ(check.judge(state, Origin::fresh), Verdict::plausible);
+  }
+  now_ns += period_ns();
+  EXPECT_EQ(check.judge(moved(), Origin::fresh), Verdict::plausible);
+  // At rest for longer than any pause, the hand may jump no farther than in a tick.
+  for (const std::int64_t until_ns = now_ns + 60'000'000; now_ns < until_ns;) {
+    state.time_ns = now_ns += period_ns();
+    check.judge(state, Origin::fresh);
+  }
+  state.time_ns = now_ns += period_ns();
+  state.position_m.x += 0.025;
+  EXPECT_EQ(check.judge(state, Origin::fresh), Verdict::held);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rates, ReadingCheckTest, testing::Values(500.0, 1000.0, 2000.0, 4000.0));
 
 TEST(ReadingCheck, JudgesATurnAsTheMotionOfAPointOfTheTool) {
   // 5 m/s at 50 mm: 100 rad/s, 0.1 rad in a millisecond.
   for (const double angle_rad : {0.09, -0.09}) {
     ReadingCheck check(5.0);
-    check.judge(turned_reading(0, 0.0), Origin::fresh);
-    EXPECT_EQ(check.judge(turned_reading(1'000'000, angle_rad), Origin::fresh), Verdict::plausible);
+    check.judge(turned_reading(0, 1.0), Origin::fresh);
+    EXPECT_EQ(check.judge(turned_reading(1'000'000, 1.0 + angle_rad), Origin::fresh),
+              Verdict::plausible);
   }
   for (const double angle_rad : {0.11, -0.11, std::numbers::pi}) {
     ReadingCheck check(5.0);
-    check.judge(turned_reading(0, 0.0), Origin::fresh);
-    EXPECT_EQ(check.judge(turned_reading(1'000'000, angle_rad), Origin::fresh), Verdict::held);
+    check.judge(turned_reading(0, 1.0), Origin::fresh);
+    EXPECT_EQ(check.judge(turned_reading(1'000'000, 1.0 + angle_rad), Origin::fresh),
+              Verdict::held);
   }
-  // q and −q are one attitude.
+  // q and −q are one orientation.
   ReadingCheck check(5.0);
-  check.judge(turned_reading(0, 0.0), Origin::fresh);
-  EXPECT_EQ(check.judge(turned_reading(1'000'000, 2.0 * std::numbers::pi), Origin::fresh),
+  check.judge(turned_reading(0, 1.0), Origin::fresh);
+  EXPECT_EQ(check.judge(turned_reading(1'000'000, 1.0 + 2.0 * std::numbers::pi), Origin::fresh),
             Verdict::plausible);
+}
+
+// A wireless grip on an arm: it wakes after the arm, reports at 100 Hz, and is silent for 50 ms.
+TEST(ReadingCheck, JudgesATurnOverTheTimeSinceTheOrientationChanged) {
+  ReadingCheck check(5.0);
+  std::int64_t now_ns = 0;
+  const auto feel = [&](double angle_rad) {
+    return check.judge(turned_reading(now_ns += 1'000'000, angle_rad), Origin::fresh);
+  };
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(feel(0.0), Verdict::plausible);
+  for (int i = 0; i < 100; ++i) {
+    // 30 rad/s
+    ASSERT_EQ(feel(2.0 + 0.3 * static_cast<double>(i / 10)), Verdict::plausible) << i;
+  }
+  for (int i = 0; i < 50; ++i) ASSERT_EQ(feel(4.7), Verdict::plausible);
+  EXPECT_EQ(feel(6.2), Verdict::plausible);
+  EXPECT_EQ(feel(6.25), Verdict::plausible);
+  EXPECT_EQ(feel(6.45), Verdict::held);
+  EXPECT_EQ(feel(6.45), Verdict::held);
+  EXPECT_EQ(feel(6.45), Verdict::lost);
+}
+
+// The line pauses while the hand moves at 0.8 m/s, and the first readings are repeated ones.
+TEST(ReadingCheck, BeginsWithTheFirstFreshReading) {
+  ReadingCheck check(5.0);
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_EQ(check.judge(reading_at(i * 1'000'000, 0.0), Origin::repeated), Verdict::plausible);
+  }
+  EXPECT_EQ(check.judge(reading_at(30'000'000, 0.024), Origin::fresh), Verdict::plausible);
+  EXPECT_EQ(check.judge(reading_at(31'000'000, 0.050), Origin::fresh), Verdict::held);
+  check.restart();
+  EXPECT_EQ(check.judge(reading_at(32'000'000, 0.050), Origin::fresh), Verdict::plausible);
 }
 
 // A line that pauses for 6 ms while the hand moves at 3 m/s: the driver repeats its last reading meanwhile.

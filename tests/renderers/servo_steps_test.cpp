@@ -1,5 +1,6 @@
 // No step of force to the motors: readings that jump, gaps between ticks.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -75,10 +76,51 @@ TEST_P(ServoStepsTest, LosesADeviceWhoseReadingsStayImplausibleForTwoMillisecond
   }
 }
 
-TEST_P(ServoStepsTest, AcceptsAnyReadingWhileNoSurfaceIsFelt) {
+// 13.9 mm for good: the force stays as it was until the fault.
+TEST_P(ServoStepsTest, NeverFollowsAJumpThatLasts) {
+  const std::int64_t jumped_ns = now_ns + period_ns;
+  while (now_ns < jumped_ns + 10'000'000) {
+    EXPECT_LE(tick(-0.0149).sent.force_N.z, 1.0 + 1e-6);
+    EXPECT_EQ(loop.status().fault,
+              now_ns - jumped_ns >= 2'000'000 ? Fault::device_lost : Fault::none);
+  }
+  EXPECT_TRUE(loop.status().position_jumped);
+}
+
+// Counts that are lost between two presentations would shift every later contact.
+TEST_P(ServoStepsTest, LosesADeviceThatJumpsInFreeSpace) {
   loop.withdraw();
-  for (int i = 0; i < 0.1 * GetParam(); ++i) tick(-0.001);
-  EXPECT_FALSE(tick(0.08).has(TickFlag::reading_held));
+  for (int i = 0; i < 0.1 * GetParam(); ++i) tick(0.001);
+  ASSERT_EQ(loop.status().presentation, 0U);
+  EXPECT_TRUE(tick(0.08).has(TickFlag::reading_held));
+  for (int i = 0; i < 0.01 * GetParam(); ++i) tick(0.08);
+  EXPECT_EQ(loop.status().fault, Fault::device_lost);
+  EXPECT_TRUE(loop.status().position_jumped);
+  // Whoever clears the fault has homed the device: the position is accepted as it is.
+  loop.clear_fault(Fault::device_lost);
+  EXPECT_FALSE(loop.status().position_jumped);
+  const TickRecord cleared = tick(0.02);
+  EXPECT_FALSE(cleared.has(TickFlag::reading_held));
+  EXPECT_EQ(cleared.probe.position_m.z, static_cast<double>(0.02F));
+  EXPECT_EQ(loop.status().fault, Fault::none);
+  device.answers = false;
+  tick(0.02);
+  EXPECT_EQ(loop.status().fault, Fault::device_lost);
+  EXPECT_FALSE(loop.status().position_jumped);
+}
+
+// The line pauses for 30 ms while the hand moves at 0.8 m/s; the driver reports this, and a surface appears meanwhile.
+TEST_P(ServoStepsTest, JudgesTheMotionOverAPauseThatTheDriverReports) {
+  loop.withdraw();
+  for (int i = 0; i < 0.1 * GetParam(); ++i) tick(0.001);
+  const std::int64_t began_ns = now_ns;
+  device.at_read = [this](ProbeState&) { device.read_again(); };
+  loop.collect();
+  loop.present({.id = 2, .renderer = std::make_unique<Plane>()});
+  while (now_ns < began_ns + 30'000'000) EXPECT_FALSE(tick(0.001).has(TickFlag::reading_held));
+  device.at_read = {};
+  const double moved_m = 0.8e-9 * static_cast<double>(now_ns + period_ns - began_ns);
+  EXPECT_FALSE(tick(0.001 + moved_m).has(TickFlag::reading_held));
   EXPECT_EQ(loop.status().fault, Fault::none);
 }
 
@@ -136,6 +178,34 @@ TEST(GapBridge, TurnsFromTheFallenForceToTheNewOne) {
     EXPECT_NEAR(sent.force_N.z, 2.0, 1e-12);
   }
   EXPECT_EQ(bridge.approach(wanted, 0.001).force_N, wanted.force_N);
+}
+
+TEST(GapBridge, HoldsWhileTheClockIsSetBack) {
+  const Wrench wanted{.force_N = {0.0, 0.0, 5.0}};
+  GapBridge idle{};
+  EXPECT_EQ(idle.approach(wanted, -0.5).force_N, wanted.force_N);
+  GapBridge bridge{};
+  bridge.begin({.force_N = {0.0, 0.0, 1.0}}, 0.010);
+  bridge.approach(wanted, 0.001);
+  EXPECT_NEAR(bridge.approach(wanted, -0.5).force_N.z, 1.4, 1e-12);
+  EXPECT_NEAR(bridge.approach(wanted, 0.001).force_N.z, 1.8, 1e-12);
+}
+
+TEST(GapBridge, ContinuesABridgeInWhichAnotherGapEnds) {
+  GapBridge bridge{};
+  Wrench sent{.force_N = {0.0, 0.0, 1.0}};
+  const Wrench wanted{.force_N = {0.0, 0.0, 5.0}};
+  // A gap before each of ten ticks: the force is there with the tenth, as after a single one.
+  for (int i = 1; i <= 10; ++i) {
+    bridge.begin(sent, 0.010);
+    sent = bridge.approach(wanted, 0.001);
+    EXPECT_NEAR(sent.force_N.z, 1.0 + 0.4 * i, 1e-9) << i;
+  }
+  // A longer one is bridged over its own length.
+  bridge.begin({.force_N = {0.0, 0.0, 1.0}}, 0.010);
+  bridge.approach(wanted, 0.009);
+  bridge.begin({.force_N = {0.0, 0.0, 1.0}}, 0.040);
+  EXPECT_NEAR(bridge.approach(wanted, 0.001).force_N.z, 1.1, 1e-12);
 }
 
 }  // namespace

@@ -6912,6 +6912,10 @@
         <translation>es antwortet nicht</translation>
     </message>
     <message>
+        <source>the position of the device jumped; home the device again</source>
+        <translation>die Position des Geräts ist gesprungen; das Gerät muss neu referenziert werden</translation>
+    </message>
+    <message>
         <source>a force is sent although there is no surface</source>
         <translation>eine Kraft wird gesendet, obwohl keine Oberfläche dargeboten wird</translation>
     </message>
