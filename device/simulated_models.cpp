@@ -68,7 +68,7 @@ Model falcon() {
               "1 ms is one frame."};
 }
 
-// The maker's figures for the Touch (formerly Geomagic Touch, Phantom Omni): workspace 160 × 120 × 70 mm (width, height,
+// The manufacturer's figures for the Touch (formerly Geomagic Touch, Phantom Omni): workspace 160 × 120 × 70 mm (width, height,
 // depth), greatest force at the nominal position 3.3 N, continuous 0.88 N, nominal position resolution above 450 dpi (0.055 mm),
 // backdrive friction below 1 oz (0.26 N), apparent mass at the tip 45 g [3D Systems]. Our y is its depth and our z its
 // height. Assumed: a workspace about the origin, as the driver places it, the same force everywhere in it, and the bounds of

@@ -22,7 +22,7 @@ inline constexpr std::string_view kIdealModel = "ideal";
 std::vector<std::string> simulated_models();
 
 /// `settings` with workspace, force, rate, resolution, latency and velocity estimate of a real device:
-/// the figures of its driver, and for a Touch those of its maker, with friction and apparent mass. None of them was measured
+/// the figures of its driver, and for a Touch those of its manufacturer, with friction and apparent mass. None of them was measured
 /// here. What is not known of it, which the capability lists (DeviceCapability::not_known), stays as it is in `settings`, by
 /// default ideal.
 /// The probe has three degrees of freedom whatever the model has.

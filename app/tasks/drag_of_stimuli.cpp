@@ -10,7 +10,6 @@
 #include "analysis/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "protocols/plan/plan.h"
-#include "renderers/force/friction.h"
 #include "renderers/offline/sliding_drag.h"
 
 namespace asperity {
@@ -19,8 +18,6 @@ namespace {
 constexpr const char* kSpeedName = "friction_speed_m_per_s";
 constexpr const char* kLawName = "friction_law";
 constexpr int kStrokes = 4;  // two of them are dropped
-// Strokes are at least so many times the path μF̄_n/σ: 6 are needed for the modulation.
-constexpr double kLeastPaths = 8.0;
 
 constexpr std::size_t kNames = 8;
 
@@ -46,18 +43,10 @@ std::optional<double> measured_drag(PreparedStimulus stimulus, const AimedStroke
                                     double rate_Hz) {
   RendererInputs& inputs = stimulus.inputs;
   inputs.body = nullptr;
-  const double sliding_N = inputs.material.friction * stroke.normal_force_N;
-  const double stiffness_N_per_m =
-      friction_law_of(inputs.parameters)
-          .near_rest(friction_settings(inputs.material.friction, inputs.parameters),
-                     stroke.normal_force_N, 1.0 / rate_Hz)
-          .stiffness_N_per_m;
-  const double least_m =
-      stiffness_N_per_m > 0.0 ? kLeastPaths * sliding_N / stiffness_N_per_m : 0.0;
   const SlidingDrag drag = sliding_drag(*stimulus.model, inputs,
                                         {.speed_m_per_s = stroke.speed_m_per_s,
                                          .normal_force_N = stroke.normal_force_N,
-                                         .length_m = std::max(stroke.length_m, least_m),
+                                         .length_m = stroke.length_m,
                                          .strokes = kStrokes,
                                          .rate_Hz = rate_Hz});
   return drag.coulomb_N > 0.0 ? std::optional(drag.mean_N / drag.coulomb_N) : std::nullopt;

@@ -223,6 +223,8 @@ class Friction final {
   /// friction of another law starts over.
   void continue_contact_of(const Friction& other) noexcept {
     state_ = law_ == other.law_ ? other.state_ : FrictionState{};
+    // The work stays the same: 2W/σ with the σ of this friction.
+    state_.work_m2 *= other.settings_.stiffness_N_per_m / settings_.stiffness_N_per_m;
   }
   /// The same where the axes of the two surfaces differ.
   void continue_contact_of(const Friction& other, const FrictionTurn& turn) noexcept {

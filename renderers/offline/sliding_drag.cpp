@@ -2,6 +2,7 @@
 
 #include "renderers/offline/sliding_drag.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -18,6 +19,10 @@ namespace {
 
 constexpr const char* kLawName = "friction_law";
 constexpr int kDroppedStrokes = 2;
+// The modulation begins so many times SlidingDrag's path behind a reversal, and strokes are so many times this path long.
+constexpr double kTurned = 3.0;
+constexpr double kLeastLengths = 4.0;
+constexpr int kRounds = 4;
 // A variation below this part of the mean is rounding.
 constexpr double kNoVariation = 1e-9;
 
@@ -73,12 +78,7 @@ double mean_behind(const FrictionAlong& friction, double behind_m) {
     sum_N += friction.drag_N[i];
     ++count;
   }
-  if (count == 0) {
-    throw std::invalid_argument(
-        "SlidingStrokes::length_m must be greater than the path on which friction turns round, " +
-        std::to_string(1e3 * behind_m) + " mm");
-  }
-  return sum_N / static_cast<double>(count);
+  return count == 0 ? 0.0 : sum_N / static_cast<double>(count);
 }
 
 double modulation_of(const FrictionAlong& friction, const FrictionAlong& coulomb, double behind_m) {
@@ -113,27 +113,34 @@ SlidingDrag sliding_drag(const ForceModel& model, const RendererInputs& inputs,
                                 " has no law of friction to be compared");
   }
   with_law.patch.edge = PatchEdge::wall;  // never reached
-  with_law.patch.extent_m = glm::dvec2(4.0 * strokes.length_m);
   with_law.patch.tiling = Tiling::repeat;
-  RendererInputs by_coulomb = with_law;
-  by_coulomb.parameters[kLawName] = std::string("rounded");
-
-  // D = μ·F_n·v/√(v² + v₀²) at the constant speed v.
-  FrictionAlong coulomb = friction_along(model, by_coulomb, strokes);
-  const double v0_m_per_s = number_of(by_coulomb.parameters, "friction_speed_m_per_s");
-  const double full = std::hypot(1.0, v0_m_per_s / strokes.speed_m_per_s);
-  for (double& drag_N : coulomb.drag_N) drag_N *= full;
-  const FrictionAlong friction = friction_along(model, with_law, strokes);
   const double stiffness_N_per_m =
       friction_law_of(with_law.parameters)
           .near_rest(friction_settings(with_law.material.friction, with_law.parameters),
                      strokes.normal_force_N, 1.0 / strokes.rate_Hz)
           .stiffness_N_per_m;
-  const double behind_m =
-      stiffness_N_per_m > 0.0 ? 2.0 * mean_behind(coulomb, 0.0) / stiffness_N_per_m : 0.0;
+  // D = μ·F_n·v/√(v² + v₀²) at the constant speed v.
+  const double full = std::hypot(
+      1.0, number_of(with_law.parameters, "friction_speed_m_per_s") / strokes.speed_m_per_s);
+  SlidingStrokes stroked = strokes;
+  FrictionAlong coulomb{};
+  double behind_m = 0.0;
+  // The mean normal force is known behind the first strokes only; a texture may make it several times the nominal one. Longer
+  // strokes have about the same mean, so that a second round is enough but for chance.
+  for (int round = 0; round < kRounds; ++round) {
+    stroked.length_m = std::max(stroked.length_m, kLeastLengths * behind_m);
+    with_law.patch.extent_m = glm::dvec2(4.0 * stroked.length_m);
+    RendererInputs by_coulomb = with_law;
+    by_coulomb.parameters[kLawName] = std::string("rounded");
+    coulomb = friction_along(model, by_coulomb, stroked);
+    for (double& drag_N : coulomb.drag_N) drag_N *= full;
+    behind_m = stiffness_N_per_m > 0.0 ? 2.0 * mean_behind(coulomb, 0.0) / stiffness_N_per_m : 0.0;
+    if (stroked.length_m > kTurned * behind_m) break;
+  }
+  const FrictionAlong friction = friction_along(model, with_law, stroked);
   return {.mean_N = mean_behind(friction, behind_m),
           .coulomb_N = mean_behind(coulomb, behind_m),
-          .modulation = modulation_of(friction, coulomb, 3.0 * behind_m)};
+          .modulation = modulation_of(friction, coulomb, kTurned * behind_m)};
 }
 
 }  // namespace asperity

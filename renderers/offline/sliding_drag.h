@@ -11,7 +11,8 @@ namespace asperity {
 struct SlidingStrokes {
   double speed_m_per_s = 0.060;
   double normal_force_N = 1.0;
-  double length_m = 0.040;
+  double length_m =
+      0.040;  ///< or, if that is more, four times the path behind a reversal that is left out (SlidingDrag)
   int strokes = 12;  ///< the first two are dropped
   double rate_Hz = 1000.0;
 };
@@ -30,8 +31,7 @@ struct SlidingDrag {
 /// direction of motion; forces of the texture along the surface do not count. The border of the patch is removed and
 /// its texture repeats, as in TextureForcePath.
 ///
-/// Errors: as make_renderer; std::invalid_argument for strokes that are not positive, that end before friction has turned
-/// round, or for a model whose friction does not have the laws of friction.h.
+/// Errors: as make_renderer; std::invalid_argument for strokes that are not positive or for a model whose friction does not have the laws of friction.h.
 SlidingDrag sliding_drag(const ForceModel& model, const RendererInputs& inputs,
                          const SlidingStrokes& strokes = {});
 

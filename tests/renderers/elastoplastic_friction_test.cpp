@@ -180,9 +180,10 @@ struct LeastWork {
 };
 
 /// On a random path, noise of 3 Hz as in docs/models/friction.md, under 1 N + `change_N`·sin(2π·1.3 Hz·t), not below 0.
-LeastWork least_work(double speed_m_per_s, std::uint64_t seed, double change_N) {
+LeastWork least_work(double speed_m_per_s, std::uint64_t seed, double change_N,
+                     double smoothing_s = 0.0) {
   Random random(seed);
-  Friction friction = elastoplastic(0.2, 120.0);
+  Friction friction = elastoplastic(0.2, 120.0, smoothing_s);
   constexpr double kGain = 2.0 * std::numbers::pi * 3.0 * kTick_s;  // two low-passes of 3 Hz
   glm::dvec2 place_m{0.0};
   glm::dvec2 halfway{0.0};
@@ -212,6 +213,13 @@ TEST(ElastoplasticFriction, DoesNotGiveEnergyOnRandomPathsOfAHand) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       EXPECT_GE(least_work(speed_m_per_s, seed, 0.0).held_J, -1e-5) << speed_m_per_s << ' ' << seed;
     }
+  }
+}
+
+// The delay of the low-passes of the position gives the hand what the damping of the device must dissipate.
+TEST(ElastoplasticFriction, GivesLittleEnergyByTheDelayOfItsLowPasses) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    EXPECT_GE(least_work(0.06, seed, 0.0, 2.5e-3).held_J, -3e-5) << seed;
   }
 }
 
@@ -251,6 +259,23 @@ TEST(ElastoplasticFriction, DoesNotDriftAtRest) {
     friction.drag_N(slid_to({-0.05 * kSlidingStrain_m, 0.0}));
   }
   EXPECT_NEAR(friction.drag_N(slid_to({0.0, 0.0})).x, 0.0, 1e-12) << "has crept";
+}
+
+// On surfaces side by side the hand has done the same work, W: a drag of at most √(2σW) with the σ of the surface that it feels
+// now. After a long stroke at μ·F_n = 0.2 N, W is that of twice this force.
+TEST(ElastoplasticFriction, KeepsTheWorkOfTheHandWhereTheStiffnessChanges) {
+  for (const auto& [from_N_per_m, to_N_per_m] :
+       {std::pair(1200.0, 120.0), std::pair(120.0, 1200.0)}) {
+    Friction left = elastoplastic(0.2, from_N_per_m);
+    for (int i = 0; i <= 400; ++i) left.drag_N(slid_to({i * 1e-4, 0.0}));
+    const double work_J = 0.4 * 0.4 / (2.0 * from_N_per_m);
+    Friction right = elastoplastic(0.2, to_N_per_m);
+    right.continue_contact_of(left);
+    // At rest, pressed 20 times as hard: all that the work allows.
+    EXPECT_NEAR(right.drag_N(slid_to({0.04, 0.0}, 20.0)).x, std::sqrt(2.0 * to_N_per_m * work_J),
+                0.01)
+        << from_N_per_m;
+  }
 }
 
 }  // namespace

@@ -86,11 +86,20 @@ TEST(SlidingDrag, ShowsWhatOtherLawsLose) {
   EXPECT_LT(dahl.modulation, 0.3);
 }
 
-TEST(SlidingDrag, RejectsStrokesInWhichFrictionDoesNotTurnRound) {
-  EXPECT_THROW(sliding_drag(sinusoid_model(), textured("dahl"), {.length_m = 0.003}),
-               std::invalid_argument);
+TEST(SlidingDrag, RejectsStrokesThatAreNotPositive) {
   EXPECT_THROW(sliding_drag(sinusoid_model(), textured("dahl"), {.speed_m_per_s = 0.0}),
                std::invalid_argument);
+}
+
+// The mean normal force is N + kA = 6 N, and 2 · 0.8 · 6 N/(120 N/m) = 80 mm behind a reversal are left out of 40 mm.
+TEST(SlidingDrag, LengthensStrokesOnWhichFrictionWouldNotTurnRound) {
+  RendererInputs inputs = textured("elastoplastic", 5000.0);
+  inputs.material.friction = 0.8;
+  inputs.parameters["amplitude_m"] = 1e-3;
+  const SlidingDrag drag = sliding_drag(sinusoid_model(), inputs);
+  EXPECT_NEAR(drag.coulomb_N, 0.8 * 6.0, 0.05);
+  EXPECT_NEAR(drag.mean_N / drag.coulomb_N, 1.0, 0.01);
+  EXPECT_GT(drag.modulation, 0.95);
 }
 
 }  // namespace
