@@ -19,6 +19,7 @@
 
 #include "app/device_bench/measure_device.h"
 #include "app/session/rig/recording_columns.h"
+#include "app/session/session_course.h"
 #include "app/session/session_requests.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
@@ -151,6 +152,15 @@ INSTANTIATE_TEST_SUITE_P(Each, DeviceFault,
                          testing::Values(Failing{ScriptedFault::Kind::lost, "device_lost"},
                                          Failing{ScriptedFault::Kind::nan, "not_finite"}),
                          [](const auto& each) { return each.param.name; });
+
+// A device that responds, with positions that jumped, must not be reported as one that does not respond.
+TEST(PositionJump, HasItsOwnReason) {
+  const auto code = [](const ServoStatus& status) {
+    return std::string(interruption_by(status).reason.code());
+  };
+  EXPECT_EQ(code({.fault = Fault::device_lost, .position_jumped = true}), "position_jumped");
+  EXPECT_EQ(code({.fault = Fault::device_lost}), "device_lost");
+}
 
 TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
   const TemporaryFolder folder{};

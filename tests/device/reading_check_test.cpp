@@ -193,6 +193,13 @@ TEST(ReadingCheck, JudgesATurnOverTheTimeSinceTheOrientationChanged) {
   EXPECT_EQ(feel(6.45), Verdict::lost);
 }
 
+TEST(ReadingCheck, AcceptsTheFirstOrientationOfASensorThatWakes) {
+  ReadingCheck check(5.0);
+  check.judge(turned_reading(0, 0.0), Origin::fresh);
+  EXPECT_EQ(check.judge(turned_reading(1'000'000, 2.0), Origin::fresh), Verdict::plausible);
+  EXPECT_EQ(check.judge(turned_reading(2'000'000, 2.2), Origin::fresh), Verdict::held);
+}
+
 // The line pauses while the hand moves at 0.8 m/s, and the first readings are repeated ones.
 TEST(ReadingCheck, BeginsWithTheFirstFreshReading) {
   ReadingCheck check(5.0);
