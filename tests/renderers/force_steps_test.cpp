@@ -35,7 +35,7 @@ constexpr double kDown_m_per_s = 0.05;
 constexpr double kAcross_m_per_s = 0.2;
 constexpr double kHalfPatch_m = 0.010;
 constexpr double kGap_s = 0.045;
-constexpr double kRounding_N = 1e-9;
+constexpr double kRounding_N = 1e-6;
 
 enum class Place { fade, wall, no_border, sphere, plug_in };
 
