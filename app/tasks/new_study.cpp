@@ -159,8 +159,7 @@ void fill_demo_study(const std::filesystem::path& folder,
     if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
         protocol.name != "tools_matching" && protocol.name != "amplitude_jnd" &&
         protocol.name != "models_in_pairs" && protocol.name != "map_of_renderings" &&
-        protocol.name != "semantic_differential" &&
-        !protocol.name.starts_with("roughness_")) {
+        protocol.name != "semantic_differential" && !protocol.name.starts_with("roughness_")) {
       continue;
     }
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,

@@ -69,7 +69,8 @@ TEST_F(StudyWindowTest, PassesOverADemoStudyOfAnotherSchema) {
   std::filesystem::create_directories(older.parent_path());
   std::filesystem::copy(small_demo_study(), older, std::filesystem::copy_options::recursive);
   EXPECT_TRUE(holds_demo_study(older));
-  Database(older, older / "study.sqlite", Database::Mode::read_write).execute("PRAGMA user_version = 1");
+  Database(older, older / "study.sqlite", Database::Mode::read_write)
+      .execute("PRAGMA user_version = 1");
   EXPECT_FALSE(holds_demo_study(older));
   const QString place = child<QLabel>(StudyWindow(), "welcome_demo_place").text();
   EXPECT_TRUE(place.contains("created in ~/Asperity/demo-2 (about")) << place.toStdString();
