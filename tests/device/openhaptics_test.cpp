@@ -198,7 +198,7 @@ TEST_F(OpenHaptics, SendsForcesInItsFrameAndNeverAboveItsPeak) {
 TEST_F(OpenHaptics, SendsTorqueInNewtonMillimetresToModelsThatCanTurn) {
   bench->actuated_degrees = 6;
   const auto device = open();
-  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N = 1e6});
+  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N = 1e6, .slew_N_m = 1e6});
   ReadAndPush servo{device.get(), {.torque_N_m = {0.01, 0.02, 0.03}}};
   servo.start();
   servo.wait_for(2);
