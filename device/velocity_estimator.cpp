@@ -16,7 +16,7 @@ double VelocityWindow::noise_m_per_s(double position_noise_m, double period_s) c
 }
 
 VelocityEstimator::VelocityEstimator(const VelocityWindow& window, double fastest_per_s)
-    : fastest_per_s_(fastest_per_s), check_(fastest_per_s) {
+    : check_(fastest_per_s) {
   if (window.samples < 2 || window.samples > kMostSamples) {
     refuse("samples of the velocity window", window.samples, "2 to 64");
   }
@@ -63,7 +63,7 @@ glm::dvec3 VelocityEstimator::add(std::int64_t time_ns, const glm::dvec3& positi
 void VelocityEstimator::reset() noexcept {
   count_ = 0;
   velocity_m_per_s_ = glm::dvec3(0.0);
-  check_ = ReadingCheck(fastest_per_s_);
+  check_.restart();
 }
 
 }  // namespace asperity

@@ -65,7 +65,6 @@ class VelocityEstimator final {
   std::size_t count_ = 0;
   std::size_t newest_ = 0;
   glm::dvec3 velocity_m_per_s_{0.0};
-  double fastest_per_s_;
   ReadingCheck check_;
 };
 
