@@ -67,6 +67,13 @@ build() {
   fi
 }
 
+# build_with_tests TARGET…: in the same folder, configured with the tests.
+build_with_tests() {
+  "$root/scripts/install" build test
+  configure release -DASPERITY_BUILD_TESTS=ON
+  build release "$@"
+}
+
 # build_program [TARGET…]: the program, which people run and the tests test, or another target: one build folder for all. The tests
 # are configured by scripts/test, and stay configured: what is built is never removed by the other script.
 # shellcheck disable=SC2034  # used by those who source this
