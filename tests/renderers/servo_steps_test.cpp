@@ -96,7 +96,7 @@ TEST_P(ServoStepsTest, LosesADeviceThatJumpsInFreeSpace) {
   for (int i = 0; i < 0.01 * GetParam(); ++i) tick(0.08);
   EXPECT_EQ(loop.status().fault, Fault::device_lost);
   EXPECT_TRUE(loop.status().position_jumped);
-  // Whoever clears the fault has homed the device: the position is accepted as it is.
+  // The fault is cleared after the device was homed: the position is accepted as it is.
   loop.clear_fault(Fault::device_lost);
   EXPECT_FALSE(loop.status().position_jumped);
   const TickRecord cleared = tick(0.02);
