@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -221,10 +223,15 @@ class Friction final {
   void reset() noexcept { state_ = {}; }
   /// Takes over the contact of another friction of the same law, where the hand slides from its surface to this one. A
   /// friction of another law starts over.
+  ///
+  /// The energy of the contact does not increase. The work W stays the same. A strain z on the stiffness σ continues as z' on
+  /// σ': on a stiffer contact with the same drag, σ'z' = σz, and on a softer one with the same energy, ½σ'z'² = ½σz², because
+  /// the same drag would need more: z' = z·min(r, √r), r = σ/σ'.
   void continue_contact_of(const Friction& other) noexcept {
     state_ = law_ == other.law_ ? other.state_ : FrictionState{};
-    // The work stays the same: 2W/σ with the σ of this friction.
-    state_.work_m2 *= other.settings_.stiffness_N_per_m / settings_.stiffness_N_per_m;
+    const double ratio = other.settings_.stiffness_N_per_m / settings_.stiffness_N_per_m;
+    state_.strain_m *= std::min(ratio, std::sqrt(ratio));
+    state_.work_m2 *= ratio;
   }
   /// The same where the axes of the two surfaces differ.
   void continue_contact_of(const Friction& other, const FrictionTurn& turn) noexcept {

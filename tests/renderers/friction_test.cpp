@@ -365,6 +365,22 @@ TEST(SpringFriction, SmoothsThePositionByTwoLowPasses) {
   }
 }
 
+// The drag continues on a stiffer contact; on a softer one it would need more energy, ½D²/σ, than was stored.
+TEST(SpringFriction, ContinuesOnASurfaceOfAnotherStiffnessWithoutMoreEnergy) {
+  for (const char* const law : {"proxy", "dahl", "lugre"}) {
+    for (const double ratio : {0.25, 1.0, 4.0}) {
+      Friction left(kMu, prompt(law));
+      left.drag_N(at({0.0, 0.0}));
+      const double before_N = left.drag_N(at({1e-4, 0.0})).x;
+      Friction entered(kMu, prompt(law, ratio * 1000.0));
+      entered.continue_contact_of(left);
+      EXPECT_NEAR(entered.drag_N(at({1e-4, 0.0})).x, before_N * std::min(1.0, std::sqrt(ratio)),
+                  1e-12)
+          << law << ' ' << ratio;
+    }
+  }
+}
+
 // The law of a session is in its parameters, and its path in its recording.
 TEST(FrictionOfModels, GivesTheSameBytesForTheSamePath) {
   for (const ForceModel& model : point_models()) {
