@@ -326,6 +326,10 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
   // The path lies on a plane: so does the texture, also of a stimulus on a body.
   const std::shared_ptr<const BodySurface> body = std::exchange(prepared.inputs.body, nullptr);
   RendererInputs& inputs = prepared.inputs;
+  // The position step of the device does not take part: the amplitude of a stimulus is the same on every device of a study.
+  const bool has_step_of_device =
+      measures_path(inputs.parameters) && !presentation.stimulus.parameters.contains(kDeviceStep);
+  if (has_step_of_device) inputs.parameters[kDeviceStep] = 0.0;
   const ForceModel* reference = nullptr;
   std::vector<AssetRow> assets = prepared.assets;
   RendererInputs reference_inputs = inputs;
@@ -339,6 +343,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
                              .with(request.to_model));
     }
     reference_inputs.parameters = parameters_for(*reference, prepared, {});
+    if (measures_path(reference_inputs.parameters)) reference_inputs.parameters[kDeviceStep] = 0.0;
     for (AssetRow& row :
          take_assets(reference->declaration, presentation.stimulus, reference_inputs)) {
       assets.push_back(std::move(row));
@@ -373,6 +378,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
     inputs.parameters[solution["parameter"].get<std::string>()] = solution["value"].get<double>();
   }
   prepared.matched_texture_force_N = solution["target_rms_N"].get<double>();
+  if (has_step_of_device) inputs.parameters[kDeviceStep] = position_step_m_;
   inputs.body = body;
 }
 

@@ -215,6 +215,32 @@ TEST_F(PositionStep, OfADeviceLetsAHandAtRestFeelNoNoise) {
   EXPECT_EQ(rms_at_rest_N(on_falcon), 0.0);
 }
 
+// The dead zone of 76 µm changes the RMS of the noise by 0.3 % at 60 mm/s. A stimulus is the same on every device of a study.
+TEST_F(PositionStep, DoesNotChangeAnAmplitudeOfEqualForce) {
+  PlannedPresentation planned{};
+  planned.stimulus = {.name = "noise",
+                      .model = "stochastic",
+                      .parameters = {{"index", std::string("distance")}},
+                      .material = {.stiffness_N_per_m = 500.0, .friction = 0.2},
+                      .patch = {.extent_m = {0.1, 0.1}}};
+  planned.equal_force = EqualForce{.rms_N = 0.08};
+  Study opened = Study::open(study_, Access::read_write);
+  const auto prepared_on = [&](double step_m) {
+    StimulusBuilder builder(models_, study_);
+    builder.assume_position_step(step_m);
+    return builder.prepare(planned, opened).inputs.parameters;
+  };
+  const ParameterValues ideal = prepared_on(0.0);
+  ParameterValues on_falcon = prepared_on(kFalconStep_m);
+  EXPECT_EQ(number_of(on_falcon, "device_step_m"), kFalconStep_m);
+  EXPECT_NE(number_of(ideal, "noise_sd_N"), 0.05) << "the default: was solved";
+  on_falcon["device_step_m"] = 0.0;
+  EXPECT_EQ(on_falcon, ideal);
+  planned.stimulus.parameters["device_step_m"] = kFalconStep_m;
+  EXPECT_NE(number_of(prepared_on(0.0), "noise_sd_N"), number_of(ideal, "noise_sd_N"))
+      << "a stated step is a part of the stimulus";
+}
+
 TEST_F(PositionStep, OfTheDeviceIsStoredWithEverySurfaceThatUsesIt) {
   EXPECT_EQ(stored_steps_on("simulated:falcon"), std::set<double>{kFalconStep_m});
 }
