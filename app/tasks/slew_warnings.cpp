@@ -1,9 +1,10 @@
-// Strokes each stimulus at the greatest speed and force of its exploration, through the limiter.
+// Strokes each stimulus at the greatest speed and force of its exploration, and touches down on it, through the limiter.
 
 #include "app/tasks/slew_warnings.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "analysis/number_text.h"
 #include "device/force_limiter.h"
 #include "device/probe_state.h"
+#include "device/virtual_hand.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"
 
@@ -26,6 +28,7 @@ constexpr double kInside = 0.8;     // of the patch: within its border, where a 
 constexpr double kSettled = 0.25;   // of a stroke: friction and filters have settled
 constexpr double kLongest_s = 0.5;  // of a stroke
 constexpr int kPlaces = 64;         // of a stroke, at which the depth for a force is sought
+constexpr int kTouchDowns = 8;      // along a stroke
 
 double greatest(const Band& band, double otherwise) {
   if (band.maximum) return *band.maximum;
@@ -33,30 +36,46 @@ double greatest(const Band& band, double otherwise) {
   return band.minimum.value_or(otherwise);
 }
 
-/// A stroke across the middle of the patch.
-struct Stroke {
+/// A motion in a straight line, from the reset of the renderer and the limiter on.
+struct Motion {
   glm::dvec3 from_m{0.0};
   glm::dvec3 velocity_m_per_s{0.0};
   int ticks = 0;
   double rate_Hz = 1000.0;
-
-  double duration_s() const { return ticks / rate_Hz; }
 };
 
-/// `direction` is 1 or −1.
-Stroke stroke_of(const PreparedStimulus& stimulus, const Protocol& protocol,
+/// Across the middle of the patch; `direction` is 1 or −1.
+Motion stroke_of(const PreparedStimulus& stimulus, const Protocol& protocol,
                  const Exploration& exploration, double speed_m_per_s, double direction) {
   const SurfacePatch& patch = stimulus.inputs.patch;
   const glm::dvec3 along = direction * glm::dvec3(std::cos(exploration.direction_rad),
                                                   std::sin(exploration.direction_rad), 0.0);
   const double length_m =
       std::min(kInside * std::min(patch.extent_m.x, patch.extent_m.y), kLongest_s * speed_m_per_s);
-  Stroke stroke{};
+  Motion stroke{};
   stroke.from_m = patch.centre_m - 0.5 * length_m * along;
   stroke.velocity_m_per_s = speed_m_per_s * along;
   stroke.ticks = static_cast<int>(std::ceil(length_m / speed_m_per_s * protocol.rate_Hz));
   stroke.rate_Hz = protocol.rate_Hz;
   return stroke;
+}
+
+/// Calls `tick` with the number of each tick, the rendered force and whether the limiter changes it.
+template <typename Tick>
+void move(ForceRenderer& renderer, const Motion& motion, double limit_N, const Tick& tick) {
+  ForceLimits limits{};
+  limits.force_N = limit_N;
+  ForceLimiter limiter(limits);
+  ProbeState probe{};
+  probe.velocity_m_per_s = motion.velocity_m_per_s;
+  for (int i = 0; i < motion.ticks; ++i) {
+    const double time_s = i / motion.rate_Hz;
+    probe.time_ns = std::llround(1e9 * time_s);
+    probe.position_m = motion.from_m + time_s * motion.velocity_m_per_s;
+    if (i == 0) renderer.reset(probe);
+    const Wrench wrench = renderer.tick(probe, 1.0 / motion.rate_Hz).wrench;
+    tick(i, wrench, limiter.limit(wrench, 1.0 / motion.rate_Hz).has(LimitReason::slew));
+  }
 }
 
 /// What the limiter does to the part of a stroke in which friction and filters have settled.
@@ -66,38 +85,28 @@ struct Slew {
   int ticks = 0;
 };
 
-Slew slew_of(ForceRenderer& renderer, const Stroke& stroke, double depth_m, double limit_N) {
-  ForceLimits limits{};
-  limits.force_N = limit_N;
-  ForceLimiter limiter(limits);
-  ProbeState probe{};
-  probe.velocity_m_per_s = stroke.velocity_m_per_s;
+Slew slew_of(ForceRenderer& renderer, const Motion& stroke, double depth_m, double limit_N) {
+  Motion pressed = stroke;
+  pressed.from_m.z -= depth_m;
   Slew slew{};
   const int settled = static_cast<int>(kSettled * stroke.ticks);
-  for (int i = 0; i < stroke.ticks; ++i) {
-    const double time_s = i / stroke.rate_Hz;
-    probe.time_ns = std::llround(1e9 * time_s);
-    probe.position_m = stroke.from_m + time_s * stroke.velocity_m_per_s;
-    probe.position_m.z -= depth_m;
-    if (i == 0) renderer.reset(probe);
-    const Wrench wrench = renderer.tick(probe, 1.0 / stroke.rate_Hz).wrench;
-    const LimitedWrench limited = limiter.limit(wrench, 1.0 / stroke.rate_Hz);
-    if (i < settled) continue;
+  move(renderer, pressed, limit_N, [&](int i, const Wrench& wrench, bool is_limited) {
+    if (i < settled) return;
     ++slew.ticks;
     slew.mean_normal_force_N += wrench.force_N.z;
-    slew.limited_ticks += limited.has(LimitReason::slew) ? 1 : 0;
-  }
+    slew.limited_ticks += is_limited ? 1 : 0;
+  });
   slew.mean_normal_force_N /= std::max(1, slew.ticks);
   return slew;
 }
 
 /// The stroke at the depth at which the mean normal force is `force_N`, or at the deepest.
-Slew slew_at_force(const PreparedStimulus& stimulus, const Stroke& stroke, double force_N,
+Slew slew_at_force(const PreparedStimulus& stimulus, const Motion& stroke, double force_N,
                    double limit_N) {
   const std::unique_ptr<ForceRenderer> renderer = make_renderer(*stimulus.model, stimulus.inputs);
-  Stroke sparse = stroke;
+  Motion sparse = stroke;
   sparse.ticks = std::min(kPlaces, stroke.ticks);
-  sparse.rate_Hz = sparse.ticks / stroke.duration_s();
+  sparse.rate_Hz = stroke.rate_Hz * sparse.ticks / stroke.ticks;
   double shallow_m = 0.0;
   double deep_m = std::max(kDeepest_m, 2.0 * force_N / stimulus.inputs.material.stiffness_N_per_m);
   if (slew_of(*renderer, sparse, deep_m, limit_N).mean_normal_force_N >= force_N) {
@@ -110,6 +119,62 @@ Slew slew_at_force(const PreparedStimulus& stimulus, const Stroke& stroke, doubl
   return slew_of(*renderer, stroke, deep_m, limit_N);
 }
 
+/// How many of kTouchDowns along the middle of a stroke the limiter changes, down to the depth of a force.
+int limited_touch_downs(const PreparedStimulus& stimulus, const Motion& stroke, double force_N,
+                        double limit_N) {
+  const HandHabits habits{};
+  const std::unique_ptr<ForceRenderer> renderer = make_renderer(*stimulus.model, stimulus.inputs);
+  const double depth_m = force_N / stimulus.inputs.material.stiffness_N_per_m;
+  Motion down{};
+  down.velocity_m_per_s = {0.0, 0.0, -habits.approach_speed_m_per_s};
+  down.rate_Hz = stroke.rate_Hz;
+  down.ticks = static_cast<int>(
+      std::ceil((habits.lift_height_m + depth_m) / habits.approach_speed_m_per_s * stroke.rate_Hz));
+  int limited = 0;
+  for (int place = 0; place < kTouchDowns; ++place) {
+    const double time_s = (place + 0.5) / kTouchDowns * stroke.ticks / stroke.rate_Hz;
+    down.from_m = stroke.from_m + time_s * stroke.velocity_m_per_s;
+    down.from_m.z += habits.lift_height_m;
+    bool is_one = false;
+    move(*renderer, down, limit_N,
+         [&](int, const Wrench&, bool is_limited) { is_one = is_one || is_limited; });
+    limited += is_one ? 1 : 0;
+  }
+  return limited;
+}
+
+/// "3 of 900 ticks of strokes at 300 mm/s and 1 N and in 8 of 8 touch-downs at 50 mm/s"; empty if nothing is limited.
+std::string limited_motions(const PreparedStimulus& stimulus, const Protocol& protocol,
+                            const Exploration& exploration) {
+  const double speed_m_per_s = greatest(exploration.speed_m_per_s, kSpeed_m_per_s);
+  const double force_N =
+      std::min(greatest(exploration.normal_force_N, kForce_N), protocol.force_limit_N);
+  if (!(speed_m_per_s > 0.0 && force_N > 0.0)) return {};
+  Slew slew{};
+  for (const double direction : {1.0, -1.0}) {
+    const Slew one = slew_at_force(
+        stimulus, stroke_of(stimulus, protocol, exploration, speed_m_per_s, direction), force_N,
+        protocol.force_limit_N);
+    slew.limited_ticks += one.limited_ticks;
+    slew.ticks += one.ticks;
+  }
+  const int touch_downs =
+      limited_touch_downs(stimulus, stroke_of(stimulus, protocol, exploration, speed_m_per_s, 1.0),
+                          force_N, protocol.force_limit_N);
+  std::string motions{};
+  if (slew.limited_ticks > 0) {
+    motions = std::to_string(slew.limited_ticks) + " of " + std::to_string(slew.ticks) +
+              " ticks of strokes at " + number_text(1000.0 * speed_m_per_s) + " mm/s and " +
+              number_text(force_N) + " N";
+  }
+  if (touch_downs > 0) {
+    motions += (motions.empty() ? "" : " and in ") + std::to_string(touch_downs) + " of " +
+               std::to_string(kTouchDowns) + " touch-downs at " +
+               number_text(1000.0 * HandHabits{}.approach_speed_m_per_s) + " mm/s";
+  }
+  return motions;
+}
+
 }  // namespace
 
 std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
@@ -119,34 +184,24 @@ std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std:
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
   for (const Trial& trial : possible_trials(protocol)) {
     const Exploration& exploration = exploration_of(protocol, trial);
-    const double speed_m_per_s = greatest(exploration.speed_m_per_s, kSpeed_m_per_s);
-    const double force_N =
-        std::min(greatest(exploration.normal_force_N, kForce_N), protocol.force_limit_N);
-    if (!(speed_m_per_s > 0.0 && force_N > 0.0)) continue;
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
       if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) continue;
       if (!compared.insert(stimulus.name + '\n' + exploration.name).second) continue;
       const std::string where = planned.stimulus_template + '\n' + exploration.name;
       if (reported.contains(where)) continue;
-      const PreparedStimulus prepared = builder.unmatched(stimulus);
-      Slew slew{};
-      for (const double direction : {1.0, -1.0}) {
-        const Slew one = slew_at_force(
-            prepared, stroke_of(prepared, protocol, exploration, speed_m_per_s, direction), force_N,
-            protocol.force_limit_N);
-        slew.limited_ticks += one.limited_ticks;
-        slew.ticks += one.ticks;
+      std::string motions{};
+      try {
+        motions = limited_motions(builder.unmatched(stimulus), protocol, exploration);
+      } catch (const std::exception&) {  // the session's preparation reports it
+        continue;
       }
-      if (slew.limited_ticks == 0) continue;
+      if (motions.empty()) continue;
       reported.insert(where);
       warnings.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
       warnings.back().message =
-          "the force of the stimulus \"" + stimulus.name + "\" (model " +
-          prepared.model->declaration.id + ") would be limited in " +
-          std::to_string(slew.limited_ticks) + " of " + std::to_string(slew.ticks) +
-          " ticks of strokes at " + number_text(1000.0 * speed_m_per_s) + " mm/s and " +
-          number_text(force_N) + " N in the exploration \"" + exploration.name +
+          "the force of the stimulus \"" + stimulus.name + "\" (model " + stimulus.model +
+          ") would be limited in " + motions + " in the exploration \"" + exploration.name +
           "\": within a millisecond it would grow or turn by more than " +
           number_text(ForceLimits{}.slew_N) +
           " N, and another texture would be felt; lower the amplitude, the stiffness or the speed";

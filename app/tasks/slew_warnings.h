@@ -17,8 +17,10 @@ namespace asperity {
 ///
 /// The probe strokes across the patch in both directions of the exploration, at the constant depth at which the mean
 /// normal force is the requested one, at the greatest speed of its band. A band without a maximum counts with its target
-/// or minimum; without a band the force is 1 N and the speed 300 mm/s, that of a fast free stroke. Bodies are not compared,
-/// nor stimuli whose files are not available (StimulusBuilder::can_make). The files have been checked before.
+/// or minimum; without a band the force is 1 N and the speed 300 mm/s, that of a fast free stroke. It also comes down on eight
+/// places along the stroke, straight and at the speed of the simulated hand (HandHabits::approach_speed_m_per_s), to the depth at
+/// which the plane alone would give the force. Bodies are not compared, nor stimuli that cannot be rendered or whose files are
+/// not available (StimulusBuilder::can_make).
 std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
                                             StimulusBuilder& builder);
 

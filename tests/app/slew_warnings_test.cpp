@@ -2,6 +2,9 @@
 
 #include "app/tasks/slew_warnings.h"
 
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +16,7 @@ namespace asperity {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(SlewWarnings, NameAStimulusThatWouldBeLimited) {
   const TemporaryFolder folder{};
@@ -32,8 +36,45 @@ TEST(SlewWarnings, NameAStimulusThatWouldBeLimited) {
   EXPECT_EQ(found.front().pointer, "/stimuli/rendered");
   EXPECT_THAT(found.front().message, HasSubstr("(model height_map) would be limited in "));
   EXPECT_THAT(found.front().message,
-              HasSubstr(" ticks of strokes at 300 mm/s and 1 N in the exploration \"short\""));
+              HasSubstr(" ticks of strokes at 300 mm/s and 1 N and in "));
+  EXPECT_THAT(found.front().message,
+              HasSubstr(" of 8 touch-downs at 50 mm/s in the exploration \"short\""))
+      << "100 kN/m · 50 µm are 5 N in a millisecond";
   EXPECT_THAT(found.front().message, HasSubstr("by more than 1 N"));
+}
+
+// A lateral force fades in over 0.1 mm, which 50 mm/s pass in two ticks: up to three quarters of it in one. At constant depth and
+// 5 mm/s it turns slowly.
+TEST(SlewWarnings, NameWhatWouldBeLimitedWhereTheHandTouchesDown) {
+  const TemporaryFolder folder{};
+  make_small_study(folder / "study");
+  const ModelRegistry models = built_in_models();
+  StimulusBuilder builder(models, folder / "study");
+  std::string text = small_protocol(
+      "", R"(, "normal_force_N": {"target": 1.0}, "speed_m_per_s": {"target": 0.005})");
+  for (std::size_t at = text.find("height_map"); at != std::string::npos;
+       at = text.find("height_map")) {
+    text.replace(at, std::string("height_map").size(), "lateral_gradient");
+  }
+  const auto warnings = [&](double gain_N) {
+    Protocol protocol = read_small_protocol(models, text);
+    protocol.stimuli.at("rendered").parameters["gain_N"].value = gain_N;
+    return warnings_about_slew(protocol, "p.json", builder);
+  };
+  EXPECT_TRUE(warnings(1.0).empty());
+  const std::vector<Diagnostic> found = warnings(10.0);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found.front().message, HasSubstr("(model lateral_gradient) would be limited in "));
+  EXPECT_THAT(found.front().message, HasSubstr(" of 8 touch-downs at 50 mm/s in the exploration"));
+  EXPECT_THAT(found.front().message, Not(HasSubstr("ticks of strokes")));
+}
+
+TEST(SlewWarnings, LeaveOutWhatCannotBeRendered) {
+  const TemporaryFolder folder{};
+  const ModelRegistry models = built_in_models();
+  StimulusBuilder without_the_texture(models, folder / "elsewhere");
+  const Protocol protocol = read_small_protocol(models, small_protocol("", ""));
+  EXPECT_TRUE(warnings_about_slew(protocol, "p.json", without_the_texture).empty());
 }
 
 }  // namespace
