@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <optional>
 #include <set>
 #include <utility>
@@ -82,12 +83,17 @@ std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuil
       if (!measured.emplace(stimulus.name, exploration.name).second) continue;
       const std::optional<AimedStroke> stroke = aimed_stroke(exploration, stimulus.patch);
       if (!stroke) continue;
-      if (const auto drag = drag_of(stimulus, *stroke, protocol.rate_Hz, builder)) {
-        drags.push_back({.stimulus = stimulus.name,
-                         .exploration = exploration.name,
-                         .mean_N = *drag * stimulus.material.friction * stroke->normal_force_N,
-                         .of_coulomb = *drag});
+      std::optional<double> drag{};
+      try {
+        drag = drag_of(stimulus, *stroke, protocol.rate_Hz, builder);
+      } catch (const std::exception&) {  // the session's preparation reports it
+        continue;
       }
+      if (!drag) continue;
+      drags.push_back({.stimulus = stimulus.name,
+                       .exploration = exploration.name,
+                       .mean_N = *drag * stimulus.material.friction * stroke->normal_force_N,
+                       .of_coulomb = *drag});
     }
   }
   return drags;

@@ -37,11 +37,39 @@ class DragOfStimuli : public ::testing::Test {
     return drag_of_stimuli(protocol, builder);
   }
 
-  ModelRegistry models_ = built_in_models();
-
- private:
   TemporaryFolder folder_{};
+  ModelRegistry models_ = built_in_models();
 };
+
+/// Gratings of ±0.1 and ±1 mm on a stiff surface with much friction.
+constexpr const char* kStrongGratings = R"({
+  "format": "asperity.protocol/1",
+  "kind": "selection",
+  "design": "improved",
+  "name": "gratings",
+  "version": "1.0.0",
+  "title": "Which one is rougher?",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "realism_standard": "memory",
+  "material": {"stiffness_N_per_m": 5000, "friction": 0.8},
+  "factors": {"height": {"levels": [0.0001, 0.001]}},
+  "stimuli": {
+    "grating": {"model": "sinusoid",
+                "parameters": {"wavelength_m": 0.004, "amplitude_m": {"factor": "height"}}}
+  },
+  "explorations": {"stroke": {"minimum_contact_s": 0.3, "maximum_contact_s": 2,
+    "stroke_length_m": {"target": 0.04}, "speed_m_per_s": {"target": 0.06},
+    "normal_force_N": {"target": 1}}},
+  "blocks": {
+    "main": {
+      "presented": [{"stimulus": "grating", "with": {"height": 0.0001}, "item": "low"},
+                    {"stimulus": "grating", "with": {"height": 0.001}, "item": "high"}],
+      "question": {"name": "rougher", "prompt": "Which surface felt rougher?"},
+      "exploration": "stroke"
+    }
+  },
+  "flow": [{"run": "main"}]
+})";
 
 TEST_F(DragOfStimuli, IsThatOfCoulombForBothModelsWithTheDefaultLaw) {
   const std::vector<StimulusDrag> found = drags(kStroking);
@@ -63,6 +91,23 @@ TEST_F(DragOfStimuli, IsThatOfTheLawOfTheStimulus) {
 }
 
 TEST_F(DragOfStimuli, IsNotStatedForAHandThatOnlyPresses) { EXPECT_THAT(drags(""), IsEmpty()); }
+
+// A ridge that is pressed with 6 N turns friction round on more than the 40 mm of the strokes.
+TEST_F(DragOfStimuli, IsMeasuredOnStrokesThatAreLongEnough) {
+  StimulusBuilder without_files(models_, {});
+  const std::vector<StimulusDrag> found =
+      drag_of_stimuli(read_small_protocol(models_, kStrongGratings), without_files);
+  ASSERT_THAT(found, SizeIs(2));
+  for (const StimulusDrag& drag : found) {
+    EXPECT_NEAR(drag.of_coulomb, 1.0, 0.03) << drag.stimulus;
+  }
+}
+
+TEST_F(DragOfStimuli, LeavesOutWhatCannotBeRendered) {
+  StimulusBuilder without_the_texture(models_, folder_ / "elsewhere");
+  const Protocol protocol = read_small_protocol(models_, small_protocol("", kStroking));
+  EXPECT_THAT(drag_of_stimuli(protocol, without_the_texture), IsEmpty());
+}
 
 // 1/√(1 + (v₀/v)²) with v₀ = 10 mm/s: the friction of pd_gradient depends on the speed.
 TEST_F(DragOfStimuli, StatesWhatTheFrictionOfTwoBodiesLosesAtASpeed) {
