@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kSpeedName = "friction_speed_m_per_s";
 constexpr const char* kLawName = "friction_law";
-constexpr int kStrokes = 4;  // two of them are dropped
+constexpr int kStrokes = 3;  // two of them are dropped
 
 constexpr std::size_t kNames = 8;
 

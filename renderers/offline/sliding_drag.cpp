@@ -50,21 +50,32 @@ std::vector<ProbeState> samples_of_strokes(const SlidingStrokes& strokes, const 
   return samples;
 }
 
-FrictionAlong friction_along(const ForceModel& model, const RendererInputs& inputs,
-                             const SlidingStrokes& strokes) {
-  RendererInputs frictionless = inputs;
-  frictionless.material.friction = 0.0;
+// The strokes, and the force along x of the stimulus without friction, to which each law is compared.
+struct FrictionlessStrokes {
+  std::vector<ProbeState> samples{};
+  std::vector<RenderedTick> ticks{};
+};
+
+FrictionlessStrokes without_friction(const ForceModel& model, RendererInputs inputs,
+                                     const SlidingStrokes& strokes) {
+  inputs.material.friction = 0.0;
   const double height_m =
       inputs.patch.centre_m.z - strokes.normal_force_N / inputs.material.stiffness_N_per_m;
-  const std::vector<ProbeState> path = samples_of_strokes(strokes, inputs.patch, height_m);
-  const auto with = along_path(*make_renderer(model, inputs), path, strokes.rate_Hz);
-  const auto without = along_path(*make_renderer(model, frictionless), path, strokes.rate_Hz);
+  FrictionlessStrokes without{.samples = samples_of_strokes(strokes, inputs.patch, height_m)};
+  without.ticks = along_path(*make_renderer(model, inputs), without.samples, strokes.rate_Hz);
+  return without;
+}
+
+FrictionAlong friction_along(const ForceModel& model, const RendererInputs& inputs,
+                             const SlidingStrokes& strokes, const FrictionlessStrokes& without) {
+  const auto with = along_path(*make_renderer(model, inputs), without.samples, strokes.rate_Hz);
   FrictionAlong friction{};
-  for (std::size_t i = 0; i < path.size(); ++i) {
+  for (std::size_t i = 0; i < with.size(); ++i) {
     const double travelled_m = strokes.speed_m_per_s * static_cast<double>(i) / strokes.rate_Hz;
     if (travelled_m < kDroppedStrokes * strokes.length_m) continue;
-    const double direction = path[i].velocity_m_per_s.x > 0.0 ? 1.0 : -1.0;
-    friction.drag_N.push_back(direction * (without[i].wrench.force_N.x - with[i].wrench.force_N.x));
+    const double direction = without.samples[i].velocity_m_per_s.x > 0.0 ? 1.0 : -1.0;
+    friction.drag_N.push_back(direction *
+                              (without.ticks[i].wrench.force_N.x - with[i].wrench.force_N.x));
     friction.behind_m.push_back(std::fmod(travelled_m, strokes.length_m));
   }
   return friction;
@@ -123,6 +134,7 @@ SlidingDrag sliding_drag(const ForceModel& model, const RendererInputs& inputs,
   const double full = std::hypot(
       1.0, number_of(with_law.parameters, "friction_speed_m_per_s") / strokes.speed_m_per_s);
   SlidingStrokes stroked = strokes;
+  FrictionlessStrokes without{};
   FrictionAlong coulomb{};
   double behind_m = 0.0;
   // The mean normal force is known behind the first strokes only; a texture may make it several times the nominal one. Longer
@@ -132,12 +144,13 @@ SlidingDrag sliding_drag(const ForceModel& model, const RendererInputs& inputs,
     with_law.patch.extent_m = glm::dvec2(4.0 * stroked.length_m);
     RendererInputs by_coulomb = with_law;
     by_coulomb.parameters[kLawName] = std::string("rounded");
-    coulomb = friction_along(model, by_coulomb, stroked);
+    without = without_friction(model, with_law, stroked);
+    coulomb = friction_along(model, by_coulomb, stroked, without);
     for (double& drag_N : coulomb.drag_N) drag_N *= full;
     behind_m = stiffness_N_per_m > 0.0 ? 2.0 * mean_behind(coulomb, 0.0) / stiffness_N_per_m : 0.0;
     if (stroked.length_m > kTurned * behind_m) break;
   }
-  const FrictionAlong friction = friction_along(model, with_law, stroked);
+  const FrictionAlong friction = friction_along(model, with_law, stroked, without);
   return {.mean_N = mean_behind(friction, behind_m),
           .coulomb_N = mean_behind(coulomb, behind_m),
           .modulation = modulation_of(friction, coulomb, kTurned * behind_m)};
