@@ -22,12 +22,8 @@ struct CleanStiffnessOrder {
   std::vector<double> amplitudes_m{};  ///< of a sinusoid along the stroke, half of its height
   std::vector<double> wavelengths_m{};
   std::vector<double> rates_Hz{};
-  /// An arm in a light hand: without the damping of a hand that grips it firmly.
-  static constexpr const char* kArm =
-      "simulated:falcon,mass_kg=0.1,damping_N_s_per_m=1,normal_damping_N_s_per_m=1";
-
-  std::string device = kArm;  ///< as given; `loop.device` has its settings
-  LoopStrokes loop{};         ///< without the rate
+  std::string device = kArmInLightHand;  ///< as given; `loop.device` has its settings
+  LoopStrokes loop{};                    ///< without the rate
   CleanStiffnessSearch search{};
 };
 

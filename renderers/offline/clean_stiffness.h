@@ -12,6 +12,11 @@
 
 namespace asperity {
 
+/// The simulated device of an arm in a light hand: without the damping of a hand that grips it firmly, with the position step,
+/// the latency and the velocity of a Falcon.
+inline constexpr const char* kArmInLightHand =
+    "simulated:falcon,mass_kg=0.1,damping_N_s_per_m=1,normal_damping_N_s_per_m=1";
+
 /// Strokes of a simulated hand on a simulated device, in a closed loop.
 struct LoopStrokes {
   SimulatedDeviceSettings device{};
@@ -34,12 +39,11 @@ struct CleanStiffnessSearch {
   double most_N_per_m = 409600.0;
   double tolerance = 0.02;  ///< of the stiffness, relative
   double buzz_limit = 0.4;  ///< on Buzz::ratio (docs/instability.md)
-  /// On Buzz::force_N. A ratio alone would accept on a strong texture a vibration that is felt without it. 20 mN: the
-  /// threshold for the presence of a force on a pen, 20.8 mN (mean of eleven participants) [Lee 2003]. The vibration that
+  /// On Buzz::force_N. A ratio alone would accept on a strong texture a vibration that is felt without it. The vibration that
   /// position steps Δ alone cause on a surface K has K·Δ/√12, because a rounding error is uniform over a step; it reaches the
   /// limit at K = √12·20 mN/Δ, 1.82 kN/m for the 38 µm of a Falcon. This is twice the greatest stiffness that participants
   /// found clean, 0.33 to 0.90 kN/m from 250 Hz to 40 kHz [Choi 2004b]: where they found the border, the ratio decides.
-  double buzz_force_limit_N = 0.020;
+  double buzz_force_limit_N = kFeltForce_N;
 };
 
 enum class CleanStatus {
@@ -77,7 +81,6 @@ struct CleanStiffness {
 ///
 /// [Choi 2004] Choi, Tan: Perceived instability of virtual haptic texture. I. Experimental studies.
 /// [Choi 2004b] Choi, Tan: Effect of update rate on perceived instability of virtual haptic texture.
-/// [Lee 2003] Lee, Hannaford: Preliminary two dimensional haptic thresholds and task performance enhancements.
 std::optional<CleanStiffness> clean_stiffness(const ForceModel& model, const RendererInputs& inputs,
                                               const LoopStrokes& loop,
                                               const CleanStiffnessSearch& search,

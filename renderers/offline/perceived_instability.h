@@ -57,9 +57,13 @@ struct PerceivedInstability {
   std::optional<NotJudged> no_ridge{};
 };
 
-/// The least texture force to which a vibration is related: about the threshold of detection, so that a weak or missing
-/// texture does not make an imperceptible vibration a great one.
-inline constexpr double kLeastTexture_N = 0.020;
+/// The threshold for the presence of a force on a pen: 20.8 mN (mean of eleven participants) [Lee 2003].
+///
+/// [Lee 2003] Lee, Hannaford: Preliminary two dimensional haptic thresholds and task performance enhancements.
+inline constexpr double kFeltForce_N = 0.020;
+/// The least texture force to which a vibration is related, so that a weak or missing texture does not make an imperceptible
+/// vibration a great one.
+inline constexpr double kLeastTexture_N = kFeltForce_N;
 /// The hand rests below this speed along the surface, for half a second or more.
 inline constexpr double kResting_m_per_s = 0.005;
 /// A stroke is slow below this speed along the surface.

@@ -82,15 +82,11 @@ TEST(CleanStiffness, IsInProportionToTheRateAsTheLimitOfPassivity) {
   }
 }
 
-/// An arm in a light hand: 0.1 kg and 1 N s/m, with the position step, the latency and the velocity of a Falcon.
-constexpr const char* kArm =
-    "simulated:falcon,mass_kg=0.1,damping_N_s_per_m=1,normal_damping_N_s_per_m=1";
-
 // [Choi 2004b]: 0.325 to 0.904 kN/m, from 250 Hz to 40 kHz. The tolerance of the search is 2 %.
 TEST(CleanStiffness, OfAnArmInALightHandLiesWhereParticipantsFoundIt) {
   for (const double amplitude_m : {1e-4, 5e-4}) {
     for (const double rate_Hz : {500.0, 1000.0, 2000.0}) {
-      LoopStrokes loop = loop_on(kArm, rate_Hz);
+      LoopStrokes loop = loop_on(kArmInLightHand, rate_Hz);
       loop.strokes = 3;
       const CleanStiffness found =
           clean_stiffness(model_on_device("sinusoid"), grating_inputs("sinusoid", amplitude_m),

@@ -14,6 +14,7 @@
 #include "protocols/plan/plan.h"
 #include "renderers/force/indentation_law.h"
 #include "renderers/force/path_clock.h"
+#include "renderers/offline/perceived_instability.h"
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 
 namespace asperity {

@@ -10,13 +10,8 @@
 
 namespace asperity {
 
-/// The force that a hand at rest may feel as the count of a position varies by one. The threshold for the presence of a force
-/// on a pen is 20.8 mN (mean of eleven participants) [Lee 2003].
-///
-/// [Lee 2003] Lee, Hannaford: Preliminary two dimensional haptic thresholds and task performance enhancements.
-inline constexpr double kFeltForce_N = 0.020;
-
-/// "position_step" for every stimulus on which one position step Δ of the device changes the force by more than kFeltForce_N:
+/// "position_step" for every stimulus on which one position step Δ of the device changes the force by more than kFeltForce_N
+/// (perceived_instability.h):
 ///
 ///   K·Δ > kFeltForce_N
 ///
