@@ -232,6 +232,7 @@ struct ServoQualityRow {
   std::int64_t missed_deadlines = 0;
   std::int64_t missed_in_contact = 0;  ///< those while a surface was touched
   std::int64_t gaps_in_contact = 0;    ///< more than two periods, while a surface was touched
+  std::int64_t held_readings = 0;      ///< implausible ones, replaced by the last plausible one
   std::int64_t saturated_ticks = 0;
   std::int64_t slew_limited_ticks = 0;
   std::int64_t not_finite_ticks = 0;

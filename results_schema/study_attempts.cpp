@@ -70,13 +70,13 @@ void insert_responses(Database& database, std::int64_t attempt_id,
 void insert_servo(Database& database, std::int64_t attempt_id, const ServoQualityRow& row) {
   Statement(database,
             "INSERT INTO servo_quality VALUES "
-            "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+            "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(attempt_id, row.rate_Hz, row.ticks, row.period_mean_s, row.period_sd_s,
             row.period_p50_s, row.period_p99_s, row.period_p99_9_s, row.period_maximum_s,
             row.lateness_p50_s, row.lateness_p99_s, row.lateness_maximum_s, row.execution_p99_s,
             row.execution_maximum_s, row.missed_deadlines, row.saturated_ticks,
             row.slew_limited_ticks, row.not_finite_ticks, row.lost_records, row.fault,
-            row.missed_in_contact, row.gaps_in_contact)
+            row.missed_in_contact, row.gaps_in_contact, row.held_readings)
       .run();
 }
 
@@ -232,7 +232,7 @@ void read_servo(Database& database, const std::string& which, std::int64_t key,
                    row.lateness_p99_s, row.lateness_maximum_s, row.execution_p99_s,
                    row.execution_maximum_s, row.missed_deadlines, row.saturated_ticks,
                    row.slew_limited_ticks, row.not_finite_ticks, row.lost_records, row.fault,
-                   row.missed_in_contact, row.gaps_in_contact);
+                   row.missed_in_contact, row.gaps_in_contact, row.held_readings);
     attempts.of(id).servo = std::move(row);
   }
 }

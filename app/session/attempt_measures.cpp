@@ -114,6 +114,7 @@ ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rat
       if (is_in_contact(record) || (i > 0 && is_in_contact(records[i - 1]))) ++missed_in_contact;
     }
     if (record.has(TickFlag::gap_in_contact)) ++row.gaps_in_contact;
+    if (record.has(TickFlag::reading_held)) ++row.held_readings;
     if (record.has(TickFlag::limited_force) || record.has(TickFlag::limited_torque)) {
       ++row.saturated_ticks;
     }

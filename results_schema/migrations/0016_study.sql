@@ -243,7 +243,7 @@ CREATE TABLE response (
 ) STRICT;
 
 -- missed_in_contact, gaps_in_contact: late ticks, and gaps of more than two periods, while a surface was touched. An
--- attempt is judged by them.
+-- attempt is judged by them. held_readings: ticks with an implausible reading of the device, replaced by the last one.
 CREATE TABLE servo_quality (
   attempt_id          INTEGER PRIMARY KEY REFERENCES attempt,
   rate_Hz             REAL NOT NULL CHECK (rate_Hz > 0),
@@ -267,7 +267,8 @@ CREATE TABLE servo_quality (
   fault               TEXT NOT NULL CHECK (fault <> ''),
   missed_in_contact   INTEGER NOT NULL
                       CHECK (missed_in_contact >= 0 AND missed_in_contact <= missed_deadlines),
-  gaps_in_contact     INTEGER NOT NULL CHECK (gaps_in_contact >= 0)
+  gaps_in_contact     INTEGER NOT NULL CHECK (gaps_in_contact >= 0),
+  held_readings       INTEGER NOT NULL CHECK (held_readings >= 0 AND held_readings <= ticks)
 ) STRICT;
 
 CREATE TABLE compliance (

@@ -52,6 +52,15 @@ TEST(ServoQuality, CountsTheGapsInContact) {
   EXPECT_EQ(quality_of("fFfF").gaps_in_contact, 0);
 }
 
+TEST(ServoQuality, CountsTheHeldReadingsInContactAndInFreeSpace) {
+  std::vector<TickRecord> records = ticks("ffff--");
+  for (const std::size_t i : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
+    records[i].flags |= static_cast<std::uint32_t>(TickFlag::reading_held);
+  }
+  EXPECT_EQ(servo_quality_of(records, 1000.0, 0).held_readings, 3);
+  EXPECT_EQ(quality_of("fFpP").held_readings, 0);
+}
+
 // The force of the tick before is held until the late one.
 TEST(ServoQuality, CountsALateTickBehindTheLastOfAContact) {
   EXPECT_EQ(quality_of("ffPp").missed_in_contact, 1);

@@ -357,6 +357,7 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
     servo.missed_in_contact = i == 0 ? 0 : 1;
     servo.lost_records = i;
     servo.saturated_ticks = i == 0 ? 12 : 0;
+    servo.held_readings = i == 0 ? 0 : 4;
     attempt.servo = servo;
     ComplianceRow force{};
     force.position = 1;
@@ -378,6 +379,7 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
                                "record was lost in one attempt."));
   EXPECT_THAT(words, HasSubstr("The limiter reduced the force in 12 ticks of one attempt."));
   EXPECT_THAT(words, HasSubstr("missed deadlines | 3 | 1 of 2 attempts | 3 |"));
+  EXPECT_THAT(words, HasSubstr("readings replaced as implausible | 4 | 1 of 2 attempts | 4 |"));
   EXPECT_THAT(
       words,
       HasSubstr("violated assumption of pd_gradient: too deep, brick | 7 | 1 of 2 surfaces | 7 |"));

@@ -153,6 +153,7 @@ inline AttemptRow some_attempt(int trial, int attempt = 1) {
                               .missed_deadlines = 9,
                               .missed_in_contact = 1,
                               .gaps_in_contact = 6,
+                              .held_readings = 7,
                               .saturated_ticks = 2,
                               .slew_limited_ticks = 3,
                               .not_finite_ticks = 4,

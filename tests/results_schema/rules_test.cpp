@@ -102,7 +102,7 @@ struct Forbidden {
 };
 
 const std::string kServoValues =
-    ", 1000, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 'none', 0, 0)";
+    ", 1000, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 'none', 0, 0, 0)";
 
 /// Without the codes of its reasons.
 std::string attempt(const std::string& values) {

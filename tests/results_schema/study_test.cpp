@@ -323,6 +323,7 @@ TEST(Study, GivesBackAnAttemptWithAllThatHangsOnIt) {
   EXPECT_EQ(row.servo->missed_deadlines, 9);
   EXPECT_EQ(row.servo->missed_in_contact, 1);
   EXPECT_EQ(row.servo->gaps_in_contact, 6);
+  EXPECT_EQ(row.servo->held_readings, 7);
   EXPECT_EQ(row.servo->saturated_ticks, 2);
   EXPECT_EQ(row.servo->slew_limited_ticks, 3);
   EXPECT_EQ(row.servo->not_finite_ticks, 4);

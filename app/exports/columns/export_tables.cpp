@@ -65,6 +65,7 @@ std::vector<ExportColumn> answered_trial_columns(const StudyVocabulary& vocabula
   servo("missed_deadlines", "ticks that missed their deadline", &ServoQualityRow::missed_deadlines);
   servo("missed_in_contact", kMissedInContact, &ServoQualityRow::missed_in_contact);
   servo("gaps_in_contact", kGapsInContact, &ServoQualityRow::gaps_in_contact);
+  servo("held_readings", kHeldReadings, &ServoQualityRow::held_readings);
   servo("saturated_ticks", "ticks with the force reduced to the limit",
         &ServoQualityRow::saturated_ticks);
   servo("lost_records", "tick records that were lost", &ServoQualityRow::lost_records);

@@ -44,6 +44,7 @@ Columns servo_columns() {
   count("missed_deadlines", "ticks that missed their deadline", &Row::missed_deadlines);
   count("missed_in_contact", kMissedInContact, &Row::missed_in_contact);
   count("gaps_in_contact", kGapsInContact, &Row::gaps_in_contact);
+  count("held_readings", kHeldReadings, &Row::held_readings);
   count("saturated_ticks", "ticks with the force reduced to the limit", &Row::saturated_ticks);
   count("slew_limited_ticks", "ticks in which the growth of the force was limited",
         &Row::slew_limited_ticks);

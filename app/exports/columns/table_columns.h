@@ -15,6 +15,9 @@ inline constexpr const char* kMissedInContact =
 inline constexpr const char* kGapsInContact =
     "times between two ticks of more than two periods while a surface was touched";
 
+inline constexpr const char* kHeldReadings =
+    "ticks with an implausible reading of the device, replaced by the last plausible one";
+
 Columns participant_columns(const StudyVocabulary& vocabulary);
 Columns session_columns(const StudyVocabulary& vocabulary);
 Columns trial_columns(const StudyVocabulary& vocabulary);

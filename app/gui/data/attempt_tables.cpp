@@ -104,6 +104,8 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
        none(servo.missed_in_contact)},
       {MeasureTables::tr("gaps between ticks in contact"), count(servo.gaps_in_contact),
        none(servo.gaps_in_contact)},
+      {MeasureTables::tr("readings replaced as implausible"), count(servo.held_readings),
+       none(servo.held_readings)},
       {MeasureTables::tr("lost records"), count(servo.lost_records), lost(servo.lost_records)},
       {MeasureTables::tr("ticks with the force at its limit"), count(servo.saturated_ticks),
        none(servo.saturated_ticks)},

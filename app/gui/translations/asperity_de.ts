@@ -10190,6 +10190,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Lücken zwischen Takten im Kontakt</translation>
     </message>
     <message>
+        <source>readings replaced as implausible</source>
+        <translation>als unplausibel ersetzte Messwerte</translation>
+    </message>
+    <message>
         <source>missed deadlines in contact</source>
         <translation>verpasste Fristen im Kontakt</translation>
     </message>

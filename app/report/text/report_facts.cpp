@@ -35,6 +35,7 @@ void count_servo(const ServoQualityRow& row, ReportedServo& servo) {
   servo.missed_deadlines.add(row.missed_deadlines);
   servo.missed_in_contact.add(row.missed_in_contact);
   servo.gaps_in_contact.add(row.gaps_in_contact);
+  servo.held_readings.add(row.held_readings);
   servo.lost_records.add(row.lost_records);
   servo.saturated.add(row.saturated_ticks);
   servo.slew_limited.add(row.slew_limited_ticks);

@@ -75,6 +75,7 @@ struct ReportedServo {
   ReportedCount missed_deadlines{};
   ReportedCount missed_in_contact{};
   ReportedCount gaps_in_contact{};
+  ReportedCount held_readings{};
   ReportedCount lost_records{};
   ReportedCount saturated{};
   ReportedCount slew_limited{};

@@ -178,6 +178,7 @@ ReportTable counts_table(const ReportFacts& facts) {
   table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
                 count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
                 count_row("gaps between ticks in contact", servo.gaps_in_contact, "attempts"),
+                count_row("readings replaced as implausible", servo.held_readings, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),
                 count_row("force reduced to the limit", servo.saturated, "attempts"),
                 count_row("growth of the force limited", servo.slew_limited, "attempts"),
