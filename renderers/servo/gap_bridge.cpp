@@ -13,8 +13,8 @@ void GapBridge::begin(const Wrench& sent, double gap_s) noexcept {
   const double rest_s = length_s_ - passed_s_;
   const bool continues = rest_s > 0.0 && bridged_s <= gap_s_;
   from_ = sent;
-  if (!continues) gap_s_ = bridged_s;
-  length_s_ = continues ? rest_s : bridged_s;
+  gap_s_ = continues ? std::max(rest_s, bridged_s) : bridged_s;
+  length_s_ = continues ? (rest_s * rest_s + passed_s_ * bridged_s) / length_s_ : bridged_s;
   passed_s_ = 0.0;
 }
 

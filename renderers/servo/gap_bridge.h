@@ -18,9 +18,16 @@ namespace asperity {
 /// the surface in the gap, a = 0 and f = 0. p only falls while the gap is bridged. Force and torque are treated
 /// separately.
 ///
-/// A gap that ends within the bridge of one at least as long does not begin another: the bridge continues from the wrench
-/// that was sent, and ends when it would have ended. If each of many gaps in a row began anew, the force would grow with a
-/// delay and fall without one in each, which feeds energy to the hand.
+/// A gap of the length g that ends within the bridge of one at least as long, the time t after it began, continues the bridge
+/// from the wrench that was sent, with the length
+///
+///   T⁺ = (1 − t/T)·(T − t) + (t/T)·g
+///
+/// Of what was sent, the share 1 − t/T is held from before, and falls to 0 within T − t; the share t/T is the surface's before
+/// the new gap, to be bridged over g. With T⁺ their sum has the same integral over time. In a row of gaps of n ticks, one before
+/// each tick, T⁺ becomes (n + 1)/2 ticks, and the growth is delayed by half as much as if each bridge began anew: the delay
+/// feeds energy to the hand, because a fall has none. A gap in the last tick of a bridge is bridged over its own length; none
+/// is bridged over less than half of it.
 ///
 /// Real-time: does not allocate, lock or throw.
 class GapBridge final {
@@ -36,7 +43,7 @@ class GapBridge final {
 
  private:
   Wrench from_{};
-  double gap_s_ = 0.0;  // the longest of those that are bridged, clamped
+  double gap_s_ = 0.0;  // the longest that is still bridged, clamped
   double length_s_ = 0.0;
   double passed_s_ = 0.0;
 };

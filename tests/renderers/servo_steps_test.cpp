@@ -141,6 +141,20 @@ TEST_P(ServoStepsTest, ApproachesTheForceOfTheSurfaceOverTheLengthOfAGap) {
   EXPECT_NEAR(record.sent.force_N.z, 5.5, 1e-5);
 }
 
+// The second gap ends in the last tick of the first one's bridge, with the hand 4 mm deeper.
+TEST_P(ServoStepsTest, BridgesAGapAfterWhichTheLastTickOfABridgeComes) {
+  const auto gap_ns = std::int64_t{40'000'000};
+  tick(-0.001, gap_ns);
+  for (std::int64_t passed_ns = period_ns; passed_ns < gap_ns - period_ns; passed_ns += period_ns) {
+    tick(-0.001);
+  }
+  const TickRecord record = tick(-0.005, gap_ns);
+  EXPECT_TRUE(record.has(TickFlag::gap_in_contact));
+  EXPECT_NEAR(record.rendered.force_N.z, 5.0, 1e-5);
+  // 4 N within 38 ms and more.
+  EXPECT_LE(record.sent.force_N.z, 1.0 + 4.0 / (0.038 * GetParam()));
+}
+
 TEST_P(ServoStepsTest, NeverDelaysAFallAfterAGap) {
   EXPECT_NEAR(tick(-0.0004, 45'000'000).sent.force_N.z, 0.4, 1e-6);
   tick(-0.001, 45'000'000);
@@ -191,21 +205,33 @@ TEST(GapBridge, HoldsWhileTheClockIsSetBack) {
   EXPECT_NEAR(bridge.approach(wanted, 0.001).force_N.z, 1.8, 1e-12);
 }
 
-TEST(GapBridge, ContinuesABridgeInWhichAnotherGapEnds) {
+// A gap of 9 ticks before each tick: T = 5 ticks, so that a force that rises by 0.2 N in each gap lags by 4 of them. If each
+// bridge began anew, T = 9 and the lag is 8.
+TEST(GapBridge, DelaysTheGrowthAfterGapsInARowByHalfTheirLength) {
+  GapBridge bridge{};
+  Wrench sent{};
+  Wrench wanted{};
+  for (int i = 1; i <= 60; ++i) {
+    bridge.begin(sent, 0.009);
+    wanted.force_N.z = 0.2 * i;
+    sent = bridge.approach(wanted, 0.001);
+  }
+  EXPECT_NEAR(wanted.force_N.z - sent.force_N.z, 4.0 * 0.2, 1e-3);
+}
+
+TEST(GapBridge, BridgesAGapInTheLastTickOfABridge) {
+  const Wrench wanted{.force_N = {0.0, 0.0, 5.0}};
   GapBridge bridge{};
   Wrench sent{.force_N = {0.0, 0.0, 1.0}};
-  const Wrench wanted{.force_N = {0.0, 0.0, 5.0}};
-  // A gap before each of ten ticks: the force is there with the tenth, as after a single one.
-  for (int i = 1; i <= 10; ++i) {
-    bridge.begin(sent, 0.010);
-    sent = bridge.approach(wanted, 0.001);
-    EXPECT_NEAR(sent.force_N.z, 1.0 + 0.4 * i, 1e-9) << i;
-  }
+  bridge.begin(sent, 0.040);
+  for (int i = 1; i < 40; ++i) sent = bridge.approach(sent, 0.001);
+  EXPECT_NEAR(sent.force_N.z, 1.0, 1e-12);
+  // T = 1/40 · 1 ms + 39/40 · 40 ms.
+  bridge.begin(sent, 0.040);
+  EXPECT_NEAR(bridge.approach(wanted, 0.001).force_N.z, 1.0 + 4.0 / 39.025, 1e-9);
   // A longer one is bridged over its own length.
-  bridge.begin({.force_N = {0.0, 0.0, 1.0}}, 0.010);
-  bridge.approach(wanted, 0.009);
-  bridge.begin({.force_N = {0.0, 0.0, 1.0}}, 0.040);
-  EXPECT_NEAR(bridge.approach(wanted, 0.001).force_N.z, 1.1, 1e-12);
+  bridge.begin({.force_N = {0.0, 0.0, 1.0}}, 0.050);
+  EXPECT_NEAR(bridge.approach(wanted, 0.001).force_N.z, 1.0 + 4.0 / 50.0, 1e-9);
 }
 
 }  // namespace
