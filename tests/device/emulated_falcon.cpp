@@ -150,6 +150,11 @@ int EmulatedFalcon::take_most_unread() {
   return std::exchange(most_unread_, 0);
 }
 
+void EmulatedFalcon::flip(const std::array<std::int16_t, 3>& bits) {
+  const std::lock_guard lock(mutex_);
+  flipped_ = bits;
+}
+
 void EmulatedFalcon::babble(std::vector<std::uint8_t> noise) {
   const std::lock_guard lock(mutex_);
   noise_ = std::move(noise);
@@ -425,7 +430,10 @@ void EmulatedFalcon::take_frame(const falcon::Frame& frame) {
   for (const std::int16_t word : words.counts) {
     strongest_ = std::max(strongest_, std::abs(int{word}));
   }
-  falcon::Frame bytes = falcon::frame_of({.motor_words = counts_now()});
+  std::array<std::int16_t, 3> counts = counts_now();
+  for (std::size_t i = 0; i < 3; ++i)
+    counts[i] = static_cast<std::int16_t>(counts[i] ^ flipped_[i]);
+  falcon::Frame bytes = falcon::frame_of({.motor_words = counts});
   bytes[13] = static_cast<std::uint8_t>('A' + buttons_ + (homed_ ? 0x70 : 0));
   most_unread_ =
       std::max(most_unread_, static_cast<int>(answers_.size()) + (to_say_.empty() ? 0 : 1));

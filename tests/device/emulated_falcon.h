@@ -71,6 +71,8 @@ class EmulatedFalcon final {
   void answer_late(std::chrono::milliseconds delay);
   /// The process that had claimed it has ended: what the kernel does then.
   void let_go();
+  /// These bits of each encoder's counts flip on the wire in every answer; 0: none.
+  void flip(const std::array<std::int16_t, 3>& bits);
   /// Every answer is preceded by these bytes.
   void babble(std::vector<std::uint8_t> noise);
 
@@ -133,6 +135,7 @@ class EmulatedFalcon final {
   int loads_ = 0;
   std::uint8_t buttons_ = 0;
   std::array<std::int16_t, 3> counts_{};
+  std::array<std::int16_t, 3> flipped_{};
   double circle_m_ = 0.0;
   glm::dvec3 centre_m_{0.0, 0.0, 0.115};
   std::vector<std::uint8_t> received_{};

@@ -404,6 +404,50 @@ TEST_F(Falcon, PutsAForceIntoTheWordsOfThreeMotors) {
             text_of(falcon::frame_of({.motor_words = words, .lamp = falcon::Lamp::green})));
 }
 
+// Bit 11 of one encoder flips on the wire: the place is 54 mm off and more, and the torques for a force there would push the
+// hand in another direction.
+TEST_F(Falcon, PushesFromTheLastPlausiblePoseAfterAWildAnswer) {
+  EmulatedFalcon emulated(bus(), {});
+  const glm::dvec3 grip_m(0.010, -0.020, 0.110);
+  const glm::dvec3 in_hands_frame_m(0.010, 0.005, -0.020);
+  emulated.put_grip(grip_m);
+  FalconSettings wanted = settings();
+  // It stands still: no pose becomes old, however busy the machine is.
+  wanted.line.clock = [began_ns = monotonic_now_ns()] { return began_ns; };
+  const auto device = FalconDevice::open(wanted);
+  const glm::dvec3 force_N(0.5, 0.0, 1.0);
+  const auto words_at = [](const std::array<std::int16_t, 3>& counts) {
+    const auto angles = falcon::angles_at(counts);
+    const auto torques_N_m =
+        falcon::torques_N_m(angles, falcon::position_m(angles).value(), {0.5, 1.0, 0.0});
+    return falcon::words_for(torques_N_m.value()).words;
+  };
+  const auto counts = falcon::counts_at(grip_m);
+  const auto words = words_at(counts);
+  push_until(*device, force_N, [&] { return emulated.motor_words() == words; });
+  const auto is_read_off = [&](double least_m, double most_m) {
+    const auto read = device->read(monotonic_now_ns());
+    const double off_m = read ? glm::distance(read->position_m, in_hands_frame_m) : -1.0;
+    return off_m >= least_m && off_m <= most_m;
+  };
+  for (std::size_t encoder = 0; encoder < 3; ++encoder) {
+    std::array<std::int16_t, 3> bits{};
+    bits[encoder] = 1 << 11;
+    auto wild = counts;
+    wild[encoder] = static_cast<std::int16_t>(wild[encoder] ^ bits[encoder]);
+    ASSERT_NE(words_at(wild), words);
+    emulated.flip(bits);
+    EXPECT_TRUE(eventually([&] { return is_read_off(0.05, 0.1); })) << encoder;
+    EXPECT_TRUE(device->push({.force_N = force_N}, kDt_s).has_value());
+    // The second frame from now on was made of these words.
+    const std::int64_t before = emulated.frames();
+    EXPECT_TRUE(eventually([&] { return emulated.frames() > before + 1; }));
+    EXPECT_EQ(emulated.motor_words(), words) << encoder;
+    emulated.flip({});
+    EXPECT_TRUE(eventually([&] { return is_read_off(0.0, 0.001); })) << encoder;
+  }
+}
+
 TEST_F(Falcon, SaysWhatTheMotorsCouldGive) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
