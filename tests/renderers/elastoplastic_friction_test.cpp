@@ -216,10 +216,11 @@ TEST(ElastoplasticFriction, DoesNotGiveEnergyOnRandomPathsOfAHand) {
   }
 }
 
-// The delay of the low-passes of the position gives the hand what the damping of the device must dissipate.
+// The delay of the low-passes of the position gives the hand what the damping of the device must dissipate: 0.0121 mJ at
+// most on these paths.
 TEST(ElastoplasticFriction, GivesLittleEnergyByTheDelayOfItsLowPasses) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    EXPECT_GE(least_work(0.06, seed, 0.0, 2.5e-3).held_J, -3e-5) << seed;
+    EXPECT_GE(least_work(0.06, seed, 0.0, 2.5e-3).held_J, -1.5e-5) << seed;
   }
 }
 
