@@ -75,7 +75,7 @@ DeviceComparison compared(const SoughtDevice& device, const ProtocolCheck& check
                           const std::optional<std::string>& study, const std::string& now_utc,
                           const ModelRegistry& models) {
   std::optional<Progress> progress{};
-  RehearsalCourse course{};
+  StimuliCourse course{};
   if (isatty(STDERR_FILENO) == 1) {
     progress.emplace("comparing " + check.protocol->name + " with the device");
     course.progress = [&progress](double done) { progress->show(done); };

@@ -169,7 +169,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
                               const std::string& file_name,
                               const std::optional<std::filesystem::path>& study,
                               const std::string& now_utc, const ModelRegistry& models,
-                              const RehearsalCourse& course) {
+                              const StimuliCourse& course) {
   DeviceComparison comparison{.refusal = device.refusal};
   const JsonDocument document(protocol.source, file_name);
   const auto warn_at = [&](const std::string& pointer, const std::string& sentence) {

@@ -50,6 +50,6 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
                               const std::string& file_name,
                               const std::optional<std::filesystem::path>& study,
                               const std::string& now_utc, const ModelRegistry& models,
-                              const RehearsalCourse& course = {});
+                              const StimuliCourse& course = {});
 
 }  // namespace asperity

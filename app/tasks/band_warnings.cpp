@@ -5,8 +5,8 @@
 #include <string>
 
 #include "analysis/number_text.h"
+#include "app/session/explored_stimuli.h"
 #include "protocols/file/protocol_reader.h"
-#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -27,27 +27,24 @@ std::vector<Diagnostic> warnings_about_bands(const Protocol& protocol, const std
                                              StimulusBuilder& builder) {
   constexpr double kRounding = 1.0 + 1e-9;
   std::vector<Diagnostic> warnings{};
-  std::set<std::string> compared{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const StimulusDescription& stimulus = planned.stimulus;
-      if (!builder.can_make(stimulus) || !compared.insert(stimulus.name).second) continue;
-      if (reported.contains(planned.stimulus_template)) continue;
-      const PreparedStimulus prepared = builder.unmatched(stimulus);
-      constexpr double kAtRest_m_per_s = 0.0;
-      const double highest_Hz = band_Hz(*prepared.model, prepared.inputs, kAtRest_m_per_s);
-      if (highest_Hz <= kRounding * 0.5 * protocol.rate_Hz) continue;
-      reported.insert(planned.stimulus_template);
-      warnings.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-      warnings.back().message =
-          "the force of the stimulus \"" + stimulus.name +
-          "\" changes with time at frequencies up to " + number_text(highest_Hz) +
-          " Hz, above the Nyquist frequency of the servo loop, half of " +
-          number_text(protocol.rate_Hz) + " Hz: these frequencies would be aliased; " +
-          remedy_for_band(*prepared.model);
-    }
-  }
+  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+    const StimulusDescription& stimulus = one.planned.stimulus;
+    const std::string& where = one.planned.stimulus_template;
+    if (!builder.can_make(stimulus) || reported.contains(where)) return;
+    const PreparedStimulus prepared = builder.unmatched(stimulus);
+    constexpr double kAtRest_m_per_s = 0.0;
+    const double highest_Hz = band_Hz(*prepared.model, prepared.inputs, kAtRest_m_per_s);
+    if (highest_Hz <= kRounding * 0.5 * protocol.rate_Hz) return;
+    reported.insert(where);
+    warnings.push_back(place_of_stimulus(protocol, file_name, where));
+    warnings.back().message =
+        "the force of the stimulus \"" + stimulus.name +
+        "\" changes with time at frequencies up to " + number_text(highest_Hz) +
+        " Hz, above the Nyquist frequency of the servo loop, half of " +
+        number_text(protocol.rate_Hz) + " Hz: these frequencies would be aliased; " +
+        remedy_for_band(*prepared.model);
+  });
   return warnings;
 }
 

@@ -5,12 +5,10 @@
 #include <cstddef>
 #include <exception>
 #include <optional>
-#include <set>
-#include <utility>
 
 #include "analysis/number_text.h"
 #include "app/session/attempt_measures.h"
-#include "protocols/plan/plan.h"
+#include "app/session/explored_stimuli.h"
 #include "renderers/offline/sliding_drag.h"
 
 namespace asperity {
@@ -75,27 +73,22 @@ std::optional<double> drag_of(const StimulusDescription& stimulus, const AimedSt
 
 std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder) {
   std::vector<StimulusDrag> drags{};
-  std::set<std::pair<std::string, std::string>> measured{};
-  for (const Trial& trial : possible_trials(protocol)) {
-    const Exploration& exploration = exploration_of(protocol, trial);
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const StimulusDescription& stimulus = planned.stimulus;
-      if (!measured.emplace(stimulus.name, exploration.name).second) continue;
-      const std::optional<AimedStroke> stroke = aimed_stroke(exploration, stimulus.patch);
-      if (!stroke) continue;
-      std::optional<double> drag{};
-      try {
-        drag = drag_of(stimulus, *stroke, protocol.rate_Hz, builder);
-      } catch (const std::exception&) {  // the session's preparation reports it
-        continue;
-      }
-      if (!drag) continue;
-      drags.push_back({.stimulus = stimulus.name,
-                       .exploration = exploration.name,
-                       .mean_N = *drag * stimulus.material.friction * stroke->normal_force_N,
-                       .of_coulomb = *drag});
+  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+    const StimulusDescription& stimulus = one.planned.stimulus;
+    const std::optional<AimedStroke> stroke = aimed_stroke(one.exploration, stimulus.patch);
+    if (!stroke) return;
+    std::optional<double> drag{};
+    try {
+      drag = drag_of(stimulus, *stroke, protocol.rate_Hz, builder);
+    } catch (const std::exception&) {  // the session's preparation reports it
+      return;
     }
-  }
+    if (!drag) return;
+    drags.push_back({.stimulus = stimulus.name,
+                     .exploration = one.exploration.name,
+                     .mean_N = *drag * stimulus.material.friction * stroke->normal_force_N,
+                     .of_coulomb = *drag});
+  });
   return drags;
 }
 

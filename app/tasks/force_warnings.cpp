@@ -9,9 +9,9 @@
 #include <set>
 
 #include "analysis/number_text.h"
+#include "app/session/explored_stimuli.h"
 #include "device/probe_state.h"
 #include "protocols/file/protocol_reader.h"
-#include "protocols/plan/plan.h"
 
 namespace asperity {
 
@@ -53,31 +53,25 @@ std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
                                               const std::string& file_name,
                                               StimulusBuilder& builder) {
   std::vector<Diagnostic> warnings{};
-  std::set<std::string> compared{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for (const Trial& trial : possible_trials(protocol)) {
-    const Exploration& exploration = exploration_of(protocol, trial);
-    const Band& band = exploration.normal_force_N;
+  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+    const Band& band = one.exploration.normal_force_N;
     const std::optional<double> requested_N = band.target ? band.target : band.minimum;
-    if (!requested_N) continue;
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const StimulusDescription& stimulus = planned.stimulus;
-      if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) continue;
-      if (!compared.insert(stimulus.name + '\n' + exploration.name).second) continue;
-      const std::string where = planned.stimulus_template + '\n' + exploration.name;
-      if (reported.contains(where)) continue;
-      const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol);
-      if (largest_N >= kReached * *requested_N) continue;
-      reported.insert(where);
-      warnings.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-      warnings.back().message =
-          "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
-          " N at rest, but the exploration \"" + exploration.name + "\" requests " +
-          number_text(*requested_N) +
-          " N: the force would be constant and without texture; raise the stiffness or the "
-          "parameter that limits the depth, or request less force";
-    }
-  }
+    const StimulusDescription& stimulus = one.planned.stimulus;
+    if (!requested_N || stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return;
+    const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
+    if (reported.contains(where)) return;
+    const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol);
+    if (largest_N >= kReached * *requested_N) return;
+    reported.insert(where);
+    warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
+    warnings.back().message =
+        "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
+        " N at rest, but the exploration \"" + one.exploration.name + "\" requests " +
+        number_text(*requested_N) +
+        " N: the force would be constant and without texture; raise the stiffness or the "
+        "parameter that limits the depth, or request less force";
+  });
   return warnings;
 }
 

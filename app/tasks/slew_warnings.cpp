@@ -11,11 +11,11 @@
 #include <glm/geometric.hpp>
 
 #include "analysis/number_text.h"
+#include "app/session/explored_stimuli.h"
 #include "device/force_limiter.h"
 #include "device/probe_state.h"
 #include "device/virtual_hand.h"
 #include "protocols/file/protocol_reader.h"
-#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -180,33 +180,28 @@ std::string limited_motions(const PreparedStimulus& stimulus, const Protocol& pr
 std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
                                             StimulusBuilder& builder) {
   std::vector<Diagnostic> warnings{};
-  std::set<std::string> compared{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for (const Trial& trial : possible_trials(protocol)) {
-    const Exploration& exploration = exploration_of(protocol, trial);
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const StimulusDescription& stimulus = planned.stimulus;
-      if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) continue;
-      if (!compared.insert(stimulus.name + '\n' + exploration.name).second) continue;
-      const std::string where = planned.stimulus_template + '\n' + exploration.name;
-      if (reported.contains(where)) continue;
-      std::string motions{};
-      try {
-        motions = limited_motions(builder.unmatched(stimulus), protocol, exploration);
-      } catch (const std::exception&) {  // the session's preparation reports it
-        continue;
-      }
-      if (motions.empty()) continue;
-      reported.insert(where);
-      warnings.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-      warnings.back().message =
-          "the force of the stimulus \"" + stimulus.name + "\" (model " + stimulus.model +
-          ") would be limited in " + motions + " in the exploration \"" + exploration.name +
-          "\": within a millisecond it would grow or turn by more than " +
-          number_text(ForceLimits{}.slew_N) +
-          " N, and another texture would be felt; lower the amplitude, the stiffness or the speed";
+  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+    const StimulusDescription& stimulus = one.planned.stimulus;
+    if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return;
+    const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
+    if (reported.contains(where)) return;
+    std::string motions{};
+    try {
+      motions = limited_motions(builder.unmatched(stimulus), protocol, one.exploration);
+    } catch (const std::exception&) {  // the session's preparation reports it
+      return;
     }
-  }
+    if (motions.empty()) return;
+    reported.insert(where);
+    warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
+    warnings.back().message =
+        "the force of the stimulus \"" + stimulus.name + "\" (model " + stimulus.model +
+        ") would be limited in " + motions + " in the exploration \"" + one.exploration.name +
+        "\": within a millisecond it would grow or turn by more than " +
+        number_text(ForceLimits{}.slew_N) +
+        " N, and another texture would be felt; lower the amplitude, the stiffness or the speed";
+  });
   return warnings;
 }
 

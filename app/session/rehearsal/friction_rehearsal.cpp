@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "app/session/attempt_measures.h"
+#include "app/session/explored_stimuli.h"
 #include "app/session/rehearsal/warned_levels.h"
 #include "device/drivers.h"
 #include "protocols/design/json_pointer.h"
-#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -168,33 +168,31 @@ FrictionRehearsal rehearse_friction(const Protocol& protocol, const ModelRegistr
   FrictionRehearsal found{};
   std::map<std::string, double> required_N_s_per_m{};  // by template, where the damping is unknown
   std::set<std::tuple<std::string, std::string, double, double>> seen{};
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const std::string& name = planned.stimulus.name;
-      const auto asked = friction_of(planned.stimulus, exploration_of(protocol, trial), models);
-      if (!asked) continue;
-      const FrictionNearRest near_rest = asked->near_rest(loop.period_s());
-      const auto add = [&](std::optional<RehearsalWarning> warning) {
-        found.has_compared = true;
-        if (!warning || !seen.emplace(warning->id, name, asked->force_N, warning->asked).second) {
-          return;
-        }
-        warning->stimulus = name;
-        warning->pointer = pointer_to("/stimuli", planned.stimulus_template);
-        warning->level = level_of(protocol, trial, planned);
-        found.warnings.push_back(std::move(*warning));
-      };
-      if (near_rest.damper_N_s_per_m > 0.0) add(damper_warning(name, *asked, loop));
-      if (!(near_rest.stiffness_N_per_m > 0.0)) continue;
-      if (device.damping_N_s_per_m) {
-        add(spring_warning(name, near_rest, loop));
-      } else {
-        double& greatest_N_s_per_m = required_N_s_per_m[planned.stimulus_template];
-        greatest_N_s_per_m = std::max(
-            greatest_N_s_per_m, required_damping_N_s_per_m(near_rest, device, loop.period_s()));
+  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+    const std::string& name = one.planned.stimulus.name;
+    const auto asked = friction_of(one.planned.stimulus, one.exploration, models);
+    if (!asked) return;
+    const FrictionNearRest near_rest = asked->near_rest(loop.period_s());
+    const auto add = [&](std::optional<RehearsalWarning> warning) {
+      found.has_compared = true;
+      if (!warning || !seen.emplace(warning->id, name, asked->force_N, warning->asked).second) {
+        return;
       }
+      warning->stimulus = name;
+      warning->pointer = pointer_to("/stimuli", one.planned.stimulus_template);
+      warning->level = level_of(protocol, one.trial, one.planned);
+      found.warnings.push_back(std::move(*warning));
+    };
+    if (near_rest.damper_N_s_per_m > 0.0) add(damper_warning(name, *asked, loop));
+    if (!(near_rest.stiffness_N_per_m > 0.0)) return;
+    if (device.damping_N_s_per_m) {
+      add(spring_warning(name, near_rest, loop));
+    } else {
+      double& greatest_N_s_per_m = required_N_s_per_m[one.planned.stimulus_template];
+      greatest_N_s_per_m = std::max(greatest_N_s_per_m,
+                                    required_damping_N_s_per_m(near_rest, device, loop.period_s()));
     }
-  }
+  });
   for (const auto& [stimulus_template, required] : required_N_s_per_m) {
     found.not_compared.push_back(unknown_damping(stimulus_template, required, loop));
   }

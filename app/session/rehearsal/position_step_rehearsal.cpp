@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "app/session/attempt_measures.h"
+#include "app/session/explored_stimuli.h"
 #include "app/session/rehearsal/warned_levels.h"
 #include "protocols/design/json_pointer.h"
-#include "protocols/plan/plan.h"
 #include "renderers/force/indentation_law.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/offline/perceived_instability.h"
@@ -81,30 +81,19 @@ RehearsalWarning step_warning(const std::string& name, const StiffnessAcross& ac
                     remedy(across.of, two_digits_down(kFeltForce_N / step_m)))};
 }
 
-/// Every planned presentation, with its trial.
-template <typename Visit>
-void for_each_planned(const Protocol& protocol, const Visit& visit) {
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) visit(trial, planned);
-  }
-}
-
 }  // namespace
 
 std::vector<RehearsalWarning> position_step_warnings(const Protocol& protocol,
                                                      StimulusBuilder& builder, double step_m) {
   std::vector<RehearsalWarning> warnings{};
-  std::set<std::string> seen{};
   std::set<std::pair<std::string, double>> warned{};
-  for_each_planned(protocol, [&](const Trial& trial, const PlannedPresentation& planned) {
-    const StimulusDescription& stimulus = planned.stimulus;
-    const Exploration& exploration = exploration_of(protocol, trial);
+  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+    const StimulusDescription& stimulus = one.planned.stimulus;
     if (!builder.can_make(stimulus)) return;
-    if (!seen.insert(rehearsed_key(stimulus) + '\n' + exploration.name).second) return;
     StiffnessAcross across{};
     try {
       across = stiffness_across(builder.unmatched(stimulus),
-                                habits_for(exploration, stimulus.patch).normal_force_N);
+                                habits_for(one.exploration, stimulus.patch).normal_force_N);
     } catch (const std::exception&) {  // other comparisons report it
       return;
     }
@@ -112,8 +101,8 @@ std::vector<RehearsalWarning> position_step_warnings(const Protocol& protocol,
     RehearsalWarning warning = step_warning(stimulus.name, across, step_m);
     if (!warned.emplace(stimulus.name, warning.asked).second) return;
     warning.stimulus = stimulus.name;
-    warning.pointer = pointer_to("/stimuli", planned.stimulus_template);
-    warning.level = level_of(protocol, trial, planned);
+    warning.pointer = pointer_to("/stimuli", one.planned.stimulus_template);
+    warning.level = level_of(protocol, one.trial, one.planned);
     warnings.push_back(std::move(warning));
   });
   return one_for_alike(std::move(warnings), protocol);
@@ -123,8 +112,8 @@ std::vector<RehearsalWarning> unknown_step_warnings(const Protocol& protocol,
                                                     const ModelRegistry& models) {
   std::vector<RehearsalWarning> warnings{};
   std::set<std::string> seen{};
-  for_each_planned(protocol, [&](const Trial& trial, const PlannedPresentation& planned) {
-    const StimulusDescription& stimulus = planned.stimulus;
+  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+    const StimulusDescription& stimulus = one.planned.stimulus;
     const ForceModel* const model = models.find(stimulus.model);
     if (model == nullptr || stimulus.parameters.contains(kDeviceStep)) return;
     if (!measures_path(complete_values(model->declaration, stimulus.parameters))) return;
@@ -132,14 +121,14 @@ std::vector<RehearsalWarning> unknown_step_warnings(const Protocol& protocol,
     warnings.push_back(
         {.id = "path_step",
          .stimulus = stimulus.name,
-         .pointer = pointer_to("/stimuli", planned.stimulus_template),
+         .pointer = pointer_to("/stimuli", one.planned.stimulus_template),
          .text = phrase("Rehearsal",
                         "The texture of \"%1\" follows the path of the hand, and the position step "
                         "of the device is unknown: if the step is greater than 10 µm, the path "
                         "also grows while the hand rests. Measure the device, and set "
                         "device_step_m to its position_resolution_m.")
                      .with(stimulus.name),
-         .level = level_of(protocol, trial, planned)});
+         .level = level_of(protocol, one.trial, one.planned)});
   });
   return one_for_alike(std::move(warnings), protocol);
 }

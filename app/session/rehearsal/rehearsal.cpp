@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <set>
-#include <string>
 #include <utility>
 
 #include "app/session/rehearsal/friction_rehearsal.h"
@@ -15,7 +13,6 @@
 #include "app/session/rehearsal/position_step_rehearsal.h"
 #include "app/session/rehearsal/stimulus_rehearsal.h"
 #include "app/session/rehearsal/warned_levels.h"
-#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -42,7 +39,7 @@ void add(std::vector<RehearsalWarning> more, std::vector<RehearsalWarning>& warn
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
                                                  StimulusBuilder& builder,
-                                                 const RehearsalCourse& course) {
+                                                 const StimuliCourse& course) {
   std::vector<RehearsalWarning> warnings{};
   add(limit_warnings(protocol, profile), warnings);
   add(level_warnings(protocol, profile, builder.models()), warnings);
@@ -52,25 +49,14 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
     add(position_step_warnings(protocol, builder, *step_m), warnings);
   }
   StimulusRehearsal rehearsal(protocol, profile, builder);
-  std::set<std::string> seen{};
-  const std::vector<Trial> trials = possible_trials(protocol);
   std::vector<RehearsalWarning> of_stimuli{};
-  double done = 0.0;
-  for (const Trial& trial : trials) {
-    if (course.stop.stop_requested()) break;
-    if (course.progress) course.progress(done / static_cast<double>(trials.size()));
-    ++done;
-    const Exploration& exploration = exploration_of(protocol, trial);
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const std::string key = rehearsed_key(planned.stimulus) + '\n' + exploration.name;
-      if (!seen.insert(key).second) continue;
-      std::vector<RehearsalWarning> found = rehearsal.compare(planned, exploration);
-      for (RehearsalWarning& warning : found) {
-        if (!warning.stimulus.empty()) warning.level = level_of(protocol, trial, planned);
-      }
-      add(std::move(found), of_stimuli);
+  for_each_stimulus(protocol, course, [&](const ExploredStimulus& one) {
+    std::vector<RehearsalWarning> found = rehearsal.compare(one.planned, one.exploration);
+    for (RehearsalWarning& warning : found) {
+      if (!warning.stimulus.empty()) warning.level = level_of(protocol, one.trial, one.planned);
     }
-  }
+    add(std::move(found), of_stimuli);
+  });
   add(one_for_alike(std::move(of_stimuli), protocol), warnings);
   return warnings;
 }

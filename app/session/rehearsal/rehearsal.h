@@ -2,23 +2,16 @@
 
 #pragma once
 
-#include <functional>
-#include <stop_token>
 #include <vector>
 
 #include "app/profiles/device_profile.h"
+#include "app/session/explored_stimuli.h"
 #include "app/session/rehearsal/rehearsal_warning.h"
 #include "app/session/stimulus_builder.h"
 #include "device/device_trait.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {
-
-/// For a caller that waits: a rehearsal may take seconds.
-struct RehearsalCourse {
-  std::stop_token stop{};                  ///< what was not compared before is left out
-  std::function<void(double)> progress{};  ///< 0 to 1; may be empty
-};
 
 /// Compares the protocol's limits for a device (limit_rehearsal.h), the steps of its levels (level_rehearsal.h), the
 /// friction of the stimuli (friction_rehearsal.h)
@@ -55,7 +48,7 @@ struct RehearsalCourse {
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
                                                  StimulusBuilder& builder,
-                                                 const RehearsalCourse& course = {});
+                                                 const StimuliCourse& course = {});
 
 /// The traits among the unknown ones of a device (DeviceCapability::not_known) with which stimuli would be compared. The
 /// workspace is not among them: the range that the driver reports is compared, because a session removes the force

@@ -41,8 +41,7 @@ std::string content_key(const Protocol& protocol, const std::filesystem::path& s
 std::vector<RehearsalWarning> rehearse_once(RehearsalMemory* memory, const Protocol& protocol,
                                             const DeviceProfile& profile,
                                             const std::filesystem::path& study,
-                                            StimulusBuilder& builder,
-                                            const RehearsalCourse& course) {
+                                            StimulusBuilder& builder, const StimuliCourse& course) {
   const auto compare = [&] { return rehearse_on_device(protocol, profile, builder, course); };
   if (memory == nullptr) return compare();
   return memory->recall(content_key(protocol, study) + json_text_of(profile), course.stop, compare);

@@ -46,6 +46,6 @@ std::vector<RehearsalWarning> rehearse_once(RehearsalMemory* memory, const Proto
                                             const DeviceProfile& profile,
                                             const std::filesystem::path& study,
                                             StimulusBuilder& builder,
-                                            const RehearsalCourse& course = {});
+                                            const StimuliCourse& course = {});
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Distinguishes planned stimuli, and joins the warnings that levels of a parameter, or other stimuli, have in common.
+// Joins the warnings that levels of a parameter, or other stimuli, have in common.
 
 #include "app/session/rehearsal/warned_levels.h"
 
@@ -122,20 +122,6 @@ RehearsalWarning joined(const std::vector<LevelGroup>& alike, const Protocol& pr
 }
 
 }  // namespace
-
-std::string rehearsed_key(const StimulusDescription& stimulus) {
-  std::string key = stimulus.name + '\n' + stimulus.model + '\n' +
-                    json_text_of(stimulus.parameters) + '\n' +
-                    std::to_string(stimulus.material.stiffness_N_per_m) + ' ' +
-                    std::to_string(stimulus.material.friction);
-  for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
-    key += '\n' + (*body ? (*body)->name : std::string{});
-  }
-  for (const StimulusAsset& asset : assets_of(stimulus)) {
-    key += '\n' + asset.role + '\t' + asset.path;
-  }
-  return key;
-}
 
 std::optional<WarnedLevel> level_of(const Protocol& protocol, const Trial& trial,
                                     const PlannedPresentation& planned) {

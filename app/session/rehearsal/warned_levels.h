@@ -1,4 +1,4 @@
-// Distinguishes planned stimuli, and joins the warnings that levels of a parameter, or other stimuli, have in common.
+// Joins the warnings that levels of a parameter, or other stimuli, have in common.
 
 #pragma once
 
@@ -11,9 +11,6 @@
 #include "protocols/design/trial.h"
 
 namespace asperity {
-
-/// Distinguishes a planned stimulus from others of the same name: factors choose parameters, bodies and files.
-std::string rehearsed_key(const StimulusDescription& stimulus);
 
 /// The varied level of a planned stimulus; nullopt if its block does not vary its parameters.
 std::optional<WarnedLevel> level_of(const Protocol& protocol, const Trial& trial,

@@ -1,0 +1,100 @@
+// The stimuli that are examined before a session.
+
+#include "app/session/explored_stimuli.h"
+
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderers/built_in_models.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::Pair;
+
+/// Two gratings, which one block presents twice in strokes, and another one also to a hand that presses.
+constexpr const char* kTwiceExplored = R"({
+  "format": "asperity.protocol/1",
+  "kind": "selection",
+  "design": "improved",
+  "name": "gratings",
+  "version": "1.0.0",
+  "title": "Which one is rougher?",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "realism_standard": "memory",
+  "factors": {"spacing": {"levels": [0.004, 0.002]}},
+  "stimuli": {
+    "grating": {"model": "sinusoid",
+                "parameters": {"wavelength_m": {"factor": "spacing"}}}
+  },
+  "explorations": {"stroke": {"minimum_contact_s": 0.3, "maximum_contact_s": 2,
+                              "stroke_length_m": {"target": 0.04},
+                              "speed_m_per_s": {"target": 0.06}},
+                   "press": {"minimum_contact_s": 0.3, "maximum_contact_s": 2}},
+  "blocks": {
+    "strokes": {
+      "presented": [{"stimulus": "grating", "with": {"spacing": 0.004}, "item": "coarse"},
+                    {"stimulus": "grating", "with": {"spacing": 0.002}, "item": "fine"}],
+      "repetitions": 2,
+      "question": {"name": "rougher", "prompt": "Which surface felt rougher?"},
+      "exploration": "stroke"
+    },
+    "presses": {
+      "presented": [{"stimulus": "grating", "with": {"spacing": 0.004}, "item": "coarse"},
+                    {"stimulus": "grating", "with": {"spacing": 0.002}, "item": "fine"}],
+      "question": {"name": "rougher", "prompt": "Which surface felt rougher?"},
+      "exploration": "press"
+    }
+  },
+  "flow": [{"run": "strokes"}, {"run": "presses"}, {"run": "strokes"}]
+})";
+
+class ExploredStimuli : public ::testing::Test {
+ protected:
+  using Names = std::vector<std::pair<std::string, std::string>>;
+
+  Names examined(const StimuliCourse& course, std::stop_source* stop = nullptr) {
+    Names names{};
+    for_each_stimulus(protocol_, course, [&](const ExploredStimulus& one) {
+      names.emplace_back(one.planned.stimulus.name, one.exploration.name);
+      if (stop != nullptr) stop->request_stop();
+    });
+    return names;
+  }
+
+  ModelRegistry models_ = built_in_models();
+  Protocol protocol_ = read_small_protocol(models_, kTwiceExplored);
+};
+
+TEST_F(ExploredStimuli, AreExaminedOnceForEachExploration) {
+  EXPECT_THAT(examined({}), ElementsAre(Pair("grating_sinusoid_0.004", "stroke"),
+                                        Pair("grating_sinusoid_0.002", "stroke"),
+                                        Pair("grating_sinusoid_0.004", "press"),
+                                        Pair("grating_sinusoid_0.002", "press")));
+}
+
+// Factors and roving choose what a name does not state.
+TEST_F(ExploredStimuli, AreDifferentWhereTheirMaterialDiffers) {
+  protocol_.blocks.at("presses").exploration = protocol_.blocks.at("strokes").exploration;
+  EXPECT_EQ(examined({}).size(), 2U);
+  protocol_.blocks.at("presses").rove.stiffness_N_per_m = {400.0, 600.0};
+  EXPECT_EQ(examined({}).size(), 4U);
+}
+
+TEST_F(ExploredStimuli, ReportTheirProgressAndStopOnRequest) {
+  std::vector<double> progress{};
+  examined({.progress = [&](double done) { progress.push_back(done); }});
+  EXPECT_THAT(progress, ElementsAre(0.0, 0.25, 0.5, 0.75));
+  std::stop_source stop{};
+  EXPECT_EQ(examined({.stop = stop.get_token()}, &stop).size(), 1U);
+}
+
+}  // namespace
+}  // namespace asperity
